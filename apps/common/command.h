@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace ridgeline::apps {
+
+/// What a subcommand does once its options are parsed; returns an ExitCode.
+using Run = std::function<int()>;
+
+/// A row of the table in main.cpp. `add` declares the options on the subcommand and returns what to
+/// run; the options live in the returned function.
+struct Command {
+  const char* name;
+  const char* summary;
+  Run (*add)(CLI::App& subcommand);
+};
+
+Run add_demo(CLI::App& subcommand);
+Run add_evaluate(CLI::App& subcommand);
+Run add_gate(CLI::App& subcommand);
+Run add_compare(CLI::App& subcommand);
+Run add_simulate(CLI::App& subcommand);
+Run add_info(CLI::App& subcommand);
+
+}  // namespace ridgeline::apps

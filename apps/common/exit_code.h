@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace ridgeline::apps {
+
+enum ExitCode : int {
+  kDone = 0,
+  kWrongInput = 1,  ///< of the user: files, options, usage
+  kInternalError = 2,
+  kGateFailed = 3,
+};
+
+}  // namespace ridgeline::apps

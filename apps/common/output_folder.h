@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The folder of a run's results. Every file is written whole or not at all, and none of the
+/// inputs is ever written over.
+class OutputFolder {
+ public:
+  /// Creates the folder. Throws IoError if it cannot be made or is a file.
+  OutputFolder(std::filesystem::path folder, const std::vector<std::string>& inputs);
+
+  /// The path of a file to be written. Throws IoError if it is one of the inputs.
+  [[nodiscard]] std::string path(std::string_view name) const;
+  void write(std::string_view name, std::string_view content) const;
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<std::filesystem::path> inputs_;  ///< canonical
+};
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/tables/result_folder.h"
+
+#include <string>
+
+namespace ridgeline::apps {
+
+/// Reads what `evaluate`, `run` or `demo` wrote: evaluation.*.json of the folder and of its
+/// subfolders (one per patch), and run.json for the inputs' hashes and the time.
+/// Throws IoError for a folder that does not exist or holds no evaluation, or a file that is not
+/// what it should be.
+evaluate::ResultFolder read_result_folder(const std::string& folder);
+
+}  // namespace ridgeline::apps

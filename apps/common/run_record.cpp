@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/run_record.h"
+
+#include "apps/common/version.h"
+#include "io/library_versions.h"
+#include "io/sha256.h"
+
+#include <Eigen/Core>
+#include <pcl/pcl_config.h>
+#include <sys/resource.h>
+#include <tbb/version.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace ridgeline::apps {
+namespace {
+
+double peak_memory_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+nlohmann::ordered_json versions() {
+  nlohmann::ordered_json json;
+  json["ridgeline"] = kVersion;
+  json["git_hash"] = kGitHash;
+  json["pcl"] = PCL_VERSION_PRETTY;
+  json["eigen"] = std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
+                  "." + std::to_string(EIGEN_MINOR_VERSION);
+  json["tbb"] = TBB_runtime_version();
+  for (const auto& [library, version] : io::library_versions()) json[library] = version;
+  return json;
+}
+
+RunRecord::RunRecord(std::string command)
+    : command_(std::move(command)), start_(Clock::now()), stage_start_(start_) {
+  inputs_ = nlohmann::ordered_json::array();
+  stages_ = nlohmann::ordered_json::array();
+  warnings_ = nlohmann::ordered_json::array();
+}
+
+void RunRecord::add_input(const std::string& role, const std::string& path) {
+  if (std::filesystem::is_directory(path)) {
+    for (const std::string& file : files_in(path)) add_input(role, file);
+    return;
+  }
+  inputs_.push_back({{"role", role},
+                     {"path", path},
+                     {"bytes", std::filesystem::file_size(path)},
+                     {"sha256", io::sha256_of_file(path)}});
+}
+
+void RunRecord::add_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) warnings_.push_back(warning);
+}
+
+void RunRecord::end_stage(const std::string& name) {
+  stages_.push_back({{"stage", name},
+                     {"seconds", seconds_since(stage_start_)},
+                     {"peak_memory_mib", peak_memory_mib()}});
+  stage_start_ = Clock::now();
+}
+
+std::string RunRecord::to_json() const {
+  nlohmann::ordered_json json;
+  json["command"] = command_;
+  json["versions"] = versions();
+  json["options"] = options_;
+  for (const auto& [key, value] : facts_.items()) json[key] = value;
+  json["inputs"] = inputs_;
+  json["warnings"] = warnings_;
+  json["stages"] = stages_;
+  json["seconds"] = seconds_since(start_);
+  json["peak_memory_mib"] = peak_memory_mib();
+  return json.dump(2) + "\n";
+}
+
+}  // namespace ridgeline::apps

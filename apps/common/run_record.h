@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// Versions of this program and of the libraries it runs with.
+nlohmann::ordered_json versions();
+
+/// run.json: what was run on what, with which options, how long and with how much memory. Only its
+/// times and memory differ between two equal runs.
+class RunRecord {
+ public:
+  explicit RunRecord(std::string command);
+
+  void set_options(nlohmann::ordered_json options) { options_ = std::move(options); }
+  void set(const std::string& key, nlohmann::ordered_json value) { facts_[key] = std::move(value); }
+  /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `image` and
+  /// `reference` are the data that two runs must share to be compared; `lines` are what is judged.
+  /// Of a folder (LIMAP's tracks): each of its files.
+  /// Throws IoError if it cannot be read.
+  void add_input(const std::string& role, const std::string& path);
+  void add_warnings(const std::vector<std::string>& warnings);
+  /// Ends the stage that runs now: its wall time since the last one, and the peak memory so far.
+  void end_stage(const std::string& name);
+
+  [[nodiscard]] std::string to_json() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string command_;
+  Clock::time_point start_, stage_start_;
+  nlohmann::ordered_json options_, facts_, inputs_, stages_, warnings_;
+};
+
+}  // namespace ridgeline::apps

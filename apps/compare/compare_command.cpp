@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/common/result_folder_reader.h"
+#include "evaluate/compare/comparison.h"
+#include "io/atomic_file.h"
+#include "reconstruct/geometry/check.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace ridgeline::apps {
+namespace {
+
+struct CompareArguments {
+  std::vector<std::string> folders;
+  std::string out;
+};
+
+/// One folder: its methods among each other. Several: each with the first.
+evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
+  std::vector<evaluate::ResultFolder> folders;
+  folders.reserve(paths.size());
+  for (const std::string& path : paths) folders.push_back(read_result_folder(path));
+  if (folders.size() > 1) return evaluate::compare_folders(folders);
+  evaluate::ComparisonReport report;
+  report.comparisons = evaluate::compare_methods(folders.front());
+  check(!report.comparisons.empty(), "compare: ", paths.front(),
+        " holds one method; give a second folder");
+  return report;
+}
+
+int run_compare(const CompareArguments& a) {
+  const evaluate::ComparisonReport report = compare_all(a.folders);
+  const std::string markdown = evaluate::to_markdown(report);
+  if (!a.out.empty()) {
+    const std::filesystem::path folder(a.out);
+    io::write_file((folder / "compare.md").string(), markdown);
+    io::write_file((folder / "compare.json").string(), evaluate::to_json(report));
+  }
+  fmt::print("{}", markdown);
+  return kDone;
+}
+
+}  // namespace
+
+Run add_compare(CLI::App& subcommand) {
+  auto a = std::make_shared<CompareArguments>();
+  subcommand
+      .add_option("folders", a->folders,
+                  "folders that evaluate, run or demo wrote; one: its methods are compared")
+      ->required();
+  subcommand.add_option("--out", a->out, "folder for compare.md and compare.json");
+  return [a] { return run_compare(*a); };
+}
+
+}  // namespace ridgeline::apps

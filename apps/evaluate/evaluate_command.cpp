@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/common/option_flags.h"
+#include "apps/common/output_folder.h"
+#include "apps/evaluate/judge_files.h"
+#include "apps/evaluate/write_results.h"
+#include "io/error.h"
+
+#include <fmt/core.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace ridgeline::apps {
+namespace {
+
+/// The options as they stand on the command line.
+struct EvaluateArguments {
+  std::vector<std::string> lines, clouds;
+  std::string out, patch, reference_lines;
+  std::vector<int> classes;
+  bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
+  bool vertex_pairs = false;
+  std::vector<double> bounds, origin;
+  std::string assume_crs;
+  std::string sample_consensus = "msac";
+  std::uint64_t max_points = 0, max_memory_mib = 0;
+  evaluate::JudgeOptions judge;
+  evaluate::SummaryOptions summary;
+};
+
+void add_inputs(CLI::App& app, EvaluateArguments& a) {
+  app.add_option("--lines", a.lines,
+                 "3D lines: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY, Line3D++, "
+                 "LIMAP, ELSR; each file is judged")
+      ->required();
+  app.add_option("--cloud", a.clouds,
+                 "LAS, LAZ, PCD, PLY or x y z text; files and patterns are one cloud");
+  app.add_option("--out", a.out, "folder for the results")->required();
+  app.add_option("--patch", a.patch,
+                 "patch file: its cameras class the lines aligned / not_aligned, its lidar is the "
+                 "cloud where --cloud is not given");
+  app.add_option("--reference-lines", a.reference_lines,
+                 "true 3D lines: precision and completeness at tolerances beside the distances");
+  app.add_option("--assume-crs", a.assume_crs,
+                 "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
+  app.add_flag("--pairs", a.vertex_pairs, "an OBJ's vertices two by two are the lines");
+}
+
+void add_cloud_filters(CLI::App& app, EvaluateArguments& a) {
+  const char* group = "Cloud";
+  app.add_option("--classes", a.classes,
+                 "keep these ASPRS classes only, e.g. 2,6; default: all but noise (7, 18)")
+      ->delimiter(',')
+      ->check(CLI::Range(0, 255))
+      ->group(group);
+  app.add_flag("--exclude-withheld,!--include-withheld", a.exclude_withheld,
+               "leave out withheld points (default)")
+      ->group(group);
+  app.add_flag("--last-returns", a.last_returns, "last return of each pulse only")->group(group);
+  app.add_option("--bounds", a.bounds, "x_min,y_min,x_max,y_max in the cloud's CRS, m")
+      ->delimiter(',')
+      ->expected(4)
+      ->group(group);
+  app.add_option("--origin", a.origin, "x,y,z of the local frame, whole metres")
+      ->delimiter(',')
+      ->expected(3)
+      ->group(group);
+  app.add_option("--max-points", a.max_points, "refuse to keep more; 0: no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--max-memory-mib", a.max_memory_mib, "for the points kept; 0: no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--strict", a.strict, "refuse coordinates damaged by float32")->group(group);
+  app.add_flag("--salvage", a.salvage, "read what is there of a file cut short")->group(group);
+}
+
+void add_statistics_options(CLI::App& app, EvaluateArguments& a) {
+  const char* group = "Statistics";
+  app.add_option("--gross-m", a.summary.gross_m, "a line farther off is a gross error")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--sigma-sys-m", a.summary.sigma_sys_m,
+                 "systematic part of the cloud's accuracy (datum, strips)")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--bootstrap-replicates", a.summary.bootstrap.replicates, "of the intervals")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--bootstrap-seed", a.summary.bootstrap.seed, "of the intervals")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--bca", a.summary.bootstrap.bca, "bias-corrected and accelerated intervals")
+      ->group(group);
+}
+
+evaluate::SampleConsensus consensus_named(const std::string& name) {
+  if (name == "ransac") return evaluate::SampleConsensus::kRansac;
+  if (name == "prosac") return evaluate::SampleConsensus::kProsac;
+  return evaluate::SampleConsensus::kMsac;
+}
+
+void add_judge_options(CLI::App& app, EvaluateArguments& a) {
+  app.add_option("--sample-consensus", a.sample_consensus, "of PCL")
+      ->check(CLI::IsMember({"msac", "ransac", "prosac"}))
+      ->capture_default_str()
+      ->group("Judge");
+  add_flags(app, a.judge, "Judge");
+}
+
+void check_summary(const evaluate::SummaryOptions& summary) {
+  check(std::isfinite(summary.gross_m) && summary.gross_m > 0.0, "--gross-m = ", summary.gross_m,
+        ", must be finite and > 0");
+  check(std::isfinite(summary.sigma_sys_m) && summary.sigma_sys_m >= 0.0,
+        "--sigma-sys-m = ", summary.sigma_sys_m, ", must be finite and >= 0");
+}
+
+LocalFrame frame_of(const std::vector<double>& origin) {
+  const Eigen::Vector3d x(origin[0], origin[1], origin[2]);
+  check((x.array() == x.array().round()).all(), "--origin = ", origin[0], ",", origin[1], ",",
+        origin[2], ", must be whole metres");
+  return {x};
+}
+
+io::ReadOptions read_options(const EvaluateArguments& a) {
+  io::ReadOptions options;
+  if (!a.classes.empty()) options.classes.emplace(a.classes.begin(), a.classes.end());
+  options.exclude_withheld = a.exclude_withheld;
+  options.last_returns = a.last_returns;
+  if (!a.bounds.empty()) {
+    check(a.bounds[0] <= a.bounds[2] && a.bounds[1] <= a.bounds[3],
+          "--bounds: x_min,y_min,x_max,y_max must not be inverted");
+    options.bounds_in_world =
+        Eigen::AlignedBox3d(Eigen::Vector3d(a.bounds[0], a.bounds[1], -HUGE_VAL),
+                            Eigen::Vector3d(a.bounds[2], a.bounds[3], HUGE_VAL));
+  }
+  if (!a.origin.empty()) options.frame = frame_of(a.origin);
+  options.assume_crs.definition = a.assume_crs;
+  options.max_points = a.max_points;
+  options.max_memory_bytes = a.max_memory_mib << 20U;
+  options.strict = a.strict;
+  options.salvage = a.salvage;
+  return options;
+}
+
+JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
+  JudgeFilesOptions options;
+  options.line_paths = a.lines;
+  options.cloud_paths = a.clouds;
+  if (!a.patch.empty()) {
+    options.patch = io::read_patch(a.patch);
+    options.patch_name = options.patch->id;
+    if (options.cloud_paths.empty()) options.cloud_paths = options.patch->lidar;
+    options.reference_lines = options.patch->reference_lines;
+  }
+  if (!a.reference_lines.empty()) options.reference_lines = a.reference_lines;
+  if (options.cloud_paths.empty()) {
+    throw std::invalid_argument("no cloud: give --cloud FILE, or --patch with a lidar key");
+  }
+  if (options.patch_name.empty()) options.patch_name = stem_of(options.cloud_paths.front());
+  options.cloud = read_options(a);
+  options.lines.assume_crs.definition = a.assume_crs;
+  options.lines.vertex_pairs = a.vertex_pairs;
+  options.judge = a.judge;
+  options.judge.method = consensus_named(a.sample_consensus);
+  options.summary = a.summary;
+  validate(options.judge);
+  check_summary(options.summary);
+  return options;
+}
+
+nlohmann::ordered_json echo_arguments(const EvaluateArguments& a) {
+  nlohmann::ordered_json json;
+  json["lines"] = a.lines;
+  json["cloud"] = a.clouds;
+  json["patch"] = a.patch;
+  json["classes"] = a.classes;
+  json["exclude_withheld"] = a.exclude_withheld;
+  json["last_returns"] = a.last_returns;
+  json["bounds"] = a.bounds;
+  json["assume_crs"] = a.assume_crs;
+  json["sample_consensus"] = a.sample_consensus;
+  json["judge"] = echo(a.judge);
+  json["gross_m"] = a.summary.gross_m;
+  json["sigma_sys_m"] = a.summary.sigma_sys_m;
+  json["bootstrap_replicates"] = a.summary.bootstrap.replicates;
+  json["bootstrap_seed"] = a.summary.bootstrap.seed;
+  return json;
+}
+
+struct Input {
+  std::string role, path;
+};
+
+std::vector<Input> inputs_of(const EvaluateArguments& a, const JudgeFilesOptions& options) {
+  std::vector<Input> inputs;
+  for (const std::string& path : options.line_paths) inputs.push_back({"lines", path});
+  for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
+    inputs.push_back({"cloud", path});
+  }
+  if (!a.patch.empty()) inputs.push_back({"patch", a.patch});
+  if (options.reference_lines) inputs.push_back({"reference", *options.reference_lines});
+  return inputs;
+}
+
+int run_evaluate(const EvaluateArguments& arguments) {
+  RunRecord record("evaluate");
+  const JudgeFilesOptions options = judge_files_options(arguments);
+  record.set_options(echo_arguments(arguments));
+  const std::vector<Input> inputs = inputs_of(arguments, options);
+  std::vector<std::string> paths;
+  paths.reserve(inputs.size());
+  for (const Input& input : inputs) paths.push_back(input.path);
+  const OutputFolder out(arguments.out, paths);
+  for (const std::string& name : result_names(options.line_paths)) (void)out.path(name);
+
+  const JudgedFiles judged = judge_files(options, record);
+  for (const std::string& warning : judged.warnings) spdlog::warn("{}", warning);
+  record.add_warnings(judged.warnings);
+  for (const Input& input : inputs) record.add_input(input.role, input.path);
+  record.end_stage("hash_inputs");
+  write_evaluations(judged.evaluations, out, "");
+  write_tolerances(judged.tolerances, out);
+  fmt::print("{}", write_table2(judged.evaluations, out));
+  record.end_stage("write");
+  out.write("run.json", record.to_json());
+  spdlog::info("local origin {:.0f} {:.0f} {:.0f} m; results in {}", judged.frame.origin_m.x(),
+               judged.frame.origin_m.y(), judged.frame.origin_m.z(), arguments.out);
+  return kDone;
+}
+
+}  // namespace
+
+Run add_evaluate(CLI::App& subcommand) {
+  auto arguments = std::make_shared<EvaluateArguments>();
+  add_inputs(subcommand, *arguments);
+  add_cloud_filters(subcommand, *arguments);
+  add_judge_options(subcommand, *arguments);
+  add_statistics_options(subcommand, *arguments);
+  return [arguments] { return run_evaluate(*arguments); };
+}
+
+}  // namespace ridgeline::apps

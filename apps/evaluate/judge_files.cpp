@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/judge_files.h"
+
+#include "evaluate/judge/judge_lines.h"
+#include "evaluate/statistics/frame_check.h"
+#include "io/error.h"
+#include "reconstruct/geometry/epipolar.h"
+
+#include <Eigen/Geometry>
+#include <fmt/core.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::Evaluation;
+using evaluate::JudgedLine;
+
+/// Largest median distance, divided by 20, of lines that are in the frame of the cloud: a geoid
+/// taken for an ellipsoid (tens of metres) is found, lines a storey too high are judged.
+constexpr double kFrameTolerance_m = 1.0;
+
+std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
+  std::vector<io::LineSet> sets;
+  std::set<std::string> stems;
+  for (const std::string& path : options.line_paths) {
+    if (!stems.insert(stem_of(path)).second) {
+      throw io::IoError(path,
+                        fmt::format("a second line file named '{}'; names without extension must "
+                                    "differ, as the results are named after them",
+                                    stem_of(path)));
+    }
+    sets.push_back(io::read_lines(path, options.lines));
+  }
+  return sets;
+}
+
+/// Coordinates in metres: files in feet state their unit in the CRS.
+Segment3 metric_segment(const io::Line& line, const io::CrsFacts& crs) {
+  const Eigen::Vector3d unit_m(crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m);
+  return {line.segment_in_world.start.cwiseProduct(unit_m),
+          line.segment_in_world.end.cwiseProduct(unit_m)};
+}
+
+std::string class_of(const io::Line& line, std::optional<double> epipolar_angle_deg) {
+  constexpr double kAligned_deg = 10.0;  // Ok et al. 2011, section 3
+  if (!line.line_class.empty()) return line.line_class;
+  if (!epipolar_angle_deg) return "all";
+  return *epipolar_angle_deg <= kAligned_deg ? "aligned" : "not_aligned";
+}
+
+JudgedLine judged_line(const io::Line& line,
+                       const io::CrsFacts& crs,
+                       const LocalFrame& frame,
+                       const std::vector<ProjectionMatrix>& cameras) {
+  const Segment3 segment_in_world = metric_segment(line, crs);
+  JudgedLine judged;
+  judged.id = line.id;
+  judged.segment = {frame.local_from_world(segment_in_world.start),
+                    frame.local_from_world(segment_in_world.end)};
+  judged.building = line.building;
+  judged.covariance_m2 = line.covariance_m2;
+  judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection";
+  judged.epipolar_angle_deg = line.epipolar_angle_deg;
+  if (!judged.epipolar_angle_deg && cameras.size() >= 2 && all_finite(segment_in_world)) {
+    judged.epipolar_angle_deg =
+        epipolar_angle_rad(cameras, segment_in_world) * 180.0 / std::numbers::pi;
+  }
+  judged.line_class = class_of(line, judged.epipolar_angle_deg);
+  return judged;
+}
+
+std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& patch) {
+  std::vector<ProjectionMatrix> cameras;
+  if (!patch) return cameras;
+  for (const auto& image : patch->images) cameras.push_back(image.image_from_world);
+  return cameras;
+}
+
+std::vector<std::vector<JudgedLine>> localise(const std::vector<io::LineSet>& sets,
+                                              const LocalFrame& frame,
+                                              const std::vector<ProjectionMatrix>& cameras) {
+  std::vector<std::vector<JudgedLine>> lines;
+  for (const io::LineSet& set : sets) {
+    const io::CrsFacts crs = io::describe(set.crs);
+    std::vector<JudgedLine>& judged = lines.emplace_back();
+    judged.reserve(set.lines.size());
+    for (const io::Line& line : set.lines) judged.push_back(judged_line(line, crs, frame, cameras));
+  }
+  return lines;
+}
+
+/// The surroundings of all lines: nothing else of the cloud is kept.
+io::PlanMask mask_around(const std::vector<std::vector<JudgedLine>>& lines,
+                         const evaluate::JudgeOptions& options) {
+  std::vector<Segment2> footprints;
+  for (const auto& set : lines) {
+    for (const JudgedLine& line : set) {
+      if (all_finite(line.segment)) footprints.push_back(plan(line.segment));
+    }
+  }
+  // the corner of the zone that a line's planes are fitted in
+  const double widest =
+      std::max(options.fit_half_width_m, options.corridor_half_width_m + options.corridor_end_m);
+  return {footprints, std::numbers::sqrt2 * widest};
+}
+
+void refuse_mismatch(const io::LineSet& set,
+                     const io::PointCloud& cloud,
+                     std::vector<std::string>& warnings) {
+  const io::CrsAgreement agreement = io::compare(set.crs, cloud.crs);
+  if (!agreement.compatible) {
+    throw io::IoError(set.path,
+                      fmt::format("lines and cloud do not match: {}; transform one of them, or "
+                                  "declare the CRS with --assume-crs",
+                                  agreement.reason));
+  }
+  if (!agreement.warning.empty()) warnings.push_back(set.path + ": " + agreement.warning);
+}
+
+std::string bounds_text(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) return "empty";
+  return fmt::format("x {:.2f}..{:.2f}, y {:.2f}..{:.2f}, z {:.2f}..{:.2f}", box.min().x(),
+                     box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z());
+}
+
+Eigen::AlignedBox3d bounds_of(const io::LineSet& set) {
+  Eigen::AlignedBox3d box;
+  for (const io::Line& line : set.lines) {
+    if (!all_finite(line.segment_in_world)) continue;
+    box.extend(line.segment_in_world.start);
+    box.extend(line.segment_in_world.end);
+  }
+  return box;
+}
+
+/// All points of the cloud, for a message: the judged ones are only those near the lines.
+Eigen::AlignedBox3d bounds_of_cloud(const JudgeFilesOptions& options) {
+  const io::PointCloud cloud = io::read_cloud(options.cloud_paths, options.cloud);
+  Eigen::AlignedBox3d box;
+  for (const io::CloudPoint& p : cloud.points) {
+    box.extend(cloud.frame.world_from_local({p.x, p.y, p.z}));
+  }
+  return box;
+}
+
+void refuse_foreign_frame(const Evaluation& evaluation,
+                          const io::LineSet& set,
+                          const io::PointCloud& cloud,
+                          const JudgeFilesOptions& options) {
+  const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
+  if (check.same_frame) return;
+  const Eigen::AlignedBox3d cloud_box = bounds_of_cloud(options);
+  if (cloud_box.isEmpty()) {
+    throw io::IoError(options.cloud_paths.front(),
+                      "no point lies within --bounds; must be given in the cloud's CRS");
+  }
+  throw io::IoError(
+      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines [{}] {}; "
+                            "cloud [{}] {}",
+                            check.reason, io::describe(set.crs).name, bounds_text(bounds_of(set)),
+                            io::describe(cloud.crs).name, bounds_text(cloud_box)));
+}
+
+nlohmann::ordered_json cloud_facts(const io::PointCloud& cloud) {
+  nlohmann::ordered_json json;
+  json["crs"] = io::describe(cloud.crs).name;
+  json["horizontal_unit_m"] = cloud.horizontal_unit_m;
+  json["vertical_unit_m"] = cloud.vertical_unit_m;
+  json["n_read"] = cloud.n_read;
+  json["n_kept"] = cloud.points.size();
+  json["n_dropped_class"] = cloud.n_dropped_class;
+  json["n_dropped_withheld"] = cloud.n_dropped_withheld;
+  json["n_dropped_return"] = cloud.n_dropped_return;
+  json["n_dropped_bounds"] = cloud.n_dropped_bounds;
+  json["n_dropped_non_finite"] = cloud.n_dropped_non_finite;
+  return json;
+}
+
+void refuse_empty(const io::PointCloud& cloud, const JudgeFilesOptions& options) {
+  if (cloud.n_read == 0) {
+    throw io::IoError(options.cloud_paths.front(), "holds no points; nothing to judge lines by");
+  }
+  const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
+                                 cloud.n_dropped_return + cloud.n_dropped_non_finite;
+  if (filtered < cloud.n_read) return;
+  throw io::IoError(options.cloud_paths.front(),
+                    fmt::format("no point of {} is left: {} dropped by class, {} withheld, {} not "
+                                "last returns, {} not finite; ask `ridgeline info` for its classes",
+                                cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
+                                cloud.n_dropped_return, cloud.n_dropped_non_finite));
+}
+
+evaluate::PointGrid grid_of(io::PointCloud& cloud) {
+  const auto position = [&](std::size_t i) {
+    const io::CloudPoint& p = cloud.points[i];
+    return Eigen::Vector3d(p.x, p.y, p.z);
+  };
+  evaluate::PointGrid grid = evaluate::PointGrid::build(cloud.points.size(), position);
+  cloud.points = {};  // the grid holds them now
+  return grid;
+}
+
+Evaluation judge_set(const io::LineSet& set,
+                     const std::vector<JudgedLine>& lines,
+                     const evaluate::PointGrid& grid,
+                     const LocalFrame& frame,
+                     const JudgeFilesOptions& options) {
+  Evaluation evaluation;
+  evaluation.patch = options.patch_name;
+  evaluation.method = stem_of(set.path);
+  evaluation.origin_m = frame.origin_m;
+  evaluation.options = options.summary;
+  for (auto& result : evaluate::judge_lines(grid, lines, options.judge)) {
+    evaluation.lines.push_back(std::move(result.evaluation));
+  }
+  return evaluate::with_summaries(std::move(evaluation));
+}
+
+std::vector<Segment3> finite_segments(const std::vector<JudgedLine>& lines) {
+  std::vector<Segment3> segments;
+  for (const JudgedLine& line : lines) {
+    if (line.reconstructed && all_finite(line.segment)) segments.push_back(line.segment);
+  }
+  return segments;
+}
+
+std::vector<Segment3> read_references(const std::string& path,
+                                      const JudgeFilesOptions& options,
+                                      const io::PointCloud& cloud,
+                                      JudgedFiles& judged) {
+  const io::LineSet set = io::read_lines(path, options.lines);
+  refuse_mismatch(set, cloud, judged.warnings);
+  return finite_segments(localise({set}, judged.frame, {}).front());
+}
+
+/// Rows of one evaluation against its planes, and against the reference lines where there are any.
+void add_tolerances(const Evaluation& evaluation,
+                    const std::vector<JudgedLine>& lines,
+                    const std::optional<std::vector<Segment3>>& references,
+                    std::vector<evaluate::ToleranceRow>& rows) {
+  const evaluate::ToleranceOptions options;
+  for (const auto& m : evaluate::measure_against_planes(evaluation.lines, options)) {
+    rows.push_back({evaluation.patch, evaluation.method, "planes", m});
+  }
+  if (!references) return;
+  for (const auto& m :
+       evaluate::measure_against_lines(finite_segments(lines), *references, options)) {
+    rows.push_back({evaluation.patch, evaluation.method, "lines", m});
+  }
+}
+
+}  // namespace
+
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
+  JudgedFiles judged;
+  judged.line_sets = read_line_files(options);
+  judged.frame = options.cloud.frame ? *options.cloud.frame
+                                     : io::suggest_frame(options.cloud_paths, options.cloud);
+  const auto lines = localise(judged.line_sets, judged.frame, cameras_of(options.patch));
+  record.end_stage("read_lines");
+
+  io::ReadOptions cloud_options = options.cloud;
+  cloud_options.frame = judged.frame;
+  cloud_options.near = mask_around(lines, options.judge);
+  io::PointCloud cloud = io::read_cloud(options.cloud_paths, cloud_options);
+  record.set("cloud", cloud_facts(cloud));
+  record.end_stage("read_cloud");
+
+  refuse_empty(cloud, options);
+  judged.warnings = cloud.warnings;
+  for (const io::LineSet& set : judged.line_sets) {
+    for (const std::string& warning : set.warnings) {
+      judged.warnings.push_back(set.path + ": " + warning);
+    }
+    refuse_mismatch(set, cloud, judged.warnings);
+  }
+  std::optional<std::vector<Segment3>> references;
+  if (options.reference_lines) {
+    references = read_references(*options.reference_lines, options, cloud, judged);
+  }
+  const evaluate::PointGrid grid = grid_of(cloud);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    judged.evaluations.push_back(
+        judge_set(judged.line_sets[i], lines[i], grid, judged.frame, options));
+    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud, options);
+    add_tolerances(judged.evaluations.back(), lines[i], references, judged.tolerances);
+  }
+  record.end_stage("judge");
+  return judged;
+}
+
+}  // namespace ridgeline::apps

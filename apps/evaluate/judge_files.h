@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/common/run_record.h"
+#include "evaluate/judge/options.h"
+#include "evaluate/statistics/evaluation.h"
+#include "evaluate/tables/tolerance_table.h"
+#include "io/cloud/read_cloud.h"
+#include "io/lines/read_lines.h"
+#include "io/patch.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+struct JudgeFilesOptions {
+  std::vector<std::string> line_paths;
+  std::vector<std::string> cloud_paths;  ///< files and patterns
+  std::optional<io::PatchFile> patch;    ///< its cameras class the lines aligned / not_aligned
+  std::string patch_name;                ///< in the tables
+  std::optional<std::string> reference_lines;  ///< true lines: precision and completeness
+  io::ReadOptions cloud;
+  io::ReadLinesOptions lines;
+  evaluate::JudgeOptions judge;
+  evaluate::SummaryOptions summary;
+};
+
+struct JudgedFiles {
+  LocalFrame frame;
+  std::vector<io::LineSet> line_sets;              ///< as read
+  std::vector<evaluate::Evaluation> evaluations;   ///< one per line file; method: the file's stem
+  std::vector<evaluate::ToleranceRow> tolerances;  ///< against planes, and reference lines if given
+  std::vector<std::string> warnings;
+};
+
+/// Files -> judged lines: lines, the points near them, one local frame for all, the judge, the
+/// figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines
+/// that are not in the frame of the cloud.
+JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
+
+/// A file's name without folder and extension.
+std::string stem_of(const std::string& path);
+
+}  // namespace ridgeline::apps

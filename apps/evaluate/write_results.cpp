@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/write_results.h"
+
+#include "apps/evaluate/judge_files.h"
+#include "evaluate/statistics/accuracy.h"
+#include "evaluate/statistics/strata.h"
+#include "evaluate/tables/accuracy_table.h"
+#include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/table2.h"
+
+#include <fmt/core.h>
+
+#include <vector>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::Evaluation;
+
+/// Runs of evaluations of one patch, each cut down to its common lines.
+std::vector<Evaluation> on_common_lines_by_patch(std::span<const Evaluation> evaluations) {
+  std::vector<Evaluation> common;
+  for (std::size_t first = 0; first < evaluations.size();) {
+    std::size_t last = first;
+    while (last < evaluations.size() && evaluations[last].patch == evaluations[first].patch) ++last;
+    for (Evaluation& e : evaluate::on_common_lines(evaluations.subspan(first, last - first))) {
+      common.push_back(std::move(e));
+    }
+    first = last;
+  }
+  return common;
+}
+
+bool has_several_methods(std::span<const Evaluation> evaluations) {
+  for (std::size_t i = 1; i < evaluations.size(); ++i) {
+    if (evaluations[i].patch == evaluations[i - 1].patch) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
+  std::vector<std::string> names{"table2.md",  "table2.csv",       "table2.json",
+                                 "table2.tex", "table2.common.md", "table2.common.csv",
+                                 "run.json",   "tolerances.csv",   "tolerances.md"};
+  for (const std::string& path : line_paths) {
+    names.push_back(fmt::format("evaluation.{}.json", stem_of(path)));
+    names.push_back(fmt::format("lines.{}.csv", stem_of(path)));
+    names.push_back(fmt::format("accuracy.{}.md", stem_of(path)));
+  }
+  return names;
+}
+
+void write_evaluations(std::span<const Evaluation> evaluations,
+                       const OutputFolder& out,
+                       const std::string& subfolder) {
+  for (const Evaluation& e : evaluations) {
+    out.write(fmt::format("{}evaluation.{}.json", subfolder, e.method), evaluate::to_json(e));
+    out.write(fmt::format("{}lines.{}.csv", subfolder, e.method), evaluate::to_line_csv(e));
+    out.write(fmt::format("{}accuracy.{}.md", subfolder, e.method),
+              evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
+                  evaluate::to_markdown(evaluate::stratify(e)));
+  }
+}
+
+void write_tolerances(const std::vector<evaluate::ToleranceRow>& rows, const OutputFolder& out) {
+  out.write("tolerances.csv", evaluate::tolerances_to_csv(rows));
+  out.write("tolerances.md", evaluate::tolerances_to_markdown(rows));
+}
+
+std::string write_table2(std::span<const Evaluation> evaluations, const OutputFolder& out) {
+  const evaluate::Table2 table = evaluate::make_table2(evaluations);
+  std::string markdown = evaluate::to_markdown(table);
+  out.write("table2.md", markdown);
+  out.write("table2.csv", evaluate::to_csv(table));
+  out.write("table2.json", evaluate::to_json(table));
+  out.write("table2.tex", evaluate::to_latex(table));
+  if (has_several_methods(evaluations)) {
+    const evaluate::Table2 paired = evaluate::make_table2(on_common_lines_by_patch(evaluations));
+    out.write("table2.common.md", evaluate::to_markdown(paired));
+    out.write("table2.common.csv", evaluate::to_csv(paired));
+  }
+  return markdown;
+}
+
+}  // namespace ridgeline::apps

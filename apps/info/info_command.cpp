@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "io/cloud/cloud_facts.h"
+#include "io/error.h"
+#include "io/lines/line_facts.h"
+#include "io/lines/read_lines.h"
+#include "io/patch.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace ridgeline::apps {
+namespace {
+
+void print_crs(const io::CrsFacts& crs) {
+  fmt::print("  crs         {}\n", crs.name);
+  fmt::print("  units       {} ({:.12g} m) in plan, {} ({:.12g} m) in height\n",
+             crs.horizontal_unit_name, crs.horizontal_unit_m, crs.vertical_unit_name,
+             crs.vertical_unit_m);
+}
+
+void print_bounds(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) {
+    fmt::print("  bounds      none\n");
+    return;
+  }
+  fmt::print("  bounds      x {:.3f} .. {:.3f}, y {:.3f} .. {:.3f}, z {:.3f} .. {:.3f}\n",
+             box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(),
+             box.max().z());
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print("  warning     {}\n", warning);
+}
+
+void print_counts(const char* label, const std::map<std::uint8_t, std::uint64_t>& counts) {
+  if (counts.empty()) return;
+  fmt::print("  {:<11}", label);
+  for (const auto& [value, n] : counts) fmt::print(" {}: {}", value, n);
+  fmt::print("\n");
+}
+
+void print_cloud(const std::string& path) {
+  const io::CloudFacts facts = io::cloud_facts(path);
+  fmt::print("{}: {}\n  points      {}\n", path, facts.format, facts.n_points);
+  if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
+  print_bounds(facts.bounds);
+  if (facts.density_per_m2) {
+    fmt::print("  density     {:.2f} points/m2 where there are points\n", *facts.density_per_m2);
+  }
+  print_counts("classes", facts.n_by_class);
+  print_counts("returns", facts.n_by_return);
+  if (facts.n_withheld > 0) fmt::print("  withheld    {}\n", facts.n_withheld);
+  print_crs(facts.crs);
+  if (facts.scale && facts.offset) {
+    fmt::print("  stored as   scale {:g} {:g} {:g}, offset {:.3f} {:.3f} {:.3f}\n",
+               facts.scale->x(), facts.scale->y(), facts.scale->z(), facts.offset->x(),
+               facts.offset->y(), facts.offset->z());
+  }
+  print_warnings(facts.warnings);
+}
+
+void print_lines(const std::string& path) {
+  const io::LineSet set = io::read_lines(path);
+  const io::LineFacts facts = io::line_facts(set);
+  fmt::print("{}: {}\n  lines       {}, {:.1f} m together\n", path, set.format, facts.n_lines,
+             facts.total_length_m);
+  if (facts.n_polylines > 0) fmt::print("  polylines   {}\n", facts.n_polylines);
+  if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
+  print_bounds(facts.bounds_m);
+  fmt::print("  attributes  {}\n", fmt::join(facts.attributes, " "));
+  print_crs(io::describe(set.crs));
+  print_warnings(set.warnings);
+}
+
+void print_patch(const std::string& path) {
+  const io::PatchFile patch = io::read_patch(path);
+  fmt::print("{}: patch {}\n  heights     {:g} .. {:g} m\n", path, patch.id,
+             patch.height_range_m[0], patch.height_range_m[1]);
+  for (const io::PatchImage& image : patch.images) {
+    const Eigen::Vector4d centre = projection_centre(image.image_from_world);
+    fmt::print("  image       {}: {}, projection centre {:.3f} {:.3f} {:.3f}\n", image.id,
+               image.path, centre.x() / centre.w(), centre.y() / centre.w(),
+               centre.z() / centre.w());
+  }
+  fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));
+  print_crs(io::describe(patch.crs));
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// A PLY holds a cloud, or lines if its header lists edges or faces.
+bool is_line_ply(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  while (std::getline(file, line) && !line.starts_with("end_header")) {
+    if (line.starts_with("element edge") || line.starts_with("element face")) return true;
+  }
+  return false;
+}
+
+/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter.
+void print_text_file(const std::string& path) {
+  try {
+    print_lines(path);
+  } catch (const io::IoError&) {
+    print_cloud(path);
+  }
+}
+
+void print_facts(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".yaml" || extension == ".yml") return print_patch(path);
+  if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz") {
+    return print_cloud(path);
+  }
+  if (extension == ".ply" && !is_line_ply(path)) return print_cloud(path);
+  if (extension == ".txt") return print_text_file(path);
+  print_lines(path);
+}
+
+}  // namespace
+
+Run add_info(CLI::App& subcommand) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  subcommand.add_option("files", *files, "clouds, line files, patch files")->required();
+  return [files] {
+    for (const std::string& file : *files) print_facts(file);
+    return static_cast<int>(kDone);
+  };
+}
+
+}  // namespace ridgeline::apps

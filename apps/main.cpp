@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/common/run_record.h"
+#include "apps/common/version.h"
+#include "io/error.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+namespace {
+
+constexpr std::array kCommands{
+    Command{"demo", "run everything on sample data and print the tables", add_demo},
+    Command{"evaluate", "judge any tool's 3D lines against a point cloud", add_evaluate},
+    Command{"gate", "fail when accuracy is below the gates (exit code 3)", add_gate},
+    Command{"compare", "the same lines under several methods or tools, paired", add_compare},
+    Command{"simulate", "a synthetic village: LIDAR, true lines, lines of known quality",
+            add_simulate},
+    Command{"info", "what a cloud, line or patch file holds", add_info},
+};
+
+std::string version_text() {
+  std::string text = fmt::format("ridgeline {} ({})\n", kVersion, kGitHash);
+  const nlohmann::ordered_json all = versions();
+  for (const auto& [library, version] : all.items()) {
+    if (library == "ridgeline" || library == "git_hash") continue;
+    text += fmt::format("  {} {}\n", library, version.get<std::string>());
+  }
+  return text;
+}
+
+struct GlobalOptions {
+  int jobs = 0;
+  bool quiet = false;
+  std::string log_level = "info";
+};
+
+void add_global_options(CLI::App& app, GlobalOptions& options) {
+  app.fallthrough();
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text);
+  app.add_option("--jobs", options.jobs, "threads; 0: all. Results do not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_flag("--quiet", options.quiet, "only errors on stderr");
+  app.add_option("--log-level", options.log_level, "of the log on stderr")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
+      ->capture_default_str();
+}
+
+void set_up_log(const GlobalOptions& options) {
+  auto log = spdlog::stderr_color_mt("ridgeline");
+  log->set_pattern("%^%l%$: %v");
+  log->set_level(options.quiet ? spdlog::level::err : spdlog::level::from_str(options.log_level));
+  spdlog::set_default_logger(log);
+}
+
+/// Libraries put line breaks into some of their messages; scripts read one line.
+int fail(std::string message, ExitCode code) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "ridgeline: {}\n", message);
+  return code;
+}
+
+/// CLI11 reports a missing option before an unknown word, which is often its cause: a misspelling.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (unknown.empty()) return std::string(error.what()) + " (see ridgeline --help)";
+  return fmt::format("unknown argument {} (see ridgeline --help)", fmt::join(unknown, " "));
+}
+
+int parse_and_run(CLI::App& app, int argc, char** argv) {
+  GlobalOptions global;
+  add_global_options(app, global);
+  std::optional<Run> chosen;
+  for (const Command& command : kCommands) {
+    CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
+    const Run run = command.add(*subcommand);
+    subcommand->callback([&chosen, run] { chosen = run; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return fail(usage_message(app, error), kWrongInput);
+  }
+  set_up_log(global);
+  const int threads = global.jobs > 0 ? global.jobs : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  return (*chosen)();
+}
+
+int guarded_main(int argc, char** argv) {
+  CLI::App app("Reconstructs 3D lines from oriented aerial images and judges lines against LIDAR",
+               "ridgeline");
+  try {
+    return parse_and_run(app, argc, argv);
+  } catch (const io::IoError& error) {
+    return fail(error.what(), kWrongInput);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what(), kWrongInput);
+  } catch (const std::filesystem::filesystem_error& error) {  // permissions, a vanished file
+    return fail(fmt::format("{}: {}", error.path1().string(), error.code().message()), kWrongInput);
+  } catch (const std::exception& error) {
+    return fail(fmt::format("internal error: {}", error.what()), kInternalError);
+  }
+}
+
+}  // namespace
+}  // namespace ridgeline::apps
+
+// NOLINTNEXTLINE(bugprone-exception-escape): a failing handler may end the program
+int main(int argc, char** argv) { return ridgeline::apps::guarded_main(argc, argv); }

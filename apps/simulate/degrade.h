@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/line_set.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace ridgeline::simulate {
+
+/// The errors of a simulated tool. Each line draws from its own random stream, so that a line keeps
+/// its errors when others are taken away.
+struct DegradeOptions {
+  std::uint64_t seed = 1;
+  double plan_sigma_m = 0.05;    ///< of each endpoint, per plan axis, independent
+  double height_sigma_m = 0.05;  ///< of the whole line
+  double tilt_sigma_m = 0.03;    ///< height of the start down, of the end up
+  Eigen::Vector3d bias_m = Eigen::Vector3d::Zero();  ///< of all lines
+  double missing_share = 0.0;                        ///< lines that the tool did not find
+  double gross_share = 0.0;  ///< lines off by 2 to 8 m in height, as after a false match
+  /// Standard deviations as claimed / as simulated: 1 honest, below 1 optimistic. Bias and gross
+  /// errors are never part of the claim.
+  double claimed_sigma_ratio = 1.0;
+};
+
+enum class Grade : std::uint8_t {
+  kGood,  ///< about 5 cm in each coordinate
+  kFair,  ///< about 20 cm
+  kPoor,  ///< about 60 cm, with gross errors
+};
+DegradeOptions options_of(Grade grade, std::uint64_t seed);
+
+/// The lines with errors and with the matching covariance of (start, end); ids, kinds and other
+/// attributes are kept, so that results can be compared with the truth line by line.
+/// Throws std::invalid_argument for a negative sigma or a share outside [0, 1].
+io::LineSet degrade_lines(const io::LineSet& lines, const DegradeOptions& options);
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/als.h"
+#include "apps/simulate/random.h"
+#include "apps/simulate/scene.h"
+
+#include <Eigen/Geometry>
+
+namespace ridgeline::simulate {
+
+/// Outliers lie up to this height above the ground.
+inline constexpr double kHighestOutlierM = 60.0;
+
+/// One laser shot: from the aircraft towards a point of the mean terrain. Local metres.
+struct Pulse {
+  Eigen::Vector3d origin_m;
+  Eigen::Vector3d target_m;
+};
+
+/// Where the aircraft flies and where its pulses aim. Frame `flight`: f along the strips, a across,
+/// origin in the middle of the scene.
+class FlightPlan {
+ public:
+  FlightPlan(const Scene& scene, const AlsOptions& options);
+
+  [[nodiscard]] int num_strips() const { return num_strips_; }
+  [[nodiscard]] int num_lines() const { return num_lines_; }  ///< per strip
+
+  struct PulseRange {
+    int first = 0;
+    int last = 0;  ///< one past the end
+  };
+  /// Pulses of a scan line that may give a return in the window.
+  [[nodiscard]] PulseRange pulses_near(int strip,
+                                       int line,
+                                       const Eigen::AlignedBox2d& window) const;
+
+  /// Aim with a small random jitter.
+  [[nodiscard]] Pulse pulse(int strip, int line, int pulse, Random& random) const;
+
+ private:
+  [[nodiscard]] double strip_centre_a_m(int strip) const;
+  [[nodiscard]] double mean_coverage(const Eigen::Vector2d& extent_m) const;
+
+  Eigen::Matrix2d local_from_flight_;
+  Eigen::Vector2d centre_m_;
+  PlanFunction terrain_;
+  double height_m_;
+  double footprint_m_;
+  double swath_m_;
+  double strip_spacing_m_;
+  double pulse_spacing_m_ = 1.0;
+  double half_length_m_ = 0.0;  // of a strip
+  double margin_m_ = 0.0;       // in plan, between the aim of a pulse and its returns
+  int num_strips_ = 1;
+  int num_lines_ = 1;
+};
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/furniture.h"
+
+#include "apps/simulate/mesh_builder.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::simulate {
+namespace {
+
+/// Uniform on the unit sphere (Archimedes: z is uniform).
+Eigen::Vector3d random_direction(Random& random) {
+  const double z = random.uniform(-1.0, 1.0);
+  const double phi = random.uniform(0.0, 2.0 * std::numbers::pi);
+  const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+  return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+ConvexPolygon turned_rectangle(const Eigen::Vector2d& centre,
+                               double azimuth_rad,
+                               double half_u,
+                               double half_v) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(azimuth_rad).toRotationMatrix();
+  ConvexPolygon polygon = rectangle({-half_u, -half_v}, {half_u, half_v});
+  for (Eigen::Vector2d& x : polygon) x = turn * x + centre;
+  return polygon;
+}
+
+}  // namespace
+
+void add_tree(const Eigen::Vector3d& foot,
+              double crown_radius_m,
+              double height_m,
+              Random& random,
+              Mesh& mesh) {
+  constexpr double kOpticalDepth = 1.6;  // mean number of leaves on a vertical ray
+  constexpr double kLeafM = 0.22;
+  constexpr double kLeafAreaM2 = 1.3 * kLeafM * kLeafM;  // equilateral, circumradius kLeafM
+  constexpr double kMeanCosine = 0.5;                    // of random orientations
+  const double crown_height = std::min(0.75 * height_m, 2.6 * crown_radius_m);
+  const Eigen::Vector3d centre = foot + Eigen::Vector3d(0.0, 0.0, height_m - 0.5 * crown_height);
+  // of the leaves' centres: their tips stay within the crown
+  const Eigen::Vector3d half_axes(crown_radius_m - kLeafM, crown_radius_m - kLeafM,
+                                  0.5 * crown_height - kLeafM);
+  const double shadow_m2 = std::numbers::pi * crown_radius_m * crown_radius_m;
+  const int count = static_cast<int>(kOpticalDepth * shadow_m2 / (kMeanCosine * kLeafAreaM2));
+  // bulges make the crown rough: the radius varies with the direction
+  const Eigen::Vector3d wave{random.uniform(2.0, 4.0), random.uniform(2.0, 4.0),
+                             random.uniform(2.0, 4.0)};
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d direction = random_direction(random);
+    const double bulge = 0.85 + 0.15 * std::sin(wave.dot(direction) * std::numbers::pi);
+    const double radius = bulge * std::cbrt(random.uniform(0.15, 1.0));
+    const Eigen::Vector3d x = centre + radius * half_axes.cwiseProduct(direction);
+    const Eigen::Vector3d normal = random_direction(random);
+    const Eigen::Vector3d a = kLeafM * normal.unitOrthogonal();
+    const Eigen::Vector3d b = normal.cross(a);
+    const double half_sqrt3 = 0.5 * std::numbers::sqrt3;
+    add_polygon({x + a, x - 0.5 * a + half_sqrt3 * b, x - 0.5 * a - half_sqrt3 * b},
+                {kNone, kNone, Material::kFoliage}, mesh);
+  }
+  constexpr double kHalfTrunkM = 0.12;
+  add_prism(turned_rectangle(foot.head<2>(), 0.0, kHalfTrunkM, kHalfTrunkM), foot.z() - 0.5,
+            centre.z(), {kNone, kNone, Material::kWood}, mesh);
+}
+
+void add_car(const Eigen::Vector3d& foot, double azimuth_rad, Mesh& mesh) {
+  const Look look{kNone, kNone, Material::kCar};
+  const Eigen::Vector2d at = foot.head<2>();
+  add_prism(turned_rectangle(at, azimuth_rad, 2.15, 0.88), foot.z() - 0.1, foot.z() + 0.85, look,
+            mesh);
+  add_prism(turned_rectangle(at, azimuth_rad, 1.2, 0.75), foot.z() + 0.85, foot.z() + 1.45, look,
+            mesh);
+}
+
+}  // namespace ridgeline::simulate

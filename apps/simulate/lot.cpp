@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/lot.h"
+
+#include "apps/simulate/houses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::simulate {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+HouseShape random_shape(const VillageOptions& options, const Site& site, Random& random) {
+  HouseShape shape;
+  shape.length_m = random.uniform(9.5, 13.0);
+  shape.width_m = random.uniform(7.5, 9.5);
+  shape.pitch_rad = kRadPerDeg * random.uniform(options.min_pitch_deg, options.max_pitch_deg);
+  shape.eave_overhang_m = random.uniform(0.2, 0.6);
+  shape.verge_overhang_m = random.uniform(0.2, 0.4);
+  shape.slab_thickness_m = random.uniform(0.2, 0.3);
+  shape.floor_z_m = site.floor_z_m;
+  shape.wall_height_m = random.uniform(3.0, 6.5);
+  return shape;
+}
+
+Dormer random_dormer(const HouseShape& shape, DormerType type, Random& random) {
+  Dormer dormer{.type = type,
+                .width_m = random.uniform(1.6, 2.4),
+                .setback_m = random.uniform(0.5, 0.9),
+                .front_height_m = random.uniform(0.9, 1.3),
+                .pitch_rad = kRadPerDeg * random.uniform(20.0, 35.0)};
+  if (type == DormerType::kShed) {
+    dormer.pitch_rad = shape.pitch_rad - kRadPerDeg * random.uniform(18.0, 24.0);
+    // so that it runs into the main roof well below the ridge
+    constexpr double kReach = 0.8;  // of the way to the ridge
+    const double way_m = 0.5 * shape.width_m - dormer.setback_m;
+    const double gain = std::tan(shape.pitch_rad) - std::tan(dormer.pitch_rad);
+    dormer.front_height_m = std::min(dormer.front_height_m, kReach * way_m * gain);
+  }
+  return dormer;
+}
+
+/// Equal dormers side by side on one roof side, as many as fit.
+void add_dormers(const HouseShape& shape,
+                 DormerType type,
+                 Random& random,
+                 std::vector<RoofPart>& parts) {
+  constexpr double kGapM = 0.8;
+  Dormer next = random_dormer(shape, type, random);
+  const int most = static_cast<int>(shape.length_m / (next.width_m + kGapM)) - 1;
+  const int count = std::min(random.integer(1, 3), most);
+  const double spacing_m = shape.length_m / (count + 1);
+  for (int i = 1; i <= count; ++i) {
+    next.centre_u_m = -0.5 * shape.length_m + spacing_m * i;
+    parts.push_back(dormer(shape, next));
+  }
+}
+
+void steepen_for_dormers(const VillageOptions& options, Random& random, HouseShape& shape) {
+  constexpr double kLowestPitchDeg = 38.0;  // below, a dormer would reach the ridge
+  const double low = std::max(options.min_pitch_deg, kLowestPitchDeg);
+  shape.pitch_rad = kRadPerDeg * random.uniform(low, std::max(low, options.max_pitch_deg) + 1e-9);
+  shape.width_m = random.uniform(8.8, 9.8);
+}
+
+std::vector<RoofPart> random_wing_house(HouseShape& shape, Random& random) {
+  shape.length_m = random.uniform(10.0, 12.0);
+  shape.width_m = random.uniform(7.0, 8.0);
+  Wing wing;
+  wing.width_m = random.uniform(0.6, 0.85) * shape.width_m;
+  wing.length_m = random.uniform(2.5, 4.0);
+  const double reach = 0.5 * (shape.length_m - wing.width_m) - 0.9;
+  wing.centre_u_m = random.chance(0.5) ? reach : random.uniform(-reach, reach);
+  std::vector<RoofPart> parts = l_shaped(shape, wing);
+  // centred, so that the whole keeps within its lot
+  const Eigen::Vector2d shift(0.0, -0.5 * wing.length_m);
+  for (RoofPart& part : parts) part = placed(part, shift, 0.0);
+  return parts;
+}
+
+std::vector<RoofPart> random_parts(const VillageOptions& options,
+                                   RoofType type,
+                                   HouseShape& shape,
+                                   Random& random) {
+  switch (type) {
+    case RoofType::kHipped:
+      return hipped(shape);
+    case RoofType::kFlat:
+      return flat(shape);
+    case RoofType::kParapet: {
+      const double rim_width_m = random.uniform(0.25, 0.4);
+      return parapet(shape, rim_width_m, random.uniform(0.3, 0.6));
+    }
+    case RoofType::kShed:
+      shape.pitch_rad = std::min(shape.pitch_rad, kRadPerDeg * random.uniform(10.0, 20.0));
+      return shed(shape);
+    case RoofType::kLShaped:
+      return random_wing_house(shape, random);
+    case RoofType::kGabledDormers:
+    case RoofType::kShedDormers: {
+      steepen_for_dormers(options, random, shape);
+      std::vector<RoofPart> parts = gabled(shape);
+      add_dormers(shape, type == RoofType::kGabledDormers ? DormerType::kGabled : DormerType::kShed,
+                  random, parts);
+      return parts;
+    }
+    default:
+      return gabled(shape);
+  }
+}
+
+bool has_ridge_of_gable(RoofType type) {
+  return type == RoofType::kGabled || type == RoofType::kGabledDormers ||
+         type == RoofType::kShedDormers || type == RoofType::kHipped;
+}
+
+Building record(const HouseShape& shape, RoofType type, const Site& site) {
+  Building building;
+  building.id = shape.building_id;
+  building.type = type;
+  building.pitch_rad =
+      type == RoofType::kFlat || type == RoofType::kParapet ? 0.0 : shape.pitch_rad;
+  building.ridge_azimuth_rad = std::fmod(site.azimuth_rad + std::numbers::pi, std::numbers::pi);
+  return building;
+}
+
+void register_parts(const std::vector<RoofPart>& parts, Building& building) {
+  for (const RoofPart& part : parts) {
+    if (part.building_id != building.id) continue;
+    building.footprint.push_back(part.walls);
+    building.roof_footprint.push_back(part.outline);
+  }
+}
+
+void add_single_house(
+    const VillageOptions& options, RoofType type, const Site& site, Random& random, Scene& scene) {
+  HouseShape shape = random_shape(options, site, random);
+  shape.building_id = static_cast<int>(scene.buildings.size());
+  std::vector<RoofPart> parts = random_parts(options, type, shape, random);
+  if (has_ridge_of_gable(type)) {
+    const double chimney_u_m = random.uniform(-0.25, 0.25) * shape.length_m;
+    parts.push_back(chimney(shape, chimney_u_m, -1.2, random.uniform(0.3, 0.9)));
+  }
+  for (RoofPart& part : parts) part = placed(part, site.centre_m, site.azimuth_rad);
+  Building building = record(shape, type, site);
+  register_parts(parts, building);
+  scene.buildings.push_back(std::move(building));
+  add_structure(parts, scene);
+}
+
+constexpr int kRowLength = 3;
+
+/// Wall heights of adjoining houses, each with a step to its neighbour.
+std::array<double, kRowLength> row_wall_heights_m(double first_m, Random& random) {
+  constexpr double kLowestM = 2.6;
+  std::array<double, kRowLength> heights_m{first_m};
+  for (std::size_t i = 1; i < heights_m.size(); ++i) {
+    const double step_m = random.uniform(0.4, 1.1);
+    const bool down = random.chance(0.5) && heights_m[i - 1] - step_m >= kLowestM;
+    heights_m[i] = heights_m[i - 1] + (down ? -step_m : step_m);
+  }
+  return heights_m;
+}
+
+/// The gabled house number `i` of a row: no overhang at party walls; at each the lower roof ends
+/// against the wall of the higher one.
+RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& heights_m, int i) {
+  const auto n = static_cast<std::size_t>(i);
+  const bool left_end = i == 0;
+  const bool right_end = i + 1 == kRowLength;
+  shape.wall_height_m = heights_m[n];
+  RoofPart part = gabled(shape).front();
+  const double left = left_end ? shape.verge_overhang_m : 0.0;
+  const double right = right_end ? shape.verge_overhang_m : 0.0;
+  part.outline = rectangle({-0.5 * shape.length_m - left, part.outline[0].y()},
+                           {0.5 * shape.length_m + right, part.outline[2].y()});
+  // sides of a rectangle: 1 is the right one, 3 the left one
+  part.is_joint = {false, !right_end && heights_m[n] < heights_m[n + 1], false,
+                   !left_end && heights_m[n] < heights_m[n - 1]};
+  const double u = (static_cast<double>(i) - 0.5 * (kRowLength - 1)) * shape.length_m;
+  return placed(part, {u, 0.0}, 0.0);
+}
+
+/// Adjoining gabled houses with steps in height.
+void add_row(const VillageOptions& options, const Site& site, Random& random, Scene& scene) {
+  HouseShape shape = random_shape(options, site, random);
+  shape.width_m = random.uniform(7.5, 8.5);
+  shape.length_m = random.uniform(4.8, 5.1);
+  const std::array<double, kRowLength> heights_m = row_wall_heights_m(shape.wall_height_m, random);
+  std::vector<RoofPart> parts;
+  for (int i = 0; i < kRowLength; ++i) {
+    shape.building_id = static_cast<int>(scene.buildings.size());
+    parts.push_back(placed(row_part(shape, heights_m, i), site.centre_m, site.azimuth_rad));
+    Building building = record(shape, RoofType::kRow, site);
+    register_parts(parts, building);
+    scene.buildings.push_back(std::move(building));
+  }
+  add_structure(parts, scene);
+}
+
+}  // namespace
+
+void add_house(
+    const VillageOptions& options, RoofType type, const Site& site, Random& random, Scene& scene) {
+  if (type == RoofType::kRow) {
+    add_row(options, site, random, scene);
+  } else {
+    add_single_house(options, type, site, random, scene);
+  }
+}
+
+}  // namespace ridgeline::simulate

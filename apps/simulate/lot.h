@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/random.h"
+#include "apps/simulate/scene.h"
+#include "apps/simulate/village.h"
+
+#include <Eigen/Core>
+
+namespace ridgeline::simulate {
+
+inline constexpr double kLotSizeM = 20.0;
+/// A house keeps within this distance of the middle of its lot, whatever its azimuth.
+inline constexpr double kHouseRadiusM = 9.7;
+
+/// Where a house may stand.
+struct Site {
+  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  ///< plan, local
+  double azimuth_rad = 0.0;                            ///< of the main ridge
+  double floor_z_m = 0.0;                              ///< lowest ground of the site
+};
+
+/// Adds a random house of a type: its parts, lines, planes and Building record(s).
+void add_house(
+    const VillageOptions& options, RoofType type, const Site& site, Random& random, Scene& scene);
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/scene.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+struct Look {
+  int building_id = kNone;
+  int plane_id = kNone;
+  Material material = Material::kGround;
+};
+
+/// Adds a convex planar polygon (counter-clockwise seen from outside) as a fan of triangles; fewer
+/// than three corners add nothing.
+void add_polygon(const std::vector<Eigen::Vector3d>& corners, const Look& look, Mesh& mesh);
+
+/// Adds top and sides of a body with vertical walls between two heights; no bottom.
+void add_prism(
+    const ConvexPolygon& outline, double low_z, double high_z, const Look& look, Mesh& mesh);
+
+}  // namespace ridgeline::simulate

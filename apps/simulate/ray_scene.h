@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/scene.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+
+namespace ridgeline::simulate {
+
+/// Ray casting against a mesh; the only place that knows Embree. Queries may run in parallel.
+class RayScene {
+ public:
+  struct Hit {
+    double distance_m = 0.0;  ///< along the ray, exact on the triangle's plane
+    int triangle = 0;         ///< index into Mesh::triangles
+  };
+
+  /// Keeps a reference to the mesh. Throws std::runtime_error if Embree gives no device.
+  explicit RayScene(const Mesh& mesh);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+  RayScene(RayScene&&) noexcept;
+  RayScene& operator=(RayScene&&) noexcept;
+
+  /// The nearest triangle at a distance of at least `min_distance_m` along the unit vector
+  /// `direction`, seen from either side.
+  [[nodiscard]] std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
+                                             const Eigen::Vector3d& direction,
+                                             double min_distance_m = 0.0) const;
+
+ private:
+  struct Embree;
+  const Mesh* mesh_;
+  std::unique_ptr<Embree> embree_;
+};
+
+}  // namespace ridgeline::simulate

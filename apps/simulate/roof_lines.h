@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/roof_part.h"
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// All edges of the upper envelope of the parts, true lines and joints (kind kJoint) together.
+/// Pieces that another part covers from above are cut off. Chimneys cover, but give no lines.
+std::vector<SceneLine> roof_lines(std::span<const RoofPart> parts, std::span<const RoofFace> faces);
+
+}  // namespace ridgeline::simulate

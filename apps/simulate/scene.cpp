@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/scene.h"
+
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/segment_plane.h"
+
+namespace ridgeline::simulate {
+
+const char* name(LineKind kind) {
+  switch (kind) {
+    case LineKind::kRidge:
+      return "ridge";
+    case LineKind::kHip:
+      return "hip";
+    case LineKind::kValley:
+      return "valley";
+    case LineKind::kEave:
+      return "eave";
+    case LineKind::kVerge:
+      return "verge";
+    case LineKind::kGround:
+      return "ground";
+    case LineKind::kJoint:
+      return "joint";
+  }
+  return "";
+}
+
+const char* name(RoofType type) {
+  switch (type) {
+    case RoofType::kGabled:
+      return "gabled";
+    case RoofType::kHipped:
+      return "hipped";
+    case RoofType::kFlat:
+      return "flat";
+    case RoofType::kParapet:
+      return "parapet";
+    case RoofType::kShed:
+      return "shed";
+    case RoofType::kLShaped:
+      return "l_shaped";
+    case RoofType::kGabledDormers:
+      return "gabled_dormers";
+    case RoofType::kShedDormers:
+      return "shed_dormers";
+    case RoofType::kRow:
+      return "row";
+  }
+  return "";
+}
+
+io::LineSet true_lines(const Scene& scene) {
+  io::LineSet set;
+  set.format = "simulated";
+  set.crs = scene.crs;
+  set.lines.reserve(scene.lines.size());
+  for (const SceneLine& line : scene.lines) {
+    io::Line out;
+    out.id = std::to_string(set.lines.size());
+    out.segment_in_world = {scene.frame.world_from_local(line.segment.start),
+                            scene.frame.world_from_local(line.segment.end)};
+    out.kind = name(line.kind);
+    if (line.building_id != kNone) out.building = std::to_string(line.building_id);
+    out.plane_ids = line.plane_ids;
+    set.lines.push_back(std::move(out));
+  }
+  return set;
+}
+
+double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id) {
+  check(line_id >= 0 && line_id < static_cast<int>(scene.lines.size()),
+        "true_mean_distance: line_id = ", line_id, ", must be the number of a true line");
+  const std::vector<int>& planes = scene.lines[static_cast<std::size_t>(line_id)].plane_ids;
+  double sum = 0.0;
+  for (const int id : planes) {
+    const Plane3& plane = scene.planes[static_cast<std::size_t>(id)].plane;
+    sum += orthogonal_distance(segment, plane).mean_abs;
+  }
+  return sum / static_cast<double>(planes.size());
+}
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/plan_geometry.h"
+#include "io/crs.h"
+#include "io/lines/line_set.h"
+#include "reconstruct/geometry/local_frame.h"
+#include "reconstruct/geometry/plane.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// What a surface is made of: decides the laser class, the returns and the look in an image.
+enum class Material : std::uint8_t {
+  kGround,
+  kStreet,
+  kMarking,
+  kRoof,
+  kGutter,  ///< fascia below an eave
+  kWall,
+  kChimney,
+  kFoliage,  ///< leaves: a pulse may pass
+  kWood,     ///< trunks and fences
+  kCar,
+};
+
+/// A building, a tree or the ground carry this id where there is none of the kind.
+inline constexpr int kNone = -1;
+
+struct Triangle {
+  std::array<std::int32_t, 3> vertices{};  ///< counter-clockwise seen from outside
+  std::int32_t building_id = kNone;
+  std::int32_t plane_id = kNone;  ///< index into Scene::planes; kNone for walls, leaves, cars
+  Material material = Material::kGround;
+};
+
+/// All surfaces of a scene, local metres. Bodies may penetrate each other (a dormer its roof); what
+/// lies inside another body is never seen from outside.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Triangle> triangles;
+};
+
+enum class PlaneKind : std::uint8_t { kRoof, kGround, kChimney };
+
+/// A planar face as built, before other bodies cover parts of it.
+struct ScenePlane {
+  int id = 0;                                   ///< index into Scene::planes
+  Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local, normal upwards
+  std::vector<Eigen::Vector3d> outline;         ///< convex, counter-clockwise from above
+  int building_id = kNone;
+  PlaneKind kind = PlaneKind::kRoof;
+};
+
+enum class LineKind : std::uint8_t {
+  kRidge,   ///< horizontal convex intersection of two roof planes
+  kHip,     ///< inclined convex intersection
+  kValley,  ///< concave intersection
+  kEave,    ///< horizontal border of one roof plane
+  kVerge,   ///< inclined border of one roof plane
+  kGround,  ///< border of a street or a marking
+  kJoint,   ///< where a roof plane meets the wall of another body; not a true line
+};
+
+/// `ridge`, `hip`, ... as in the files.
+const char* name(LineKind kind);
+
+/// An edge of the top surface. It lies on its planes exactly and is not covered by another part of
+/// a building; trees may hide it.
+struct SceneLine {
+  Segment3 segment{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< local
+  LineKind kind = LineKind::kRidge;
+  std::vector<int> plane_ids;  ///< two for ridge, hip, valley; one else
+  int building_id = kNone;
+};
+
+enum class RoofType : std::uint8_t {
+  kGabled,
+  kHipped,
+  kFlat,
+  kParapet,
+  kShed,
+  kLShaped,
+  kGabledDormers,
+  kShedDormers,
+  kRow,  ///< one of several adjoining gabled houses with steps in height
+};
+inline constexpr int kNumRoofTypes = 9;
+const char* name(RoofType type);
+
+struct Building {
+  int id = 0;  ///< index into Scene::buildings
+  RoofType type = RoofType::kGabled;
+  double ridge_azimuth_rad = 0.0;             ///< of the main ridge to the x axis, in [0, pi)
+  double pitch_rad = 0.0;                     ///< of the main roof
+  std::vector<ConvexPolygon> footprint;       ///< outlines of the walls of its parts
+  std::vector<ConvexPolygon> roof_footprint;  ///< with the overhangs
+};
+
+/// A synthetic village with its exact truth. Everything is local; world = local + frame.origin_m.
+struct Scene {
+  LocalFrame frame;
+  io::Crs crs;
+  Eigen::Vector2d extent_m = Eigen::Vector2d::Zero();  ///< the plan is [0, x] x [0, y]
+  PlanFunction mean_terrain;  ///< height of the ground without its terraces
+  Mesh mesh;
+  std::vector<ScenePlane> planes;
+  std::vector<SceneLine> lines;   ///< true lines
+  std::vector<SceneLine> joints;  ///< kind kJoint: they close the outlines of the visible faces
+  std::vector<Building> buildings;
+};
+
+/// The true lines in the CRS of the scene. Id = number in Scene::lines; class empty; no covariance,
+/// because they are exact.
+io::LineSet true_lines(const Scene& scene);
+
+/// Mean over the planes of true line `line_id` of the mean |distance| of a segment (local) to them:
+/// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line.
+double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id);
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/common/output_folder.h"
+#include "apps/simulate/als.h"
+#include "apps/simulate/degrade.h"
+#include "apps/simulate/nominal_pair.h"
+#include "apps/simulate/village.h"
+#include "io/cloud/las_writer.h"
+#include "io/lines/write_lines.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+namespace ridgeline::apps {
+namespace {
+
+struct SimulateArguments {
+  std::string out;
+  std::uint64_t seed = 1;
+  std::vector<double> extent_m{120.0, 120.0};
+  std::vector<double> origin_m{513000.0, 5403000.0, 250.0};
+  simulate::VillageOptions village;
+  simulate::AlsOptions als;
+};
+
+void add_village_options(CLI::App& app, SimulateArguments& a) {
+  const char* group = "Village";
+  app.add_option("--extent-m", a.extent_m, "of the plan: x,y")
+      ->delimiter(',')
+      ->expected(2)
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--origin-m", a.origin_m, "map coordinates of its corner: x,y,z, whole metres")
+      ->delimiter(',')
+      ->expected(3)
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--crs", a.village.crs, "of the files")->capture_default_str()->group(group);
+  app.add_option("--street-azimuth-deg", a.village.street_azimuth_deg,
+                 "of the streets and the rows of houses to x")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--aligned-share", a.village.aligned_share,
+                 "of the houses whose main ridge is parallel to x, the epipolar direction")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--built-share", a.village.built_share, "of the lots that bear a house")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--terrain-slope-deg", a.village.terrain_slope_deg, "of the ground, at most 15")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--terrace-step-m", a.village.terrace_step_m, "between two rows of lots")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--trees-per-lot", a.village.trees_per_lot, "mean number, 0 to 6")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_scanner_options(CLI::App& app, SimulateArguments& a) {
+  const char* group = "Laser scanner";
+  app.add_option("--density-per-m2", a.als.density_per_m2, "pulses per m^2, all strips together")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--range-sigma-m", a.als.range_sigma_m, "noise along the beam")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--cross-sigma-m", a.als.cross_sigma_m, "noise across the beam, per axis")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--height-above-ground-m", a.als.height_above_ground_m, "of the flight")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--half-scan-angle-deg", a.als.half_scan_angle_deg, "to each side of nadir")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--strip-overlap", a.als.strip_overlap, "share of the swath")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--strip-azimuth-deg", a.als.strip_azimuth_deg, "of the flight to the x axis")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--footprint-m", a.als.footprint_m, "diameter of the beam at the ground")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--strip-offset-sigma-m", a.als.strip_offset_sigma_m,
+                 "systematic shift of each strip, per axis")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void write_lines_of(const OutputFolder& out, const std::string& name, const io::LineSet& lines) {
+  io::write_lines(out.path(name), lines, io::LineFormat::kGeoJson);
+}
+
+int run_simulate(SimulateArguments a) {
+  a.village.seed = a.seed;
+  a.als.seed = a.seed;
+  a.village.extent_m = {a.extent_m[0], a.extent_m[1]};
+  a.village.origin_m = {a.origin_m[0], a.origin_m[1], a.origin_m[2]};
+  const simulate::Scene scene = simulate::make_village(a.village);
+  const io::PointCloud cloud = simulate::scan_als(scene, a.als);
+
+  const OutputFolder out(a.out, {});
+  io::write_las(out.path("lidar.las"), cloud.points, cloud.frame, scene.crs);
+  const io::LineSet truth = simulate::classed_by_nominal_pair(simulate::true_lines(scene), scene);
+  write_lines_of(out, "truth.geojson", truth);
+  for (const auto& [name, grade] :
+       {std::pair("good", simulate::Grade::kGood), std::pair("fair", simulate::Grade::kFair),
+        std::pair("poor", simulate::Grade::kPoor)}) {
+    write_lines_of(out, fmt::format("lines.{}.geojson", name),
+                   simulate::degrade_lines(truth, simulate::options_of(grade, a.seed)));
+  }
+  fmt::print("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
+             truth.lines.size(), cloud.points.size());
+  return kDone;
+}
+
+}  // namespace
+
+Run add_simulate(CLI::App& subcommand) {
+  auto a = std::make_shared<SimulateArguments>();
+  subcommand
+      .add_option("--out", a->out,
+                  "folder for lidar.las, truth.geojson and lines.{good,fair,poor}.geojson")
+      ->required();
+  subcommand.add_option("--seed", a->seed, "same seed, same bytes")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  add_village_options(subcommand, *a);
+  add_scanner_options(subcommand, *a);
+  return [a] { return run_simulate(*a); };
+}
+
+}  // namespace ridgeline::apps

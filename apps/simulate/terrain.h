@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/scene.h"
+
+#include <Eigen/Core>
+
+namespace ridgeline::simulate {
+
+inline constexpr double kHalfStreetM = 3.5;
+
+/// One street with the lots on both sides, in village coordinates (u along the streets, v across).
+/// All its ground is one plane.
+struct Row {
+  double street_v_m = 0.0;  ///< of the centre line
+  PlanFunction ground;      ///< height in local coordinates
+  int plane_id = 0;
+};
+
+/// Lays out ground, street and lots by rectangles in village coordinates, cut to the extent.
+class Terrain {
+ public:
+  /// `azimuth_rad`: of the streets to the x axis, through the middle of the extent.
+  Terrain(double azimuth_rad, Scene& scene);
+
+  [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& uv) const;
+
+  /// Adds the plane of a row that reaches `half_depth_m` to both sides.
+  Row add_row(double street_v_m, double half_depth_m, const PlanFunction& ground);
+  void add_tile(const Row& row,
+                const Eigen::Vector2d& low_uv,
+                const Eigen::Vector2d& high_uv,
+                Material material);
+  /// A true line of kind ground.
+  void add_line(const Row& row, const Eigen::Vector2d& start_uv, const Eigen::Vector2d& end_uv);
+  /// A dashed centre line and the borders of the street, over [begin, end] along u.
+  void add_street(const Row& row, double begin_u_m, double end_u_m);
+  /// Two ranks of parking bays with their markings.
+  void add_parking(const Row& row, const Eigen::Vector2d& low_uv, const Eigen::Vector2d& high_uv);
+  /// The retaining wall between two rows at v.
+  void add_retaining_wall(const Row& low, const Row& high, double v_m, double half_length_m);
+
+ private:
+  void add_stripe(const Row& row, const Eigen::Vector2d& low_uv, const Eigen::Vector2d& high_uv);
+
+  Eigen::Matrix2d local_from_village_;
+  Eigen::Vector2d centre_m_;
+  std::vector<PlanFunction> extent_;  // half-planes
+  Scene* scene_;
+};
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/village.h"
+
+#include "apps/simulate/furniture.h"
+#include "apps/simulate/lot.h"
+#include "apps/simulate/mesh_builder.h"
+#include "apps/simulate/random.h"
+#include "apps/simulate/terrain.h"
+#include "reconstruct/geometry/check.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace ridgeline::simulate {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double kHalfRowM = kHalfStreetM + kLotSizeM;
+
+/// Streams of random numbers: what one lot bears does not depend on its neighbours.
+enum Stream : std::uint64_t { kTerrainStream, kLotStream };
+
+void check_share(const char* name, double value) {
+  check(value >= 0.0 && value <= 1.0, name, " = ", value, ", must be in [0, 1]");
+}
+
+void check_options(const VillageOptions& o) {
+  check((o.extent_m.array() >= 2.0 * kLotSizeM).all() && (o.extent_m.array() <= 2000.0).all(),
+        "extent_m = ", o.extent_m.transpose(), ", must be in [40, 2000] each");
+  check(o.origin_m.array().round().isApprox(o.origin_m.array(), 0.0),
+        "origin_m = ", o.origin_m.transpose(), ", must be integers");
+  check_share("aligned_share", o.aligned_share);
+  check_share("built_share", o.built_share);
+  check_share("parking_share", o.parking_share);
+  check_share("fence_share", o.fence_share);
+  check(o.terrain_slope_deg >= 0.0 && o.terrain_slope_deg <= 15.0,
+        "terrain_slope_deg = ", o.terrain_slope_deg, ", must be in [0, 15]");
+  check(o.terrace_step_m >= 0.0 && o.terrace_step_m <= 5.0, "terrace_step_m = ", o.terrace_step_m,
+        ", must be in [0, 5]");
+  check(o.min_pitch_deg >= 10.0 && o.max_pitch_deg <= 55.0 && o.min_pitch_deg <= o.max_pitch_deg,
+        "min_pitch_deg, max_pitch_deg = ", o.min_pitch_deg, ", ", o.max_pitch_deg,
+        ", must be ordered and in [10, 55]");
+  check(o.trees_per_lot >= 0.0 && o.trees_per_lot <= 6.0, "trees_per_lot = ", o.trees_per_lot,
+        ", must be in [0, 6]");
+}
+
+class VillageBuilder {
+ public:
+  VillageBuilder(const VillageOptions& options, Scene& scene)
+      : options_(options),
+        azimuth_rad_(kRadPerDeg * options.street_azimuth_deg),
+        scene_(scene),
+        terrain_(azimuth_rad_, scene) {}
+
+  void build() {
+    const double reach_m = 0.5 * scene_.extent_m.norm();
+    const int rows = static_cast<int>(std::ceil((reach_m - kHalfRowM) / (2.0 * kHalfRowM)));
+    const int lots = static_cast<int>(std::ceil(reach_m / kLotSizeM));
+    Row previous;
+    for (int r = -rows; r <= rows; ++r) {
+      PlanFunction ground = scene_.mean_terrain;
+      ground.offset += options_.terrace_step_m * static_cast<double>(r);
+      const Row row = terrain_.add_row(2.0 * kHalfRowM * r, kHalfRowM, ground);
+      if (r > -rows && options_.terrace_step_m > 0.0) {
+        terrain_.add_retaining_wall(previous, row, row.street_v_m - kHalfRowM,
+                                    scene_.extent_m.norm());
+      }
+      for (int i = -lots; i < lots; ++i) add_lot_pair(row, r, i);
+      previous = row;
+    }
+  }
+
+ private:
+  void add_lot_pair(const Row& row, int r, int i) {
+    const double begin_u = kLotSizeM * i;
+    terrain_.add_street(row, begin_u, begin_u + kLotSizeM);
+    for (const int side : {-1, 1}) {
+      const double low_v = side > 0 ? row.street_v_m + kHalfStreetM : row.street_v_m - kHalfRowM;
+      Random random({options_.seed, kLotStream, static_cast<std::uint64_t>(r),
+                     static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(side)});
+      add_lot(row, {begin_u, low_v}, random);
+    }
+  }
+
+  void add_lot(const Row& row, const Eigen::Vector2d& low_uv, Random& random) {
+    const Eigen::Vector2d high_uv = low_uv + Eigen::Vector2d::Constant(kLotSizeM);
+    const Eigen::Vector2d centre = terrain_.local(0.5 * (low_uv + high_uv));
+    const bool inside = (centre.array() >= kHouseRadiusM).all() &&
+                        (centre.array() <= scene_.extent_m.array() - kHouseRadiusM).all();
+    const std::size_t first_building = scene_.buildings.size();
+    const bool built = random.chance(options_.built_share);
+    if (!built && random.chance(options_.parking_share)) {
+      terrain_.add_parking(row, low_uv, high_uv);
+      add_cars(row, low_uv, random);
+      return;
+    }
+    terrain_.add_tile(row, low_uv, high_uv, Material::kGround);
+    if (built && inside) add_random_house(row, centre, random);
+    add_trees(row, low_uv, first_building, random);
+    if (random.chance(options_.fence_share)) add_fence(row, low_uv);
+  }
+
+  void add_random_house(const Row& row, const Eigen::Vector2d& centre, Random& random) {
+    const std::vector<RoofType>& types = options_.roof_types;
+    const RoofType type = types.empty()
+                              ? static_cast<RoofType>(random.integer(0, kNumRoofTypes - 1))
+                              : types[static_cast<std::size_t>(
+                                    random.integer(0, static_cast<int>(types.size()) - 1))];
+    Site site{.centre_m = centre};
+    site.floor_z_m = row.ground(centre) - row.ground.gradient.norm() * kHouseRadiusM;
+    site.azimuth_rad = house_azimuth_rad(random);
+    add_house(options_, type, site, random, scene_);
+  }
+
+  /// Parallel to x, else along or across the street with some freedom.
+  double house_azimuth_rad(Random& random) const {
+    if (random.chance(options_.aligned_share)) return random.chance(0.5) ? 0.0 : std::numbers::pi;
+    const double jitter = kRadPerDeg * random.uniform(-8.0, 8.0);
+    const double quarter = 0.5 * std::numbers::pi * random.integer(0, 3);
+    return azimuth_rad_ + quarter + jitter;
+  }
+
+  void add_trees(const Row& row,
+                 const Eigen::Vector2d& low_uv,
+                 std::size_t first_building,
+                 Random& random) {
+    const double expected = options_.trees_per_lot;
+    const int count = static_cast<int>(std::floor(expected + random.uniform()));
+    for (int i = 0; i < count; ++i) {
+      const bool bush = random.chance(0.3);
+      const double radius = bush ? random.uniform(0.6, 1.2) : random.uniform(1.6, 3.2);
+      const double height = bush ? 1.4 * radius : random.uniform(2.2, 3.6) * radius;
+      for (int attempt = 0; attempt < 20; ++attempt) {
+        const Eigen::Vector2d uv =
+            low_uv + Eigen::Vector2d{random.uniform(radius, kLotSizeM - radius),
+                                     random.uniform(radius, kLotSizeM - radius)};
+        const Eigen::Vector2d x = terrain_.local(uv);
+        if (!is_free(x, radius, first_building)) continue;
+        add_tree({x.x(), x.y(), row.ground(x)}, radius, height, random, scene_.mesh);
+        break;
+      }
+    }
+  }
+
+  /// Crowns may hang over a roof by up to a metre, trunks keep off the walls.
+  [[nodiscard]] bool is_free(const Eigen::Vector2d& x,
+                             double radius_m,
+                             std::size_t first_building) const {
+    constexpr double kOverRoofM = 1.0;
+    const double distance_m = std::max(0.5, radius_m - kOverRoofM);
+    if ((x.array() < radius_m).any() || (x.array() > scene_.extent_m.array() - radius_m).any()) {
+      return false;
+    }
+    for (std::size_t b = first_building; b < scene_.buildings.size(); ++b) {
+      for (const ConvexPolygon& outline : scene_.buildings[b].roof_footprint) {
+        const std::vector<PlanFunction> sides = half_planes(outline);
+        const bool outside = std::any_of(sides.begin(), sides.end(), [&](const PlanFunction& side) {
+          return side(x) <= -distance_m;
+        });
+        if (!outside) return false;
+      }
+    }
+    return true;
+  }
+
+  void add_cars(const Row& row, const Eigen::Vector2d& low_uv, Random& random) {
+    constexpr double kBayM = 2.5;
+    for (int bay = 0; bay < 8; ++bay) {
+      if (!random.chance(0.5)) continue;
+      const Eigen::Vector2d x = terrain_.local(low_uv + Eigen::Vector2d(kBayM * (bay + 0.5), 2.5));
+      if ((x.array() < 3.0).any() || (x.array() > scene_.extent_m.array() - 3.0).any()) continue;
+      add_car({x.x(), x.y(), row.ground(x)}, azimuth_rad_ + 0.5 * std::numbers::pi, scene_.mesh);
+    }
+  }
+
+  void add_fence(const Row& row, const Eigen::Vector2d& low_uv) {
+    constexpr double kThicknessM = 0.1;
+    constexpr double kHeightM = 1.2;
+    constexpr double kPanelM = 2.0;
+    constexpr int kPanels = static_cast<int>(kLotSizeM / kPanelM);
+    for (int i = 0; i < kPanels; ++i) {  // panels follow the slope in steps
+      const double v = kPanelM * i;
+      ConvexPolygon panel = rectangle(low_uv + Eigen::Vector2d(0.0, v),
+                                      low_uv + Eigen::Vector2d(kThicknessM, v + kPanelM));
+      bool inside = true;
+      for (Eigen::Vector2d& x : panel) {
+        x = terrain_.local(x);
+        inside = inside && (x.array() >= 0.0).all() && (x.array() <= scene_.extent_m.array()).all();
+      }
+      if (!inside) continue;
+      const double ground_z = row.ground(panel.front());
+      add_prism(panel, ground_z - 0.5, ground_z + kHeightM, {kNone, kNone, Material::kWood},
+                scene_.mesh);
+    }
+  }
+
+  const VillageOptions& options_;
+  double azimuth_rad_;
+  Scene& scene_;
+  Terrain terrain_;
+};
+
+}  // namespace
+
+Scene make_village(const VillageOptions& options) {
+  check_options(options);
+  Scene scene;
+  scene.frame.origin_m = options.origin_m;
+  scene.crs.definition = options.crs;
+  scene.extent_m = options.extent_m;
+
+  Random random({options.seed, kTerrainStream});
+  const double slope = std::tan(kRadPerDeg * options.terrain_slope_deg);
+  const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+  scene.mean_terrain.gradient = slope * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
+  scene.mean_terrain.offset = -scene.mean_terrain.gradient.dot(0.5 * scene.extent_m);
+
+  VillageBuilder(options, scene).build();
+  return scene;
+}
+
+}  // namespace ridgeline::simulate

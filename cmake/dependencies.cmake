@@ -1,0 +1,17 @@
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(Boost REQUIRED)
+find_package(GDAL REQUIRED)
+find_package(OpenSSL REQUIRED)
+find_package(PROJ CONFIG QUIET)
+find_package(nlohmann_json REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(embree 3 REQUIRED)
+# PCL's components by name: pcl_io, pcl_surface and pcl_visualization would bring VTK and Qt.
+pkg_check_modules(PCL REQUIRED IMPORTED_TARGET
+  pcl_common pcl_kdtree pcl_search pcl_sample_consensus)
+pkg_check_modules(PROJ_PC REQUIRED IMPORTED_TARGET proj)

@@ -1,0 +1,46 @@
+# Debian / Ubuntu packages, read by demo.sh, test.sh and .ci/run; and the functions that install them.
+
+build_packages=(
+  g++ cmake ninja-build pkg-config git ccache
+  libeigen3-dev libpcl-dev libflann-dev liblz4-dev libboost-dev
+  libopencv-dev libopencv-contrib-dev
+  libgdal-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
+  libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
+)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
+check_packages=(clang-format-14 clang-tidy-14)
+
+missing_packages() {
+  local package
+  for package in "$@"; do
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+      echo "$package"
+  done
+}
+
+# Installs what is missing of the given packages; without root it says what to install.
+ensure_packages() {
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [ "${#missing[@]}" -eq 0 ] && return 0
+  echo "Installing ${#missing[@]} packages: ${missing[*]}"
+  local run=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+      run=(sudo)
+    else
+      echo "No root rights here. Install them with:" >&2
+      echo "  sudo apt-get install --no-install-recommends ${missing[*]}" >&2
+      return 1
+    fi
+  fi
+  "${run[@]}" apt-get update -qq
+  "${run[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null && return 0
+  local package
+  for package in "${missing[@]}"; do
+    "${run[@]}" apt-get install -s -qq "$package" >/dev/null 2>&1 ||
+      echo "Package $package cannot be installed: $(apt-cache policy "$package" | sed -n 3p)" >&2
+  done
+  return 1
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/gates/gate_report.h"
+
+#include "evaluate/tables/format.h"
+#include "evaluate/tables/summary_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr int kDecimals = 4;  // a limit may be finer than the tables' millimetres
+
+std::string number(std::optional<double> value) { return fixed(value, kDecimals); }
+
+std::string cell_name(const GateResult& r) {
+  return fmt::format("patch {}, {}", r.patch, r.method);
+}
+
+/// Every number of a result, one "key: value" per line.
+std::string details(const GateResult& r) {
+  return fmt::format(
+      "gate: {}\npatch: {}\nclass: {}\nmethod: {}\nverdict: {}\nvalue: {}\n95 % interval: {}\n"
+      "limit: {}\nbaseline: {}\nn: {}\ncoverage: {}\n{}\n",
+      r.rule, r.patch, r.line_class.empty() ? kMissing : std::string_view(r.line_class), r.method,
+      name(r.verdict), number(r.value),
+      r.ci95 ? fmt::format("{} - {}", number(r.ci95->low), number(r.ci95->high)) : "-",
+      number(r.limit), number(r.baseline), r.n, number(r.evaluated_share), r.explanation);
+}
+
+std::size_t count_failed(const GateReport& report) {
+  return static_cast<std::size_t>(
+      std::count_if(report.results.begin(), report.results.end(),
+                    [](const GateResult& r) { return r.verdict != Verdict::kPassed; }));
+}
+
+std::string markdown_row(const GateResult& r) {
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {}{}{} |\n", escape_markdown(r.rule),
+                     escape_markdown(r.patch), escape_markdown(r.method), number(r.value),
+                     number(r.limit), number(r.baseline), r.n, name(r.verdict),
+                     r.explanation.empty() ? "" : ": " + escape_markdown(r.explanation),
+                     r.baseline_can_be_tightened ? "; baseline can be tightened" : "");
+}
+
+std::string escape_percent(std::string_view text, std::string_view special) {
+  std::string result;
+  for (const char c : text) {
+    if (special.find(c) == std::string_view::npos) {
+      result += c;
+    } else {
+      result += fmt::format("%{:02X}", static_cast<unsigned>(c));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string to_junit(const GateReport& report, std::string_view timestamp) {
+  const std::string counts =
+      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"0\"",
+                  report.results.size(), count_failed(report));
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ridgeline gate\" {}>\n"
+      "  <testsuite name=\"ridgeline gate\" {} timestamp=\"{}\">\n",
+      counts, counts, escape_xml(timestamp));
+  for (const GateResult& r : report.results) {
+    xml += fmt::format("    <testcase classname=\"ridgeline.gate.{}.{}\" name=\"{}\" time=\"0\"",
+                       escape_xml(r.patch), escape_xml(r.method),
+                       escape_xml(fmt::format("{} ({})", r.rule, cell_name(r))));
+    if (r.verdict == Verdict::kPassed) {
+      xml += "/>\n";
+      continue;
+    }
+    xml +=
+        fmt::format(">\n      <failure message=\"{}\" type=\"{}\">{}</failure>\n    </testcase>\n",
+                    escape_xml(r.explanation), name(r.verdict), escape_xml(details(r)));
+  }
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+std::string to_markdown(const GateReport& report, std::size_t max_bytes) {
+  std::vector<GateResult> rows = report.results;
+  std::stable_partition(rows.begin(), rows.end(),
+                        [](const GateResult& r) { return r.verdict != Verdict::kPassed; });
+  std::string tail = "\n";
+  for (const std::string& warning : report.warnings) {
+    tail += "Warning: " + escape_markdown(warning) + "\n\n";
+  }
+  constexpr std::size_t kMaxTailBytes = 4096;  // a few warnings per patch and method
+  constexpr std::size_t kNoteBytes = 128;
+  if (tail.size() > kMaxTailBytes) tail = fmt::format("\n{} warnings.\n", report.warnings.size());
+
+  std::string text = fmt::format(
+      "Accuracy gate: **{}**, {} of {} checks failed.\n\n| gate | patch | method | value | limit "
+      "| baseline | n | verdict |\n|---|---|---|--:|--:|--:|--:|---|\n",
+      report.passed() ? "passed" : "failed", count_failed(report), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string row = markdown_row(rows[i]);
+    if (text.size() + row.size() + tail.size() + kNoteBytes > max_bytes) {
+      text += fmt::format("\n{} more rows: see the JUnit file of this job.\n", rows.size() - i);
+      break;
+    }
+    text += row;
+  }
+  return text + tail;
+}
+
+std::string to_json(const GateReport& report) {
+  Json gates = Json::array();
+  for (const GateResult& r : report.results) {
+    gates.push_back({{"rule", r.rule},
+                     {"patch", r.patch},
+                     {"method", r.method},
+                     {"class", r.line_class},
+                     {"metric", r.metric},
+                     {"value", number_json(r.value)},
+                     {"ci95", interval_json(r.ci95)},
+                     {"limit", number_json(r.limit)},
+                     {"baseline", number_json(r.baseline)},
+                     {"n", r.n},
+                     {"evaluated_share", number_json(r.evaluated_share)},
+                     {"verdict", name(r.verdict)},
+                     {"explanation", r.explanation},
+                     {"baseline_can_be_tightened", r.baseline_can_be_tightened}});
+  }
+  return dump(Json{
+      {"passed", report.passed()}, {"gates", std::move(gates)}, {"warnings", report.warnings}});
+}
+
+std::vector<std::string> to_annotations(const GateReport& report) {
+  constexpr std::size_t kMaxPerType = 10;
+  std::vector<std::string> commands;
+  for (const GateResult& r : report.results) {
+    if (r.verdict == Verdict::kPassed || commands.size() == kMaxPerType) continue;
+    commands.push_back(fmt::format(
+        "::error title={}::{}", escape_annotation_property("Gate " + r.rule),
+        escape_annotation(fmt::format("{}: {} (value {}, limit {}, n {})", cell_name(r),
+                                      r.explanation, number(r.value), number(r.limit), r.n))));
+  }
+  const std::size_t n_warnings = std::min(kMaxPerType, report.warnings.size());
+  for (std::size_t i = 0; i < n_warnings; ++i) {
+    commands.push_back("::warning title=Gate::" + escape_annotation(report.warnings[i]));
+  }
+  return commands;
+}
+
+std::string escape_annotation(std::string_view text) { return escape_percent(text, "%\r\n"); }
+
+std::string escape_annotation_property(std::string_view text) {
+  return escape_percent(text, "%\r\n:,");
+}
+
+}  // namespace ridgeline::evaluate

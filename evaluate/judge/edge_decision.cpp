@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/edge_decision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+/// Gradient (dz/dx, dz/dy) of a plane that is not vertical.
+Eigen::Vector2d gradient(const Plane3& plane) {
+  return -plane.normal().head<2>() / plane.normal().z();
+}
+
+double angle_between_rad(const PlaneFit& a, const PlaneFit& b) {
+  return acute_angle_rad(Eigen::Vector3d(a.plane.normal()), Eigen::Vector3d(b.plane.normal()));
+}
+
+/// The straight line in plan where two planes have equal heights: normal'x = offset, |normal| = 1,
+/// the first plane above the second on the side of the normal.
+struct PlanIntersection {
+  Eigen::Vector2d normal;
+  double offset;
+  [[nodiscard]] double distance(const Eigen::Vector2d& x) const { return normal.dot(x) - offset; }
+};
+
+std::optional<PlanIntersection> intersect_in_plan(const Plane3& a, const Plane3& b) {
+  constexpr double kParallel = 1e-6;  // gradients that differ by 1 mm a kilometre
+  const Eigen::Vector2d difference = gradient(a) - gradient(b);
+  const double steepness = difference.norm();
+  if (!(steepness > kParallel)) return std::nullopt;
+  const double at_zero =
+      height_at(a, Eigen::Vector2d::Zero()) - height_at(b, Eigen::Vector2d::Zero());
+  return PlanIntersection{difference / steepness, -at_zero / steepness};
+}
+
+struct SideShare {
+  double positive;              ///< share of the points on the positive side
+  std::vector<ZonePoint> near;  ///< points close to the intersection
+};
+
+SideShare sides_of(const CandidatePlane& plane,
+                   const PlanIntersection& line,
+                   double length_m,
+                   double near_m) {
+  // points this close to the intersection say nothing about the side: they are in both planes
+  constexpr double kOnLine_m = 0.2;
+  std::size_t positive = 0;
+  std::size_t counted = 0;
+  SideShare share{0.0, {}};
+  for (const ZonePoint& p : plane.beside) {
+    const double d = line.distance(p.x.head<2>());
+    if (std::abs(d) > near_m || p.s < 0.0 || p.s > length_m) continue;
+    share.near.push_back(p);
+    if (std::abs(d) < kOnLine_m) continue;
+    ++counted;
+    positive += d > 0.0 ? 1 : 0;
+  }
+  if (counted > 0) share.positive = static_cast<double>(positive) / static_cast<double>(counted);
+  return share;
+}
+
+/// Fits the plane to those of its points that lie on one side of the intersection.
+void keep_side(CandidatePlane& plane,
+               const std::vector<ZonePoint>& points,
+               const PlanIntersection& line,
+               double side) {
+  std::vector<ZonePoint> kept;
+  std::vector<Eigen::Vector3d> x;
+  for (const ZonePoint& p : points) {
+    if (side * line.distance(p.x.head<2>()) < 0.0) continue;
+    kept.push_back(p);
+    x.push_back(p.x);
+  }
+  const std::optional<PlaneFit> fit = fit_plane(x);
+  if (!fit) return;
+  plane.fit = *fit;
+  plane.inliers = std::move(kept);
+}
+
+struct Ridge {
+  std::size_t a, b;
+  PlaneMeeting meeting;
+};
+
+/// The pair of planes that meets along most of the line; of equals, the one nearer in plan.
+std::optional<Ridge> best_ridge(std::span<const CandidatePlane> candidates,
+                                const Footprint& footprint,
+                                const JudgeOptions& options) {
+  std::optional<Ridge> best;
+  const auto rank = [](const PlaneMeeting& m) {
+    return std::pair(std::round(m.coverage * 10.0), -m.offset_m);
+  };
+  for (std::size_t a = 0; a < candidates.size(); ++a) {
+    for (std::size_t b = a + 1; b < candidates.size(); ++b) {
+      if (candidates[a].low_object || candidates[b].low_object) continue;
+      const double angle = angle_between_rad(candidates[a].fit, candidates[b].fit);
+      if (angle < options.ridge_angle_deg * kRadPerDeg) continue;
+      const auto meeting = meeting_of(candidates[a], candidates[b], footprint, options);
+      if (!meeting || meeting->offset_m > options.ridge_offset_m ||
+          meeting->direction_rad > options.ridge_direction_deg * kRadPerDeg ||
+          meeting->coverage < options.min_coverage) {
+        continue;
+      }
+      if (!best || rank(*meeting) > rank(best->meeting)) best = Ridge{a, b, *meeting};
+    }
+  }
+  return best;
+}
+
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::lround(100.0 * share) << " %";
+  return text.str();
+}
+
+/// The candidates that accompany the line and come close to it, the uppermost first.
+std::vector<std::size_t> planes_along(std::span<const CandidatePlane> candidates,
+                                      const Footprint& footprint,
+                                      const JudgeOptions& options) {
+  // a parked car beside a marking is upper, but accompanies only a part of it
+  constexpr double kOfBest = 0.75;
+  const auto near = [&](const CandidatePlane& p) {
+    return !p.low_object && p.nearest_m <= options.step_offset_m;
+  };
+  double best = 0.0;
+  for (const CandidatePlane& p : candidates) best = std::max(best, near(p) ? p.coverage : 0.0);
+  const double least = std::max(options.min_coverage, kOfBest * best);
+  std::vector<std::size_t> along;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (near(candidates[i]) && candidates[i].coverage >= least) along.push_back(i);
+  }
+  const auto height = [&](std::size_t i) {
+    return height_at(candidates[i].fit.plane, footprint.middle());
+  };
+  std::sort(along.begin(), along.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(-height(a), a) < std::pair(-height(b), b);
+  });
+  return along;
+}
+
+/// Both sides of the line carry the plane: the line runs inside it.
+bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
+  const double gap = options.side_gap_m;
+  const auto left = std::count_if(plane.beside.begin(), plane.beside.end(),
+                                  [&](const ZonePoint& p) { return p.t > gap; });
+  const auto right = std::count_if(plane.beside.begin(), plane.beside.end(),
+                                   [&](const ZonePoint& p) { return p.t < -gap; });
+  return 4 * std::min(left, right) >= std::max(left, right);
+}
+
+EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
+                           const Footprint& footprint,
+                           const JudgeOptions& options) {
+  const std::vector<std::size_t> along = planes_along(candidates, footprint, options);
+  EdgeDecision decision;
+  if (along.empty()) {
+    decision.status = Status::kLowCoverage;
+    double most = 0.0;
+    for (const CandidatePlane& plane : candidates) most = std::max(most, plane.coverage);
+    decision.reason = "no plane accompanies the line closely enough: largest coverage " +
+                      percent(most) + ", must be at least " + percent(options.min_coverage);
+    return decision;
+  }
+  const CandidatePlane& upper = candidates[along[0]];
+  if (along.size() > 1) {
+    // two surfaces of about one height, yet neither one plane nor a ridge: nothing tells them apart
+    constexpr double kSameHeight_m = 0.15;
+    const CandidatePlane& second = candidates[along[1]];
+    const double step_m = height_at(upper.fit.plane, footprint.middle()) -
+                          height_at(second.fit.plane, footprint.middle());
+    const double angle = angle_between_rad(upper.fit, second.fit);
+    if (step_m < kSameHeight_m && angle >= options.ridge_angle_deg * kRadPerDeg) {
+      decision.status = Status::kAmbiguous;
+      decision.reason = "two planes of the same height at the line that do not meet along it";
+      return decision;
+    }
+    decision.flags.emplace_back("upper_plane");
+  }
+  if (on_both_sides(upper, options)) decision.flags.emplace_back("merged");
+  decision.status = Status::kEvaluated;
+  decision.kind = Kind::kStep;
+  decision.planes = {along[0]};
+  return decision;
+}
+
+}  // namespace
+
+std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
+                                       const CandidatePlane& b,
+                                       const Footprint& footprint,
+                                       const JudgeOptions& options) {
+  // difference of the planes' shares of points on one side; a main roof goes on behind a dormer
+  constexpr double kOneSided = 0.55;
+  const auto line = intersect_in_plan(a.fit.plane, b.fit.plane);
+  if (!line) return std::nullopt;
+  const SideShare side_a =
+      sides_of(a, *line, footprint.length_m, options.corridor_half_width_m * 2.0 / 3.0);
+  const SideShare side_b =
+      sides_of(b, *line, footprint.length_m, options.corridor_half_width_m * 2.0 / 3.0);
+  if (std::abs(side_a.positive - side_b.positive) < kOneSided) return std::nullopt;
+  const double reach_m = 0.5 * options.corridor_half_width_m;
+  const Eigen::Vector2d direction(-line->normal.y(), line->normal.x());
+  return PlaneMeeting{
+      .offset_m = std::max(std::abs(line->distance(footprint.start)),
+                           std::abs(line->distance(footprint.at(footprint.length_m)))),
+      .direction_rad = acute_angle_rad(direction, footprint.along),
+      .coverage = std::min(coverage_along(side_a.near, footprint.length_m, reach_m),
+                           coverage_along(side_b.near, footprint.length_m, reach_m))};
+}
+
+void separate_at_intersection(CandidatePlane& a, CandidatePlane& b) {
+  constexpr int kPasses = 3;  // the intersection moves by less each time
+  const std::vector<ZonePoint> all_a = a.inliers;
+  const std::vector<ZonePoint> all_b = b.inliers;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const auto line = intersect_in_plan(a.fit.plane, b.fit.plane);
+    if (!line) return;
+    const double side = line->distance(a.fit.centroid.head<2>()) > 0.0 ? 1.0 : -1.0;
+    keep_side(a, all_a, *line, side);
+    keep_side(b, all_b, *line, -side);
+  }
+}
+
+EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
+                         const Footprint& footprint,
+                         const JudgeOptions& options) {
+  if (candidates.empty()) {
+    EdgeDecision none;
+    none.reason = "points beside the line, but no plane among them";
+    return none;
+  }
+  if (const auto ridge = best_ridge(candidates, footprint, options)) {
+    return {.status = Status::kEvaluated,
+            .reason = "",
+            .kind = Kind::kRidge,
+            .planes = {ridge->a, ridge->b},
+            .flags = {}};
+  }
+  return step_decision(candidates, footprint, options);
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/footprint.h"
+
+#include <cmath>
+
+namespace ridgeline::evaluate {
+
+Footprint footprint_of(const Segment3& segment) {
+  const Segment2 p = plan(segment);
+  const double length_m = length(p);
+  check(length_m > 0.0, "footprint_of: length in plan = ", length_m, " m, must be positive");
+  const Eigen::Vector2d along = (p.end - p.start) / length_m;
+  return {p.start, along, Eigen::Vector2d(-along.y(), along.x()), length_m};
+}
+
+std::vector<ZonePoint> points_beside(const PointGrid& grid,
+                                     const Footprint& footprint,
+                                     double half_width_m,
+                                     double end_m) {
+  std::vector<ZonePoint> points;
+  const Segment2 axis{footprint.at(-end_m), footprint.at(footprint.length_m + end_m)};
+  grid.visit_near(axis, half_width_m, [&](const PointGrid::Point& point) {
+    const double s = footprint.s(point.x.head<2>());
+    const double t = footprint.t(point.x.head<2>());
+    if (std::abs(t) > half_width_m || s < -end_m || s > footprint.length_m + end_m) return;
+    points.push_back({point.x, s, t, point.index});
+  });
+  return points;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/judge_line.h"
+
+#include "evaluate/judge/candidate_planes.h"
+#include "evaluate/judge/edge_decision.h"
+#include "evaluate/judge/footprint.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+namespace ridgeline::evaluate {
+namespace {
+
+template <typename... Parts>
+std::string text(const Parts&... parts) {
+  std::ostringstream stream;
+  (stream << ... << parts);
+  return stream.str();
+}
+
+struct Refusal {
+  Status status;
+  std::string reason;
+};
+
+/// Why a line cannot be judged whatever the cloud holds.
+std::optional<Refusal> refuse(const JudgedLine& line, const JudgeOptions& options) {
+  constexpr double kSteepest = 0.05;  // plan length / length: steeper has no direction in plan
+  if (!line.reconstructed) {
+    return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
+  }
+  if (!all_finite(line.segment)) return Refusal{Status::kNonFinite, "a coordinate is not finite"};
+  const double length_m = length(line.segment);
+  if (!(length_m > 0.0)) return Refusal{Status::kDegenerate, "both ends are the same point"};
+  if (length(plan(line.segment)) < kSteepest * length_m) {
+    return Refusal{Status::kDegenerate, "the line is vertical: it has no direction in plan"};
+  }
+  if (length_m < options.min_length_m) {
+    return Refusal{Status::kTooShort,
+                   text("length ", length_m, " m, must be at least ", options.min_length_m, " m")};
+  }
+  return std::nullopt;
+}
+
+std::size_t count_in_corridor(std::span<const ZonePoint> zone,
+                              const Footprint& footprint,
+                              const JudgeOptions& options) {
+  return static_cast<std::size_t>(std::count_if(zone.begin(), zone.end(), [&](const ZonePoint& p) {
+    return std::abs(p.t) <= options.corridor_half_width_m && p.s >= -options.corridor_end_m &&
+           p.s <= footprint.length_m + options.corridor_end_m;
+  }));
+}
+
+/// Whether something stands on the chosen surface along the line that no plane explains: the line
+/// may be an edge of that instead, so its judge is not known.
+bool is_doubtful(std::span<const ZonePoint> zone,
+                 std::span<const CandidatePlane> candidates,
+                 const EdgeDecision& decision,
+                 const Footprint& footprint,
+                 const JudgeOptions& options) {
+  constexpr double kLowest_m = 0.2;
+  constexpr double kHighest_m = 2.0;         // a canopy farther up hides no edge of the surface
+  constexpr double kMostUnexplained = 0.15;  // a parapet of 0.3 m within 0.8 m on both sides
+  constexpr std::size_t kFewest = 4;         // fewer are birds and antennas
+  std::size_t n = 0;
+  std::size_t unexplained = 0;
+  for (const ZonePoint& p : zone) {
+    if (std::abs(p.t) > options.step_offset_m || p.s < 0.0 || p.s > footprint.length_m) continue;
+    ++n;
+    const bool explained =
+        std::any_of(candidates.begin(), candidates.end(), [&](const CandidatePlane& plane) {
+          return plane.fit.plane.absDistance(p.x) <= 1.5 * options.inlier_distance_m;
+        });
+    double above_m = HUGE_VAL;
+    for (const std::size_t i : decision.planes) {
+      above_m = std::min(above_m, candidates[i].fit.plane.signedDistance(p.x));
+    }
+    unexplained += !explained && above_m > kLowest_m && above_m < kHighest_m ? 1 : 0;
+  }
+  return unexplained >= kFewest &&
+         static_cast<double>(unexplained) > kMostUnexplained * static_cast<double>(n);
+}
+
+JudgingPlane judging_plane(const CandidatePlane& candidate,
+                           const Footprint& footprint,
+                           const Segment3& segment) {
+  return {.plane = candidate.fit.plane,
+          .n_inliers = candidate.fit.n,
+          .rms_m = candidate.fit.rms_m,
+          .coverage = candidate.coverage,
+          .extrapolation_m = extrapolation_beyond(candidate.inliers, footprint),
+          .sigma_m = candidate.fit.sigma_at(midpoint(segment)),
+          .distance = orthogonal_distance(segment, candidate.fit.plane)};
+}
+
+/// Standard deviation of the line's midpoint along `direction` from the covariance of its ends.
+double sigma_at_midpoint(const Eigen::Matrix<double, 6, 6>& cov, const Eigen::Vector3d& direction) {
+  Eigen::Matrix<double, 6, 1> jacobian;
+  jacobian << 0.5 * direction, 0.5 * direction;
+  return std::sqrt(std::max(0.0, jacobian.dot(cov * jacobian)));
+}
+
+/// Distances averaged over the chosen planes, with their predicted standard deviations.
+void summarise(LineEvaluation& e, const JudgedLine& line) {
+  const auto n = static_cast<double>(e.planes.size());
+  Eigen::Vector3d mean_normal = Eigen::Vector3d::Zero();
+  double variance = 0.0;
+  for (const JudgingPlane& p : e.planes) {
+    e.mean_distance_m += p.distance.mean_abs / n;
+    e.signed_mean_m += p.distance.mean / n;
+    e.max_distance_m = std::max(e.max_distance_m, p.distance.max_abs);
+    mean_normal += p.plane.normal() / n;
+    variance += p.sigma_m * p.sigma_m / (n * n);
+  }
+  e.sigma_plane_m = std::sqrt(variance);
+  if (!line.covariance_m2) return;
+  e.sigma_line_m = sigma_at_midpoint(*line.covariance_m2, mean_normal);
+  const double sigma = std::hypot(*e.sigma_line_m, e.sigma_plane_m);
+  if (sigma > 0.0) e.z = e.signed_mean_m / sigma;
+}
+
+/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle between.
+void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
+  const Eigen::Vector3d n1 = e.planes[0].plane.normal();
+  const Eigen::Vector3d n2 = e.planes[1].plane.normal();
+  const Eigen::Vector3d direction = n1.cross(n2).normalized();
+  const Eigen::Vector3d x = midpoint(segment);
+  // the foot of x on both planes at once, across the intersection line
+  Eigen::Matrix3d a;
+  a << n1.transpose(), n2.transpose(), direction.transpose();
+  const Eigen::Vector3d to_line =
+      a.inverse() * Eigen::Vector3d(-e.planes[0].plane.signedDistance(x),
+                                    -e.planes[1].plane.signedDistance(x), 0.0);
+  e.intersection_distance_m = to_line.norm();
+  e.intersection_angle_deg =
+      acute_angle_rad(direction, Eigen::Vector3d(segment.end - segment.start)) * 180.0 /
+      std::numbers::pi;
+}
+
+std::vector<std::uint32_t> sorted_indices(std::span<const ZonePoint> points) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(points.size());
+  for (const ZonePoint& p : points) indices.push_back(p.index);
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+LineEvaluation undecided(const JudgedLine& line) {
+  LineEvaluation e;
+  e.id = line.id;
+  e.line_class = line.line_class;
+  e.building = line.building;
+  e.epipolar_angle_deg = line.epipolar_angle_deg;
+  if (all_finite(line.segment)) e.length_m = length(line.segment);
+  return e;
+}
+
+JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
+  e.status = status;
+  e.reason = std::move(reason);
+  return {std::move(e), {}};
+}
+
+}  // namespace
+
+JudgedResult judge_line(const PointGrid& grid,
+                        const JudgedLine& line,
+                        const JudgeOptions& options) {
+  LineEvaluation e = undecided(line);
+  if (const auto refusal = refuse(line, options)) {
+    return ended(std::move(e), refusal->status, refusal->reason);
+  }
+  const Footprint footprint = footprint_of(line.segment);
+  const std::vector<ZonePoint> zone =
+      points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
+  const std::size_t n_beside = count_in_corridor(zone, footprint, options);
+  if (n_beside < static_cast<std::size_t>(options.min_points)) {
+    return ended(std::move(e), Status::kNoLidar,
+                 text(n_beside, " points within ", options.corridor_half_width_m,
+                      " m of the line, must be at least ", options.min_points));
+  }
+  std::vector<CandidatePlane> candidates =
+      candidate_planes(zone, footprint, options, line_key(line.id, options.seed));
+  EdgeDecision decision = decide_edge(candidates, footprint, options);
+  if (decision.status != Status::kEvaluated) {
+    return ended(std::move(e), decision.status, std::move(decision.reason));
+  }
+  if (is_doubtful(zone, candidates, decision, footprint, options)) {
+    return ended(std::move(e), Status::kAmbiguous,
+                 "points stand along the line on the surface that it would be judged by");
+  }
+  if (decision.kind == Kind::kRidge) {
+    separate_at_intersection(candidates[decision.planes[0]], candidates[decision.planes[1]]);
+  }
+  JudgedResult result;
+  for (const std::size_t i : decision.planes) {
+    e.planes.push_back(judging_plane(candidates[i], footprint, line.segment));
+    result.inliers.push_back(sorted_indices(candidates[i].inliers));
+  }
+  e.status = Status::kEvaluated;
+  e.kind = decision.kind;
+  e.flags = std::move(decision.flags);
+  summarise(e, line);
+  if (e.kind == Kind::kRidge) compare_with_intersection(e, line.segment);
+  result.evaluation = std::move(e);
+  return result;
+}
+
+}  // namespace ridgeline::evaluate

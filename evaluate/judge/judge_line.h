@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/options.h"
+#include "evaluate/judge/point_grid.h"
+#include "evaluate/line_evaluation.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// A judged line and the points its planes were fitted to.
+struct JudgedResult {
+  LineEvaluation evaluation;
+  std::vector<std::vector<std::uint32_t>> inliers;  ///< per plane, indices into the cloud, sorted
+};
+
+/// The method (Ok et al. 2011, section 4; system.md 13) for one line:
+/// the points of a planimetric corridor -> planes by sample consensus on each side, refined over
+/// their connected points -> step edge (one plane) or ridge (two) -> average orthogonal distance.
+/// Ends in a status whatever the line is; never throws for a bad line.
+JudgedResult judge_line(const PointGrid& grid, const JudgedLine& line, const JudgeOptions& options);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/judge_line.h"
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// Judges every line, in parallel; the i-th result belongs to the i-th line and does not depend on
+/// the number of threads or on the other lines. A later line with the id of an earlier one gets the
+/// status `duplicate_id`. Planes that share their points get one id over all lines, because lines
+/// judged by the same plane are not independent.
+/// Throws std::invalid_argument for an option out of its range.
+std::vector<JudgedResult> judge_lines(const PointGrid& grid,
+                                      std::span<const JudgedLine> lines,
+                                      const JudgeOptions& options);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/low_objects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// A car parked beside a marking, a box on a terrace: a small level surface less than 2 m above a
+/// level one that also lies on the object's far and near side of the line.
+bool is_low_object(const CandidatePlane& object,
+                   const CandidatePlane& base,
+                   double spacing_m,
+                   const JudgeOptions& options) {
+  constexpr double kLevel_rad = 0.17;  // 10 degrees
+  constexpr double kHighest_m = 2.0;
+  constexpr double kLargest_m2 = 15.0;  // two cars; roofs with less are dormers, on slopes
+  constexpr double kNarrow = 6.0;       // length / width of a parapet, which stays
+  constexpr double kOtherSide = 0.1;
+  const double area_m2 = static_cast<double>(object.inliers.size()) * spacing_m * spacing_m;
+  const double elongation = std::sqrt(object.fit.spread_m2.x() / object.fit.spread_m2.y());
+  const double above_m = base.fit.plane.signedDistance(object.fit.centroid);
+  if (slope_rad(base.fit.plane) > kLevel_rad || slope_rad(object.fit.plane) > kLevel_rad ||
+      area_m2 > kLargest_m2 || elongation > kNarrow || above_m < 0.0 || above_m > kHighest_m) {
+    return false;
+  }
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (const ZonePoint& p : base.inliers) {
+    if (std::abs(p.t) > options.corridor_half_width_m) continue;
+    ++(p.t > 0.0 ? left : right);
+  }
+  return static_cast<double>(std::min(left, right)) >=
+         kOtherSide * static_cast<double>(std::max(left, right));
+}
+
+}  // namespace
+
+void mark_low_objects(std::vector<CandidatePlane>& candidates,
+                      double spacing_m,
+                      const JudgeOptions& options) {
+  for (CandidatePlane& plane : candidates) {
+    plane.low_object = std::any_of(candidates.begin(), candidates.end(), [&](const auto& base) {
+      return &base != &plane && is_low_object(plane, base, spacing_m, options);
+    });
+  }
+}
+
+}  // namespace ridgeline::evaluate

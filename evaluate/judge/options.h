@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+
+#include <cstdint>
+#include <tuple>
+
+namespace ridgeline::evaluate {
+
+/// Sample consensus methods of PCL that behave on roofs. RRANSAC and RMSAC can loop for ever and
+/// MLESAC finds the wrong plane in two of three patches, so they are not offered.
+enum class SampleConsensus : std::uint8_t { kMsac, kRansac, kProsac };
+
+/// How lines are judged (system.md 13). Lengths in metres of the local frame.
+struct JudgeOptions {
+  SampleConsensus method = SampleConsensus::kMsac;
+
+  /// Range noise of the cloud; thresholds that depend on it are multiples.
+  double lidar_sigma_m = 0.034;
+  /// Half width of the planimetric corridor, all heights: a line metres off in height is judged.
+  double corridor_half_width_m = 1.5;
+  /// The corridor is extended by this at both ends of the line.
+  double corridor_end_m = 0.5;
+  /// Points nearer to the line than this belong to neither side: they straddle the edge.
+  double side_gap_m = 0.2;
+  /// Points within this distance of a plane support it; 3 sigma of the cloud.
+  double inlier_distance_m = 0.10;
+  int min_points = 10;  ///< of a plane on one side
+  /// A plane's final fit takes connected inliers this far from the line: more points, smaller
+  /// sigma.
+  double fit_half_width_m = 4.0;
+  double max_slope_deg = 65.0;  ///< steeper planes are walls, or wall and ground together
+  /// Two planes are one (`merged`) below this angle, if they also meet at the line.
+  double merge_angle_deg = 5.0;
+  /// A ridge needs normals that differ by at least this.
+  double ridge_angle_deg = 10.0;
+  /// Largest distance in plan, at both ends, between a line and the planes' intersection line.
+  double ridge_offset_m = 1.0;
+  double ridge_direction_deg = 15.0;  ///< ... and largest difference in direction, in plan
+  /// Largest distance in plan between a line and the border of the plane it is judged by.
+  double step_offset_m = 0.8;
+  double min_coverage = 0.5;  ///< of the line by the plane's inliers beside it
+  double min_length_m = 0.3;  ///< shorter lines are `too_short`
+  int max_iterations = 300;   ///< of the sample consensus
+  int seed = 1;               ///< of the sample consensus, combined with the line's id
+
+  static constexpr auto fields() {
+    using O = JudgeOptions;
+    return std::tuple{
+        Field{"lidar_sigma_m", &O::lidar_sigma_m, 0.0, 10.0, "range noise of the cloud"},
+        Field{"corridor_half_width_m", &O::corridor_half_width_m, 0.1, 100.0,
+              "half width of the corridor around a line, in plan"},
+        Field{"corridor_end_m", &O::corridor_end_m, 0.0, 100.0, "extension of the corridor's ends"},
+        Field{"side_gap_m", &O::side_gap_m, 0.0, 10.0,
+              "points nearer to the line belong to neither side"},
+        Field{"inlier_distance_m", &O::inlier_distance_m, 1e-4, 10.0,
+              "largest distance of a plane's point"},
+        Field{"min_points", &O::min_points, 4, 1000000, "points that a plane needs on one side"},
+        Field{"fit_half_width_m", &O::fit_half_width_m, 0.1, 100.0,
+              "the plane's fit takes connected inliers this far from the line"},
+        Field{"max_slope_deg", &O::max_slope_deg, 0.0, 90.0, "steeper planes are walls, not roofs"},
+        Field{"merge_angle_deg", &O::merge_angle_deg, 0.0, 90.0,
+              "planes of both sides below this angle are one"},
+        Field{"ridge_angle_deg", &O::ridge_angle_deg, 0.0, 90.0,
+              "smallest angle between the planes of a ridge"},
+        Field{"ridge_offset_m", &O::ridge_offset_m, 0.0, 100.0,
+              "largest distance in plan from a line to the planes' intersection"},
+        Field{"ridge_direction_deg", &O::ridge_direction_deg, 0.0, 90.0,
+              "largest angle in plan between a line and the planes' intersection"},
+        Field{"step_offset_m", &O::step_offset_m, 0.0, 100.0,
+              "largest distance in plan from a line to the border of its plane"},
+        Field{"min_coverage", &O::min_coverage, 0.0, 1.0,
+              "share of the line that its plane must accompany"},
+        Field{"min_length_m", &O::min_length_m, 0.0, 1000.0, "shorter lines are too_short"},
+        Field{"max_iterations", &O::max_iterations, 1, 1000000, "of the sample consensus"},
+        Field{"seed", &O::seed, 0, 2147483647, "of the sample consensus"}};
+  }
+};
+
+}  // namespace ridgeline::evaluate

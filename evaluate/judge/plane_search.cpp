@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/plane_search.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/sample_consensus/msac.h>
+#include <pcl/sample_consensus/prosac.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace ridgeline::evaluate {
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using Model = pcl::SampleConsensusModelPlane<pcl::PointXYZ>;
+
+/// splitmix64: the same sequence everywhere, unlike the standard distributions.
+std::uint64_t next_random(std::uint64_t& state) {
+  state += 0x9e3779b97f4a7c15ULL;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31U);
+}
+
+void shuffle(std::vector<ZonePoint>& points, std::uint64_t key) {
+  for (std::size_t i = points.size(); i > 1; --i) {
+    std::swap(points[i - 1], points[next_random(key) % i]);
+  }
+}
+
+/// PROSAC tries the first points first: those nearest to the line are the likeliest to matter.
+void sort_by_distance(std::vector<ZonePoint>& points) {
+  std::sort(points.begin(), points.end(), [](const ZonePoint& a, const ZonePoint& b) {
+    return std::pair(std::abs(a.t), a.index) < std::pair(std::abs(b.t), b.index);
+  });
+}
+
+/// Floats relative to an integer centre, in steps of 2^-14 m (0.06 mm): small enough for float to
+/// be exact, and the same bits wherever the scene lies in its map frame.
+Cloud::Ptr recentred_cloud(const std::vector<ZonePoint>& points, const Eigen::Vector3d& centre) {
+  constexpr double kSteps = 16384.0;
+  auto cloud = std::make_shared<Cloud>();
+  cloud->reserve(points.size());
+  for (const ZonePoint& point : points) {
+    const Eigen::Vector3d x = ((point.x - centre) * kSteps).array().round() / kSteps;
+    cloud->emplace_back(static_cast<float>(x.x()), static_cast<float>(x.y()),
+                        static_cast<float>(x.z()));
+  }
+  return cloud;
+}
+
+std::unique_ptr<pcl::SampleConsensus<pcl::PointXYZ>> sample_consensus(SampleConsensus method,
+                                                                      const Model::Ptr& model,
+                                                                      double threshold_m) {
+  switch (method) {
+    case SampleConsensus::kRansac:
+      return std::make_unique<pcl::RandomSampleConsensus<pcl::PointXYZ>>(model, threshold_m);
+    case SampleConsensus::kProsac:
+      return std::make_unique<pcl::ProgressiveSampleConsensus<pcl::PointXYZ>>(model, threshold_m);
+    case SampleConsensus::kMsac:
+      break;
+  }
+  return std::make_unique<pcl::MEstimatorSampleConsensus<pcl::PointXYZ>>(model, threshold_m);
+}
+
+/// The plane that PCL finds, in the local frame.
+std::optional<Plane3> consensus_plane(const std::vector<ZonePoint>& points,
+                                      const JudgeOptions& options) {
+  const Eigen::Vector3d centre = points.front().x.array().round();
+  const Model::Ptr model = std::make_shared<Model>(recentred_cloud(points, centre));
+  const auto consensus = sample_consensus(options.method, model, options.inlier_distance_m);
+  consensus->setMaxIterations(options.max_iterations);
+  if (!consensus->computeModel(0)) return std::nullopt;
+  Eigen::VectorXf coefficients;
+  consensus->getModelCoefficients(coefficients);
+  if (coefficients.size() != 4 || !coefficients.allFinite()) return std::nullopt;
+  const Eigen::Vector3d normal = coefficients.head<3>().cast<double>();
+  const double scale = normal.norm();
+  if (!(scale > 0.0)) return std::nullopt;
+  const Eigen::Vector3d unit = normal / scale;
+  return Plane3(unit, static_cast<double>(coefficients(3)) / scale - unit.dot(centre));
+}
+
+std::vector<Eigen::Vector3d> supporters(const std::vector<ZonePoint>& points,
+                                        const Plane3& plane,
+                                        double distance_m) {
+  std::vector<Eigen::Vector3d> near;
+  for (const ZonePoint& point : points) {
+    if (plane.absDistance(point.x) <= distance_m) near.push_back(point.x);
+  }
+  return near;
+}
+
+/// Total least squares over the points that support the plane, repeated because the better plane
+/// has slightly other supporters.
+std::optional<PlaneFit> refine(const std::vector<ZonePoint>& points,
+                               const Plane3& start,
+                               const JudgeOptions& options) {
+  constexpr int kPasses = 3;
+  std::optional<PlaneFit> fit;
+  Plane3 plane = start;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    fit = fit_plane(supporters(points, plane, options.inlier_distance_m));
+    if (!fit || fit->n < options.min_points) return std::nullopt;
+    plane = fit->plane;
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
+                                      const JudgeOptions& options,
+                                      std::uint64_t key) {
+  constexpr std::size_t kMostPlanes = 6;  // two roofs, a dormer, ground and two walls
+  const double steepest_rad = options.max_slope_deg * std::numbers::pi / 180.0;
+  std::vector<ZonePoint> rest(side.begin(), side.end());
+  if (options.method == SampleConsensus::kProsac) {
+    sort_by_distance(rest);
+  } else {
+    shuffle(rest, key);
+  }
+  std::vector<FoundPlane> planes;
+  for (std::size_t trial = 0; trial < kMostPlanes; ++trial) {
+    if (rest.size() < static_cast<std::size_t>(options.min_points)) break;
+    const std::optional<Plane3> start = consensus_plane(rest, options);
+    if (!start) break;
+    const std::optional<PlaneFit> fit = refine(rest, *start, options);
+    if (!fit) break;
+    const auto others = std::stable_partition(rest.begin(), rest.end(), [&](const ZonePoint& p) {
+      return fit->plane.absDistance(p.x) <= options.inlier_distance_m;
+    });
+    if (slope_rad(fit->plane) <= steepest_rad) {
+      planes.push_back({*fit, std::vector<ZonePoint>(rest.begin(), others)});
+    }
+    if (others == rest.begin()) break;
+    rest.erase(rest.begin(), others);
+  }
+  return planes;
+}
+
+std::uint64_t line_key(std::string_view id, int seed) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL ^ static_cast<std::uint64_t>(seed);  // FNV-1a
+  for (const char c : id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return next_random(hash);
+}
+
+}  // namespace ridgeline::evaluate

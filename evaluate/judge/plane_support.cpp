@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/plane_support.h"
+
+#include "evaluate/judge/plan_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace ridgeline::evaluate {
+namespace {
+
+double median_distance(std::span<const ZonePoint> points, const Plane3& plane) {
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const ZonePoint& p : points) distances.push_back(plane.absDistance(p.x));
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// In plan, the distance from the line to the plane's points: the median over stretches of the line
+/// of the smallest |t|, so that one stray point does not bring a plane near.
+double nearest_along(std::span<const ZonePoint> points, double length_m, double stretch_m) {
+  const auto n = static_cast<std::size_t>(std::max(1.0, std::floor(length_m / stretch_m)));
+  std::vector<double> nearest(n, HUGE_VAL);
+  for (const ZonePoint& p : points) {
+    const double place = std::floor(p.s / length_m * static_cast<double>(n));
+    if (place < 0.0 || place >= static_cast<double>(n)) continue;
+    double& value = nearest[static_cast<std::size_t>(place)];
+    value = std::min(value, std::abs(p.t));
+  }
+  std::erase(nearest, HUGE_VAL);
+  if (nearest.empty()) return HUGE_VAL;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> positions(std::span<const ZonePoint> points) {
+  std::vector<Eigen::Vector3d> x;
+  x.reserve(points.size());
+  for (const ZonePoint& p : points) x.push_back(p.x);
+  return x;
+}
+
+double point_spacing_m(std::size_t n, double area_m2) {
+  return n == 0 ? HUGE_VAL : std::sqrt(area_m2 / static_cast<double>(n));
+}
+
+double coverage_along(std::span<const ZonePoint> points, double length_m, double reach_m) {
+  std::vector<double> s;
+  s.reserve(points.size());
+  for (const ZonePoint& p : points) s.push_back(p.s);
+  std::sort(s.begin(), s.end());
+  double covered = 0.0;
+  double end = 0.0;  // of what is covered so far
+  for (const double centre : s) {
+    const double from = std::clamp(centre - reach_m, end, length_m);
+    const double to = std::clamp(centre + reach_m, end, length_m);
+    covered += to - from;
+    end = std::max(end, to);
+  }
+  return covered / length_m;
+}
+
+double extrapolation_beyond(std::span<const ZonePoint> points, const Footprint& footprint) {
+  // the distance to a convex set is convex along the line: largest at one of its ends
+  const PlanHull hull(points);
+  return std::max(hull.distance_to({0.0, 0.0}), hull.distance_to({footprint.length_m, 0.0}));
+}
+
+void trim(CandidatePlane& plane, double inlier_distance_m) {
+  constexpr int kMostPasses = 20;
+  constexpr double kFinest_m = 1e-6;            // below the resolution of any cloud
+  constexpr double kThreeSigma = 3.0 * 1.4826;  // of a median of absolute normal residuals
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const double limit_m = std::clamp(kThreeSigma * median_distance(plane.inliers, plane.fit.plane),
+                                      kFinest_m, inlier_distance_m);
+    std::vector<ZonePoint> kept;
+    for (const ZonePoint& p : plane.inliers) {
+      if (plane.fit.plane.absDistance(p.x) <= limit_m) kept.push_back(p);
+    }
+    if (kept.size() == plane.inliers.size()) return;
+    const std::optional<PlaneFit> fit = fit_plane(positions(kept));
+    if (!fit) return;
+    plane.fit = *fit;
+    plane.inliers = std::move(kept);
+  }
+}
+
+void describe_support(CandidatePlane& plane,
+                      const Footprint& footprint,
+                      double reach_m,
+                      const JudgeOptions& options) {
+  for (const ZonePoint& p : plane.inliers) {
+    if (std::abs(p.t) <= options.corridor_half_width_m && p.s >= -options.corridor_end_m &&
+        p.s <= footprint.length_m + options.corridor_end_m) {
+      plane.beside.push_back(p);
+    }
+  }
+  plane.coverage = coverage_along(plane.beside, footprint.length_m, reach_m);
+  plane.nearest_m = nearest_along(plane.beside, footprint.length_m, 2.0 * reach_m);
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/line_evaluation.h"
+
+namespace ridgeline::evaluate {
+
+const char* name(Status status) {
+  switch (status) {
+    case Status::kEvaluated:
+      return "evaluated";
+    case Status::kNoLidar:
+      return "no_lidar";
+    case Status::kNoPlane:
+      return "no_plane";
+    case Status::kLowCoverage:
+      return "low_coverage";
+    case Status::kAmbiguous:
+      return "ambiguous";
+    case Status::kNotReconstructed:
+      return "not_reconstructed";
+    case Status::kDegenerate:
+      return "degenerate";
+    case Status::kTooShort:
+      return "too_short";
+    case Status::kNonFinite:
+      return "non_finite";
+    case Status::kDuplicateId:
+      return "duplicate_id";
+  }
+  return "unknown";
+}
+
+const char* name(Kind kind) {
+  switch (kind) {
+    case Kind::kNone:
+      return "";
+    case Kind::kStep:
+      return "step";
+    case Kind::kRidge:
+      return "ridge";
+  }
+  return "unknown";
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/plane.h"
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/segment_plane.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// What became of a line. Every input line has exactly one; none disappears.
+enum class Status : std::uint8_t {
+  kEvaluated,
+  kNoLidar,           ///< outside the cloud, or too few points in the corridor
+  kNoPlane,           ///< points, but no roof or ground plane among them
+  kLowCoverage,       ///< less than half of the line over the hull of its plane's inliers
+  kAmbiguous,         ///< candidate planes that the evidence cannot tell apart
+  kNotReconstructed,  ///< the tool says that it has no geometry for it
+  kDegenerate,        ///< zero length, or vertical: no plan direction
+  kTooShort,
+  kNonFinite,
+  kDuplicateId,
+};
+inline constexpr int kNumStatuses = 10;
+
+/// `evaluated`, `no_lidar`, ... as in the files.
+const char* name(Status status);
+
+/// Step edge (one plane) or the intersection of two planes.
+enum class Kind : std::uint8_t { kNone, kStep, kRidge };
+const char* name(Kind kind);  ///< "" | "step" | "ridge"
+
+/// A line to be judged. Local metres.
+struct JudgedLine {
+  std::string id;
+  Segment3 segment;
+  std::string line_class = "all";  ///< aligned | not_aligned | all | the file's own
+  std::string building;            ///< cluster of the bootstrap; empty: by shared planes
+  std::optional<double> epipolar_angle_deg;
+  /// Covariance of (start, end), m^2, world axes.
+  std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
+  bool reconstructed = true;  ///< false: status not_reconstructed
+};
+
+/// A LIDAR plane chosen for a line.
+struct JudgingPlane {
+  Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local frame, normal upwards
+  int n_inliers = 0;
+  double rms_m = 0.0;            ///< of the inliers' orthogonal distances
+  double coverage = 0.0;         ///< share of the line over the hull of the inliers, 0..1
+  double extrapolation_m = 0.0;  ///< largest distance in plan from the line to that hull
+  double sigma_m = 0.0;          ///< of the plane at the line's midpoint, random part only
+  SegmentPlaneDistance distance;
+  std::uint64_t id = 0;  ///< equal for planes that are the same one: lines sharing it are dependent
+};
+
+/// The judgement of one line. Distances are set only for status `evaluated`.
+struct LineEvaluation {
+  std::string id;
+  std::string line_class;
+  std::string building;
+  Status status = Status::kNoLidar;
+  std::string reason;  ///< one sentence for a status other than `evaluated`
+  Kind kind = Kind::kNone;
+  std::vector<std::string> flags;    ///< merged, plane_ambiguous, extrapolated, ...
+  std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
+  double length_m = 0.0;
+  std::optional<double> epipolar_angle_deg;
+
+  double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)
+  double max_distance_m = 0.0;
+  double signed_mean_m = 0.0;  ///< mean over the planes
+  double sigma_plane_m = 0.0;  ///< of the chosen plane(s) at the midpoint
+  /// From covariance_m2 along the plane's normal at the midpoint (mean of two planes).
+  std::optional<double> sigma_line_m;
+  std::optional<double> z;  ///< signed midpoint distance / sqrt(sigma_line^2 + sigma_plane^2)
+  /// Ridge only: distance and angle of the line to the planes' intersection line.
+  std::optional<double> intersection_distance_m, intersection_angle_deg;
+};
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/line_evaluation.h"
+#include "evaluate/statistics/interval.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace ridgeline::evaluate {
+
+/// Whether predicted standard deviations agree with the distances found:
+///   z = signed distance / sqrt(sigma_line^2 + sigma_plane^2 + sigma_sys^2).
+struct Calibration {
+  std::string label;
+  std::size_t n = 0;  ///< evaluated lines with a predicted sigma
+  /// Mean normalised squared error per degree of freedom, mean z^2; 1 if sigma is right, above:
+  /// optimistic, below: pessimistic.
+  std::optional<double> nees_per_dof;
+  std::optional<Interval> bounds95;      ///< of nees_per_dof under a right sigma
+  std::optional<double> median_z2;       ///< 0.455 under a right, normal sigma
+  std::optional<double> coverage_1_96;   ///< share of |z| <= 1.96, 95 % under a right sigma
+  std::optional<double> median_sigma_m;  ///< predicted
+  [[nodiscard]] bool optimistic() const { return bounds95 && *nees_per_dof > bounds95->high; }
+  [[nodiscard]] bool pessimistic() const { return bounds95 && *nees_per_dof < bounds95->low; }
+};
+
+/// Calibration of the lines whose index is in `members`. Lines without a covariance, not evaluated
+/// or with a predicted sigma of 0 do not count. sigma_sys_m: see SummaryOptions.
+Calibration calibrate(std::span<const LineEvaluation> lines,
+                      std::span<const std::size_t> members,
+                      std::string label,
+                      double sigma_sys_m);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/line_evaluation.h"
+#include "evaluate/statistics/summary.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// The lines of one method (or tool) on one patch, judged, with their figures.
+struct Evaluation {
+  std::string patch, method;
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< x_in_world = x_in_local + origin_m
+  SummaryOptions options;
+  std::vector<LineEvaluation> lines;  ///< every input line; planes in the local frame
+  std::vector<Summary> classes;       ///< see summarize_classes()
+};
+
+/// `evaluation` with `classes` computed from its lines and options.
+Evaluation with_summaries(Evaluation evaluation);
+
+/// The evaluations cut down to the lines, by id, that are `evaluated` in all of them: the paired
+/// line set on which methods are compared. Summaries are computed anew.
+/// Throws std::invalid_argument if they are not all of one patch.
+std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations);
+
+}  // namespace ridgeline::evaluate

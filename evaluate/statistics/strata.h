@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/calibration.h"
+#include "evaluate/statistics/evaluation.h"
+#include "evaluate/statistics/summary.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+struct Stratum {
+  Summary summary;  ///< line_class is the stratum's label, "2-5"
+  Calibration calibration;
+};
+
+/// All lines of an evaluation cut by one property.
+struct Stratification {
+  std::string by;  ///< epipolar_angle_deg | kind | length_m | roof_slope_deg | sigma_line_quartile
+  /// Every bin, the empty ones too, then "unknown" if lines lack the property. Bins include their
+  /// upper bound, so that the epipolar angles up to 10 degrees are exactly `aligned`.
+  std::vector<Stratum> strata;
+};
+
+/// Strata by epipolar angle (0 2 5 10 20 45 90 degrees; with more than two views the largest over
+/// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma. Each
+/// stratification sums to the total by the pooled identity; std::logic_error otherwise.
+std::vector<Stratification> stratify(const Evaluation& evaluation);
+
+}  // namespace ridgeline::evaluate

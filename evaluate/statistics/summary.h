@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/line_evaluation.h"
+#include "evaluate/statistics/bootstrap.h"
+#include "evaluate/statistics/interval.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+inline constexpr std::string_view kNotAligned = "not_aligned";
+inline constexpr std::string_view kAligned = "aligned";
+inline constexpr std::string_view kTotal = "total";
+
+struct SummaryOptions {
+  BootstrapOptions bootstrap;
+  double gross_m = 1.0;             ///< a line farther than this from its planes is a gross error
+  double outlier_rms_factor = 3.0;  ///< e > factor RMS is counted as an outlier, once, and stays
+  std::optional<double> outlier_limit_m;  ///< in place of the factor
+  double sigma_sys_m = 0.0;  ///< systematic part of the LIDAR accuracy: datum, strip offset
+};
+
+/// The figures of one cell: the lines of a class or stratum of one method on one patch.
+/// e = mean |distance| of a line to its planes (Ok et al. 2011), v = its signed mean. A figure
+/// that the lines do not give is empty, never 0.
+struct Summary {
+  std::string line_class;
+  std::size_t n_lines = 0;                              ///< input, whatever became of it
+  std::size_t n_evaluated = 0;                          ///< n of every figure below
+  std::array<std::size_t, kNumStatuses> n_by_status{};  ///< indexed by Status
+  double length_m = 0.0;                                ///< of all lines with a finite length
+  double length_evaluated_m = 0.0;
+  double sum_squares_m2 = 0.0;  ///< of e: adds up over disjoint cells
+
+  std::optional<double> rms_m;                   ///< sqrt(sum e^2 / n): the published quantity
+  std::optional<Interval> ci95_m;                ///< of rms_m, clustered bootstrap
+  std::optional<Interval> ci95_chi_square_m;     ///< of rms_m, if lines were independent
+  std::size_t n_clusters = 0;                    ///< that the bootstrap drew from
+  std::optional<double> rms_length_weighted_m;   ///< sqrt(sum L e^2 / sum L)
+  std::optional<double> mean_m;                  ///< of v: the bias
+  std::optional<double> std_m;                   ///< of v, with n - 1; empty for n = 1
+  std::optional<double> rms_signed_m;            ///< of v
+  std::optional<double> median_m;                ///< of e
+  std::optional<double> median_signed_m;         ///< of v
+  std::optional<double> nmad_m;                  ///< of v
+  std::optional<double> q683_m, q90_m, q95_m;    ///< of e, type 7
+  std::optional<double> max_m;                   ///< of e
+  std::string max_id;                            ///< the line of max_m
+  std::optional<double> gross_share;             ///< lines with e > gross_m
+  std::size_t n_outliers = 0;                    ///< never left out of the figures above
+  std::optional<double> rms_without_outliers_m;  ///< second table only
+
+  [[nodiscard]] bool few_clusters() const { return n_clusters < kMinClusters; }
+  /// n_evaluated / n_lines: stands beside every RMS. Empty for no lines.
+  [[nodiscard]] std::optional<double> evaluated_share() const;
+  [[nodiscard]] std::optional<double> evaluated_share_by_length() const;
+};
+
+/// The figures of the lines whose index is in `members`; `clusters[i]` is the label of line i.
+/// Throws std::invalid_argument if the spans `lines` and `clusters` differ in length, and
+/// std::logic_error if an evaluated line has a distance that is not finite.
+Summary summarize(std::span<const LineEvaluation> lines,
+                  std::span<const std::size_t> clusters,
+                  std::span<const std::size_t> members,
+                  std::string line_class,
+                  const SummaryOptions& options);
+
+/// `not_aligned`, `aligned` and `total`, in this order; only `total` if no line is of the first two
+/// classes. Lines of another class count in `total` alone. The pooled identity is asserted.
+std::vector<Summary> summarize_classes(std::span<const LineEvaluation> lines,
+                                       const SummaryOptions& options);
+
+/// The summary of a class, or nullptr.
+const Summary* find_class(std::span<const Summary> summaries, std::string_view line_class);
+
+/// The pooled identity of disjoint parts: lines, evaluated lines, each status and the sum of
+/// squares add up to the total's (relative 1e-12), and the statuses to the lines.
+/// Throws std::logic_error naming the cell and the two numbers: a defect of this program.
+void assert_pooled(const Summary& total, std::span<const Summary> parts);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/accuracy_table.h"
+
+#include "evaluate/tables/format.h"
+#include "evaluate/tables/table2.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ridgeline::evaluate {
+namespace {
+
+std::string flags_text(const AccuracyStatement& statement) {
+  const std::vector<std::string> flags = statement.flags();
+  return flags.empty() ? std::string(kMissing) : fmt::format("{}", fmt::join(flags, ", "));
+}
+
+/// "RMSE 0.156 m (ASPRS Edition 2 style)" and 1.9600 RMSE (NSSDA, vertical: one dimension).
+std::string style_sentence(const AccuracyStatement& total) {
+  constexpr double kNssdaVertical = 1.9600;
+  const std::optional<double> rmse_m = total.numbers.product_m;
+  if (!rmse_m) return "";
+  return fmt::format(
+      "In the style of ASPRS Edition 2: RMSE {} m with the error of the reference included, from "
+      "{} lines{}. In the style of NSSDA: {} m at 95 % (1.9600 RMSE).\n",
+      metres(rmse_m), total.n, total.few_samples ? ", fewer than the 30 that it asks for" : "",
+      metres(kNssdaVertical * *rmse_m));
+}
+
+std::string interval_text(const Summary& s) {
+  if (!s.ci95_m) return std::string(kMissing);
+  return fmt::format("{} - {}{}", metres(s.ci95_m->low), metres(s.ci95_m->high),
+                     s.few_clusters() ? " (too few clusters)" : "");
+}
+
+std::string strata_table(const Stratification& stratification) {
+  std::string text = fmt::format(
+      "| {} | n / lines | RMS | 95 % interval | NMAD | 95 % | NEES / dof | \\|z\\| <= 1.96 % |\n"
+      "|---|--:|--:|--:|--:|--:|--:|--:|\n",
+      stratification.by);
+  for (const Stratum& stratum : stratification.strata) {
+    const Summary& s = stratum.summary;
+    text += fmt::format(
+        "| {} | {} / {} | {} | {} | {} | {} | {} | {} |\n", s.line_class, s.n_evaluated, s.n_lines,
+        metres(s.rms_m), interval_text(s), metres(s.nmad_m), metres(s.q95_m),
+        fixed(stratum.calibration.nees_per_dof, 2), percent(stratum.calibration.coverage_1_96));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_markdown(std::span<const AccuracyStatement> statements) {
+  std::string text =
+      "| class | n | observed (against the planes) | product (true datum) | method only | sigma of "
+      "the reference | flags |\n|---|--:|--:|--:|--:|--:|---|\n";
+  for (const AccuracyStatement& s : statements) {
+    const std::string method_only = s.numbers.below_reference_noise
+                                        ? std::string("below reference noise")
+                                        : metres(s.numbers.method_only_m);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(s.line_class),
+                        s.n, metres(s.numbers.observed_m), metres(s.numbers.product_m), method_only,
+                        metres(s.numbers.sigma_ref_m), flags_text(s));
+  }
+  text += fmt::format("\n{}\n", kFixedSentence);
+  if (!statements.empty()) text += fmt::format("\n{}", style_sentence(statements.back()));
+  return text;
+}
+
+std::string to_markdown(std::span<const Stratification> stratifications) {
+  std::string text;
+  for (const Stratification& s : stratifications) text += strata_table(s) + "\n";
+  return text;
+}
+
+}  // namespace ridgeline::evaluate

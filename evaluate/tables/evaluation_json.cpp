@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/evaluation_json.h"
+
+#include "evaluate/statistics/accuracy.h"
+#include "evaluate/statistics/strata.h"
+#include "evaluate/tables/summary_json.h"
+#include "evaluate/tables/table2.h"
+
+#include <numeric>
+
+namespace ridgeline::evaluate {
+namespace {
+
+Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
+  const Eigen::Vector3d normal = p.plane.normal();
+  return {{"normal", vector_json(normal)},
+          {"d", p.plane.offset() - normal.dot(origin_m)},
+          {"n_inliers", p.n_inliers},
+          {"rms_m", number_json(p.rms_m)},
+          {"coverage", number_json(p.coverage)},
+          {"extrapolation_m", number_json(p.extrapolation_m)},
+          {"sigma_m", number_json(p.sigma_m)},
+          {"id", p.id},
+          {"start_distance_m", number_json(p.distance.start)},
+          {"end_distance_m", number_json(p.distance.end)},
+          {"mean_distance_m", number_json(p.distance.mean_abs)},
+          {"signed_mean_m", number_json(p.distance.mean)},
+          {"rms_distance_m", number_json(p.distance.rms)},
+          {"max_distance_m", number_json(p.distance.max_abs)}};
+}
+
+Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
+  Json json{{"id", line.id},
+            {"class", line.line_class},
+            {"status", name(line.status)},
+            {"kind", line.kind == Kind::kNone ? Json(nullptr) : Json(name(line.kind))}};
+  if (!line.reason.empty()) json["reason"] = line.reason;
+  if (!line.building.empty()) json["building"] = line.building;
+  json["flags"] = line.flags;
+  json["length_m"] = number_json(line.length_m);
+  json["epipolar_angle_deg"] = number_json(line.epipolar_angle_deg);
+  json["planes"] = Json::array();
+  for (const JudgingPlane& p : line.planes) json["planes"].push_back(plane_json(p, origin_m));
+  // A line that was not evaluated has no distance; 0 would read as a perfect one.
+  const auto if_evaluated = [&](std::optional<double> value) {
+    return line.status == Status::kEvaluated ? number_json(value) : Json(nullptr);
+  };
+  json["mean_distance_m"] = if_evaluated(line.mean_distance_m);
+  json["max_distance_m"] = if_evaluated(line.max_distance_m);
+  json["signed_mean_m"] = if_evaluated(line.signed_mean_m);
+  json["sigma_plane_m"] = if_evaluated(line.sigma_plane_m);
+  json["sigma_line_m"] = if_evaluated(line.sigma_line_m);
+  json["z"] = if_evaluated(line.z);
+  json["intersection_distance_m"] = if_evaluated(line.intersection_distance_m);
+  json["intersection_angle_deg"] = if_evaluated(line.intersection_angle_deg);
+  return json;
+}
+
+Json options_json(const SummaryOptions& options) {
+  return {{"seed", options.bootstrap.seed},
+          {"bootstrap_replicates", options.bootstrap.replicates},
+          {"interval", options.bootstrap.bca ? "bca" : "percentile"},
+          {"level", options.bootstrap.level},
+          {"gross_m", options.gross_m},
+          {"outlier_rms_factor", options.outlier_rms_factor},
+          {"outlier_limit_m", number_json(options.outlier_limit_m)},
+          {"sigma_sys_m", options.sigma_sys_m}};
+}
+
+Json accuracy_json(const Evaluation& evaluation) {
+  Json json = Json::object();
+  for (const AccuracyStatement& a : accuracy_statements(evaluation)) {
+    json[a.line_class] = {{"n", a.n},
+                          {"observed_m", number_json(a.numbers.observed_m)},
+                          {"product_m", number_json(a.numbers.product_m)},
+                          {"method_only_m", number_json(a.numbers.method_only_m)},
+                          {"sigma_ref_m", number_json(a.numbers.sigma_ref_m)},
+                          {"extrapolated_share", number_json(a.extrapolated_share)},
+                          {"flags", a.flags()}};
+  }
+  return json;
+}
+
+Json calibration_json(const Calibration& c) {
+  return {{"n", c.n},
+          {"nees_per_dof", number_json(c.nees_per_dof)},
+          {"bounds95", interval_json(c.bounds95)},
+          {"median_z2", number_json(c.median_z2)},
+          {"coverage_1_96", number_json(c.coverage_1_96)},
+          {"median_sigma_m", number_json(c.median_sigma_m)}};
+}
+
+Json strata_json(const Evaluation& evaluation) {
+  Json json = Json::object();
+  for (const Stratification& s : stratify(evaluation)) {
+    Json rows = Json::array();
+    for (const Stratum& stratum : s.strata) {
+      Json row{{"stratum", stratum.summary.line_class}};
+      row.update(summary_json(stratum.summary));
+      row["calibration"] = calibration_json(stratum.calibration);
+      rows.push_back(std::move(row));
+    }
+    json[s.by] = std::move(rows);
+  }
+  return json;
+}
+
+Json total_calibration_json(const Evaluation& evaluation) {
+  std::vector<std::size_t> all(evaluation.lines.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return calibration_json(
+      calibrate(evaluation.lines, all, std::string(kTotal), evaluation.options.sigma_sys_m));
+}
+
+}  // namespace
+
+std::string to_json(const Evaluation& evaluation) {
+  Json summary = Json::object();
+  for (const Summary& s : evaluation.classes) summary[s.line_class] = summary_json(s);
+  Json lines = Json::array();
+  for (const LineEvaluation& line : evaluation.lines) {
+    lines.push_back(line_json(line, evaluation.origin_m));
+  }
+  return dump(Json{{"patch", evaluation.patch},
+                   {"method", evaluation.method},
+                   {"note", kFixedSentence},
+                   {"origin_m", vector_json(evaluation.origin_m)},
+                   {"options", options_json(evaluation.options)},
+                   {"summary", std::move(summary)},
+                   {"accuracy", accuracy_json(evaluation)},
+                   {"calibration", total_calibration_json(evaluation)},
+                   {"strata", strata_json(evaluation)},
+                   {"lines", std::move(lines)}});
+}
+
+}  // namespace ridgeline::evaluate

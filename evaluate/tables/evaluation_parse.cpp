@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/summary_json.h"
+#include "reconstruct/geometry/check.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace ridgeline::evaluate {
+namespace {
+
+const Json& member(const Json& object, const char* key) {
+  check(object.is_object(), "evaluation: ", object.type_name(), "; must be an object with the key ",
+        key);
+  const auto found = object.find(key);
+  check(found != object.end(), "evaluation: no key ", key, "; it is required");
+  return *found;
+}
+
+std::string text(const Json& object, const char* key) {
+  const Json& value = member(object, key);
+  check(value.is_string(), key, ": ", value.dump(), "; must be text");
+  return value.get<std::string>();
+}
+
+std::string text_if_any(const Json& object, const char* key) {
+  return object.contains(key) ? text(object, key) : std::string();
+}
+
+std::optional<double> number_if_any(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return std::nullopt;
+  check(found->is_number(), key, ": ", found->dump(), "; must be a number or null");
+  return found->get<double>();
+}
+
+double number(const Json& object, const char* key) {
+  const std::optional<double> value = number_if_any(object, key);
+  check(value.has_value(), key, ": missing; must be a number");
+  return *value;
+}
+
+/// A whole number of type T, not negative.
+template <typename T>
+T count(const Json& object, const char* key) {
+  const Json& value = member(object, key);
+  const bool fits =
+      value.is_number_unsigned() &&
+      value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+  check(fits, key, ": ", value.dump(), "; must be a whole number >= 0");
+  return value.get<T>();
+}
+
+Eigen::Vector3d vector(const Json& object, const char* key) {
+  const Json& value = member(object, key);
+  const bool is_vector = value.is_array() && value.size() == 3 && value[0].is_number() &&
+                         value[1].is_number() && value[2].is_number();
+  check(is_vector, key, ": ", value.dump(), "; must be three numbers");
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+const Json& array(const Json& object, const char* key) {
+  const Json& value = member(object, key);
+  check(value.is_array(), key, ": ", value.type_name(), "; must be a list");
+  return value;
+}
+
+Status parse_status(const std::string& text) {
+  for (int i = 0; i < kNumStatuses; ++i) {
+    const auto status = static_cast<Status>(i);
+    if (text == name(status)) return status;
+  }
+  throw std::invalid_argument("status: " + text + "; must be evaluated or the reason why not");
+}
+
+Kind parse_kind(const Json& line) {
+  const auto found = line.find("kind");
+  if (found == line.end() || found->is_null()) return Kind::kNone;
+  const std::string kind = text(line, "kind");
+  check(kind == "step" || kind == "ridge", "kind: ", kind, "; must be step, ridge or null");
+  return kind == "step" ? Kind::kStep : Kind::kRidge;
+}
+
+JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
+  constexpr double kUnitTolerance = 1e-6;  // a normal typed with few digits is caught, not scaled
+  const Eigen::Vector3d normal = vector(json, "normal");
+  check(std::abs(normal.norm() - 1.0) < kUnitTolerance, "normal: length ", normal.norm(),
+        "; must be 1");
+  JudgingPlane p;
+  p.plane = Plane3(normal, number(json, "d") + normal.dot(origin_m));
+  p.n_inliers = count<int>(json, "n_inliers");
+  p.rms_m = number(json, "rms_m");
+  p.coverage = number(json, "coverage");
+  p.extrapolation_m = number_if_any(json, "extrapolation_m").value_or(0.0);
+  p.sigma_m = number_if_any(json, "sigma_m").value_or(0.0);
+  p.id = count<std::uint64_t>(json, "id");
+  p.distance.start = number(json, "start_distance_m");
+  p.distance.end = number(json, "end_distance_m");
+  p.distance.mean_abs = number(json, "mean_distance_m");
+  p.distance.mean = number(json, "signed_mean_m");
+  p.distance.rms = number(json, "rms_distance_m");
+  p.distance.max_abs = number(json, "max_distance_m");
+  return p;
+}
+
+void parse_distances(const Json& json, LineEvaluation& line) {
+  line.mean_distance_m = number(json, "mean_distance_m");
+  line.max_distance_m = number(json, "max_distance_m");
+  line.signed_mean_m = number(json, "signed_mean_m");
+  check(line.mean_distance_m >= 0.0, "mean_distance_m: ", line.mean_distance_m, "; must be >= 0");
+  line.sigma_plane_m = number_if_any(json, "sigma_plane_m").value_or(0.0);
+  line.sigma_line_m = number_if_any(json, "sigma_line_m");
+  line.z = number_if_any(json, "z");
+  line.intersection_distance_m = number_if_any(json, "intersection_distance_m");
+  line.intersection_angle_deg = number_if_any(json, "intersection_angle_deg");
+}
+
+LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
+  LineEvaluation line;
+  line.id = text(json, "id");
+  line.line_class = text(json, "class");
+  line.status = parse_status(text(json, "status"));
+  line.kind = parse_kind(json);
+  line.reason = text_if_any(json, "reason");
+  line.building = text_if_any(json, "building");
+  for (const Json& flag : array(json, "flags")) {
+    check(flag.is_string(), "flags: ", flag.dump(), "; must be text");
+    line.flags.push_back(flag.get<std::string>());
+  }
+  // null stands for the length of a line whose coordinates are not finite
+  line.length_m = number_if_any(json, "length_m").value_or(0.0);
+  line.epipolar_angle_deg = number_if_any(json, "epipolar_angle_deg");
+  for (const Json& plane : array(json, "planes")) {
+    line.planes.push_back(parse_plane(plane, origin_m));
+  }
+  if (line.status == Status::kEvaluated) parse_distances(json, line);
+  return line;
+}
+
+SummaryOptions parse_options(const Json& json) {
+  SummaryOptions options;
+  options.bootstrap.seed = count<std::uint64_t>(json, "seed");
+  options.bootstrap.replicates = count<int>(json, "bootstrap_replicates");
+  options.bootstrap.bca = text(json, "interval") == "bca";
+  options.bootstrap.level = number(json, "level");
+  options.gross_m = number(json, "gross_m");
+  options.outlier_rms_factor = number(json, "outlier_rms_factor");
+  options.outlier_limit_m = number_if_any(json, "outlier_limit_m");
+  options.sigma_sys_m = number(json, "sigma_sys_m");
+  return options;
+}
+
+Json parse_text(std::string_view text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw std::invalid_argument(std::string("not JSON: ") + error.what());
+  }
+}
+
+}  // namespace
+
+Evaluation parse_evaluation(std::string_view json) {
+  const Json root = parse_text(json);
+  Evaluation evaluation;
+  evaluation.patch = text(root, "patch");
+  evaluation.method = text(root, "method");
+  evaluation.origin_m = vector(root, "origin_m");
+  evaluation.options = parse_options(member(root, "options"));
+  const Json& lines = array(root, "lines");
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    try {
+      evaluation.lines.push_back(parse_line(lines[i], evaluation.origin_m));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("line " + std::to_string(i) + ": " + error.what());
+    }
+  }
+  return with_summaries(std::move(evaluation));
+}
+
+}  // namespace ridgeline::evaluate

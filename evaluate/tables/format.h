@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ridgeline::evaluate {
+
+/// Millimetres: a tenth of the accuracy of the LIDAR, and the published tables' digits. Every
+/// rendering but JSON prints metres so, hence all agree to the printed digit.
+inline constexpr int kMetreDecimals = 3;
+
+/// What stands for a figure that does not exist; never 0.000.
+inline constexpr std::string_view kMissing = "-";
+
+/// Fixed-point decimal; `missing` for an empty or non-finite value. Never "-0.000".
+std::string fixed(std::optional<double> value, int decimals, std::string_view missing = kMissing);
+
+inline std::string metres(std::optional<double> value_m, std::string_view missing = kMissing) {
+  return fixed(value_m, kMetreDecimals, missing);
+}
+
+/// A share as percent with one decimal and without the sign: 0.971 -> "97.1".
+std::string percent(std::optional<double> share);
+
+std::string escape_csv(std::string_view text);  ///< quoted where RFC 4180 asks for it
+/// For a cell of a table: one line, no bar. An underscore stays: within a word it is literal.
+std::string escape_markdown(std::string_view text);
+std::string escape_latex(std::string_view text);
+/// For text and attribute values; control characters, which XML 1.0 cannot hold, become U+FFFD.
+/// Line feed and tab stay.
+std::string escape_xml(std::string_view text);
+
+}  // namespace ridgeline::evaluate

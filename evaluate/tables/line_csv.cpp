@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/format.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <functional>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr int kDecimals = 4;
+
+std::string number(std::optional<double> value) { return fixed(value, kDecimals, ""); }
+
+/// One figure of each plane, "0.0312;0.0287".
+std::string per_plane(const LineEvaluation& line,
+                      const std::function<std::string(const JudgingPlane&)>& figure) {
+  std::vector<std::string> figures;
+  for (const JudgingPlane& p : line.planes) figures.push_back(figure(p));
+  return fmt::format("{}", fmt::join(figures, ";"));
+}
+
+std::string plane_columns(const LineEvaluation& line) {
+  const auto column = [&](auto figure) {
+    return per_plane(line, [figure](const JudgingPlane& p) { return number(figure(p)); });
+  };
+  return fmt::format(
+      "{},{},{},{},{},{}",
+      per_plane(line, [](const JudgingPlane& p) { return std::to_string(p.n_inliers); }),
+      column([](const JudgingPlane& p) { return p.rms_m; }),
+      column([](const JudgingPlane& p) { return p.coverage; }),
+      column([](const JudgingPlane& p) { return p.extrapolation_m; }),
+      column([](const JudgingPlane& p) { return p.distance.start; }),
+      column([](const JudgingPlane& p) { return p.distance.end; }));
+}
+
+std::string row(const LineEvaluation& line, const Evaluation& evaluation) {
+  const auto if_evaluated = [&](std::optional<double> value) {
+    return line.status == Status::kEvaluated ? number(value) : std::string();
+  };
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(line.id),
+      escape_csv(evaluation.patch), escape_csv(line.line_class), number(line.epipolar_angle_deg),
+      name(line.kind), escape_csv(evaluation.method), number(line.length_m), plane_columns(line),
+      if_evaluated(line.mean_distance_m), if_evaluated(line.signed_mean_m),
+      if_evaluated(line.sigma_line_m), if_evaluated(line.sigma_plane_m), if_evaluated(line.z),
+      name(line.status), escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))));
+}
+
+}  // namespace
+
+std::string to_line_csv(const Evaluation& evaluation) {
+  std::string text =
+      "id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers,plane_rms_m,hull_coverage,"
+      "extrapolation_m,start_distance_m,end_distance_m,mean_distance_m,signed_mean_m,sigma_line_m,"
+      "sigma_plane_m,z,status,flags\n";
+  for (const LineEvaluation& line : evaluation.lines) text += row(line, evaluation);
+  return text;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/evaluation.h"
+#include "evaluate/tables/table1.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// What a run left behind, as read back from its folder.
+struct ResultFolder {
+  std::string name;  ///< as shown to the user
+  std::vector<Evaluation> evaluations;
+  Table1 matching;  ///< no rows: the run did not match
+  /// File name -> hash of the data that two runs must share to be compared: images, clouds and
+  /// references, not the judged lines.
+  std::map<std::string, std::string> input_hashes;
+  std::optional<double> duration_s;
+};
+
+}  // namespace ridgeline::evaluate

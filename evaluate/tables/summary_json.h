@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace ridgeline::evaluate {
+
+/// Keys stay in the order of writing.
+using Json = nlohmann::ordered_json;
+
+/// A number, or null where there is none: JSON has no NaN.
+inline Json number_json(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json interval_json(const std::optional<Interval>& interval);  ///< [low, high] or null
+
+/// Every figure of a summary but its class, in full precision.
+Json summary_json(const Summary& summary);
+
+/// Indented text with a final line feed; bytes that are not UTF-8 become U+FFFD.
+std::string dump(const Json& json);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/table1.h"
+
+#include "evaluate/tables/format.h"
+#include "evaluate/tables/summary_json.h"
+
+#include <fmt/format.h>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr int kShareDecimals = 3;  // the published tenths of a percent
+
+std::string share_with_interval(std::optional<double> share, const std::optional<Interval>& ci95) {
+  if (!ci95) return percent(share);
+  return fmt::format("{} ({} - {})", percent(share), percent(ci95->low), percent(ci95->high));
+}
+
+}  // namespace
+
+std::string to_markdown(const Table1& table) {
+  std::string text =
+      "| patch | matcher | correct | false | missed | correctness % | completeness % | quality % "
+      "|\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  for (const Table1Row& row : table.rows) {
+    const MatchQuality q = match_quality(row.counts);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
+                        escape_markdown(row.matcher), row.counts.n_correct, row.counts.n_false,
+                        row.counts.n_missed, share_with_interval(q.correctness, q.correctness_ci95),
+                        share_with_interval(q.completeness, q.completeness_ci95),
+                        share_with_interval(q.quality, q.quality_ci95));
+  }
+  return text + "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
+}
+
+std::string to_csv(const Table1& table) {
+  std::string text = "patch,matcher,correct,false,missed,correctness,completeness,quality\n";
+  const auto share = [](std::optional<double> value) { return fixed(value, kShareDecimals, ""); };
+  for (const Table1Row& row : table.rows) {
+    const MatchQuality q = match_quality(row.counts);
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", escape_csv(row.patch), escape_csv(row.matcher),
+                        row.counts.n_correct, row.counts.n_false, row.counts.n_missed,
+                        share(q.correctness), share(q.completeness), share(q.quality));
+  }
+  return text;
+}
+
+std::string to_json(const Table1& table) {
+  Json rows = Json::array();
+  for (const Table1Row& row : table.rows) {
+    const MatchQuality q = match_quality(row.counts);
+    rows.push_back({{"patch", row.patch},
+                    {"matcher", row.matcher},
+                    {"correct", row.counts.n_correct},
+                    {"false", row.counts.n_false},
+                    {"missed", row.counts.n_missed},
+                    {"correctness", number_json(q.correctness)},
+                    {"correctness_ci95", interval_json(q.correctness_ci95)},
+                    {"completeness", number_json(q.completeness)},
+                    {"completeness_ci95", interval_json(q.completeness_ci95)},
+                    {"quality", number_json(q.quality)},
+                    {"quality_ci95", interval_json(q.quality_ci95)}});
+  }
+  return dump(Json{{"rows", std::move(rows)}});
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/matching_quality.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+struct Table1Row {
+  std::string patch, matcher;
+  MatchCounts counts;
+};
+
+/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches.
+struct Table1 {
+  std::vector<Table1Row> rows;
+};
+
+/// Percent with one decimal, Wilson intervals beside.
+std::string to_markdown(const Table1& table);
+
+/// `patch,matcher,correct,false,missed,correctness,completeness,quality`; the last three are ratios
+/// with three decimals, empty for a denominator of 0.
+std::string to_csv(const Table1& table);
+
+/// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}.
+std::string to_json(const Table1& table);
+
+}  // namespace ridgeline::evaluate

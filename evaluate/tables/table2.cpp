@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/table2.h"
+
+#include "evaluate/tables/format.h"
+#include "evaluate/tables/summary_json.h"
+#include "evaluate/tables/table_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace ridgeline::evaluate {
+namespace {
+
+void append_new(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+const Summary* find_cell(const Table2& table,
+                         const std::string& patch,
+                         const std::string& method,
+                         const std::string& line_class) {
+  for (const PatchMethodResult& result : table.results) {
+    if (result.patch != patch || result.method != method) continue;
+    if (const Summary* cell = find_class(result.classes, line_class)) return cell;
+  }
+  return nullptr;
+}
+
+/// "0.152 (12/14)": RMS, evaluated lines of all.
+std::string cell_text(const Summary* cell) {
+  if (cell == nullptr) return std::string(kMissing);
+  return fmt::format("{} ({}/{})", metres(cell->rms_m), cell->n_evaluated, cell->n_lines);
+}
+
+std::string interval_text(const Summary& s) {
+  if (!s.ci95_m) return std::string(kMissing);
+  return fmt::format("{} - {}{}", metres(s.ci95_m->low), metres(s.ci95_m->high),
+                     s.few_clusters() ? " (too few clusters)" : "");
+}
+
+std::string excluded_text(const Summary& s) {
+  std::string text;
+  for (std::size_t i = 0; i < s.n_by_status.size(); ++i) {
+    const auto status = static_cast<Status>(i);
+    if (status == Status::kEvaluated || s.n_by_status[i] == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name(status), s.n_by_status[i]);
+  }
+  return text.empty() ? std::string(kMissing) : escape_markdown(text);
+}
+
+std::string published_form_markdown(const Table2& table) {
+  const Table2Layout layout = lay_out(table);
+  std::string head = "| patch |";
+  std::string rule = "|---|";
+  for (const std::string& method : layout.methods) {
+    for (const std::string& line_class : layout.classes) {
+      head += fmt::format(" {} {} |", escape_markdown(method), escape_markdown(line_class));
+      rule += "--:|";
+    }
+  }
+  std::string text = head + "\n" + rule + "\n";
+  for (const Table2Layout::Row& row : layout.rows) {
+    text += fmt::format("| {} |", escape_markdown(row.patch));
+    for (const Summary* cell : row.cells) text += fmt::format(" {} |", cell_text(cell));
+    text += "\n";
+  }
+  return text;
+}
+
+std::string companions_markdown(const Table2& table) {
+  std::string text =
+      "| patch | method | class | n | evaluated % | RMS | 95 % interval | clusters | bias | std | "
+      "median | NMAD | 68.3 % | 95 % | max | > gross limit % | excluded |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+  for (const PatchMethodResult& result : table.results) {
+    for (const Summary& s : result.classes) {
+      text += fmt::format(
+          "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} "
+          "|\n",
+          escape_markdown(result.patch), escape_markdown(result.method),
+          escape_markdown(s.line_class), s.n_evaluated, percent(s.evaluated_share()),
+          metres(s.rms_m), interval_text(s), s.n_clusters, metres(s.mean_m), metres(s.std_m),
+          metres(s.median_m), metres(s.nmad_m), metres(s.q683_m), metres(s.q95_m), metres(s.max_m),
+          percent(s.gross_share), excluded_text(s));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Table2Layout lay_out(const Table2& table) {
+  Table2Layout layout;
+  std::vector<std::string> patches;
+  bool has_classes = false;
+  for (const PatchMethodResult& result : table.results) {
+    append_new(patches, result.patch);
+    append_new(layout.methods, result.method);
+    has_classes = has_classes || find_class(result.classes, kAligned) != nullptr;
+  }
+  if (has_classes) layout.classes = {std::string(kNotAligned), std::string(kAligned)};
+  layout.classes.emplace_back(kTotal);
+  for (const std::string& patch : patches) {
+    Table2Layout::Row row{patch, {}};
+    for (const std::string& method : layout.methods) {
+      for (const std::string& line_class : layout.classes) {
+        row.cells.push_back(find_cell(table, patch, method, line_class));
+      }
+    }
+    layout.rows.push_back(std::move(row));
+  }
+  return layout;
+}
+
+Table2 make_table2(std::span<const Evaluation> evaluations) {
+  Table2 table;
+  for (const Evaluation& e : evaluations) table.results.push_back({e.patch, e.method, e.classes});
+  return table;
+}
+
+std::string to_markdown(const Table2& table) {
+  return fmt::format(
+      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}\n"
+      "Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of "
+      "the mean absolute distances.\n\n{}\n{}\n",
+      published_form_markdown(table), companions_markdown(table), kFixedSentence);
+}
+
+std::string to_csv(const Table2& table) {
+  std::string text =
+      "patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,"
+      "q95_m\n";
+  const auto number = [](std::optional<double> value_m) { return metres(value_m, ""); };
+  for (const PatchMethodResult& result : table.results) {
+    for (const Summary& s : result.classes) {
+      const std::optional<double> low = s.ci95_m ? std::optional(s.ci95_m->low) : std::nullopt;
+      const std::optional<double> high = s.ci95_m ? std::optional(s.ci95_m->high) : std::nullopt;
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(result.patch),
+                          escape_csv(result.method), escape_csv(s.line_class), s.n_lines,
+                          s.n_evaluated, number(s.rms_m), number(low), number(high),
+                          number(s.median_m), number(s.nmad_m), number(s.q95_m));
+    }
+  }
+  return text;
+}
+
+std::string to_json(const Table2& table) {
+  Json rows = Json::array();
+  for (const PatchMethodResult& result : table.results) {
+    for (const Summary& s : result.classes) {
+      Json row{{"patch", result.patch}, {"method", result.method}, {"class", s.line_class}};
+      row.update(summary_json(s));
+      rows.push_back(std::move(row));
+    }
+  }
+  return dump(Json{{"rows", std::move(rows)}, {"note", kFixedSentence}});
+}
+
+std::string to_latex(const Table2& table) {
+  const Table2Layout layout = lay_out(table);
+  const std::size_t n_classes = layout.classes.size();
+  std::string methods = "Patch";
+  std::string classes;
+  for (const std::string& method : layout.methods) {
+    methods += fmt::format(" & \\multicolumn{{{}}}{{c}}{{{}}}", n_classes, escape_latex(method));
+    for (const std::string& c : layout.classes) classes += " & " + escape_latex(c);
+  }
+  std::string text = fmt::format(
+      "% RMS (m) of the mean orthogonal distances, in parentheses lines evaluated / all lines.\n"
+      "% {}\n\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
+      kFixedSentence, std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
+  for (const Table2Layout::Row& row : layout.rows) {
+    text += escape_latex(row.patch);
+    for (const Summary* cell : row.cells) text += " & " + cell_text(cell);
+    text += " \\\\\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace ridgeline::evaluate

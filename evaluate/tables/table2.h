@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/evaluation.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// What the distances are, and are not. Stands under every accuracy table.
+inline constexpr std::string_view kFixedSentence =
+    "Line-to-plane orthogonal distance against LIDAR planes; not an ASPRS or NSSDA checkpoint "
+    "test. Figures in their style are informative.";
+
+/// The figures of one method on one patch.
+struct PatchMethodResult {
+  std::string patch, method;
+  std::vector<Summary> classes;  ///< not_aligned, aligned, total; or total alone
+};
+
+/// RMS of the lines' distances per patch, method and class (Ok et al. 2011, Table 2). All
+/// renderings print these figures.
+struct Table2 {
+  std::vector<PatchMethodResult> results;  ///< in the order of the rows
+};
+
+/// One result per evaluation, on its own lines; on_common_lines() gives the paired set.
+Table2 make_table2(std::span<const Evaluation> evaluations);
+
+/// The published form: a row per patch, methods side by side, RMS with evaluated/all lines in
+/// every cell; below it a row per cell with interval, bias and robust figures, the lines excluded
+/// by reason, and the fixed sentence.
+std::string to_markdown(const Table2& table);
+
+/// `patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,q95_m`; a
+/// figure that does not exist is an empty field.
+std::string to_csv(const Table2& table);
+
+/// Every figure in full precision: {"rows": [{patch, method, class, ...}], "note": ...}.
+std::string to_json(const Table2& table);
+
+/// A `tabular` with booktabs rules in the published layout, n in every cell.
+std::string to_latex(const Table2& table);
+
+}  // namespace ridgeline::evaluate

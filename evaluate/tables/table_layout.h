@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/tables/table2.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// The published layout of Table 2: a row per patch, a group of columns per method.
+struct Table2Layout {
+  struct Row {
+    std::string patch;
+    std::vector<const Summary*> cells;  ///< methods x classes; nullptr: no such cell
+  };
+  std::vector<std::string> methods;
+  std::vector<std::string> classes;  ///< not_aligned, aligned, total; or total alone
+  std::vector<Row> rows;
+};
+
+/// Patches and methods in order of first appearance. The layout points into `table`.
+Table2Layout lay_out(const Table2& table);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace ridgeline::io {
+
+/// An output file that appears whole or not at all: bytes go to a temporary file in the same
+/// folder, commit() renames it onto `path`. Without commit() nothing is left and what stood at
+/// `path` stays. Missing folders are made.
+class AtomicFile {
+ public:
+  /// Throws IoError if the folder cannot be made or written to.
+  explicit AtomicFile(const std::string& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// For writing; binary. Failed writes show in commit().
+  [[nodiscard]] std::ostream& stream() { return stream_; }
+
+  /// For a library that writes by name: the file to write in place of stream().
+  [[nodiscard]] const std::string& temporary_path() const { return temporary_path_; }
+
+  /// Throws IoError if a write failed (a full disk) or the rename does; `path` is untouched then.
+  void commit();
+
+ private:
+  std::string path_;
+  std::string temporary_path_;
+  std::ofstream stream_;
+  bool committed_ = false;
+};
+
+/// Writes `content` to `path`, whole or not at all. Throws IoError as AtomicFile.
+void write_file(const std::string& path, std::string_view content);
+
+}  // namespace ridgeline::io

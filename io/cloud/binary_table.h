@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/mapped_file.h"
+#include "io/cloud/point_attribute.h"
+#include "io/cloud/scalar_type.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Where one attribute lies: the value of row i is at offset + i * stride.
+struct TableColumn {
+  PointAttribute attribute;
+  ScalarType type;
+  std::size_t offset;
+  std::size_t stride;
+};
+
+/// Rows of numbers, row by row (PLY, PCD binary) or column by column (PCD binary_compressed).
+struct BinaryTable {
+  /// Holds `bytes` alive: the mapped file, or numbers unpacked from it.
+  std::variant<MappedFile, std::vector<std::byte>> storage;
+  std::span<const std::byte> bytes{};
+  std::vector<TableColumn> columns{};
+  bool is_big_endian = false;
+};
+
+/// A source over `table`, with info.n_points rows.
+/// Throws IoError if a coordinate column is missing or a column runs past the bytes.
+std::unique_ptr<CloudSource> open_binary_table(BinaryTable table, CloudFileInfo info);
+
+/// Whether x, y and z are among the columns. Shared with text tables.
+/// Throws IoError naming the missing one.
+void check_coordinates(std::span<const PointAttribute> attributes, const std::string& path);
+
+}  // namespace ridgeline::io

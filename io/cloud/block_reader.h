@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/point_filter.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <vector>
+
+namespace ridgeline::io {
+
+struct ReadSummary {
+  std::uint64_t n_read = 0;
+  DropCounts drops;
+  Eigen::AlignedBox3d extent_in_world;  ///< of all decoded finite points, kept or not; metres
+  bool has_whole_extent = true;         ///< false if blocks outside the region were passed over
+};
+
+/// Appends the kept points of a source, in file order; blocks are decoded in parallel.
+/// Throws IoError for a damaged block (the first in file order) or a coordinate beyond 1e8 m.
+ReadSummary append_points(const CloudSource& source,
+                          const LocalFromFile& local_from_file,
+                          const PointFilter& filter,
+                          std::vector<CloudPoint>& points);
+
+/// How many points append_points() would append.
+std::uint64_t count_kept(const CloudSource& source,
+                         const LocalFromFile& local_from_file,
+                         const PointFilter& filter);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/crs.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// What a cloud file holds, counted over all of its points (nothing is filtered).
+struct CloudFacts {
+  std::string path;
+  std::string format;  ///< "LAZ 1.4, point format 6", "PCD, binary", ...
+  std::uint64_t n_points = 0;
+  std::uint64_t n_non_finite = 0;
+  Eigen::AlignedBox3d bounds;  ///< of the points, in file units; empty without points
+  /// Points per square metre of the 1 m cells that have points; unset for coordinates in degrees.
+  std::optional<double> density_per_m2;
+  std::map<std::uint8_t, std::uint64_t> n_by_class;
+  std::map<std::uint8_t, std::uint64_t> n_by_return;  ///< by return number
+  std::uint64_t n_withheld = 0;
+  CrsFacts crs;
+  /// LAS and LAZ: resolution and offset of the stored coordinates, file units.
+  std::optional<Eigen::Vector3d> scale;
+  std::optional<Eigen::Vector3d> offset;
+  std::vector<std::string> warnings;  ///< without the path
+};
+
+/// Reads the whole file, block by block. Unlike read_cloud() it describes files that cannot be
+/// evaluated too: degrees, coordinates beyond any map.
+/// Throws IoError if the file cannot be read.
+CloudFacts cloud_facts(const std::string& path);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/local_from_file.h"
+#include "io/cloud/point_cloud.h"
+#include "io/crs.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// What a cloud file says of itself before its points are read.
+struct CloudFileInfo {
+  std::string path;
+  std::string format;  ///< "LAS 1.4, point format 6", "PCD, binary", ...
+  Crs crs{};
+  /// Metres per coordinate unit by axis, from the CRS or the file's own unit keys.
+  Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
+  bool is_geographic = false;
+  std::uint64_t n_points = 0;
+  bool has_float_coordinates = false;  ///< stored as float32: a step of 0.5 m at UTM northings
+  /// As the header states them, in file units; often wrong, so only compared with the points.
+  std::optional<Eigen::AlignedBox3d> stated_bounds{};
+  std::optional<Eigen::Vector3d> scale{};  ///< of LAS coordinates: x = scale * integer + offset
+  std::optional<Eigen::Vector3d> offset{};
+  std::vector<std::string> warnings{};  ///< without the path
+};
+
+/// What a file's own index tells of a block without decoding it.
+struct BlockExtent {
+  Eigen::AlignedBox3d box_in_file;  ///< holds all points of the block, file units
+  std::uint64_t n_points = 0;
+};
+
+/// An open cloud file whose points are decoded block by block, in any order and from any thread,
+/// so that neither the file nor all of its points need to be held twice.
+class CloudSource {
+ public:
+  explicit CloudSource(CloudFileInfo file_info) : info_(std::move(file_info)) {}
+  virtual ~CloudSource() = default;
+  CloudSource(const CloudSource&) = delete;
+  CloudSource& operator=(const CloudSource&) = delete;
+
+  [[nodiscard]] const CloudFileInfo& info() const { return info_; }
+
+  [[nodiscard]] virtual std::size_t n_blocks() const = 0;
+
+  /// Points of the largest block: what one decoded block may cost.
+  [[nodiscard]] virtual std::size_t max_block_points() const { return 16384; }
+
+  /// Set for files with a spatial index (COPC), so that blocks outside a region can be passed over.
+  [[nodiscard]] virtual std::optional<BlockExtent> block_extent(std::size_t /*block*/) const {
+    return std::nullopt;
+  }
+
+  /// Replaces `points` by all points of a block, in file order.
+  /// Throws IoError if the block is damaged.
+  virtual void decode_block(std::size_t block,
+                            const LocalFromFile& local_from_file,
+                            std::vector<CloudPoint>& points) const = 0;
+
+ private:
+  CloudFileInfo info_;
+};
+
+struct OpenCloudOptions {
+  bool salvage = false;           ///< read the records that are there when a file is cut short
+  double max_resolution_m = 0.0;  ///< see ReadOptions
+};
+
+/// Opens LAS, LAZ, COPC, PCD, PLY or a text file of `x y z` lines: by its first bytes, not by its
+/// name, except that text is told from binary by the name (.xyz .txt .csv .asc .pts).
+/// Throws IoError naming the path.
+std::unique_ptr<CloudSource> open_cloud(const std::string& path,
+                                        const OpenCloudOptions& options = {});
+
+}  // namespace ridgeline::io

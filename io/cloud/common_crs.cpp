@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/common_crs.h"
+
+#include "io/error.h"
+
+#include <fmt/format.h>
+
+namespace ridgeline::io {
+
+namespace {
+
+[[noreturn]] void refuse_degrees(const std::string& path, const std::string& name) {
+  throw IoError(path,
+                fmt::format("reference system \"{}\" is geographic (degrees); a projected one "
+                            "in metres or feet is needed",
+                            name));
+}
+
+CommonCrs assumed(std::span<const std::unique_ptr<CloudSource>> sources, const Crs& crs) {
+  const CrsFacts facts = describe(crs);
+  if (facts.is_geographic) refuse_degrees(sources.front()->info().path, facts.name);
+  CommonCrs common;
+  common.crs = crs;
+  common.unit_m.assign(sources.size(),
+                       {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m});
+  for (const auto& source : sources) {
+    const CloudFileInfo& info = source->info();
+    if (!info.crs.known() || compare(info.crs, crs).compatible) continue;
+    common.warnings.push_back(fmt::format("{}: assumed \"{}\" overrides the file's \"{}\"",
+                                          info.path, facts.name, describe(info.crs).name));
+  }
+  return common;
+}
+
+const CloudFileInfo* first_known(std::span<const std::unique_ptr<CloudSource>> sources) {
+  for (const auto& source : sources) {
+    if (source->info().crs.known()) return &source->info();
+  }
+  return nullptr;
+}
+
+void check_agreement(const CloudFileInfo& info,
+                     const CloudFileInfo& reference,
+                     std::vector<std::string>& warnings) {
+  const CrsAgreement agreement = compare(reference.crs, info.crs);
+  if (!agreement.compatible) {
+    throw IoError(info.path,
+                  fmt::format("does not fit to {}: {}", reference.path, agreement.reason));
+  }
+  if (!agreement.warning.empty()) {
+    warnings.push_back(
+        fmt::format("{}: beside {}: {}", info.path, reference.path, agreement.warning));
+  }
+  const bool states_units = info.crs.known() || info.unit_m != Eigen::Vector3d::Ones();
+  if (states_units && info.unit_m != reference.unit_m) {
+    throw IoError(info.path, fmt::format("does not fit to {}: its unit keys give other units",
+                                         reference.path));
+  }
+}
+
+}  // namespace
+
+CommonCrs find_common_crs(std::span<const std::unique_ptr<CloudSource>> sources,
+                          const Crs& assume_crs) {
+  if (assume_crs.known()) return assumed(sources, assume_crs);
+  CommonCrs common;
+  const CloudFileInfo* const reference = first_known(sources);
+  if (reference == nullptr) {
+    for (const auto& source : sources) {
+      common.unit_m.push_back(source->info().unit_m);
+      common.warnings.push_back(fmt::format(
+          "{}: states no reference system; its coordinate unit is taken as {} m (--assume-crs "
+          "declares one)",
+          source->info().path, source->info().unit_m.x()));
+    }
+    return common;
+  }
+  if (reference->is_geographic) refuse_degrees(reference->path, describe(reference->crs).name);
+  common.crs = reference->crs;
+  common.unit_m.assign(sources.size(), reference->unit_m);
+  for (const auto& source : sources) {
+    if (&source->info() != reference) check_agreement(source->info(), *reference, common.warnings);
+  }
+  return common;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/crs.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// The one reference system of all files of a run.
+struct CommonCrs {
+  Crs crs;                              ///< unknown if no file states one
+  std::vector<Eigen::Vector3d> unit_m;  ///< metres per coordinate unit, for each source
+  std::vector<std::string> warnings;    ///< with paths
+};
+
+/// `assume_crs`, if known, stands for every file's own. A file that states none is taken to share
+/// that of the others, with a warning.
+/// Throws IoError naming both files and systems if two differ, or for degrees.
+CommonCrs find_common_crs(std::span<const std::unique_ptr<CloudSource>> sources,
+                          const Crs& assume_crs);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/crs.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// A CRS as GeoTIFF keys give it.
+struct GeoTiffCrs {
+  Crs crs;  ///< "EPSG:horizontal" or "EPSG:horizontal+vertical"; unknown if the keys name none
+  std::optional<double> horizontal_unit_m;  ///< stated by key 3076
+  std::optional<double> vertical_unit_m;    ///< stated by key 4099
+  std::vector<std::string> warnings;
+};
+
+/// Reads the directory of GeoTIFF keys of LAS record 34735: EPSG codes of the projected (3072),
+/// geographic (2048) and vertical (4096) CRS and the units. A damaged directory, or a user-defined
+/// system, gives an unknown CRS with a warning: nothing is guessed from parameters.
+/// Source: OGC GeoTIFF 1.1 (19-008r4), section 7.
+GeoTiffCrs parse_geotiff_keys(std::span<const std::byte> directory);
+
+}  // namespace ridgeline::io

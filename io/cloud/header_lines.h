@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Walks the text header of a PCD or PLY file line by line, up to where the data begins.
+class HeaderLines {
+ public:
+  HeaderLines(std::span<const std::byte> file, std::string file_path);
+
+  /// The words of the next line. Throws IoError at the end of the file, or if a line is longer
+  /// than a header's can be: the header does not end.
+  std::vector<std::string_view> next();
+
+  [[nodiscard]] std::size_t offset() const { return offset_; }       ///< of the line after the last
+  [[nodiscard]] std::uint64_t line_number() const { return line_; }  ///< of the last line, from 1
+
+  /// Throws IoError "line N: MESSAGE".
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// A whole number of 0 to 2^64 - 1. Throws IoError naming `what`.
+  [[nodiscard]] std::uint64_t parse_count(std::string_view word, std::string_view what) const;
+
+ private:
+  std::string_view text_;
+  std::string path_;
+  std::size_t offset_ = 0;
+  std::uint64_t line_ = 0;
+};
+
+}  // namespace ridgeline::io

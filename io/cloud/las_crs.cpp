@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/las_crs.h"
+
+#include "io/cloud/bytes.h"
+#include "io/cloud/geotiff_keys.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace ridgeline::io {
+
+namespace {
+
+constexpr std::uint16_t kWktRecord = 2112;
+constexpr std::uint16_t kGeoTiffRecord = 34735;
+
+std::optional<std::string> read_wkt(std::span<const std::byte> file, const LasHeader& header) {
+  for (const char* const user : {"LASF_Projection", "liblas"}) {
+    const std::optional<LasVlr> record = find_vlr(header, user, kWktRecord);
+    if (!record) continue;
+    std::string text = load_text(file.subspan(record->data_offset, record->data_size));
+    if (text.find_first_not_of(" \t\r\n") != std::string::npos) return text;
+  }
+  return std::nullopt;
+}
+
+/// The CRS of a WKT record, unknown with a warning if PROJ cannot read it.
+Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
+  Crs crs{wkt};
+  try {
+    describe(crs);
+    return crs;
+  } catch (const std::invalid_argument&) {
+    warnings.push_back(
+        fmt::format("WKT record of {} bytes is no reference system that PROJ reads; it is ignored",
+                    wkt.size()));
+    return {};
+  }
+}
+
+void apply_stated_unit(
+    std::optional<double> stated_m, const char* what, int first_axis, int n_axes, LasCrs& result) {
+  constexpr double kRelativeTolerance = 1e-7;  // the two feet differ by 2e-6
+  if (!stated_m) return;
+  auto units = result.unit_m.segment(first_axis, n_axes);
+  if (std::abs(units[0] - *stated_m) <= kRelativeTolerance * units[0]) return;
+  result.warnings.push_back(
+      fmt::format("{} unit is {:.10g} m by the GeoTIFF keys but {:.10g} m by the reference system; "
+                  "the keys are obeyed",
+                  what, *stated_m, units[0]));
+  units.setConstant(*stated_m);
+}
+
+/// WKT or keys, by the rule of read_las_crs(); true if the WKT won.
+bool choose(const LasHeader& header, const Crs& wkt, const Crs& keys, LasCrs& result) {
+  const bool wkt_wins = header.crs_is_wkt() || header.version_minor >= 5;
+  const bool both = wkt.known() && keys.known();
+  const bool use_keys = both ? !wkt_wins : keys.known();
+  if (both && !compare(wkt, keys).compatible) {
+    result.warnings.push_back(fmt::format(
+        "WKT record says \"{}\" but GeoTIFF keys say \"{}\"; {} used", describe(wkt).name,
+        describe(keys).name, use_keys ? "the keys are" : "the WKT is"));
+  }
+  result.crs = use_keys ? keys : wkt;
+  return !use_keys && result.crs.known();
+}
+
+}  // namespace
+
+LasCrs read_las_crs(std::span<const std::byte> file, const LasHeader& header) {
+  LasCrs result;
+  Crs wkt;
+  if (const std::optional<std::string> text = read_wkt(file, header)) {
+    wkt = checked_wkt(*text, result.warnings);
+  }
+  GeoTiffCrs keys;
+  if (const auto record = find_vlr(header, "LASF_Projection", kGeoTiffRecord)) {
+    keys = parse_geotiff_keys(file.subspan(record->data_offset, record->data_size));
+    if (!wkt.known()) std::ranges::move(keys.warnings, std::back_inserter(result.warnings));
+    if (header.point_format >= 6 && !wkt.known()) {
+      result.warnings.push_back(
+          fmt::format("point format {} asks for a WKT reference system; the GeoTIFF keys are used",
+                      header.point_format));
+    }
+  }
+  const bool used_wkt = choose(header, wkt, keys.crs, result);
+  const CrsFacts facts = describe(result.crs);
+  result.is_geographic = facts.is_geographic;
+  if (facts.is_geographic) return result;
+  result.unit_m = {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m};
+  if (!used_wkt) {
+    apply_stated_unit(keys.horizontal_unit_m, "horizontal", 0, 2, result);
+    apply_stated_unit(keys.vertical_unit_m, "vertical", 2, 1, result);
+  }
+  return result;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Where a variable-length record (VLR or, after the points, EVLR) lies. The range is checked to
+/// lie inside the file.
+struct LasVlr {
+  std::string user_id;
+  std::uint16_t record_id = 0;
+  std::uint64_t data_offset = 0;  ///< of the payload, from the start of the file
+  std::uint64_t data_size = 0;
+};
+
+/// Public header block of LAS 1.0-1.5, point formats 0-10, compressed or not.
+struct LasHeader {
+  int version_minor = 0;  ///< the major version is 1
+  std::uint16_t global_encoding = 0;
+  std::uint64_t file_size = 0;
+  std::uint16_t header_size = 0;
+  std::uint32_t point_offset = 0;      ///< of the first record; of the LAZ data if compressed
+  std::uint8_t raw_point_format = 0;   ///< as stored: bits 6 and 7 mark LAZ
+  std::uint8_t point_format = 0;       ///< 0..10
+  std::uint16_t record_length = 0;     ///< bytes, at least the format's own size
+  std::uint64_t n_points = 0;          ///< present in the file, unless it is compressed
+  std::uint64_t n_points_claimed = 0;  ///< differs from n_points only when salvaging
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  Eigen::Vector3d stated_min = Eigen::Vector3d::Zero();  ///< often wrong: never filter by it
+  Eigen::Vector3d stated_max = Eigen::Vector3d::Zero();
+  std::vector<LasVlr> vlrs;           ///< VLRs, then EVLRs, in file order
+  std::vector<std::string> warnings;  ///< without the path
+
+  [[nodiscard]] bool is_compressed() const { return (raw_point_format & 0xC0U) != 0; }
+  [[nodiscard]] bool crs_is_wkt() const { return (global_encoding & 0x10U) != 0; }
+};
+
+struct LasHeaderOptions {
+  /// Read the records that are there when the file is shorter than it claims.
+  bool salvage = false;
+};
+
+/// Bytes of a record of `point_format` 0..10 without extra bytes.
+std::uint16_t las_record_size(std::uint8_t point_format);
+
+/// Header and record list of a LAS or LAZ file. Every offset and count is checked against the file
+/// size; `path` serves messages only.
+/// Throws IoError naming field, byte, value and rule: not LAS, truncated, version outside 1.0-1.5,
+/// an interrupted writer, unknown point format, short records, unusable scale or offset, fewer
+/// records than claimed (unless salvaging).
+/// Source: ASPRS LAS Specification 1.4 R15, section 2.4.
+LasHeader parse_las_header(std::span<const std::byte> file,
+                           const std::string& path,
+                           const LasHeaderOptions& options = {});
+
+/// parse_las_header() of a file on disk.
+LasHeader read_las_header(const std::string& path, const LasHeaderOptions& options = {});
+
+/// The first record with this user and record id, if any.
+std::optional<LasVlr> find_vlr(const LasHeader& header,
+                               std::string_view user_id,
+                               std::uint16_t record_id);
+
+}  // namespace ridgeline::io

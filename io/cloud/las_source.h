@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/mapped_file.h"
+
+#include <memory>
+#include <string>
+
+namespace ridgeline::io {
+
+/// Opens a mapped LAS file; `path` serves messages. Compressed files (LAZ, COPC) branch off here,
+/// by the compression bits of the point format.
+/// Throws IoError as parse_las_header().
+std::unique_ptr<CloudSource> open_las(MappedFile file,
+                                      const std::string& path,
+                                      const OpenCloudOptions& options);
+
+}  // namespace ridgeline::io

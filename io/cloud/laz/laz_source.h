@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/las_header.h"
+#include "io/cloud/mapped_file.h"
+
+#include <memory>
+
+namespace ridgeline::io {
+
+/// Opens the points of a LAZ or COPC file whose header has been read; `file_info` holds the path
+/// and what the header says. A damaged COPC hierarchy is a warning: the points are read without it.
+/// Throws IoError: see laz::LazPoints.
+std::unique_ptr<CloudSource> open_laz(MappedFile file,
+                                      LasHeader header,
+                                      CloudFileInfo file_info,
+                                      const OpenCloudOptions& options);
+
+}  // namespace ridgeline::io

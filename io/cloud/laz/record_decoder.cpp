@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/laz/record_decoder.h"
+
+#include "io/cloud/bytes.h"
+#include "io/cloud/laz/item_decoder.h"
+#include "io/cloud/laz/layered_items.h"
+#include "io/cloud/laz/point14.h"
+
+#include <cstring>
+#include <vector>
+
+namespace ridgeline::io::laz {
+namespace {
+
+template <typename Decoder>
+struct Placed {
+  std::unique_ptr<Decoder> decoder;
+  std::size_t offset;  // of the item in the record
+};
+
+std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, Bytes first) {
+  switch (item.type) {
+    case ItemType::kPoint10:
+      return make_point10_decoder(item.version, first);
+    case ItemType::kGpsTime11:
+      return make_gps_time11_decoder(item.version, first);
+    case ItemType::kRgb12:
+      return make_rgb12_decoder(item.version, first);
+    case ItemType::kWavePacket13:
+      return make_wave_packet13_decoder(first);
+    default:
+      return make_byte_decoder(item.version, first);
+  }
+}
+
+// A chunk is the first record, raw, then one stream in which the items of each record alternate.
+class PointwiseDecoder final : public RecordDecoder {
+ public:
+  PointwiseDecoder(const LaszipRecord& laszip, ByteStream stream)
+      : first_(stream.take(laszip.record_length)), decoder_(stream) {
+    std::size_t offset = 0;
+    for (const Item& item : laszip.items) {
+      items_.push_back({make_item_decoder(item, first_.subspan(offset, item.size)), offset});
+      offset += item.size;
+    }
+  }
+
+  void next(std::byte* record) override {
+    if (is_first_) {
+      std::memcpy(record, first_.data(), first_.size());
+      is_first_ = false;
+      return;
+    }
+    for (const auto& [decoder, offset] : items_) decoder->decode(decoder_, record + offset);
+  }
+
+  [[nodiscard]] std::size_t position() const override { return decoder_.stream().position(); }
+
+ private:
+  Bytes first_;
+  ArithmeticDecoder decoder_;
+  std::vector<Placed<ItemDecoder>> items_;
+  bool is_first_ = true;
+};
+
+std::size_t num_layers(const Item& item) {
+  switch (item.type) {
+    case ItemType::kPoint14:
+      return Point14Decoder::kNumLayers;
+    case ItemType::kRgbNir14:
+      return 2;
+    case ItemType::kByte14:
+      return item.size;
+    default:
+      return 1;
+  }
+}
+
+std::unique_ptr<LayeredItemDecoder> make_layered_item_decoder(const Item& item,
+                                                              unsigned channel,
+                                                              Bytes first,
+                                                              std::span<const Bytes> layers) {
+  const auto version = static_cast<ItemVersion>(item.version);
+  switch (item.type) {
+    case ItemType::kRgb14:
+      return make_rgb14_decoder(version, channel, first, layers);
+    case ItemType::kRgbNir14:
+      return make_rgb_nir14_decoder(version, channel, first, layers);
+    case ItemType::kWavePacket14:
+      return make_wave_packet14_decoder(version, channel, first, layers);
+    default:
+      return make_byte14_decoder(version, channel, first, layers);
+  }
+}
+
+// The first record, raw, the number of points, the sizes of all layers, then all layers.
+struct LayeredChunk {
+  LayeredChunk(const LaszipRecord& laszip, ByteStream stream)
+      : first(stream.take(laszip.record_length)) {
+    stream.take(sizeof(std::uint32_t));  // the number of points stands in the chunk table as well
+    std::size_t n_layers = 0;
+    for (const Item& item : laszip.items) n_layers += num_layers(item);
+    const Bytes sizes = stream.take(n_layers * sizeof(std::uint32_t));
+    for (std::size_t i = 0; i < n_layers; ++i) {
+      layers.push_back(stream.take(load<std::uint32_t>(&sizes[i * sizeof(std::uint32_t)])));
+    }
+    size = stream.position();
+  }
+
+  Bytes first;
+  std::vector<Bytes> layers;
+  std::size_t size;
+};
+
+class LayeredDecoder final : public RecordDecoder {
+ public:
+  LayeredDecoder(const LaszipRecord& laszip, const LayeredChunk& chunk, RecordParts parts)
+      : first_(chunk.first),
+        size_(chunk.size),
+        version_(static_cast<ItemVersion>(laszip.items.front().version)),
+        point_(chunk.first, chunk.layers, parts) {
+    if (parts != RecordParts::kAll) return;
+    std::size_t offset = Point14Decoder::kItemSize;
+    std::span<const Bytes> layers = chunk.layers;
+    layers = layers.subspan(Point14Decoder::kNumLayers);
+    for (std::size_t i = 1; i < laszip.items.size(); ++i) {
+      const Item& item = laszip.items[i];
+      items_.push_back({make_layered_item_decoder(item, point_.channel(),
+                                                  first_.subspan(offset, item.size), layers),
+                        offset});
+      offset += item.size;
+      layers = layers.subspan(num_layers(item));
+    }
+  }
+
+  void next(std::byte* record) override {
+    if (is_first_) {
+      std::memcpy(record, first_.data(), first_.size());
+      is_first_ = false;
+      return;
+    }
+    point_.decode(record);
+    const unsigned channel = channel_of_items();
+    for (const auto& [decoder, offset] : items_) decoder->decode(channel, record + offset);
+  }
+
+  [[nodiscard]] std::size_t position() const override { return size_; }
+
+ private:
+  // The encoder of version 3 tells the items behind the core of a channel only where it changes;
+  // they take every other record for one of channel 0 (github.com/LASzip/LASzip/issues/74).
+  [[nodiscard]] unsigned channel_of_items() const {
+    return version_ == ItemVersion::k4 || point_.channel_changed() ? point_.channel() : 0;
+  }
+
+  Bytes first_;
+  std::size_t size_;
+  ItemVersion version_;
+  Point14Decoder point_;
+  std::vector<Placed<LayeredItemDecoder>> items_;
+  bool is_first_ = true;
+};
+
+}  // namespace
+
+std::unique_ptr<RecordDecoder> make_record_decoder(const LaszipRecord& laszip,
+                                                   std::span<const std::byte> bytes,
+                                                   RecordParts parts) {
+  const ByteStream stream(bytes);
+  if (laszip.compressor == Compressor::kLayered) {
+    return std::make_unique<LayeredDecoder>(laszip, LayeredChunk(laszip, stream), parts);
+  }
+  return std::make_unique<PointwiseDecoder>(laszip, stream);
+}
+
+}  // namespace ridgeline::io::laz

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace ridgeline::io {
+
+/// A whole file as read-only bytes, mapped and not copied, so that the system's page cache is the
+/// only copy. Empty files give an empty span.
+class MappedFile {
+ public:
+  /// Throws IoError unless `path` is a regular file that can be read.
+  explicit MappedFile(const std::string& path);
+  ~MappedFile();
+  MappedFile(MappedFile&&) noexcept;
+  MappedFile& operator=(MappedFile&&) noexcept;
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  struct Mapping;
+  std::unique_ptr<Mapping> mapping_;
+  std::span<const std::byte> bytes_;
+};
+
+}  // namespace ridgeline::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/mapped_file.h"
+
+#include <memory>
+#include <string>
+
+namespace ridgeline::io {
+
+/// Opens a mapped PCD file (0.6, 0.7; ascii, binary, binary_compressed), numbers of any type kept
+/// as doubles; `path` serves messages. The viewpoint is not applied, as PCL does.
+/// Throws IoError naming line or field.
+/// Source: pointclouds.org, "The PCD file format".
+std::unique_ptr<CloudSource> open_pcd(MappedFile file, const std::string& path);
+
+}  // namespace ridgeline::io

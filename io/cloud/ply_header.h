@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/scalar_type.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+struct PlyProperty {
+  std::string name;
+  ScalarType type = ScalarType::kFloat32;
+  std::optional<ScalarType> list_count_type{};  ///< set for a list: its length, then the numbers
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// Bytes of a row, or nothing if a list makes rows differ.
+  [[nodiscard]] std::optional<std::uint64_t> row_size() const;
+};
+
+enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::kAscii;
+  std::vector<PlyElement> elements;  ///< in file order
+  std::size_t data_offset = 0;
+  std::uint64_t data_line = 0;  ///< of the last header line, from 1
+};
+
+/// Throws IoError "line N: ...".
+/// Source: G. Turk, The PLY Polygon File Format, 1994.
+PlyHeader read_ply_header(std::span<const std::byte> file, const std::string& path);
+
+}  // namespace ridgeline::io

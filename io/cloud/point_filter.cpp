@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/point_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::io {
+
+namespace {
+
+constexpr std::uint8_t kLowNoise = 7;
+constexpr std::uint8_t kHighNoise = 18;
+constexpr unsigned kWithheldFlag = 0x04;
+
+std::bitset<256> kept_classes(const std::optional<std::set<std::uint8_t>>& classes) {
+  std::bitset<256> kept;
+  if (classes) {
+    for (const std::uint8_t code : *classes) kept.set(code);
+  } else {
+    kept.set().reset(kLowNoise).reset(kHighNoise);
+  }
+  return kept;
+}
+
+}  // namespace
+
+PointFilter::PointFilter(const ReadOptions& options, const LocalFrame& frame)
+    : kept_classes_(kept_classes(options.classes)),
+      exclude_withheld_(options.exclude_withheld),
+      last_returns_(options.last_returns),
+      near_(options.near ? &*options.near : nullptr) {
+  if (options.bounds_in_world) {
+    bounds_in_local_ = Eigen::AlignedBox3d(frame.local_from_world(options.bounds_in_world->min()),
+                                           frame.local_from_world(options.bounds_in_world->max()));
+  }
+}
+
+DropCounts PointFilter::apply(std::vector<CloudPoint>& points) const {
+  DropCounts counts;
+  const auto dropped = [&](const CloudPoint& point) {
+    std::uint64_t DropCounts::*const reason = reason_to_drop(point);
+    if (reason == nullptr) return false;
+    ++(counts.*reason);
+    return true;
+  };
+  std::erase_if(points, dropped);
+  return counts;
+}
+
+std::uint64_t DropCounts::*PointFilter::reason_to_drop(const CloudPoint& point) const {
+  // One sum instead of three tests: it is finite unless a part is not, as parts are below 1e9.
+  if (!std::isfinite(point.x + point.y + point.z)) return &DropCounts::non_finite;
+  if (exclude_withheld_ && (point.flags & kWithheldFlag) != 0) return &DropCounts::withheld;
+  if (!kept_classes_[point.classification]) return &DropCounts::classification;
+  if (last_returns_ && point.return_number < point.number_of_returns) {
+    return &DropCounts::not_last_return;
+  }
+  return is_outside(point) ? &DropCounts::outside : nullptr;
+}
+
+bool PointFilter::excludes(const Eigen::AlignedBox3d& box_in_local) const {
+  if (bounds_in_local_ && !bounds_in_local_->intersects(box_in_local)) return true;
+  return near_ != nullptr &&
+         !near_->overlaps(box_in_local.min().head<2>(), box_in_local.max().head<2>());
+}
+
+bool PointFilter::is_outside(const CloudPoint& point) const {
+  if (bounds_in_local_ && !bounds_in_local_->contains(Eigen::Vector3d(point.x, point.y, point.z))) {
+    return true;
+  }
+  return near_ != nullptr && !near_->contains(point.x, point.y);
+}
+
+}  // namespace ridgeline::io

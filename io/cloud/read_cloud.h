@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/plan_mask.h"
+#include "io/cloud/point_cloud.h"
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+struct ReadOptions {
+  /// Classes to keep; unset keeps all but 7 and 18 (noise).
+  std::optional<std::set<std::uint8_t>> classes;
+  bool exclude_withheld = true;  ///< points that the producer marked as not to be used
+  bool last_returns = false;     ///< keep only the last return of each pulse
+  std::optional<Eigen::AlignedBox3d> bounds_in_world;  ///< metres, borders included
+  std::optional<PlanMask> near;        ///< keep only points in the mask; needs `frame`
+  std::optional<LocalFrame> frame;     ///< unset: suggest_frame() of the first file with points
+  Crs assume_crs;                      ///< declares or overrides the CRS of every file
+  std::uint64_t max_points = 0;        ///< kept points allowed; 0: no limit
+  std::uint64_t max_memory_bytes = 0;  ///< for kept points, 32 bytes each; 0: no limit
+  /// Refuses what is otherwise warned of: coordinates already damaged by float32.
+  bool strict = false;
+  bool salvage = false;  ///< read the records that are there when a file is cut short
+  /// Of a COPC file only the levels of its octree down to this distance between points are read;
+  /// 0: all. Other files are read whole.
+  double max_resolution_m = 0.0;
+  /// Coarsest tolerable step of stored coordinates: a quarter of the 0.1 m plane tolerance.
+  double max_coordinate_step_m = 0.025;
+};
+
+/// The points of all files as one cloud, in metres in one local frame: files in the order given
+/// (those of a pattern with * ? [ ] sorted by name), points in file order whatever the number of
+/// threads. Feet are converted by the CRS's stated factor; degrees are refused. At most 32 bytes a
+/// kept point are held beside a few MB of blocks.
+///
+/// Files may state different descriptions of one CRS; really different ones are refused. Drops are
+/// counted once, by the first reason of: not finite, withheld, class, return, bounds. COPC nodes
+/// outside the bounds or the mask are not decoded; all their points count as out of bounds.
+///
+/// Throws IoError for a file's fault (also: a pattern without a match, a coordinate beyond 1e8 m,
+/// too many points), std::invalid_argument for an option's.
+PointCloud read_cloud(const std::vector<std::string>& paths_or_patterns,
+                      const ReadOptions& options = {});
+
+/// The origin rule for a run without a given origin: the median position of a sample of the first
+/// file that has points, rounded to 100 m by axis; from records, as header bounds may be wrong.
+LocalFrame suggest_frame(const std::vector<std::string>& paths_or_patterns,
+                         const ReadOptions& options = {});
+
+/// Replaces patterns by the sorted names they match, and keeps plain paths.
+/// Throws IoError naming a pattern that matches nothing.
+std::vector<std::string> expand_patterns(const std::vector<std::string>& paths_or_patterns);
+
+}  // namespace ridgeline::io

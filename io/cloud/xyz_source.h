@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/mapped_file.h"
+
+#include <memory>
+#include <string>
+
+namespace ridgeline::io {
+
+/// Whether the name ends like a text cloud's: .xyz .txt .csv .asc .pts (any case).
+bool has_xyz_name(const std::string& path);
+
+/// Opens a mapped text file with one point a line: x, y and z first, or as a first line of column
+/// names says. Separators: blanks, commas, semicolons; lines that start with # or // are comments.
+/// Throws IoError.
+std::unique_ptr<CloudSource> open_xyz(MappedFile file, const std::string& path);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace ridgeline::io {
+
+/// A coordinate reference system as a file states it; everything PROJ takes (WKT1, WKT2,
+/// "EPSG:25832+7837", PROJ JSON). An empty definition means that the file states none.
+struct Crs {
+  std::string definition;
+  [[nodiscard]] bool known() const { return !definition.empty(); }
+};
+
+/// What PROJ says of a CRS, split into its horizontal and vertical part.
+struct CrsFacts {
+  std::string name;             ///< of the whole, for messages; "unknown" for an empty definition
+  std::string horizontal_name;  ///< empty if unknown
+  std::string vertical_name;    ///< empty if the CRS has no vertical part
+  bool is_geographic = false;   ///< coordinates are degrees: refused for evaluation
+  double horizontal_unit_m = 1.0;
+  double vertical_unit_m = 1.0;  ///< of the vertical part, else the horizontal unit
+  std::string horizontal_unit_name = "metre";
+  std::string vertical_unit_name = "metre";
+};
+
+/// Throws std::invalid_argument if PROJ cannot read the definition. An unknown CRS: metres assumed.
+CrsFacts describe(const Crs& crs);
+
+/// WKT1 in GDAL's dialect, which LAS readers of every age understand.
+/// Throws std::invalid_argument if PROJ cannot read the definition or has no such form of it.
+std::string to_wkt(const Crs& crs);
+
+/// Verdict on using two data sets together.
+struct CrsAgreement {
+  bool compatible = true;
+  std::string reason;   ///< why not, with both names; empty if compatible
+  std::string warning;  ///< e.g. one vertical CRS is unknown: heights may differ by tens of metres
+};
+
+/// Horizontal and vertical parts are compared apart, by PROJ's equivalence (an EPSG code and its
+/// WKT1 and WKT2 agree; axis order of geographic CRS ignored), never by text. Known parts that
+/// differ are incompatible, units included; an unknown part gives a warning.
+CrsAgreement compare(const Crs& a, const Crs& b);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ridgeline::io {
+
+/// The file's fault. Message: "PATH: what is wrong: value, and the rule it breaks", one line.
+class IoError : public std::runtime_error {
+ public:
+  IoError(const std::string& path, const std::string& message)
+      : std::runtime_error(path + ": " + message) {}
+};
+
+}  // namespace ridgeline::io

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// One entry of a gates file, as written. What the file does not say stays empty.
+struct GateEntry {
+  /// How far a figure may move from its baseline; no value: the word `default`.
+  struct Allowance {
+    std::optional<double> value;
+  };
+
+  int line = 0;  ///< of the file, from 1
+  std::optional<std::string> patch, method, line_class, metric;
+  std::optional<double> max, min;
+  std::optional<std::string> max_ratio_to_class;
+  std::optional<double> ratio;
+  std::optional<Allowance> max_increase_over_baseline, max_decrease_below_baseline;
+  std::optional<int> n_min;
+};
+
+/// Reads a YAML file {gates: [{class, patch, method, metric, max, min, max_ratio_to: {class},
+/// ratio, max_increase_over_baseline, max_decrease_below_baseline, n_min}, ...]}.
+/// Throws IoError for a file that cannot be read or is not YAML, an unknown or repeated key (naming
+/// the known ones), a value of the wrong type, or an empty list of gates.
+std::vector<GateEntry> read_gates_file(const std::filesystem::path& path);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/error.h"
+#include "io/lines/attributes.h"
+#include "io/lines/ogr_support.h"
+#include "io/lines/readers.h"
+#include "io/lines/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr std::array<std::string_view, 6> kCoordinates{"x1", "y1", "z1", "x2", "y2", "z2"};
+constexpr std::array<std::string_view, 4> kWktNames{"wkt", "geometry", "geom", "the_geom"};
+
+/// Fields of a row; a field in double quotes may hold the separator, "" is a quote (RFC 4180).
+std::vector<std::string> fields_of(std::string_view row, char separator, const std::string& where) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const char c = row[i];
+    if (c == '"' && quoted && i + 1 < row.size() && row[i + 1] == '"') {
+      fields.back() += row[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == separator && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  if (quoted) throw IoError(where, "a quoted field is not closed");
+  for (std::string& field : fields) field = std::string(trimmed(field));
+  return fields;
+}
+
+char separator_of(std::string_view first_row) {
+  for (const char separator : {';', '\t'}) {
+    if (first_row.find(separator) != std::string_view::npos) return separator;
+  }
+  return ',';
+}
+
+/// Where a line's geometry stands in a row.
+struct Columns {
+  std::vector<std::string> names;
+  std::optional<std::size_t> wkt;
+  std::array<std::size_t, 6> coordinates{};
+};
+
+std::optional<std::size_t> find(const std::vector<std::string>& names, std::string_view name) {
+  const auto it = std::find(names.begin(), names.end(), name);
+  if (it == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(it - names.begin());
+}
+
+Columns columns_of(const std::vector<std::string>& header, const std::string& where) {
+  Columns columns;
+  for (const std::string& name : header) columns.names.push_back(lower_case(name));
+  for (const std::string_view name : kWktNames) {
+    if (!columns.wkt) columns.wkt = find(columns.names, name);
+  }
+  if (columns.wkt) return columns;
+  for (std::size_t i = 0; i < kCoordinates.size(); ++i) {
+    const std::optional<std::size_t> column = find(columns.names, kCoordinates[i]);
+    if (!column) {
+      throw IoError(where,
+                    fmt::format("no column {}; a header with x1,y1,z1,x2,y2,z2 or wkt, or rows of "
+                                "six numbers are expected",
+                                kCoordinates[i]));
+    }
+    columns.coordinates[i] = *column;
+  }
+  return columns;
+}
+
+bool is_bare(const std::vector<std::string>& fields) {
+  return fields.size() == 6 && std::all_of(fields.begin(), fields.end(), [](const auto& field) {
+           return to_double(field).has_value();
+         });
+}
+
+std::vector<Vertices> parts_of_coordinates(const std::vector<std::string>& fields,
+                                           const Columns& columns,
+                                           const std::string& where) {
+  std::vector<std::string_view> words;
+  for (const std::size_t column : columns.coordinates) words.emplace_back(fields[column]);
+  const std::vector<double> v = to_doubles(words, where);
+  return {{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}};
+}
+
+nlohmann::json properties_of(const std::vector<std::string>& fields, const Columns& columns) {
+  nlohmann::json properties = nlohmann::json::object();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i != columns.wkt) properties[columns.names[i]] = fields[i];
+  }
+  return properties;
+}
+
+std::vector<Vertices> parts_of_wkt(const std::string& text, const std::string& where) {
+  if (text.empty()) return {};
+  const QuietGdal quiet;
+  OGRGeometry* raw = nullptr;
+  const OGRErr error = OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &raw);
+  const std::unique_ptr<OGRGeometry> geometry(raw);
+  if (error != OGRERR_NONE || !geometry) {
+    throw IoError(where, "'" + text.substr(0, 60) + "' is no WKT");
+  }
+  OgrLines lines = lines_of(*geometry);
+  if (!lines.is_line) {
+    throw IoError(where, fmt::format("{}; must be LINESTRING Z or MULTILINESTRING Z",
+                                     geometry->getGeometryName()));
+  }
+  return std::move(lines.parts);
+}
+
+/// Splits "SRID=25832;LINESTRING ..." (EWKT) and keeps the CRS.
+std::string without_srid(std::string_view text, Crs& crs) {
+  const std::size_t end = text.find(';');
+  if (!lower_case(text.substr(0, 5)).starts_with("srid=") || end == std::string_view::npos) {
+    return std::string(text);
+  }
+  const std::string_view code = text.substr(5, end - 5);
+  if (code != "0") crs.definition = "EPSG:" + std::string(code);
+  return std::string(text.substr(end + 1));
+}
+
+}  // namespace
+
+LineSet read_csv(const std::string& path, std::string_view content) {
+  LineSet set;
+  set.format = "CSV";
+  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+  const std::vector<TextRow> rows = rows_of(content);
+  if (rows.empty()) throw IoError(path, "is empty; a header or rows of six numbers are expected");
+  const char separator = separator_of(rows.front().text);
+  const std::string first_place = place(path, rows.front().number);
+  const std::vector<std::string> first = fields_of(rows.front().text, separator, first_place);
+  const bool bare = is_bare(first);
+  const Columns columns =
+      columns_of(bare ? std::vector<std::string>(kCoordinates.begin(), kCoordinates.end()) : first,
+                 first_place);
+  if (columns.wkt) set.format = "CSV with WKT";
+  for (std::size_t i = bare ? 0 : 1; i < rows.size(); ++i) {
+    const std::string where = place(path, rows[i].number);
+    const std::vector<std::string> fields = fields_of(rows[i].text, separator, where);
+    if (fields.size() != columns.names.size()) {
+      throw IoError(where, fmt::format("{} fields; the first row has {}", fields.size(),
+                                       columns.names.size()));
+    }
+    append_feature(line_from_properties(properties_of(fields, columns), where),
+                   columns.wkt ? parts_of_wkt(without_srid(fields[*columns.wkt], set.crs), where)
+                               : parts_of_coordinates(fields, columns, where),
+                   bare ? i : i - 1, set);
+  }
+  return set;
+}
+
+LineSet read_wkt(const std::string& path, std::string_view content) {
+  LineSet set;
+  set.format = "WKT";
+  std::size_t number = 0;
+  for (const TextRow& row : rows_of(content)) {
+    append_feature({}, parts_of_wkt(without_srid(row.text, set.crs), place(path, row.number)),
+                   number++, set);
+  }
+  return set;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/lines/attributes.h"
+#include "io/lines/ogr_support.h"
+#include "io/lines/writers.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ridgeline::io {
+namespace {
+
+std::string json_text(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// JSON has no NaN; null is what read_geojson() takes back as one.
+std::string coordinate(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4f}", value) : "null";
+}
+
+std::string position(const Eigen::Vector3d& x) {
+  return fmt::format("[{},{},{}]", coordinate(x.x()), coordinate(x.y()), coordinate(x.z()));
+}
+
+std::string sigmas_text(const Eigen::Matrix<double, 6, 6>& covariance_m2, int first) {
+  const Eigen::Vector3d sigma_m = covariance_m2.diagonal().segment<3>(first).cwiseSqrt();
+  return fmt::format("[{:.5g},{:.5g},{:.5g}]", sigma_m.x(), sigma_m.y(), sigma_m.z());
+}
+
+std::string properties_text(const Line& line) {
+  std::string text;
+  const auto add = [&text](std::string_view name, const std::string& value) {
+    text += fmt::format("{}\"{}\":{}", text.empty() ? "" : ",", name, value);
+  };
+  for (const TextAttribute& attribute : text_attributes()) {
+    const std::string& value = line.*attribute.member;
+    if (!value.empty()) add(attribute.name, json_text(value));
+  }
+  if (line.epipolar_angle_deg) {
+    add("epipolar_angle_deg", fmt::format("{:.4f}", *line.epipolar_angle_deg));
+  }
+  if (line.n_points) add("n_points", fmt::format("{}", *line.n_points));
+  if (line.n_images) add("n_images", fmt::format("{}", *line.n_images));
+  if (!line.plane_ids.empty()) {
+    add("plane_ids", fmt::format("[{}]", fmt::join(line.plane_ids, ",")));
+  }
+  if (line.covariance_m2 && line.covariance_m2->allFinite()) {
+    add("sigma_start_m", sigmas_text(*line.covariance_m2, 0));
+    add("sigma_end_m", sigmas_text(*line.covariance_m2, 3));
+    add("covariance", covariance_text(*line.covariance_m2));
+  }
+  return text;
+}
+
+std::string feature_text(const Line& line) {
+  return fmt::format(
+      "{{\"type\":\"Feature\",\"properties\":{{{}}},"
+      "\"geometry\":{{\"type\":\"LineString\",\"coordinates\":[{},{}]}}}}",
+      properties_text(line), position(line.segment_in_world.start),
+      position(line.segment_in_world.end));
+}
+
+/// "urn:ogc:def:crs:EPSG::25832" where all parts are EPSG's, else the definition as it is.
+std::string crs_name(const Crs& crs) {
+  const std::optional<OGRSpatialReference> reference = spatial_reference(crs);
+  if (!reference) return crs.definition;
+  const auto code_of = [&](const char* part) -> std::optional<std::string> {
+    const char* authority = reference->GetAuthorityName(part);
+    const char* code = reference->GetAuthorityCode(part);
+    if (authority == nullptr || code == nullptr || std::string_view(authority) != "EPSG") {
+      return std::nullopt;
+    }
+    return code;
+  };
+  if (const auto code = code_of(nullptr)) return "urn:ogc:def:crs:EPSG::" + *code;
+  const auto horizontal = code_of("PROJCS");
+  const auto vertical = code_of("VERT_CS");
+  if (!reference->IsCompound() || !horizontal || !vertical) return crs.definition;
+  return fmt::format("urn:ogc:def:crs,crs:EPSG::{},crs:EPSG::{}", *horizontal, *vertical);
+}
+
+std::string crs_text(const Crs& crs) {
+  if (!crs.known()) return "null";
+  return fmt::format("{{\"type\":\"name\",\"properties\":{{\"name\":{}}}}}",
+                     json_text(crs_name(crs)));
+}
+
+}  // namespace
+
+std::string geojson_text(const LineSet& set) {
+  std::string text = fmt::format("{{\"type\":\"FeatureCollection\",\n\"crs\":{},\n\"features\":[",
+                                 crs_text(set.crs));
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    text += (i == 0 ? "\n" : ",\n") + feature_text(set.lines[i]);
+  }
+  return text + "\n]}\n";
+}
+
+}  // namespace ridgeline::io

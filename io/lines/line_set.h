@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/crs.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// One 3D segment of a line file with what the file says of it. Attributes that the file does not
+/// have stay empty.
+struct Line {
+  std::string id;         ///< the file's own `id` property or column, else its number from 0
+  std::string parent_id;  ///< of the polyline or track it is a part of; empty if it is whole
+  Segment3 segment_in_world{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< file's CRS, m
+  std::string line_class;  ///< `class`: aligned | not_aligned, or the file's own
+  std::string method;      ///< direct | joint | ...
+  std::string kind;        ///< ridge | hip | valley | eave | verge | ground (true lines)
+  std::string building;    ///< building id: the cluster of the bootstrap
+  std::string status;
+  std::string left_id, right_id;  ///< image segments
+  std::optional<double> epipolar_angle_deg;
+  std::optional<int> n_points;  ///< artificial points used
+  std::optional<int> n_images;  ///< supporting images (Line3D++, LIMAP)
+  /// Covariance of (start, end) in world axes, m^2.
+  std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
+  std::vector<int> plane_ids;  ///< of true lines: the planes they bound
+};
+
+struct LineSet {
+  std::string path;    ///< where it was read from
+  std::string format;  ///< "GeoJSON", "Line3D++", ...
+  Crs crs;
+  std::vector<Line> lines;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace ridgeline::io

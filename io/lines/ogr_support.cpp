@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/lines/ogr_support.h"
+
+#include <cpl_error.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace ridgeline::io {
+namespace {
+
+void CPL_STDCALL collect(CPLErr, CPLErrorNum, const char* message) {
+  auto* complaints = static_cast<std::vector<std::string>*>(CPLGetErrorHandlerUserData());
+  std::string line(message);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  complaints->push_back(std::move(line));
+}
+
+Vertices vertices_of(const OGRLineString& line) {
+  Vertices vertices;
+  const bool has_z = line.Is3D() != 0;
+  for (int i = 0; i < line.getNumPoints(); ++i) {
+    const double z = has_z ? line.getZ(i) : std::numeric_limits<double>::quiet_NaN();
+    vertices.emplace_back(line.getX(i), line.getY(i), z);
+  }
+  return vertices;
+}
+
+}  // namespace
+
+QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }
+QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }
+
+std::string QuietGdal::complaints(const std::string& fallback) const {
+  std::string all;
+  for (const std::string& complaint : complaints_) all += (all.empty() ? "" : "; ") + complaint;
+  return all.empty() ? fallback : all;
+}
+
+std::optional<OGRSpatialReference> spatial_reference(const Crs& crs) {
+  if (!crs.known()) return std::nullopt;
+  const QuietGdal quiet;
+  OGRSpatialReference reference;
+  // The definition comes from a data file: it must not make PROJ or GDAL open files or addresses.
+  if (reference.SetFromUserInput(crs.definition.c_str(),
+                                 OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
+      OGRERR_NONE) {
+    return std::nullopt;
+  }
+  reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return reference;
+}
+
+Crs crs_of(const OGRSpatialReference* reference) {
+  if (reference == nullptr) return {};
+  const QuietGdal quiet;
+  const char* options[] = {"FORMAT=WKT2_2019", nullptr};
+  char* text = nullptr;
+  const OGRErr error = reference->exportToWkt(&text, options);
+  const std::unique_ptr<char, decltype(&VSIFree)> owner(text, VSIFree);
+  return error == OGRERR_NONE ? Crs{text} : Crs{};
+}
+
+OgrLines lines_of(const OGRGeometry& geometry) {
+  // Arcs and compound curves become line strings; everything else stays as it is.
+  const std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry());
+  OgrLines lines;
+  lines.has_z = linear->Is3D() != 0;
+  switch (wkbFlatten(linear->getGeometryType())) {
+    case wkbLineString:
+      lines.is_line = true;
+      lines.parts.push_back(vertices_of(*linear->toLineString()));
+      break;
+    case wkbMultiLineString:
+      lines.is_line = true;
+      for (const OGRLineString* part : *linear->toMultiLineString()) {
+        lines.parts.push_back(vertices_of(*part));
+      }
+      break;
+    default:
+      break;
+  }
+  return lines;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/crs.h"
+#include "io/lines/polyline.h"
+
+#include <ogr_geometry.h>
+#include <ogr_spatialref.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Keeps GDAL from printing while it lives and collects what it complains of. GDAL's handlers are a
+/// stack per thread, so an object must end in the thread and block that it began in.
+class QuietGdal {
+ public:
+  QuietGdal();
+  ~QuietGdal();
+  QuietGdal(const QuietGdal&) = delete;
+  QuietGdal& operator=(const QuietGdal&) = delete;
+
+  /// All complaints so far in one line, without line breaks; `fallback` if there are none.
+  [[nodiscard]] std::string complaints(const std::string& fallback) const;
+
+ private:
+  std::vector<std::string> complaints_;
+};
+
+/// Nothing if PROJ cannot read the definition or it is empty. Axes are east, north, up.
+std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
+
+/// As WKT2; unknown for null.
+Crs crs_of(const OGRSpatialReference* reference);
+
+/// The vertices of a LineString or MultiLineString; arcs are stroked. `is_line` is false for other
+/// types. A vertex without z has z = NaN.
+struct OgrLines {
+  bool is_line = false;
+  bool has_z = false;
+  std::vector<Vertices> parts;
+};
+OgrLines lines_of(const OGRGeometry& geometry);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/lines/read_lines.h"
+
+#include "io/error.h"
+#include "io/lines/line_checks.h"
+#include "io/lines/readers.h"
+#include "io/lines/text.h"
+
+#include <filesystem>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr const char* kKnownExtensions =
+    ".geojson .json .gpkg .shp .dxf .csv .wkt .txt .obj .ply, a folder of LIMAP tracks";
+
+std::string extension_of(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string());
+}
+
+void refuse_by_name(const std::string& path, const std::string& extension) {
+  if (extension == ".bin") {
+    throw IoError(path, "Line3D++ .bin is an archive of one machine's memory; give the .txt");
+  }
+  if (extension == ".npy") {
+    throw IoError(path, "LIMAP .npy is a pickle, which may run code; give alltracks.txt");
+  }
+  if (extension == ".stl") {
+    throw IoError(path, "Line3D++ .stl holds triangles without area; give the .txt or .obj");
+  }
+}
+
+/// The text formats share extensions, so the first rows tell them apart.
+LineSet read_text(const std::string& path, const std::string& content) {
+  const std::vector<TextRow> rows = rows_of(std::string_view(content).substr(0, 65536));
+  if (rows.empty()) throw IoError(path, "is empty; an empty result cannot be told from a failure");
+  const std::string start = lower_case(rows[0].text.substr(0, 16));
+  if (start.starts_with("linestring") || start.starts_with("multilinestring") ||
+      (start.starts_with("srid=") && start.find(';') != std::string::npos)) {
+    return read_wkt(path, content);
+  }
+  const std::vector<std::string_view> first = words_of(rows[0].text);
+  const std::vector<std::string_view> second =
+      rows.size() > 1 ? words_of(rows[1].text) : std::vector<std::string_view>{};
+  const bool comma_separated = rows[0].text.find_first_of(",;") != std::string_view::npos;
+  if (comma_separated) return read_csv(path, content);
+  if (first.size() == 1 && to_integer(first[0])) return read_limap_tracks(path, content);
+  if (first.size() == 6 && to_double(first[0])) {
+    const bool is_track =
+        rows.size() > 2 && second.size() == 2 && rows[2].text.starts_with("image_id_list");
+    return is_track ? read_limap_track(path, content) : read_space_lines(path, content);
+  }
+  if (first.size() > 6 && to_integer(first[0])) return read_line3dpp(path, content);
+  return read_csv(path, content);
+}
+
+LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
+  if (std::filesystem::is_directory(path)) return read_limap_folder(path);
+  const std::string extension = extension_of(path);
+  refuse_by_name(path, extension);
+  if (extension == ".gpkg" || extension == ".shp" || extension == ".dxf") {
+    return read_ogr(path, extension);
+  }
+  const std::string content = read_bytes(path);
+  if (extension == ".geojson" || extension == ".json") return read_geojson(path, content);
+  if (extension == ".obj") return read_obj(path, content, options.vertex_pairs);
+  if (extension == ".ply") return read_ply(path, content);
+  if (extension == ".csv" || extension == ".txt" || extension == ".wkt") {
+    return read_text(path, content);
+  }
+  throw IoError(path, "extension '" + extension + "'; lines are read from " + kKnownExtensions);
+}
+
+}  // namespace
+
+LineSet read_lines(const std::string& path, const ReadLinesOptions& options) {
+  LineSet set = read_any(path, options);
+  set.path = path;
+  if (options.assume_crs.known()) set.crs = options.assume_crs;
+  refuse_degrees(set);
+  add_coordinate_warnings(set);
+  return set;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/line_set.h"
+
+#include <string>
+
+namespace ridgeline::io {
+
+struct ReadLinesOptions {
+  Crs assume_crs;             ///< declares or overrides the file's CRS; unknown: the file decides
+  bool vertex_pairs = false;  ///< an OBJ's vertices two by two are the segments
+};
+
+/// Reads 3D lines of any tool; the format is told by extension and content:
+///   GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV (x1,y1,z1,x2,y2,z2 or a WKT column), OBJ and PLY
+///   (edges, else the edges of faces), Line3D++ .txt, LIMAP alltracks.txt and track_K.txt (or their
+///   folder), ELSR .obj and ELSR++ spaceLines.txt.
+/// Lines keep the file's order and ids; polylines become segments "ID.0", "ID.1", ... A line with
+/// coordinates that are not finite stays in the set. What deserves attention is in `warnings`.
+/// No lines at all is a valid file.
+/// Throws IoError for a file that cannot be read, and by name for formats that cannot carry what a
+/// judgement needs: Line3D++ .bin, LIMAP .npy, Shapefiles without z, coordinates in degrees.
+LineSet read_lines(const std::string& path, const ReadLinesOptions& options = {});
+
+}  // namespace ridgeline::io

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/lines/attributes.h"
+#include "io/lines/writers.h"
+
+#include <fmt/format.h>
+
+namespace ridgeline::io {
+namespace {
+
+/// RFC 4180: quotes around a field that holds a separator, a quote or a line end.
+std::string field(std::string_view text) {
+  if (text.find_first_of(",;\t\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return quoted + "\"";
+}
+
+std::string attribute_header() {
+  std::string header;
+  for (const TextAttribute& attribute : text_attributes()) {
+    header += fmt::format(",{}", attribute.name);
+  }
+  return header + ",epipolar_angle_deg,n_points,n_images,plane_ids,covariance\n";
+}
+
+template <typename T>
+std::string optional_field(const std::optional<T>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
+
+std::string attribute_fields(const Line& line) {
+  std::string row;
+  const auto add = [&row](std::string_view text) { row += fmt::format(",{}", field(text)); };
+  for (const TextAttribute& attribute : text_attributes()) add(line.*attribute.member);
+  add(optional_field(line.epipolar_angle_deg));
+  add(optional_field(line.n_points));
+  add(optional_field(line.n_images));
+  add(line.plane_ids.empty() ? std::string() : fmt::format("[{}]", fmt::join(line.plane_ids, ",")));
+  add(line.covariance_m2 ? covariance_text(*line.covariance_m2) : std::string());
+  return row + "\n";
+}
+
+std::string coordinates(const Eigen::Vector3d& x, char separator) {
+  return fmt::format("{:.4f}{}{:.4f}{}{:.4f}", x.x(), separator, x.y(), separator, x.z());
+}
+
+std::string wkt(const Segment3& s) {
+  if (!all_finite(s)) return {};
+  return fmt::format("\"LINESTRING Z ({},{})\"", coordinates(s.start, ' '),
+                     coordinates(s.end, ' '));
+}
+
+}  // namespace
+
+std::string csv_text(const LineSet& set) {
+  std::string text = "x1,y1,z1,x2,y2,z2" + attribute_header();
+  for (const Line& line : set.lines) {
+    text += coordinates(line.segment_in_world.start, ',') + "," +
+            coordinates(line.segment_in_world.end, ',') + attribute_fields(line);
+  }
+  return text;
+}
+
+std::string wkt_csv_text(const LineSet& set) {
+  std::string text = "wkt" + attribute_header();
+  for (const Line& line : set.lines) text += wkt(line.segment_in_world) + attribute_fields(line);
+  return text;
+}
+
+std::string obj_text(const LineSet& set) {
+  std::string vertices;
+  std::string lines;
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    const Segment3& s = set.lines[i].segment_in_world;
+    vertices += fmt::format("v {}\nv {}\n", coordinates(s.start, ' '), coordinates(s.end, ' '));
+    lines += fmt::format("l {} {}\n", 2 * i + 1, 2 * i + 2);
+  }
+  return "# 3D line segments, metres\n" + vertices + lines;
+}
+
+std::string ply_text(const LineSet& set) {
+  const std::size_t n = set.lines.size();
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\ncomment 3D line segments, metres\n"
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "element edge {}\nproperty int vertex1\nproperty int vertex2\nend_header\n",
+      2 * n, n);
+  for (const Line& line : set.lines) {
+    text += coordinates(line.segment_in_world.start, ' ') + "\n" +
+            coordinates(line.segment_in_world.end, ' ') + "\n";
+  }
+  for (std::size_t i = 0; i < n; ++i) text += fmt::format("{} {}\n", 2 * i, 2 * i + 1);
+  return text;
+}
+
+}  // namespace ridgeline::io

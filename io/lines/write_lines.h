@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/line_set.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ridgeline::io {
+
+enum class LineFormat : std::uint8_t {
+  kGeoJson,
+  kGeoPackage,
+  kDxf,
+  kShapefile,
+  kWktCsv,
+  kCsv,
+  kObj,
+  kPly,
+};
+
+/// A format's name on the command line ("geojson", "wkt_csv", ...) and its usual extension.
+struct LineFormatInfo {
+  LineFormat format;
+  std::string_view name;
+  std::string_view extension;
+};
+std::span<const LineFormatInfo> line_formats();
+
+/// Nothing for an unknown name.
+std::optional<LineFormat> line_format(std::string_view name);
+
+/// Writes one feature a line, in the order of the set, coordinates to 0.1 mm or better at any size.
+///   GeoJSON, GeoPackage, WKT CSV   all attributes and the covariance; CSV with WKT states no CRS
+///   Shapefile   all but the covariance (columns hold 254 characters), CRS in the .prj
+///   CSV         x1,y1,z1,x2,y2,z2 and all attributes, no CRS
+///   DXF         one 3D polyline a line, layer = class; no other attributes, no CRS
+///   OBJ, PLY    geometry only
+/// A GeoJSON set without CRS gets `"crs": null`, which read_lines() takes as metres in a local
+/// frame. Coordinates that are not finite: null in GeoJSON, no geometry in GeoPackage, Shapefile
+/// and WKT, nan in CSV, OBJ and PLY; DXF leaves such lines out.
+/// The same set gives the same bytes. Written whole or not at all; missing folders are made.
+/// Throws IoError if the file cannot be written.
+void write_lines(const std::string& path, const LineSet& set, LineFormat format);
+
+}  // namespace ridgeline::io

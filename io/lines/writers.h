@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/line_set.h"
+#include "io/lines/write_lines.h"
+
+#include <string>
+
+namespace ridgeline::io {
+
+// One writer per format: the whole text of the file.
+std::string geojson_text(const LineSet& set);
+std::string csv_text(const LineSet& set);
+std::string wkt_csv_text(const LineSet& set);
+std::string obj_text(const LineSet& set);
+std::string ply_text(const LineSet& set);
+
+/// GeoPackage, Shapefile or DXF at `draft`, which must not exist. Throws IoError naming `path`, the
+/// file that the draft will become.
+void write_ogr(const std::string& path,
+               const std::string& draft,
+               const LineSet& set,
+               LineFormat format);
+
+}  // namespace ridgeline::io

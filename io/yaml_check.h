@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/error.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Throws IoError "PATH: line N: MESSAGE"; without the line if the node has no place in the file.
+[[noreturn]] void fail_yaml(const std::string& path,
+                            const YAML::Node& node,
+                            const std::string& message);
+
+/// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line.
+YAML::Node load_yaml(const std::string& path);
+
+/// A mapping that is read strictly: a misspelt key must not silently become a default.
+class YamlMap {
+ public:
+  /// Throws IoError if `node` is no mapping, or has a key twice or one that is not in `known`.
+  YamlMap(std::string path, const YAML::Node& node, const std::vector<std::string_view>& known);
+
+  [[nodiscard]] bool has(const char* key) const { return find(key).has_value(); }
+
+  // Each throws IoError if the key is missing or its value has another form.
+  [[nodiscard]] YAML::Node node(const char* key) const;
+  [[nodiscard]] std::string text(const char* key) const;
+  [[nodiscard]] double number(const char* key) const;  ///< finite
+  [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count) const;
+  /// A list of texts; one text alone counts as a list of one.
+  [[nodiscard]] std::vector<std::string> texts(const char* key) const;
+
+  [[noreturn]] void fail(const char* key, const std::string& message) const;
+
+ private:
+  [[nodiscard]] std::optional<YAML::Node> find(const char* key) const;
+
+  std::string path_;
+  YAML::Node node_;
+};
+
+/// `count` finite numbers of a sequence; `name` serves the message. Throws IoError.
+std::vector<double> yaml_numbers(const std::string& path,
+                                 const YAML::Node& node,
+                                 const std::string& name,
+                                 std::size_t count);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/estimate/adjust_line.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <cmath>
+#include <optional>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using FromEntity = Eigen::Matrix<double, 6, 4> (*)(const Eigen::Vector4d&);
+
+/// A kind of condition, C(e) M = -G(M) e = 0 for an entity e: two rows of Pi' and Gamma for a
+/// plane, of PiBar' and GammaBar for a point.
+struct Incidence {
+  FromEntity transposed_c;
+  RowPair rows;
+  Eigen::Matrix<double, 2, 4> g;  ///< at the current line
+};
+
+/// Sums over the conditions, S = G cov_e G'.
+struct NormalEquations {
+  Matrix6d matrix = Matrix6d::Zero();  ///< sum p C' S^-1 C
+  Vector6d right = Vector6d::Zero();   ///< -sum p C' S^-1 (C M)
+  double omega = 0.0;                  ///< sum p (C M)' S^-1 (C M)
+
+  /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line: with the observed
+  /// one the right side would not be the gradient of omega, and lines whose planes nearly coincide
+  /// would oscillate.
+  void add(const Incidence& incidence, const Uncertain<4>& entity, double information) {
+    const Eigen::Matrix<double, 2, 4>& g = incidence.g;
+    const Eigen::Vector2d misclosure = -g * entity.mean;
+    const Eigen::Matrix2d inverse = (g * entity.cov * g.transpose()).inverse();
+    const Eigen::Vector4d fitted = entity.mean + entity.cov * g.transpose() * inverse * misclosure;
+    const Eigen::Matrix<double, 2, 6> c =
+        select_rows(incidence.transposed_c(fitted).transpose(), incidence.rows);
+    matrix += information * c.transpose() * inverse * c;
+    right -= information * c.transpose() * inverse * misclosure;
+    omega += information * misclosure.dot(inverse * misclosure);
+  }
+};
+
+NormalEquations normal_equations(std::span<const UncertainPlane3> planes,
+                                 std::span<const PointOnLine> points,
+                                 const Vector6d& line,
+                                 int dominant) {
+  const RowPair in_plane = line_in_plane_rows(dominant);
+  const RowPair on_line = point_on_line_rows(dominant);
+  const Incidence plane{pi_matrix, in_plane, select_rows(gamma_matrix(line), in_plane)};
+  const Incidence point{pi_bar_matrix, on_line, select_rows(gamma_bar_matrix(line), on_line)};
+  NormalEquations n;
+  for (const UncertainPlane3& p : planes) n.add(plane, p, 1.0);
+  for (const PointOnLine& p : points) n.add(point, p.point, p.information);
+  return n;
+}
+
+/// The normal equations in the four free directions of the line, solved by their eigenvectors so
+/// that a free direction gets no increment instead of an arbitrary one.
+struct Increment {
+  Vector6d step;
+  Matrix6d cov;
+  double largest_in_sigma;  ///< over the eigenvectors
+  bool full_rank;
+};
+
+Increment solve(const NormalEquations& n, const Vector6d& line) {
+  constexpr double kSmallestPivot = 1e-12;  // of the block scaled by its mean diagonal element
+  const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(line);
+  const Eigen::Matrix4d matrix = basis.transpose() * n.matrix * basis;
+  const double scale = matrix.trace() / 4.0;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(matrix / scale);
+
+  Eigen::Vector4d inverse = Eigen::Vector4d::Zero();
+  int rank = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (eigen.eigenvalues()(i) < kSmallestPivot) continue;
+    inverse(i) = 1.0 / (eigen.eigenvalues()(i) * scale);
+    ++rank;
+  }
+  const Eigen::Matrix<double, 6, 4> directions = basis * eigen.eigenvectors();
+  const Eigen::Vector4d right = directions.transpose() * n.right;
+  const Eigen::Vector4d in_sigma = right.cwiseProduct(inverse.cwiseSqrt());
+  return {.step = directions * inverse.cwiseProduct(right),
+          .cov = directions * inverse.asDiagonal() * directions.transpose(),
+          .largest_in_sigma = in_sigma.cwiseAbs().maxCoeff(),
+          .full_rank = rank == 4};
+}
+
+Vector6d start_line(std::span<const UncertainPlane3> planes, std::span<const PointOnLine> points) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (planes.size() + points.size()), 6);
+  Eigen::Index row = 0;
+  for (const UncertainPlane3& plane : planes) {
+    stacked.middleRows<4>(row) = pi_matrix(plane.mean).transpose();
+    row += 4;
+  }
+  for (const PointOnLine& p : points) {
+    stacked.middleRows<4>(row) = pi_bar_matrix(p.point.mean).transpose();
+    row += 4;
+  }
+  return project_to_pluecker_quadric(stacked.jacobiSvd(Eigen::ComputeFullV).matrixV().col(5));
+}
+
+/// The component that chooses the rows: kept within an adjustment, because a change of rows between
+/// passes can oscillate, until another one has become more than twice as large.
+int keep_or_replace(int dominant, const Vector6d& line) {
+  const int largest = dominant_component(line);
+  return std::abs(line(largest)) > 2.0 * std::abs(line(dominant)) ? largest : dominant;
+}
+
+/// A line, the component that chooses its rows, and the normal equations there.
+struct Linearised {
+  Vector6d line;
+  int dominant;
+  NormalEquations normal;
+};
+
+Linearised linearise(std::span<const UncertainPlane3> planes,
+                     std::span<const PointOnLine> points,
+                     const Vector6d& line,
+                     std::optional<int> previous_dominant) {
+  const int dominant =
+      previous_dominant ? keep_or_replace(*previous_dominant, line) : dominant_component(line);
+  return {line, dominant, normal_equations(planes, points, line, dominant)};
+}
+
+/// The step, halved until it does not increase omega: for nearly coincident planes the linear range
+/// is smaller than the standard deviation of the direction within them.
+Linearised descend(std::span<const UncertainPlane3> planes,
+                   std::span<const PointOnLine> points,
+                   const Linearised& from,
+                   const Vector6d& step) {
+  constexpr int kMaxHalvings = 10;
+  constexpr double kRounding = 1e-9;  // of omega, whose unit is one standard deviation squared
+  double factor = 1.0;
+  for (int i = 0; i < kMaxHalvings; ++i, factor *= 0.5) {
+    Linearised to = linearise(
+        planes, points, project_to_pluecker_quadric(from.line + factor * step), from.dominant);
+    if (to.normal.omega <= from.normal.omega * (1.0 + kRounding) + kRounding) return to;
+  }
+  return from;
+}
+
+}  // namespace
+
+std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
+                                        std::span<const PointOnLine> points) {
+  constexpr int kMaxPasses = 20;
+  // 0.01 would serve accuracy; this makes the result independent of the frame to the last digits
+  constexpr double kConvergedSigma = 1e-6;
+  if (planes.size() + points.size() < 2) return std::nullopt;
+
+  Linearised current = linearise(planes, points, start_line(planes, points), std::nullopt);
+  if (!current.line.allFinite()) return std::nullopt;
+  AdjustedLine result;
+  while (result.passes < kMaxPasses && !result.converged) {
+    const Increment increment = solve(current.normal, current.line);
+    current = descend(planes, points, current, increment.step);
+    result.line.cov = increment.cov;
+    result.full_rank = increment.full_rank;
+    result.converged = increment.largest_in_sigma < kConvergedSigma;
+    ++result.passes;
+  }
+  result.line.mean = current.line;
+  result.omega = current.normal.omega;
+  if (!result.line.mean.allFinite() || !result.line.cov.allFinite()) return std::nullopt;
+  return result;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/estimate/candidate_points.h"
+
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using ImagePoints = std::array<UncertainPoint2, 2>;
+
+double distance_to_line(const Eigen::Vector3d& point, const Eigen::Vector3d& line) {
+  return std::abs(line.dot(point)) / (line.head<2>().norm() * std::abs(point.z()));
+}
+
+PairMeasures measures(const StereoLines& lines,
+                      int line,
+                      int neighbour,
+                      const ImagePoints& x,
+                      const ReconstructOptions& options) {
+  const std::array<Eigen::Vector3d, 2> epipolar_line{lines.right_from_left.transpose() * x[1].mean,
+                                                     lines.right_from_left * x[0].mean};
+  const auto in_image = [&](std::size_t j) {
+    const Segment2& a = lines.lines[static_cast<std::size_t>(line)][j].segment;
+    const Segment2& b = lines.lines[static_cast<std::size_t>(neighbour)][j].segment;
+    const double scale_px = lines.stereo.views[j].image.scale_px;
+    return PairMeasures{
+        scale_px * distance(a, b), scale_px * distance_to_line(x[j].mean, epipolar_line[j]),
+        acute_angle_rad(Eigen::Vector2d(a.end - a.start), Eigen::Vector2d(b.end - b.start))};
+  };
+  return combine({in_image(0), in_image(1)}, options);
+}
+
+/// Parameter of a point along the segment's line, 0 at the start and 1 at the end.
+double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
+  const Eigen::Vector2d direction = segment.end - segment.start;
+  return direction.dot(x - segment.start) / direction.squaredNorm();
+}
+
+/// In front of both cameras, within the heights and, if asked for, consistent with the epipolar
+/// geometry.
+bool plausible(const StereoLines& lines,
+               const EstimatedPoint& estimated,
+               const ReconstructOptions& options) {
+  const Eigen::Vector4d& x = estimated.point.mean;
+  for (const View& view : lines.stereo.views) {
+    if (!in_front(view, x)) return false;
+  }
+  const double height_m = lines.stereo.object.local_from_conditioned(x.hnormalized()).z();
+  if (height_m < options.lowest_height_m || height_m > options.highest_height_m) return false;
+  return !options.point_test || estimated.omega <= options.max_point_omega;
+}
+
+std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
+                                              int line,
+                                              int neighbour,
+                                              const ReconstructOptions& options) {
+  const std::array<ObservedLine, 2>& own = lines.lines[static_cast<std::size_t>(line)];
+  const std::array<ObservedLine, 2>& mate = lines.lines[static_cast<std::size_t>(neighbour)];
+  ImagePoints x;
+  for (std::size_t j = 0; j < 2; ++j) {
+    x[j] = spherically_normalised(cross(own[j].line, mate[j].line));  // Eq. 2
+  }
+  const double weight = point_weight(measures(lines, line, neighbour, x, options), options);
+  if (weight <= 0.0) return std::nullopt;
+
+  const std::array<PointObservation, 2> observations{
+      PointObservation{lines.stereo.views[0].image_from_object, x[0]},
+      PointObservation{lines.stereo.views[1].image_from_object, x[1]}};
+  const std::optional<EstimatedPoint> estimated = estimate_point(observations);
+  if (!estimated || !plausible(lines, *estimated, options)) return std::nullopt;
+  const double parameter = parameter_along(own[0].segment, x[0].mean.hnormalized());
+  return CandidatePoint{*estimated, {parameter, weight, estimated->omega, neighbour}};
+}
+
+}  // namespace
+
+std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
+                                             int line,
+                                             std::span<const int> neighbours,
+                                             const ReconstructOptions& options) {
+  std::vector<CandidatePoint> points;
+  for (const int neighbour : neighbours) {
+    if (const auto point = candidate_point(lines, line, neighbour, options)) {
+      points.push_back(*point);
+    }
+  }
+  return points;
+}
+
+}  // namespace ridgeline::reconstruct

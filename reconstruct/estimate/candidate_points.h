@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/artificial_point.h"
+#include "reconstruct/estimate/options.h"
+#include "reconstruct/estimate/point_weight.h"
+#include "reconstruct/estimate/view.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// The matched lines of a stereo pair in the conditioned frames, ready for estimation.
+struct StereoLines {
+  StereoViews stereo;
+  Eigen::Matrix3d right_from_left;                 ///< fundamental matrix of the conditioned images
+  std::vector<std::array<ObservedLine, 2>> lines;  ///< by match: left, right
+};
+
+/// An artificial point with what its selection needs.
+struct CandidatePoint {
+  EstimatedPoint estimated;
+  RankedPoint ranked;
+};
+
+/// The artificial points of a line: its intersections with each of the neighbours in both images
+/// and their points in object space (Ok et al. 2011, section 3.1). Left out are points of weight
+/// zero, undetermined, behind a camera, outside the range of heights or, with `point_test`, failing
+/// it.
+std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
+                                             int line,
+                                             std::span<const int> neighbours,
+                                             const ReconstructOptions& options);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+#include "reconstruct/geometry/uncertain/uncertain_segment.h"
+
+#include <cstdint>
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+
+enum class Method : std::uint8_t { kDirect, kJoint };
+const char* name(Method method);  ///< "direct" | "joint"
+
+/// The defaults are the method of Ok et al. 2011, section 3, as published.
+struct ReconstructOptions {
+  Method method = Method::kJoint;
+  /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
+  LineCovariance line_covariance = LineCovariance::kEq1;
+
+  double max_aligned_angle_deg = 10.0;  ///< up to here a line is `aligned` (section 3)
+  double sigma_distance_px = 5.0;       ///< sigma_1 of Eq. 6: distance of the two segments
+  double sigma_epipolar_px = 2.0;       ///< sigma_2 of Eq. 6: distance to the epipolar line
+  double min_pair_angle_deg = 10.0;     ///< a pair up to this angle gives no point (t of Eq. 6)
+  double min_weight = 0.01;             ///< T_w: points up to this weight are discarded
+  /// Reading of the "minimum" measures of Eq. 6 over the two images as their maximum instead.
+  bool weight_from_maxima = false;
+  /// Let W of Eq. 6 scale a point's weight in the normal equations, not only select it. Not stated
+  /// in the paper.
+  bool w_information = false;
+  /// Reject points whose two image points miss the epipolar geometry by more than chance. Not in
+  /// the paper.
+  bool point_test = false;
+  double max_point_omega = 10.83;  ///< chi-square, 1 degree of freedom, 99.9 %
+  /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth.
+  double lowest_height_m = -1e5;
+  double highest_height_m = 1e5;
+
+  static constexpr auto fields() {
+    using O = ReconstructOptions;
+    return std::tuple{
+        Field{"max_aligned_angle_deg", &O::max_aligned_angle_deg, 0.0, 90.0,
+              "largest angle to the epipolar line of the class aligned"},
+        Field{"sigma_distance_px", &O::sigma_distance_px, 1e-3, 1e4,
+              "weight of a point: scale of the distance of its two segments"},
+        Field{"sigma_epipolar_px", &O::sigma_epipolar_px, 1e-3, 1e4,
+              "weight of a point: scale of its distance to the epipolar line"},
+        Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.0, 90.0,
+              "weight of a point: 0 up to this angle of its two segments"},
+        Field{"min_weight", &O::min_weight, 0.0, 1.0, "points up to this weight are discarded"},
+        Field{"weight_from_maxima", &O::weight_from_maxima, false, true,
+              "weight of a point: the worse of both images, not the better"},
+        Field{"w_information", &O::w_information, false, true,
+              "the weight of a point scales its share in the adjustment"},
+        Field{"point_test", &O::point_test, false, true,
+              "reject points that fail the test of their epipolar geometry"},
+        Field{"max_point_omega", &O::max_point_omega, 0.0, 1e6, "limit of that test, chi-square"},
+        Field{"lowest_height_m", &O::lowest_height_m, -1e5, 1e5, "lowest height of a point"},
+        Field{"highest_height_m", &O::highest_height_m, -1e5, 1e5, "highest height of a point"}};
+  }
+};
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/estimate/reconstruct_lines.h"
+
+#include "reconstruct/estimate/adjust_line.h"
+#include "reconstruct/estimate/candidate_points.h"
+#include "reconstruct/estimate/endpoints.h"
+#include "reconstruct/geometry/check.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using Segments = std::span<const std::vector<UncertainSegment2>>;
+using Neighbours = std::vector<std::vector<int>>;  ///< by match, ascending
+
+std::size_t checked_index(const char* what, int index, std::size_t size) {
+  check(index >= 0 && static_cast<std::size_t>(index) < size, what, " = ", index,
+        ", must be in [0, ", size, ")");
+  return static_cast<std::size_t>(index);
+}
+
+std::array<const UncertainSegment2*, 2> matched_segments(Segments segments,
+                                                         const LineMatch& match) {
+  return {&segments[0][checked_index("match: left segment", match.left, segments[0].size())],
+          &segments[1][checked_index("match: right segment", match.right, segments[1].size())]};
+}
+
+StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
+                         Segments segments,
+                         std::span<const LineMatch> matches,
+                         LineCovariance form) {
+  std::array<std::vector<Segment2>, 2> patch;
+  for (const LineMatch& match : matches) {
+    const auto mates = matched_segments(segments, match);
+    for (std::size_t j = 0; j < 2; ++j) patch[j].push_back(mates[j]->segment);
+  }
+  StereoLines lines;
+  lines.stereo = condition(cameras.first<2>(), {patch[0], patch[1]});
+  const std::array<View, 2>& views = lines.stereo.views;
+  lines.right_from_left =
+      fundamental_matrix(views[0].image_from_object, views[1].image_from_object);
+  for (const LineMatch& match : matches) {
+    const auto mates = matched_segments(segments, match);
+    lines.lines.push_back({observe(views[0], *mates[0], form), observe(views[1], *mates[1], form)});
+  }
+  return lines;
+}
+
+Neighbours neighbours_of(std::span<const PairConnection> connections, std::size_t num_matches) {
+  Neighbours neighbours(num_matches);
+  for (const PairConnection& c : connections) {
+    check(c.i != c.k, "connection: i = k = ", c.i, ", must be two matches");
+    neighbours[checked_index("connection: i", c.i, num_matches)].push_back(c.k);
+    neighbours[checked_index("connection: k", c.k, num_matches)].push_back(c.i);
+  }
+  for (std::vector<int>& list : neighbours) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return neighbours;
+}
+
+void classify(const StereoLines& lines,
+              std::size_t line,
+              const ReconstructOptions& options,
+              ReconstructedLine& result) {
+  const std::array<View, 2>& views = lines.stereo.views;
+  for (std::size_t j = 0; j < 2; ++j) {
+    result.epipolar_angles_rad[j] = epipolar_angle_rad(
+        views[j].image_from_object, views[1 - j].image_from_object, lines.lines[line][j].segment);
+  }
+  result.epipolar_angle_rad =
+      std::min(result.epipolar_angles_rad[0], result.epipolar_angles_rad[1]);
+  const bool aligned =
+      result.epipolar_angle_rad * 180.0 / std::numbers::pi <= options.max_aligned_angle_deg;
+  result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
+}
+
+Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3& s) {
+  return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
+}
+
+/// Replaces the result's geometry by the part of the line between the image endpoints; false, and
+/// nothing is changed, if a camera does not see it.
+bool assign(const StereoLines& lines,
+            std::size_t line,
+            const UncertainLine3& estimate,
+            ReconstructedLine& result) {
+  const std::array<View, 2>& views = lines.stereo.views;
+  const auto left = endpoints(estimate, views[0], lines.lines[line][0], views);
+  if (!left) return false;
+  const auto right = endpoints(estimate, views[1], lines.lines[line][1], views);
+  const ObjectConditioning& object = lines.stereo.object;
+  result.segment_in_local = local_from_conditioned(object, left->segment);
+  result.covariance_m2 = object.scale_m * object.scale_m * left->cov;
+  result.right_segment_in_local.reset();
+  if (right) result.right_segment_in_local = local_from_conditioned(object, right->segment);
+  return true;
+}
+
+void reconstruct_direct(const StereoLines& lines, std::size_t line, ReconstructedLine& result) {
+  const std::array<ObservedLine, 2>& observed = lines.lines[line];
+  const auto estimate = intersection(observed[0].plane, observed[1].plane);
+  if (!estimate || !assign(lines, line, *estimate, result)) return;
+  result.status = Status::kDirect;
+  const Matrix6d& cov = *result.covariance_m2;
+  result.direct_sigma_z_m = std::sqrt(std::max(cov(2, 2), cov(5, 5)));
+}
+
+UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& object) {
+  const UncertainPoint3& point = candidate.estimated.point;
+  const Eigen::Matrix<double, 3, 4> jacobian = object.scale_m * euclidean_jacobian(point.mean);
+  const RankedPoint& ranked = candidate.ranked;
+  return {.x_in_local = object.local_from_conditioned(point.mean.hnormalized()),
+          .cov_m2 = jacobian * point.cov * jacobian.transpose(),
+          .neighbour = ranked.neighbour,
+          .weight = ranked.weight,
+          .omega = ranked.omega,
+          .region = region(ranked.parameter)};
+}
+
+std::vector<CandidatePoint> selected_points(const StereoLines& lines,
+                                            std::size_t line,
+                                            std::span<const int> neighbours,
+                                            const ReconstructOptions& options) {
+  const std::vector<CandidatePoint> candidates =
+      candidate_points(lines, static_cast<int>(line), neighbours, options);
+  std::vector<RankedPoint> ranked;
+  ranked.reserve(candidates.size());
+  for (const CandidatePoint& candidate : candidates) ranked.push_back(candidate.ranked);
+  std::vector<CandidatePoint> selected;
+  for (const std::size_t i : select_points(ranked, options)) selected.push_back(candidates[i]);
+  return selected;
+}
+
+Status joint_status(const AdjustedLine& adjusted, std::size_t num_points) {
+  if (!adjusted.full_rank) return Status::kRankDeficient;
+  if (!adjusted.converged) return Status::kNotConverged;
+  return num_points == 1 ? Status::kOnePoint : Status::kJoint;
+}
+
+/// Takes the result of `direct` over and replaces it where there are points.
+void reconstruct_joint(const StereoLines& lines,
+                       std::size_t line,
+                       std::span<const int> neighbours,
+                       const ReconstructOptions& options,
+                       ReconstructedLine& result) {
+  const std::vector<CandidatePoint> selected = selected_points(lines, line, neighbours, options);
+  if (selected.empty()) {
+    if (result.segment_in_local) result.status = Status::kNoPoints;
+    return;
+  }
+  std::vector<PointOnLine> points;
+  for (const CandidatePoint& p : selected) {
+    points.push_back({p.estimated.point, options.w_information ? p.ranked.weight : 1.0});
+    result.points.push_back(used_point(p, lines.stereo.object));
+  }
+  const std::array<UncertainPlane3, 2> planes{lines.lines[line][0].plane,
+                                              lines.lines[line][1].plane};
+  const auto adjusted = adjust_line(planes, points);
+  if (!adjusted || !assign(lines, line, adjusted->line, result)) {
+    result.status = Status::kNoIntersection;
+    result.segment_in_local.reset();
+    result.covariance_m2.reset();
+    result.right_segment_in_local.reset();
+    return;
+  }
+  result.status = joint_status(*adjusted, points.size());
+  result.omega = adjusted->omega;
+  if (!adjusted->full_rank) result.covariance_m2.reset();
+}
+
+}  // namespace
+
+const char* name(Method method) { return method == Method::kDirect ? "direct" : "joint"; }
+
+const char* name(LineClass line_class) {
+  return line_class == LineClass::kAligned ? "aligned" : "not_aligned";
+}
+
+const char* name(Status status) {
+  switch (status) {
+    case Status::kDirect:
+      return "direct";
+    case Status::kJoint:
+      return "joint";
+    case Status::kOnePoint:
+      return "one_point";
+    case Status::kNoPoints:
+      return "no_points";
+    case Status::kRankDeficient:
+      return "rank_deficient";
+    case Status::kNotConverged:
+      return "not_converged";
+    case Status::kNoIntersection:
+      return "no_intersection";
+  }
+  return "";
+}
+
+std::vector<ReconstructedLine> reconstruct_lines(
+    std::span<const ProjectionMatrix> cameras,
+    std::span<const std::vector<UncertainSegment2>> segments,
+    std::span<const LineMatch> matches,
+    std::span<const PairConnection> connections,
+    const ReconstructOptions& options) {
+  check(cameras.size() == 2, "reconstruct_lines: cameras = ", cameras.size(), ", must be 2");
+  check(segments.size() == 2, "reconstruct_lines: images = ", segments.size(), ", must be 2");
+  validate(options);
+  const Neighbours neighbours = neighbours_of(connections, matches.size());
+  if (matches.empty()) return {};
+  const StereoLines lines = stereo_lines(cameras, segments, matches, options.line_covariance);
+
+  std::vector<ReconstructedLine> results(matches.size());
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    ReconstructedLine& result = results[i];
+    result.match = matches[i];
+    classify(lines, i, options, result);
+    reconstruct_direct(lines, i, result);
+    if (options.method == Method::kJoint && result.line_class == LineClass::kAligned) {
+      reconstruct_joint(lines, i, neighbours[i], options, result);
+    }
+  });
+  return results;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/options.h"
+#include "reconstruct/estimate/point_weight.h"
+#include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/uncertain/pluecker.h"
+#include "reconstruct/geometry/uncertain/uncertain_segment.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// To the epipolar line. A property of the match, the same for all methods.
+enum class LineClass : std::uint8_t { kNotAligned, kAligned };
+const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
+
+/// How a line came about.
+enum class Status : std::uint8_t {
+  kDirect,          ///< intersection of the projection planes
+  kJoint,           ///< planes and two or three artificial points
+  kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
+  kNoPoints,        ///< `joint` without a usable point: identical to `direct`
+  kRankDeficient,   ///< planes and points leave a direction free: one of many lines, no covariance
+  kNotConverged,    ///< the adjustment still moved after its last pass; its last line
+  kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
+};
+const char* name(Status status);  ///< "direct", "one_point", ... as in the files
+
+/// An artificial point that entered the adjustment.
+struct UsedPoint {
+  Eigen::Vector3d x_in_local;  ///< m
+  Eigen::Matrix3d cov_m2;      ///< world axes
+  int neighbour = 0;           ///< match that it was made with
+  double weight = 0.0;         ///< W of Eq. 6
+  double omega = 0.0;          ///< of its estimation, chi-square with 1 degree of freedom
+  Region region = Region::kLeft;
+};
+
+struct ReconstructedLine {
+  LineMatch match;
+  LineClass line_class = LineClass::kNotAligned;
+  double epipolar_angle_rad = 0.0;              ///< the smaller one of both images
+  std::array<double, 2> epipolar_angles_rad{};  ///< left, right
+  Status status = Status::kNoIntersection;
+  std::optional<Segment3> segment_in_local;        ///< ends seen at those of the left segment; m
+  std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
+  std::optional<Segment3> right_segment_in_local;  ///< the same line between the right ends
+  /// Larger height sigma of the two endpoints by `direct`, whatever the method: tells weak lines
+  /// apart by precision where the class does so by angle. Empty without an intersection.
+  std::optional<double> direct_sigma_z_m;
+  std::vector<UsedPoint> points;
+  double omega = 0.0;  ///< sum of squared normalised misclosures of the adjustment; 0 for `direct`
+};
+
+/// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), one per
+/// match and in its order: not_aligned lines by intersection of the projection planes, aligned
+/// ones, with Method::kJoint, by adjustment of these planes and the best artificial points made
+/// with the lines that they have a pair connection with.
+///
+/// @param cameras      image_from_local of the left (base) and the right image, free of error
+/// @param segments     of the left and the right image
+/// @param connections  pairs of matches, in either order; repetitions change nothing
+/// Results do not depend on the number of threads or the order of the connections.
+/// Throws std::invalid_argument for other than two images, options out of range, an index out of
+/// range, a connection of a match with itself or a matched segment without length or precision.
+std::vector<ReconstructedLine> reconstruct_lines(
+    std::span<const ProjectionMatrix> cameras,
+    std::span<const std::vector<UncertainSegment2>> segments,
+    std::span<const LineMatch> matches,
+    std::span<const PairConnection> connections,
+    const ReconstructOptions& options = {});
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/uncertain/conditioning.h"
+#include "reconstruct/geometry/uncertain/uncertain_segment.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+
+namespace ridgeline::reconstruct {
+
+/// A camera between the conditioned frames, in which all estimation happens.
+struct View {
+  ProjectionMatrix image_from_object;
+  ImageConditioning image;
+};
+
+/// Whether a point that is not at infinity lies in front of the camera, for either sign of the
+/// homogeneous vector and of the matrix (Hartley and Zisserman 2004, result 6.1).
+bool in_front(const View& view, const Eigen::Vector4d& point);
+
+/// An image segment as the estimation uses it; all members in the conditioned frames.
+struct ObservedLine {
+  Segment2 segment;
+  double sigma_e = 0.0;  ///< of the endpoints along the line
+  UncertainLine2 line;
+  UncertainPlane3 plane;  ///< projection plane, spherically normalised
+};
+
+/// Throws std::invalid_argument for a segment that uncertain_line() rejects.
+ObservedLine observe(const View& view, const UncertainSegment2& segment, LineCovariance form);
+
+/// The two views of a stereo pair and the conditioning they share.
+struct StereoViews {
+  ObjectConditioning object;
+  std::array<View, 2> views;  ///< left (base), right
+};
+
+/// Conditioning for a patch given by segments of both images that show about the same area: unit
+/// size in each image and in object space, where the rays of the two patch centres come closest.
+/// Throws std::invalid_argument for an empty patch, or for cameras whose rays are parallel there.
+StereoViews condition(std::span<const ProjectionMatrix, 2> cameras,
+                      const std::array<std::span<const Segment2>, 2>& patch);
+
+}  // namespace ridgeline::reconstruct

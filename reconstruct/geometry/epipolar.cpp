@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/geometry/epipolar.h"
+
+#include "reconstruct/geometry/check.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ridgeline {
+
+Eigen::Vector4d projection_centre(const ProjectionMatrix& image_from_world) {
+  // rows of equal length, so that the null vector does not depend on the scale of a row
+  const ProjectionMatrix p = image_from_world.rowwise().normalized();
+  return Eigen::JacobiSVD<ProjectionMatrix>(p, Eigen::ComputeFullV).matrixV().col(3);
+}
+
+Eigen::Vector2d project(const ProjectionMatrix& image_from_world,
+                        const Eigen::Vector3d& x_in_world) {
+  const Eigen::Vector3d x = image_from_world * x_in_world.homogeneous();
+  if (x.z() == 0.0) return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return x.hnormalized();
+}
+
+Segment2 project(const ProjectionMatrix& image_from_world, const Segment3& segment_in_world) {
+  return {project(image_from_world, segment_in_world.start),
+          project(image_from_world, segment_in_world.end)};
+}
+
+ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
+                                  const Eigen::Vector3d& origin_m) {
+  ProjectionMatrix p = image_from_world;
+  p.col(3) = image_from_world * origin_m.homogeneous();
+  return p;
+}
+
+Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const ProjectionMatrix& to) {
+  // F = S(e) M_to M_from^-1, the transfer by the plane at infinity; P_from^+ in its place would
+  // square the condition number
+  const Eigen::Matrix3d transfer = to.leftCols<3>() * from.leftCols<3>().inverse();
+  const Eigen::Vector3d epipole = to.col(3) - transfer * from.col(3);
+  Eigen::Matrix3d f;
+  for (int column = 0; column < 3; ++column) f.col(column) = epipole.cross(transfer.col(column));
+  return f.normalized();
+}
+
+double epipolar_angle_rad(const ProjectionMatrix& own,
+                          const ProjectionMatrix& other,
+                          const Segment2& segment_in_own) {
+  // the direction of the join of x and e at x is e_xy - e_w x, valid for an epipole at infinity too
+  const Eigen::Vector3d epipole = own * projection_centre(other);
+  return acute_angle_rad(
+      Eigen::Vector2d(segment_in_own.end - segment_in_own.start),
+      Eigen::Vector2d(epipole.head<2>() - epipole.z() * midpoint(segment_in_own)));
+}
+
+double epipolar_angle_rad(std::span<const ProjectionMatrix> image_from_world,
+                          const Segment3& segment_in_world) {
+  check(image_from_world.size() >= 2, "epipolar_angle_rad: cameras = ", image_from_world.size(),
+        ", must be at least 2");
+  double largest = 0.0;
+  for (std::size_t i = 0; i < image_from_world.size(); ++i) {
+    for (std::size_t k = i + 1; k < image_from_world.size(); ++k) {
+      const ProjectionMatrix& pi = image_from_world[i];
+      const ProjectionMatrix& pk = image_from_world[k];
+      const double pair = std::min(epipolar_angle_rad(pi, pk, project(pi, segment_in_world)),
+                                   epipolar_angle_rad(pk, pi, project(pk, segment_in_world)));
+      largest = std::max(largest, pair);
+    }
+  }
+  return largest;
+}
+
+}  // namespace ridgeline

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace ridgeline {
+
+/// World -> pixel, pixel (0,0) = centre of the top-left pixel; any scale and sign.
+using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
+
+/// Homogeneous projection centre C (4, unit length): P C = 0.
+Eigen::Vector4d projection_centre(const ProjectionMatrix& image_from_world);
+
+/// Pixel of a world point; NaN for a point in the plane of the projection centre.
+Eigen::Vector2d project(const ProjectionMatrix& image_from_world,
+                        const Eigen::Vector3d& x_in_world);
+
+/// Images of both ends; not meaningful for a segment that crosses the plane of the projection
+/// centre.
+Segment2 project(const ProjectionMatrix& image_from_world, const Segment3& segment_in_world);
+
+/// The same camera for coordinates reduced to a local origin: P_local x_local ~ P (x_local +
+/// origin).
+ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
+                                  const Eigen::Vector3d& origin_m);
+
+/// F with x_to' F x_from = 0, of unit Frobenius norm; F x_from is the epipolar line of x_from in
+/// the image `to` (Hartley and Zisserman 2004, section 9.2.2). For central cameras with different
+/// projection centres; without meaning otherwise.
+Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const ProjectionMatrix& to);
+
+/// Angle in [0, pi/2] between an image segment and the epipolar line through its midpoint, the join
+/// of midpoint and epipole, in the image `own` with the mate image `other`.
+double epipolar_angle_rad(const ProjectionMatrix& own,
+                          const ProjectionMatrix& other,
+                          const Segment2& segment_in_own);
+
+/// Angle in [0, pi/2] between a line seen by a pair of cameras and the epipolar line through its
+/// midpoint, the smaller one of both images; a line is `aligned` up to 10 degrees (Ok et al. 2011,
+/// section 3; the way to combine the two images is ours).
+/// With more than two cameras: the largest over the pairs, because the best pair decides.
+/// Throws std::invalid_argument for fewer than two cameras.
+double epipolar_angle_rad(std::span<const ProjectionMatrix> image_from_world,
+                          const Segment3& segment_in_world);
+
+}  // namespace ridgeline

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace ridgeline {
+
+/// A segment of the left (base) image and its mate in the right one, by their indices.
+struct LineMatch {
+  int left = 0;
+  int right = 0;
+};
+
+/// Two line matches, by their indices, that form a pair in both images and may meet in object
+/// space.
+struct PairConnection {
+  int i = 0;
+  int k = 0;
+};
+
+}  // namespace ridgeline

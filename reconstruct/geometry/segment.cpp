@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline {
+namespace {
+
+template <typename Segment, typename Vector>
+double clamped_parameter(const Segment& segment, const Vector& x) {
+  const Vector direction = segment.end - segment.start;
+  const double squared_length = direction.squaredNorm();
+  if (squared_length <= 0.0) return 0.0;
+  return std::clamp(direction.dot(x - segment.start) / squared_length, 0.0, 1.0);
+}
+
+template <typename Segment, typename Vector>
+double clamped_distance(const Segment& segment, const Vector& x) {
+  const double t = clamped_parameter(segment, x);
+  return ((1.0 - t) * segment.start + t * segment.end - x).norm();
+}
+
+/// Twice the signed area of the triangle abc: positive if c is to the left of a->b.
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// Whether the segments cross at a point inside both.
+bool cross_properly(const Segment2& a, const Segment2& b) {
+  return turn(a.start, a.end, b.start) * turn(a.start, a.end, b.end) < 0.0 &&
+         turn(b.start, b.end, a.start) * turn(b.start, b.end, a.end) < 0.0;
+}
+
+}  // namespace
+
+double closest_parameter(const Segment2& segment, const Eigen::Vector2d& x) {
+  return clamped_parameter(segment, x);
+}
+double closest_parameter(const Segment3& segment, const Eigen::Vector3d& x) {
+  return clamped_parameter(segment, x);
+}
+double distance(const Segment2& segment, const Eigen::Vector2d& x) {
+  return clamped_distance(segment, x);
+}
+double distance(const Segment3& segment, const Eigen::Vector3d& x) {
+  return clamped_distance(segment, x);
+}
+
+double distance(const Segment2& a, const Segment2& b) {
+  if (cross_properly(a, b)) return 0.0;
+  return std::min(
+      {distance(a, b.start), distance(a, b.end), distance(b, a.start), distance(b, a.end)});
+}
+
+double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), std::abs(a.dot(b)));
+}
+double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+}  // namespace ridgeline

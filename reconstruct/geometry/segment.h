@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ridgeline {
+
+/// An image line segment in pixels; pixel (0,0) is the centre of the top-left pixel.
+struct Segment2 {
+  Eigen::Vector2d start, end;
+};
+
+/// An object-space line segment in metres.
+struct Segment3 {
+  Eigen::Vector3d start, end;
+};
+
+inline double length(const Segment2& s) { return (s.end - s.start).norm(); }
+inline double length(const Segment3& s) { return (s.end - s.start).norm(); }
+inline Eigen::Vector2d midpoint(const Segment2& s) { return 0.5 * (s.start + s.end); }
+inline Eigen::Vector3d midpoint(const Segment3& s) { return 0.5 * (s.start + s.end); }
+inline Eigen::Vector3d point_at(const Segment3& s, double t) {
+  return (1.0 - t) * s.start + t * s.end;
+}
+inline bool all_finite(const Segment3& s) { return s.start.allFinite() && s.end.allFinite(); }
+
+/// The plan view (x, y) of a segment.
+inline Segment2 plan(const Segment3& s) { return {s.start.head<2>(), s.end.head<2>()}; }
+
+/// Parameter t in [0, 1] of the point of the segment closest to `x`; 0 for a segment of zero
+/// length.
+double closest_parameter(const Segment2& segment, const Eigen::Vector2d& x);
+double closest_parameter(const Segment3& segment, const Eigen::Vector3d& x);
+
+/// Distance from `x` to the segment, clamped at its ends: never that of the infinite line.
+double distance(const Segment2& segment, const Eigen::Vector2d& x);
+double distance(const Segment3& segment, const Eigen::Vector3d& x);
+
+/// Smallest distance of any two points of the segments; 0 where they cross or touch.
+double distance(const Segment2& a, const Segment2& b);
+
+/// Acute angle in [0, pi/2] between two directions of any length, by atan2(|a x b|, |a.b|), which
+/// stays exact near 0 and pi/2 where acos does not. 0 if either has zero length.
+double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+}  // namespace ridgeline

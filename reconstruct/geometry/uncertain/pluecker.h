@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/uncertain/homogeneous.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+
+namespace ridgeline {
+
+/// Points X = (X_0; X_h), planes A = (A_h; A_0) and Pluecker lines L = (L_h; L_0) with direction
+/// L_h, moment L_0 = X_0 x L_h and L_h . L_0 = 0, and the matrices that join, intersect and test
+/// them (Foerstner and Wrobel 2016, section 7). A point and a plane have the same matrix; taking
+/// the barred form for the plain one is no error of types, only a wrong result.
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Pi(X) Y = X ^ Y, the join of two points; Pi'(A) L = 0: the line lies in the plane. 6x4.
+Eigen::Matrix<double, 6, 4> pi_matrix(const Eigen::Vector4d& x);
+
+/// PiBar(A) B = A n B, the intersection of two planes; PiBar'(X) L = 0: the point is on the line.
+/// 6x4.
+Eigen::Matrix<double, 6, 4> pi_bar_matrix(const Eigen::Vector4d& x);
+
+/// Gamma(L) A = L n A, the intersection of line and plane; Pi'(A) L = -Gamma(L) A. 4x4, rank 2.
+Eigen::Matrix4d gamma_matrix(const Vector6d& line);
+
+/// GammaBar(L) X = L ^ X, the join of line and point; PiBar'(X) L = -GammaBar(L) X. 4x4, rank 2.
+Eigen::Matrix4d gamma_bar_matrix(const Vector6d& line);
+
+/// (L_0; L_h): the dual line, D L.
+Vector6d dual(const Vector6d& line);
+
+/// l = Q L: the image of a line, with the sign of the join of the images of two of its points. 3x6.
+Eigen::Matrix<double, 3, 6> line_projection(const ProjectionMatrix& image_from_object);
+
+/// Two independent rows of the four of a line's incidence conditions, chosen for the largest
+/// component of the line: the smaller singular value of the two rows stays above half the larger.
+using RowPair = std::array<int, 2>;
+
+/// Index (0..5) of the largest component of the line by magnitude.
+int dominant_component(const Vector6d& line);
+RowPair point_on_line_rows(int dominant);  ///< rows of PiBar' and GammaBar
+RowPair line_in_plane_rows(int dominant);  ///< rows of Pi' and Gamma
+
+template <typename Derived>
+Eigen::Matrix<double, 2, Derived::ColsAtCompileTime> select_rows(
+    const Eigen::MatrixBase<Derived>& matrix, const RowPair& rows) {
+  Eigen::Matrix<double, 2, Derived::ColsAtCompileTime> selected;
+  selected << matrix.row(rows[0]), matrix.row(rows[1]);
+  return selected;
+}
+
+/// The unit vector closest to `line` with L_h . L_0 = 0. The closest vector is not unique, and the
+/// result not finite, where L_h = L_0 or L_h = -L_0. Meaningful in a conditioned frame only, where
+/// directions and moments have comparable size.
+Vector6d project_to_pluecker_quadric(const Vector6d& line);
+
+/// Orthonormal basis of the four directions in which a unit line can change and stay one, the null
+/// space of (D L, L)'. 6x4.
+Eigen::Matrix<double, 6, 4> line_tangent_basis(const Vector6d& line);
+
+/// Signed distance of two lines in the unit of the coordinates, for any scale of the homogeneous
+/// vectors; its sign changes with that of either. Not finite for parallel lines.
+double signed_distance(const Vector6d& a, const Vector6d& b);
+
+/// A = P' l, the plane of the projection centre and an image line, P free of error (Ok et al. 2011,
+/// Eq. 5). Not normalised.
+UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
+                                 const UncertainLine2& line);
+
+/// The same with the covariance of vec(P), columns stacked. The Kronecker factors of the printed
+/// Eq. 5 are exchanged; here they are (I_4 x l') cov_P (I_4 x l).
+UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
+                                 const Eigen::Matrix<double, 12, 12>& cov_vec_p,
+                                 const UncertainLine2& line);
+
+/// Intersection of two uncorrelated planes, spherically normalised. Empty for planes that are
+/// parallel or the same within rounding: sine of the normals' angle below 1e-9.
+std::optional<UncertainLine3> intersection(const UncertainPlane3& a, const UncertainPlane3& b);
+
+}  // namespace ridgeline

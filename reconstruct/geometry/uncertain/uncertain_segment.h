@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/uncertain/conditioning.h"
+#include "reconstruct/geometry/uncertain/homogeneous.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace ridgeline {
+
+/// An image segment with the uncertainty of the regression line through its edge pixels, in the
+/// form in which the two parameters are uncorrelated: shift across the line at the centroid,
+/// direction.
+struct UncertainSegment2 {
+  Segment2 segment;             ///< on the regression line
+  Eigen::Vector2d centroid_px;  ///< of the edge pixels, on the line
+  double sigma_q_px = 0.0;      ///< across the line at the centroid
+  double sigma_phi_rad = 0.0;   ///< direction
+  double sigma_e_px = 0.0;      ///< of an endpoint along the line
+};
+
+/// How the covariance of the homogeneous line is formed.
+enum class LineCovariance : std::uint8_t {
+  kEq1,       ///< join of two independent endpoints (Ok et al. 2011, Eq. 1)
+  kCentroid,  ///< from centroid and direction: exact for a regression line
+};
+
+/// The line of a segment in the conditioned image, oriented from start to end, spherically
+/// normalised. The endpoints of a regression line are correlated (-2 sigma_q^2 against a variance
+/// of 4 sigma_q^2 for an unweighted one); `kEq1` ignores that, as the paper does, which doubles the
+/// variance across and takes a third off that of the direction.
+/// Throws std::invalid_argument unless the segment has a length and sigma_q, sigma_phi are
+/// positive.
+UncertainLine2 uncertain_line(const UncertainSegment2& segment,
+                              LineCovariance form,
+                              const ImageConditioning& image = {});
+
+}  // namespace ridgeline

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything and runs every test.
+# Usage: ./test.sh [ctest arguments]
+set -euo pipefail
+cd "$(dirname "$0")"
+. cmake/packages.sh
+
+ensure_packages "${build_packages[@]}" "${test_packages[@]}"
+cmake --preset release -DRIDGELINE_BUILD_TESTS=ON -DRIDGELINE_BUILD_BENCHMARKS=ON
+echo "Building"
+cmake --build build/release
+exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

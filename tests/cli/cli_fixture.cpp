@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/cli/cli_fixture.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace ridgeline::cli {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path scene_of_suite;
+
+fs::path temporary_folder() {
+  std::string pattern = (fs::temp_directory_path() / "ridgeline-cli-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  return pattern;
+}
+
+}  // namespace
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  EXPECT_TRUE(stream.is_open()) << file << " does not exist";
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void write(const fs::path& file, std::string_view content) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << content;
+}
+
+nlohmann::json read_json(const fs::path& file) {
+  return nlohmann::json::parse(read(file), nullptr, false);
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path shared_data(std::string_view folder) {
+  return fs::path(RIDGELINE_SHARED_DATA_DIR) / folder;
+}
+
+testing::AssertionResult is_refusal(const ProgramResult& result) {
+  const auto lines = std::count(result.err.begin(), result.err.end(), '\n');
+  if (result.exit_code == 1 && lines == 1 && result.err.starts_with("ridgeline: ")) {
+    return testing::AssertionSuccess();
+  }
+  return testing::AssertionFailure()
+         << "exit code " << result.exit_code << ", stderr of " << lines << " lines: " << result.err;
+}
+
+Cli::Cli() : folder_(temporary_folder()) { fs::copy(scene_of_suite, folder_ / "scene"); }
+
+Cli::~Cli() { fs::remove_all(folder_); }
+
+void Cli::SetUpTestSuite() {
+  scene_of_suite = temporary_folder();
+  const ProgramResult result = test::run_program(
+      RIDGELINE_BINARY, {"simulate", "--out", ".", "--seed", "3", "--extent-m", "60,60"},
+      scene_of_suite);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+}
+
+void Cli::TearDownTestSuite() { fs::remove_all(scene_of_suite); }
+
+ProgramResult Cli::run(const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& environment) const {
+  return test::run_program(RIDGELINE_BINARY, arguments, folder_, environment);
+}
+
+ProgramResult Cli::evaluate(const std::string& lines,
+                            const std::string& out,
+                            const std::vector<std::string>& more) const {
+  std::vector<std::string> arguments{"evaluate",        "--lines", lines, "--cloud",
+                                     "scene/lidar.las", "--out",   out};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run(arguments);
+}
+
+}  // namespace ridgeline::cli

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tests/support/run_program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::cli {
+
+using test::ProgramResult;
+
+/// Whole content of a file; a missing file is a failure of the test.
+std::string read(const std::filesystem::path& file);
+void write(const std::filesystem::path& file, std::string_view content);
+nlohmann::json read_json(const std::filesystem::path& file);
+/// Names of a folder's entries, sorted.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
+/// The folder of real data that stands beside the checkout, or nothing.
+std::filesystem::path shared_data(std::string_view folder);
+
+/// True if stderr is one line that begins `ridgeline: ` and the exit code is 1.
+testing::AssertionResult is_refusal(const ProgramResult& result);
+#define EXPECT_REFUSED(result, matcher)                   \
+  do {                                                    \
+    const ::ridgeline::cli::ProgramResult& r_ = (result); \
+    EXPECT_TRUE(::ridgeline::cli::is_refusal(r_));        \
+    EXPECT_THAT(r_.err, matcher);                         \
+  } while (false)
+
+/// Runs the program in a temporary folder. `scene/` in it is a simulated village, made once for all
+/// tests of a suite: lidar.las, truth.geojson, lines.{good,fair,poor}.geojson.
+class Cli : public testing::Test {
+ protected:
+  Cli();
+  ~Cli() override;
+
+  static void SetUpTestSuite();
+  static void TearDownTestSuite();
+
+  [[nodiscard]] ProgramResult run(const std::vector<std::string>& arguments,
+                                  const std::vector<std::string>& environment = {}) const;
+  /// Judges a line file of the folder against the scene's cloud into `out`.
+  [[nodiscard]] ProgramResult evaluate(const std::string& lines,
+                                       const std::string& out,
+                                       const std::vector<std::string>& more = {}) const;
+  [[nodiscard]] std::filesystem::path path(std::string_view name) const { return folder_ / name; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace ridgeline::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/cli/cli_fixture.h"
+
+namespace ridgeline::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Compare : public Cli {
+ protected:
+  /// Judges the lines of a grade, all grades under one method name: "lines".
+  void judge(const std::string& grade) const {
+    const std::filesystem::path lines = path(grade + "/lines.geojson");
+    std::filesystem::create_directories(lines.parent_path());
+    std::filesystem::copy(path("scene/lines." + grade + ".geojson"), lines);
+    const ProgramResult result = evaluate(grade + "/lines.geojson", grade + "/out");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+};
+
+TEST_F(Compare, PairsTheLinesOfTwoFolders) {
+  judge("good");
+  judge("fair");
+  const ProgramResult result = run({"compare", "fair/out", "good/out", "--out", "cmp"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("On the common lines"), HasSubstr("| total |")));
+  EXPECT_EQ(read(path("cmp/compare.md")), result.out);
+  EXPECT_FALSE(read_json(path("cmp/compare.json")).is_discarded());
+}
+
+TEST_F(Compare, OneFolderComparesItsMethods) {
+  ASSERT_EQ(run({"evaluate", "--lines", "scene/lines.good.geojson", "scene/lines.fair.geojson",
+                 "--cloud", "scene/lidar.las", "--out", "both"})
+                .exit_code,
+            0);
+  const ProgramResult result = run({"compare", "both"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("lines.good"), HasSubstr("lines.fair")));
+}
+
+TEST_F(Compare, RefusesWhatCannotBeCompared) {
+  judge("good");
+  EXPECT_REFUSED(run({"compare", "good/out"}),
+                 AllOf(HasSubstr("good/out"), HasSubstr("give a second folder")));
+  EXPECT_REFUSED(run({"compare", "none"}), HasSubstr("none: is no folder of results"));
+  EXPECT_REFUSED(run({"compare", "good/out", "scene"}), HasSubstr("scene: holds no evaluation"));
+  EXPECT_REFUSED(run({"compare"}), HasSubstr("folders is required"));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/cli/cli_fixture.h"
+
+namespace ridgeline::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Info : public Cli {
+ protected:
+  /// Writes a file and asks what it holds.
+  [[nodiscard]] ProgramResult info(const std::string& name, const std::string& content) const {
+    write(path(name), content);
+    return run({"info", name});
+  }
+};
+
+#define EXPECT_TOLD(result, matcher)                      \
+  do {                                                    \
+    const ::ridgeline::cli::ProgramResult& r_ = (result); \
+    EXPECT_EQ(r_.exit_code, 0) << r_.err;                 \
+    EXPECT_THAT(r_.out, matcher);                         \
+  } while (false)
+
+TEST_F(Info, TellsTheCloudsPointsClassesDensityAndCrs) {
+  EXPECT_TOLD(run({"info", "scene/lidar.las"}),
+              AllOf(HasSubstr("LAS 1.4, point format 6"), HasSubstr("points "),
+                    HasSubstr("bounds      x 513000."), HasSubstr("points/m2"), HasSubstr("2: "),
+                    HasSubstr("ETRS89 / UTM zone 32N"), HasSubstr("metre (1 m)")));
+}
+
+TEST_F(Info, TellsTheLinesOfSeveralFiles) {
+  EXPECT_TOLD(run({"info", "scene/lines.good.geojson", "scene/truth.geojson"}),
+              AllOf(HasSubstr("scene/lines.good.geojson: GeoJSON"), HasSubstr("m together"),
+                    HasSubstr("scene/truth.geojson: GeoJSON"), HasSubstr("epipolar_angle_deg")));
+}
+
+TEST_F(Info, ReadsEveryTextFormatOfLines) {
+  EXPECT_TOLD(info("a.csv", "id,x1,y1,z1,x2,y2,z2\n0,1,2,3,4,6,3\n"),
+              HasSubstr("lines       1, 5.0 m together"));
+  EXPECT_TOLD(info("a.wkt", "LINESTRING Z (1 2 3, 4 6 3)\n"), HasSubstr("1, 5.0 m"));
+  EXPECT_TOLD(info("a.obj", "v 1 2 3\nv 4 6 3\nl 1 2\n"), HasSubstr("1, 5.0 m"));
+  EXPECT_TOLD(info("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                   "property double z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
+                   "end_header\n1 2 3\n4 6 3\n0 1\n"),
+              HasSubstr("1, 5.0 m"));
+}
+
+TEST_F(Info, ReadsEveryTextFormatOfClouds) {
+  EXPECT_TOLD(info("a.xyz", "1 2 3\n4 6 3\n"), HasSubstr("points      2"));
+  EXPECT_TOLD(info("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                   "property double z\nend_header\n1 2 3\n4 6 3\n"),
+              HasSubstr("points      2"));
+  EXPECT_TOLD(info("a.pcd",
+                   "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\n"
+                   "HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n1 2 3\n4 6 3\n"),
+              HasSubstr("points      2"));
+}
+
+TEST_F(Info, TellsThePatchWithItsProjectionCentres) {
+  EXPECT_TOLD(
+      info("patch.yaml",
+           "id: north\ncrs: EPSG:25832\nheight_range: [240, 270]\nlidar: [lidar.las]\nimages:\n"
+           "  - {id: left, path: l.tif, projection_matrix: "
+           "[[1000, 0, 0, 0], [0, 1000, 0, 0], [0, 0, -1, 800]]}\n"
+           "  - {id: right, path: r.tif, projection_matrix: "
+           "[[1000, 0, 0, -50000], [0, 1000, 0, 0], [0, 0, -1, 800]]}\n"),
+      AllOf(HasSubstr("patch north"), HasSubstr("240 .. 270 m"), HasSubstr("image       left"),
+            HasSubstr("projection centre 50.000 0.000 800.000"), HasSubstr("UTM zone 32N")));
+}
+
+TEST_F(Info, RefusesWhatItCannotReadByName) {
+  for (const char* name :
+       {"no.las", "no.txt", "no.yaml", "no.geojson", "no.pcd", "no.ply", "no.unknown", "no"}) {
+    EXPECT_REFUSED(run({"info", name}), HasSubstr(std::string(name) + ": "));
+  }
+  EXPECT_REFUSED(info("words.txt", "neither cloud nor lines\n"), HasSubstr("words.txt"));
+  EXPECT_REFUSED(run({"info", "scene"}), HasSubstr("scene: "));
+  EXPECT_REFUSED(run({"info", "two\nlines.las"}), HasSubstr("two lines.las: "));
+}
+
+TEST_F(Info, BytesAtRandomAreRefusedByEveryReader) {
+  std::string noise;
+  for (unsigned i = 1; i <= 5000; ++i) noise += static_cast<char>((i * 2654435761U) >> 24U);
+  for (const char* extension : {"las", "laz", "pcd", "ply", "xyz", "txt", "geojson", "json", "gpkg",
+                                "shp", "dxf", "csv", "wkt", "yaml"}) {
+    const std::string name = std::string("noise.") + extension;
+    EXPECT_REFUSED(info(name, noise), HasSubstr(name));
+  }
+  // an OBJ may hold statements of any other tool
+  EXPECT_TOLD(info("noise.obj", noise), HasSubstr("holds no lines"));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli

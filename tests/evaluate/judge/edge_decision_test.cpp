@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/edge_decision.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// Points of z = height(s, t) on a regular grid of a rectangle beside the line y = 0, x in [0, 10].
+CandidatePlane candidate(const std::function<double(double, double)>& height,
+                         double t_from,
+                         double t_to,
+                         double s_from = 0.0,
+                         double s_to = 10.0) {
+  CandidatePlane plane;
+  std::vector<Eigen::Vector3d> positions;
+  for (double s = s_from; s <= s_to; s += 0.25) {
+    for (double t = t_from; t <= t_to + 1e-9; t += 0.25) {
+      const Eigen::Vector3d x(s, t, height(s, t));
+      plane.beside.push_back({x, s, t, static_cast<std::uint32_t>(positions.size())});
+      positions.push_back(x);
+    }
+  }
+  plane.inliers = plane.beside;
+  plane.fit = fit_plane(positions).value();
+  plane.coverage = coverage_along(plane.beside, 10.0, 0.3);
+  plane.nearest_m = HUGE_VAL;
+  for (const ZonePoint& p : plane.beside)
+    plane.nearest_m = std::min(plane.nearest_m, std::abs(p.t));
+  return plane;
+}
+
+const Footprint kLine = footprint_of({{0, 0, 0}, {10, 0, 0}});
+double left_slope(double /*s*/, double t) { return 9.0 - 0.5 * t; }
+double right_slope(double /*s*/, double t) { return 9.0 + 0.5 * t; }
+double ground(double /*s*/, double /*t*/) { return 0.0; }
+
+TEST(DecideEdge, IsARidgeWhereTwoSlopesMeetAlongTheLine) {
+  const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
+                                           candidate(right_slope, -1.5, 0)};
+  const EdgeDecision decision = decide_edge(planes, kLine, {});
+  EXPECT_EQ(decision.status, Status::kEvaluated);
+  EXPECT_EQ(decision.kind, Kind::kRidge);
+  EXPECT_EQ(decision.planes, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(DecideEdge, IsARidgeForAValleyToo) {
+  const std::vector<CandidatePlane> planes{
+      candidate([](double, double t) { return 5.0 + 0.6 * t; }, 0, 1.5),
+      candidate([](double, double t) { return 5.0 - 0.6 * t; }, -1.5, 0)};
+  EXPECT_EQ(decide_edge(planes, kLine, {}).kind, Kind::kRidge);
+}
+
+TEST(DecideEdge, KeepsTheRidgeForALineBesideIt) {
+  const Footprint moved = footprint_of({{0, 0.6, 0}, {10, 0.5, 0}});
+  const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
+                                           candidate(right_slope, -1.5, 0)};
+  EXPECT_EQ(decide_edge(planes, moved, {}).kind, Kind::kRidge);
+}
+
+TEST(DecideEdge, IsAStepForALineFarFromTheRidge) {
+  JudgeOptions options;
+  options.ridge_offset_m = 0.3;
+  const Footprint moved = footprint_of({{0, 0.6, 0}, {10, 0.6, 0}});
+  const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
+                                           candidate(right_slope, -1.5, 0)};
+  EXPECT_EQ(decide_edge(planes, moved, options).kind, Kind::kStep);
+}
+
+TEST(DecideEdge, TakesTheUpperPlaneAtAStep) {
+  const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
+                                           candidate(left_slope, 0, 1.5)};
+  const EdgeDecision decision = decide_edge(planes, kLine, {});
+  EXPECT_EQ(decision.kind, Kind::kStep);
+  EXPECT_EQ(decision.planes, (std::vector<std::size_t>{1}));
+  EXPECT_THAT(decision.flags.empty() ? "" : decision.flags.front(), std::string("upper_plane"));
+}
+
+TEST(DecideEdge, FlagsALineInsideAPlaneAsMerged) {
+  const EdgeDecision decision =
+      decide_edge(std::vector<CandidatePlane>{candidate(ground, -1.5, 1.5)}, kLine, {});
+  EXPECT_EQ(decision.kind, Kind::kStep);
+  EXPECT_EQ(decision.flags, (std::vector<std::string>{"merged"}));
+}
+
+TEST(DecideEdge, IgnoresAPlaneTooFarFromTheLine) {
+  const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 1.0),
+                                           candidate(left_slope, 1.25, 1.5)};
+  EXPECT_EQ(decide_edge(planes, kLine, {}).planes, (std::vector<std::size_t>{0}));
+}
+
+TEST(DecideEdge, RefusesAPlaneBesideASmallPartOfTheLine) {
+  const EdgeDecision decision =
+      decide_edge(std::vector<CandidatePlane>{candidate(left_slope, 0, 1.5, 0.0, 3.0)}, kLine, {});
+  EXPECT_EQ(decision.status, Status::kLowCoverage);
+  EXPECT_THAT(decision.reason, ::testing::HasSubstr("33 %"));
+}
+
+TEST(DecideEdge, CallsTwoPlanesOfOneHeightThatDoNotMeetAlongTheLineAmbiguous) {
+  // both cover the whole line at the height 9 m at its middle; they intersect across the line
+  const std::vector<CandidatePlane> planes{
+      candidate([](double s, double) { return 9.0 + 0.5 * (s - 5.0); }, 0.25, 1.5),
+      candidate([](double s, double) { return 9.0 - 0.5 * (s - 5.0); }, -1.5, -0.25)};
+  EXPECT_EQ(decide_edge(planes, kLine, {}).status, Status::kAmbiguous);
+}
+
+TEST(DecideEdge, SaysThatThereIsNoPlane) {
+  const EdgeDecision decision = decide_edge({}, kLine, {});
+  EXPECT_EQ(decision.status, Status::kNoPlane);
+  EXPECT_FALSE(decision.reason.empty());
+}
+
+TEST(MeetingOf, HasNoAnswerForParallelPlanesOrPlanesOnOneSide) {
+  const auto upper = candidate([](double, double t) { return 9.0 - 0.5 * t; }, 0, 1.5);
+  const auto lower = candidate([](double, double t) { return 4.0 - 0.5 * t; }, -1.5, 0);
+  EXPECT_FALSE(meeting_of(upper, lower, kLine, {}));
+  const auto crossing = candidate(right_slope, 0, 1.5);
+  EXPECT_FALSE(meeting_of(upper, crossing, kLine, {}));
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate

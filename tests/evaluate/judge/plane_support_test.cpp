@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/plane_support.h"
+
+#include "evaluate/judge/candidate_planes.h"
+#include "tests/support/random.h"
+#include "tests/support/sampled_roof.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr double kTol = 1e-12;
+
+std::vector<ZonePoint> at(const std::vector<Eigen::Vector2d>& st) {
+  std::vector<ZonePoint> points;
+  for (const Eigen::Vector2d& p : st) {
+    points.push_back(
+        {{p.x(), p.y(), 0.0}, p.x(), p.y(), static_cast<std::uint32_t>(points.size())});
+  }
+  return points;
+}
+
+Footprint along_x(double length_m) { return footprint_of({{0, 0, 0}, {length_m, 0, 0}}); }
+
+TEST(CoverageAlong, CountsOverlapsOnceAndStopsAtTheEnds) {
+  EXPECT_NEAR(coverage_along(at({{2, 0}, {2.5, 1}}), 10.0, 0.5), 0.15, kTol);
+  EXPECT_NEAR(coverage_along(at({{-0.3, 0}}), 10.0, 0.5), 0.02, kTol);
+  EXPECT_NEAR(coverage_along(at({{12, 0}}), 10.0, 0.5), 0.0, kTol);
+  EXPECT_NEAR(coverage_along(at({{5, 0}}), 10.0, 50.0), 1.0, kTol);
+  EXPECT_NEAR(coverage_along({}, 10.0, 1.0), 0.0, kTol);
+}
+
+TEST(ExtrapolationBeyond, IsZeroInsideTheHullAndTheDistanceOutside) {
+  const auto square = at({{0, -1}, {10, -1}, {10, 1}, {0, 1}, {5, 0}});
+  EXPECT_NEAR(extrapolation_beyond(square, along_x(10)), 0.0, kTol);
+  EXPECT_NEAR(extrapolation_beyond(square, along_x(13)), 3.0, kTol);
+  const auto aside = at({{0, 2}, {10, 2}, {10, 4}, {0, 4}});
+  EXPECT_NEAR(extrapolation_beyond(aside, along_x(10)), 2.0, kTol);
+}
+
+TEST(ExtrapolationBeyond, TakesDegenerateHulls) {
+  EXPECT_NEAR(extrapolation_beyond(at({{0, 3}}), along_x(4)), 5.0, kTol);
+  EXPECT_NEAR(extrapolation_beyond(at({{0, 3}, {4, 3}}), along_x(4)), 3.0, kTol);
+  EXPECT_EQ(extrapolation_beyond({}, along_x(4)), HUGE_VAL);
+}
+
+std::vector<ZonePoint> zone_of(const std::vector<Eigen::Vector3d>& points,
+                               const Footprint& footprint,
+                               const JudgeOptions& options) {
+  const PointGrid grid = PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
+  return points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
+}
+
+TEST(CandidatePlanes, GivesBothSlopesOfARoofAtItsRidge) {
+  const test::SampledRoof roof;
+  const JudgeOptions options;
+  const Footprint ridge = footprint_of({{0, 0, 0}, {roof.length_m, 0, 0}});
+  auto planes =
+      candidate_planes(zone_of(roof.sample(5.0, 0.034, 1), ridge, options), ridge, options, 1);
+  std::erase_if(planes, [](const CandidatePlane& p) { return p.coverage < 0.9; });  // ground ahead
+  ASSERT_EQ(planes.size(), 2U);
+  for (const CandidatePlane& plane : planes) {
+    EXPECT_NEAR(slope_rad(plane.fit.plane), std::atan(roof.slope), 0.01);
+    EXPECT_LT(plane.nearest_m, 0.5);
+  }
+}
+
+TEST(CandidatePlanes, UnitesAPlaneFoundOnBothSides) {
+  const test::SampledRoof roof;
+  const JudgeOptions options;
+  const Footprint inside = footprint_of({{2, 2.5, 0}, {10, 2.5, 0}});
+  EXPECT_EQ(
+      candidate_planes(zone_of(roof.sample(5.0, 0.034, 2), inside, options), inside, options, 1)
+          .size(),
+      1U);
+}
+
+TEST(CandidatePlanes, ExtendsThePlaneBeyondTheCorridor) {
+  const test::SampledRoof roof;
+  const JudgeOptions options;
+  const Footprint eave = footprint_of({{0, 5, 0}, {roof.length_m, 5, 0}});
+  const auto planes =
+      candidate_planes(zone_of(roof.sample(5.0, 0.034, 3), eave, options), eave, options, 1);
+  const auto upper = std::max_element(
+      planes.begin(), planes.end(),
+      [](const auto& a, const auto& b) { return a.fit.centroid.z() < b.fit.centroid.z(); });
+  ASSERT_NE(upper, planes.end());
+  // 12 m x 4 m of roof at 5 points/m2 instead of the corridor's 12 m x 1.5 m
+  EXPECT_GT(upper->inliers.size(), 180U);
+  EXPECT_LT(upper->beside.size(), 110U);
+}
+
+TEST(CandidatePlanes, LeavesOutACanopy) {
+  test::Random random(4);
+  std::vector<Eigen::Vector3d> tree;
+  for (int i = 0; i < 1500; ++i) {
+    const double x = random.uniform(-4, 12);
+    const double y = random.uniform(-4, 4);
+    tree.emplace_back(x, y, random.uniform(0.0, 1.0) < 0.2 ? 0.0 : random.uniform(3, 6));
+  }
+  const JudgeOptions options;
+  const Footprint line = along_x(8);
+  for (const CandidatePlane& plane :
+       candidate_planes(zone_of(tree, line, options), line, options, 9)) {
+    EXPECT_NEAR(plane.fit.centroid.z(), 0.0, 0.05);  // the ground below remains
+  }
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/compare/comparison.h"
+
+#include "evaluate/compare/wilcoxon.h"
+#include "tests/evaluate/statistics/lines.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace ridgeline::evaluate {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kTol = 1e-12;
+
+TEST(Wilcoxon, IsExactForFewDifferences) {
+  // All five positive: 2 of the 32 sign patterns are as extreme.
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, 2.0, 3.0, 4.0, 5.0}), 2.0 / 32.0, kTol);
+  // W+ = 1 + 2 = 3: rank sums 0, 1, 2, 3 (twice) in each tail of 16.
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, 2.0, -3.0, -4.0}), 10.0 / 16.0, kTol);
+  // Two ties of mean rank 1.5 and one rank 3: sums 0, 1.5, 1.5, 3, 3, 4.5, 4.5, 6; W+ = 1.5.
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, -1.0, -2.0, 0.0}), 6.0 / 8.0, kTol);
+}
+
+TEST(Wilcoxon, HasNoAnswerWithoutDifference) {
+  EXPECT_FALSE(wilcoxon_signed_rank_p(std::vector{0.0, 0.0}));
+  EXPECT_FALSE(wilcoxon_signed_rank_p(std::vector<double>{}));
+  EXPECT_THROW(wilcoxon_signed_rank_p(std::vector{std::nan("")}), std::invalid_argument);
+}
+
+TEST(Wilcoxon, IgnoresTheOrderAndTheSignOfAll) {
+  std::vector<double> d{0.3, -0.1, 0.7, 0.2, -0.4, 0.9};
+  const double p = *wilcoxon_signed_rank_p(d);
+  std::reverse(d.begin(), d.end());
+  EXPECT_EQ(*wilcoxon_signed_rank_p(d), p);
+  for (double& v : d) v = -v;
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(d), p, kTol);
+}
+
+TEST(Wilcoxon, ApproximationRejectsATrueHypothesisAsOftenAsStated) {
+  std::mt19937_64 rng(11);
+  std::normal_distribution<double> normal;
+  constexpr int kTrials = 2000;
+  for (const std::size_t n : {std::size_t{20}, std::size_t{40}}) {  // exact, approximate
+    int n_rejected = 0;
+    std::vector<double> d(n);
+    for (int trial = 0; trial < kTrials; ++trial) {
+      for (double& v : d) v = normal(rng);
+      if (*wilcoxon_signed_rank_p(d) < 0.05) ++n_rejected;
+    }
+    // 4 sigma of a binomial proportion of 0.05; the test is slightly conservative (discrete)
+    EXPECT_NEAR(n_rejected / double{kTrials}, 0.048, 0.02) << n;
+  }
+}
+
+Evaluation evaluation_of(const std::string& method, std::vector<LineEvaluation> lines) {
+  Evaluation e;
+  e.patch = "1";
+  e.method = method;
+  e.lines = std::move(lines);
+  return with_summaries(std::move(e));
+}
+
+Evaluation evaluation_a() {
+  return evaluation_of(
+      "direct", {evaluated_line("n1", 0.1, 1), evaluated_line("a1", 0.8, 1, "aligned"),
+                 evaluated_line("a2", -0.6, 2, "aligned"), evaluated_line("only_a", 9.0, 3)});
+}
+
+Evaluation evaluation_b() {
+  return evaluation_of(
+      "joint", {evaluated_line("a2", 0.7, 2, "aligned"), evaluated_line("a1", 0.2, 1, "aligned"),
+                evaluated_line("n1", 0.1, 1), excluded_line("only_a", Status::kNoPlane)});
+}
+
+TEST(Compare, PairsByLineIdOnTheCommonSet) {
+  const Comparison c = compare(evaluation_a(), evaluation_b(), "A", "B");
+  EXPECT_EQ(c.n_common, 3U);
+  EXPECT_EQ(c.n_only_a, 1U);
+  EXPECT_EQ(c.n_only_b, 0U);
+  ASSERT_EQ(c.classes.size(), 3U);
+  const PairedSummary& aligned = c.classes[1];
+  EXPECT_EQ(aligned.n, 2U);
+  EXPECT_NEAR(*aligned.rms_a_m, std::sqrt(0.5), kTol);
+  EXPECT_NEAR(*aligned.rms_b_m, std::sqrt(0.265), kTol);
+  EXPECT_NEAR(*aligned.rms_ratio, std::sqrt(0.53), kTol);
+  EXPECT_NEAR(*aligned.rms_gain_m, std::sqrt(0.5) - std::sqrt(0.265), kTol);
+  EXPECT_NEAR(*aligned.median_gain_m, 0.25, kTol);
+  EXPECT_EQ(aligned.n_clusters, 2U);
+  ASSERT_TRUE(aligned.rms_ratio_ci95);
+  EXPECT_NEAR(aligned.rms_ratio_ci95->low, 0.25, kTol) << "a1 drawn twice";
+  EXPECT_NEAR(aligned.rms_ratio_ci95->high, 0.7 / 0.6, kTol) << "a2 drawn twice";
+  const PairedSummary& total = c.classes[2];
+  EXPECT_EQ(total.n_improved, 1U);
+  EXPECT_EQ(total.n_unchanged, 1U);
+  EXPECT_EQ(total.n_worse, 1U);
+  ASSERT_EQ(c.worst.size(), 1U);
+  EXPECT_EQ(c.worst[0].id, "a2");
+  EXPECT_EQ(find_class(c.own_a, kTotal)->n_evaluated, 4U);
+  EXPECT_EQ(find_class(c.own_b, kTotal)->n_evaluated, 3U);
+}
+
+TEST(Compare, FlagsNotAlignedLinesThatDirectAndJointSolveDifferently) {
+  EXPECT_EQ(compare(evaluation_a(), evaluation_b(), "", "").n_not_aligned_differing, 1U);
+  Evaluation same = evaluation_a();
+  same.method = "joint";
+  EXPECT_EQ(compare(evaluation_a(), same, "", "").n_not_aligned_differing, 0U);
+  same.method = "network";
+  EXPECT_FALSE(compare(evaluation_a(), same, "", "").n_not_aligned_differing);
+}
+
+TEST(Compare, HasNoFiguresWithoutCommonLines) {
+  const Comparison c = compare(evaluation_a(), evaluation_of("x", {}), "A", "B");
+  EXPECT_EQ(c.n_common, 0U);
+  EXPECT_FALSE(c.classes.back().rms_ratio || c.classes.back().wilcoxon_p);
+}
+
+TEST(Compare, TakesAPerfectAWithoutARatio) {
+  const Evaluation zero = evaluation_of("x", {evaluated_line("a1", 0.0, 1)});
+  const Comparison c = compare(zero, evaluation_b(), "A", "B");
+  EXPECT_FALSE(c.classes.back().rms_ratio);
+  EXPECT_NEAR(*c.classes.back().rms_gain_m, -0.2, kTol);
+}
+
+TEST(CompareFolders, ComparesEachFolderWithTheFirst) {
+  ResultFolder a;
+  a.name = "a";
+  a.evaluations = {evaluation_a()};
+  ResultFolder b;
+  b.name = "b";
+  b.evaluations = {evaluation_b()};
+  const ComparisonReport report = compare_folders(std::vector{a, b, a});
+  ASSERT_EQ(report.comparisons.size(), 2U);
+  EXPECT_EQ(report.comparisons[0].name_b, "b joint") << "the only evaluation of the patch";
+  EXPECT_EQ(report.comparisons[1].classes.back().n_unchanged, 4U);
+  EXPECT_TRUE(report.warnings.empty());
+}
+
+TEST(CompareFolders, PairsTheSameMethodAndWarnsOfTheRest) {
+  ResultFolder a;
+  a.name = "a";
+  a.evaluations = {evaluation_a(), evaluation_b()};
+  ResultFolder b;
+  b.name = "b";
+  b.evaluations = {evaluation_b()};
+  b.input_hashes = {{"x.las", "1"}};
+  const ComparisonReport report = compare_folders(std::vector{a, b});
+  ASSERT_EQ(report.comparisons.size(), 1U);
+  EXPECT_EQ(report.comparisons[0].name_a, "a joint");
+  ASSERT_EQ(report.warnings.size(), 2U);
+  EXPECT_THAT(report.warnings[0], HasSubstr("input hashes differ"));
+  EXPECT_THAT(report.warnings[1], HasSubstr("patch 1, direct"));
+  b.evaluations[0].patch = "2";
+  EXPECT_THROW(compare_folders(std::vector{a, b}), std::invalid_argument);
+  EXPECT_THROW(compare_folders(std::vector{a}), std::invalid_argument);
+}
+
+TEST(CompareMethods, ComparesTheMethodsOfAFolderWithItsFirst) {
+  ResultFolder folder;
+  folder.evaluations = {evaluation_a(), evaluation_b()};
+  const std::vector<Comparison> comparisons = compare_methods(folder);
+  ASSERT_EQ(comparisons.size(), 1U);
+  EXPECT_EQ(comparisons[0].name_a, "direct");
+  EXPECT_EQ(comparisons[0].name_b, "joint");
+}
+
+TEST(ComparisonRenderings, AgreeToThePrintedDigit) {
+  const ComparisonReport report{{compare(evaluation_a(), evaluation_b(), "A", "B")}, {"odd"}};
+  const std::string text = to_markdown(report);
+  EXPECT_THAT(text, HasSubstr("both 3, only in A 1, only in B 0."));
+  EXPECT_THAT(text, HasSubstr("| aligned | 2 | 0.707 | 0.515 | 0.728 | 0.250 - 1.167 | 0.192 |"));
+  EXPECT_LT(text.find("On the common lines"), text.find("Each on its own lines"));
+  EXPECT_THAT(text, HasSubstr("differ on 1 not_aligned lines"));
+  EXPECT_THAT(text, HasSubstr("Warning: odd"));
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_NEAR(json["comparisons"][0]["common"][1]["rms_ratio"], std::sqrt(0.53), kTol);
+  EXPECT_TRUE(json["comparisons"][0]["common"][0]["rms_ratio_ci95"].is_null());
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate

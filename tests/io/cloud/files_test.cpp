@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output files and digests.
+
+#include "io/atomic_file.h"
+#include "io/sha256.h"
+#include "tests/io/lines/temp_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <span>
+#include <string>
+
+namespace ridgeline::io {
+namespace {
+
+TEST(AtomicFile, AppearsOnCommitOnly) {
+  const TempFolder folder;
+  const std::string path = folder.write("a.txt", "old");
+  {
+    AtomicFile file(path);
+    file.stream() << "new";
+    EXPECT_EQ(folder.read("a.txt"), "old");
+  }
+  EXPECT_EQ(folder.read("a.txt"), "old");
+  EXPECT_EQ(folder.num_files(), 1U);
+  write_file(folder.file("a.txt"), std::string("n\0w", 3));
+  EXPECT_EQ(folder.read("a.txt"), std::string("n\0w", 3));
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(AtomicFile, MakesMissingFoldersAndKeepsTheEnding) {
+  const TempFolder folder;
+  AtomicFile file(folder.file("x/y/a.gpkg"));
+  EXPECT_TRUE(file.temporary_path().ends_with(".gpkg"));
+  file.commit();
+  EXPECT_EQ(folder.read("x/y/a.gpkg"), "");
+}
+
+TEST(AtomicFile, NamesThePathThatCannotBeWritten) {
+  const TempFolder folder;
+  const std::string a_file = folder.write("a.txt", "");
+  EXPECT_THAT(io_error_of([&] { write_file(a_file + "/b.txt", ""); }),
+              testing::HasSubstr("a.txt/b.txt: folder cannot be made"));
+  EXPECT_THAT(io_error_of([&] { write_file(folder.file(""), ""); }),
+              testing::HasSubstr("is a folder"));
+}
+
+// FIPS 180-4 examples (NIST, Cryptographic Standards and Guidelines: SHA-256).
+TEST(Sha256, GivesThePublishedDigests) {
+  const auto digest = [](const std::string& text) {
+    Sha256 hash;
+    hash.update(std::as_bytes(std::span(text)));
+    return hash.hex_digest();
+  };
+  EXPECT_EQ(digest(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(digest("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(digest("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(digest(std::string(1'000'000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Sha256, DoesNotDependOnThePieces) {
+  const std::string text(300, 'x');
+  const auto bytes = std::as_bytes(std::span(text));
+  Sha256 whole;
+  whole.update(bytes);
+  const std::string expected = whole.hex_digest();
+  for (std::size_t piece = 1; piece < 130; ++piece) {
+    Sha256 hash;
+    for (std::size_t i = 0; i < bytes.size(); i += piece) {
+      hash.update(bytes.subspan(i, std::min(piece, bytes.size() - i)));
+    }
+    EXPECT_EQ(hash.hex_digest(), expected) << piece;
+  }
+}
+
+TEST(Sha256OfFile, ReadsTheFile) {
+  const TempFolder folder;
+  EXPECT_EQ(sha256_of_file(folder.write("abc", "abc")),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_NE(io_error_of([&] { sha256_of_file(folder.file("none")); }), "");
+}
+
+}  // namespace
+}  // namespace ridgeline::io

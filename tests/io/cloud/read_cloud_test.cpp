@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/read_cloud.h"
+
+#include "io/cloud/las_writer.h"
+#include "tests/io/cloud/las_bytes.h"
+#include "tests/io/lines/temp_folder.h"
+#include "tests/support/random.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <limits>
+
+namespace ridgeline::io {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+CloudPoint point_at(double x, double y, double z, std::uint8_t classification = 6) {
+  return {.x = x,
+          .y = y,
+          .z = z,
+          .intensity = 0,
+          .classification = classification,
+          .return_number = 1,
+          .number_of_returns = 1,
+          .flags = 0,
+          .source_id = 0};
+}
+
+/// Points on the millimetre grid, so that LAS keeps them exactly.
+std::vector<CloudPoint> random_points(std::size_t count, std::uint64_t seed = 1) {
+  test::Random random(seed);
+  std::vector<CloudPoint> points;
+  const auto millimetres = [&] { return std::round(random.uniform(-4e4, 4e4)) * 0.001; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = millimetres();
+    const double y = millimetres();
+    points.push_back(point_at(x, y, millimetres(), static_cast<std::uint8_t>(random.bits() % 9)));
+  }
+  return points;
+}
+
+class ReadCloud : public testing::Test {
+ protected:
+  std::string write(const std::string& name,
+                    const std::vector<CloudPoint>& points,
+                    const Eigen::Vector3d& origin_m = Eigen::Vector3d::Zero(),
+                    const Crs& crs = {"EPSG:25832"}) const {
+    write_las(folder_.file(name), points, {.origin_m = origin_m}, crs);
+    return folder_.file(name);
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(ReadCloud, KeepsFilesAndRecordsInOrder) {
+  const std::string b = write("b.las", {point_at(1, 0, 0), point_at(2, 0, 0)});
+  const std::string a = write("a.las", {point_at(3, 0, 0)});
+  const PointCloud listed = read_cloud({b, a});
+  ASSERT_EQ(listed.points.size(), 3U);
+  EXPECT_EQ(listed.points[0].x, 1.0);
+  EXPECT_EQ(listed.points[2].x, 3.0);
+  EXPECT_EQ(listed.n_read, 3U);
+  EXPECT_EQ(describe(listed.crs).name, "ETRS89 / UTM zone 32N");
+  EXPECT_THAT(listed.warnings, testing::IsEmpty());
+  const PointCloud matched = read_cloud({folder_.file("[ab].las")});
+  EXPECT_EQ(matched.points[0].x, 3.0);  // a.las comes first by name
+}
+
+TEST_F(ReadCloud, PatternWithoutMatchIsAnErrorNamingIt) {
+  EXPECT_THAT(io_error_of([&] { read_cloud({folder_.file("*.las")}); }),
+              AllOf(HasSubstr("*.las"), HasSubstr("matches no file")));
+  EXPECT_THAT(io_error_of([&] { read_cloud({folder_.file("tile.las")}); }),
+              HasSubstr("does not exist"));
+  EXPECT_THAT(io_error_of([&] { read_cloud({folder_.file("")}); }),
+              HasSubstr("is not a regular file"));
+}
+
+TEST_F(ReadCloud, AFileMayBeNamedLikeAPattern) {
+  EXPECT_EQ(read_cloud({write("tile[1].las", {point_at(0, 0, 0)})}).points.size(), 1U);
+}
+
+TEST_F(ReadCloud, RefusesOptionsThatContradict) {
+  const std::string path = write("a.las", {point_at(0, 0, 0)});
+  ReadOptions options;
+  options.near = PlanMask({}, 1.0);
+  EXPECT_THROW(read_cloud({path}, options), std::invalid_argument);
+  EXPECT_THROW(read_cloud({}), std::invalid_argument);
+  options = {};
+  options.bounds_in_world = Eigen::AlignedBox3d();
+  EXPECT_THROW(read_cloud({path}, options), std::invalid_argument);
+}
+
+TEST_F(ReadCloud, DropsNoiseAndWithheldUnlessTold) {
+  std::vector<CloudPoint> points{point_at(0, 0, 0, 6), point_at(1, 0, 0, 7), point_at(2, 0, 0, 18),
+                                 point_at(3, 0, 0, 2), point_at(4, 0, 0, 7)};
+  points[3].flags = 4;
+  points[4].flags = 4;
+  const std::string path = write("a.las", points);
+  const PointCloud cloud = read_cloud({path});
+  EXPECT_EQ(cloud.points.size(), 1U);
+  EXPECT_EQ(cloud.n_dropped_class, 2U);
+  EXPECT_EQ(cloud.n_dropped_withheld, 2U);  // counted once, by the first reason
+  ReadOptions options;
+  options.exclude_withheld = false;
+  EXPECT_EQ(read_cloud({path}, options).points.size(), 2U);
+  options.classes = {7};
+  const PointCloud noise = read_cloud({path}, options);
+  EXPECT_EQ(noise.points.size(), 2U);
+  EXPECT_EQ(noise.n_dropped_class, 3U);
+}
+
+TEST_F(ReadCloud, KeepsLastReturns) {
+  std::vector<CloudPoint> points(4, point_at(0, 0, 0));
+  points[0].number_of_returns = 2;
+  points[1].number_of_returns = points[1].return_number = 2;
+  points[3].return_number = 5;  // more than there are: kept
+  ReadOptions options;
+  options.last_returns = true;
+  const PointCloud cloud = read_cloud({write("a.las", points)}, options);
+  EXPECT_EQ(cloud.points.size(), 3U);
+  EXPECT_EQ(cloud.n_dropped_return, 1U);
+}
+
+TEST_F(ReadCloud, KeepsPointsInTheWorldBox) {
+  ReadOptions options;
+  options.bounds_in_world =
+      Eigen::AlignedBox3d(Eigen::Vector3d(1000, 2000, -10), Eigen::Vector3d(1001, 2001, 10));
+  const PointCloud cloud = read_cloud(
+      {write("a.las", {point_at(1, 1, 0), point_at(2, 1, 0), point_at(1, 1, 11)}, {1000, 2000, 0})},
+      options);
+  EXPECT_EQ(cloud.points.size(), 1U);
+  EXPECT_EQ(cloud.n_dropped_bounds, 2U);
+}
+
+TEST_F(ReadCloud, KeepsPointsNearLines) {
+  const std::string path = write("a.las", random_points(20000));
+  const std::vector<Segment2> lines{{{-5, -5}, {5, 5}}};
+  ReadOptions options;
+  options.frame = LocalFrame{};
+  const PointCloud whole = read_cloud({path}, options);
+  options.near = PlanMask(lines, 2.0);
+  const PointCloud near = read_cloud({path}, options);
+  std::size_t n_within = 0;
+  for (const CloudPoint& point : whole.points) {
+    if (distance(lines[0], {point.x, point.y}) <= 2.0) ++n_within;
+  }
+  EXPECT_GE(near.points.size(), n_within);
+  EXPECT_LT(near.points.size(), whole.points.size() / 10);
+  EXPECT_EQ(near.points.size() + near.n_dropped_bounds + near.n_dropped_class, near.n_read);
+}
+
+TEST_F(ReadCloud, OriginIsTheMedianRoundedTo100m) {
+  std::vector<CloudPoint> points(101, point_at(40, 60, 251));
+  points[0] = point_at(9e5, 0, 0);  // a stray point must not move it
+  const PointCloud cloud = read_cloud({write("a.las", points, {513000, 5403000, 0})});
+  EXPECT_EQ(cloud.frame.origin_m, Eigen::Vector3d(513000, 5403100, 300));
+  EXPECT_EQ(suggest_frame({folder_.file("a.las")}).origin_m, cloud.frame.origin_m);
+}
+
+TEST_F(ReadCloud, OriginComesFromTheFirstFileWithPoints) {
+  write("a.las", {});
+  write("b.las", {point_at(0, 0, 0)}, {700, 800, 900});
+  write("c.las", {point_at(0, 0, 0)}, {7000, 8000, 9000});
+  const PointCloud cloud = read_cloud({folder_.file("*.las")});
+  EXPECT_EQ(cloud.frame.origin_m, Eigen::Vector3d(700, 800, 900));
+  EXPECT_EQ(cloud.points[1].x, 6300.0);
+  EXPECT_THAT(cloud.warnings, ElementsAre(HasSubstr("a.las: has no points")));
+}
+
+TEST_F(ReadCloud, IntegerShiftChangesNothing) {
+  constexpr double kToleranceM = 1e-9;  // one unit in the last place of a northing
+  const Eigen::Vector3d shift(513000, 5403000, 250);
+  const std::vector<CloudPoint> points = random_points(1000);
+  ReadOptions options;
+  options.frame = LocalFrame{.origin_m = {12, -7, 3}};
+  const PointCloud plain = read_cloud({write("a.las", points)}, options);
+  options.frame->origin_m += shift;
+  const PointCloud shifted = read_cloud({write("b.las", points, shift)}, options);
+  ASSERT_EQ(plain.points.size(), shifted.points.size());
+  for (std::size_t i = 0; i < plain.points.size(); ++i) {
+    EXPECT_NEAR(plain.points[i].x, shifted.points[i].x, kToleranceM);
+    EXPECT_NEAR(plain.points[i].y, shifted.points[i].y, kToleranceM);
+    EXPECT_NEAR(plain.points[i].z, shifted.points[i].z, kToleranceM);
+  }
+}
+
+TEST_F(ReadCloud, IsTheSameForAnyNumberOfThreads) {
+  const std::string path = write("a.las", random_points(300000));
+  const auto bytes = [&](std::size_t n_threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n_threads);
+    const PointCloud cloud = read_cloud({path});
+    std::string text(cloud.points.size() * sizeof(CloudPoint), '\0');
+    std::memcpy(text.data(), cloud.points.data(), text.size());
+    return text;
+  };
+  EXPECT_EQ(bytes(1), bytes(4));
+}
+
+TEST_F(ReadCloud, RefusesMoreThanIsAllowed) {
+  const std::string path = write("a.las", {point_at(0, 0, 0), point_at(1, 0, 0, 7)});
+  ReadOptions options;
+  options.max_points = 1;  // of two, one is kept
+  EXPECT_EQ(read_cloud({path}, options).points.size(), 1U);
+  options.classes = {6, 7};
+  EXPECT_THAT(io_error_of([&] { read_cloud({path}, options); }),
+              AllOf(HasSubstr("2 points to keep"), HasSubstr("64 bytes"), HasSubstr("max_points")));
+  options.max_points = 0;
+  options.max_memory_bytes = 63;
+  EXPECT_NE(io_error_of([&] { read_cloud({path}, options); }), "");
+  options.max_memory_bytes = 64;
+  EXPECT_EQ(read_cloud({path}, options).points.size(), 2U);
+}
+
+TEST_F(ReadCloud, RefusesDifferentReferenceSystemsNamingBoth) {
+  write("a.las", {point_at(0, 0, 0)}, {0, 0, 0}, {"EPSG:25832"});
+  write("b.las", {point_at(0, 0, 0)}, {0, 0, 0}, {"EPSG:25833"});
+  EXPECT_THAT(
+      io_error_of([&] { read_cloud({folder_.file("*.las")}); }),
+      AllOf(HasSubstr("a.las"), HasSubstr("b.las"), HasSubstr("zone 32N"), HasSubstr("zone 33N")));
+  ReadOptions options;
+  options.assume_crs = {"EPSG:25832"};
+  const PointCloud cloud = read_cloud({folder_.file("*.las")}, options);
+  EXPECT_EQ(cloud.points.size(), 2U);
+  EXPECT_THAT(cloud.warnings, ElementsAre(AllOf(HasSubstr("b.las"), HasSubstr("overrides"))));
+}
+
+TEST_F(ReadCloud, RefusesDegrees) {
+  const std::string path = write("a.las", {point_at(7, 51, 0)}, {0, 0, 0}, {"EPSG:4326"});
+  EXPECT_THAT(io_error_of([&] { read_cloud({path}); }),
+              AllOf(HasSubstr("WGS 84"), HasSubstr("degrees")));
+}
+
+TEST_F(ReadCloud, ConvertsFeetByTheStatedFactor) {
+  const PointCloud cloud =
+      read_cloud({write("a.las", {point_at(1000, 0, 100)}, {0, 0, 0}, {"EPSG:2992+6360"})});
+  constexpr double kToleranceM = 1e-9;
+  const Eigen::Vector3d world =
+      cloud.frame.world_from_local({cloud.points[0].x, cloud.points[0].y, cloud.points[0].z});
+  EXPECT_NEAR(world.x(), 304.8, kToleranceM);
+  EXPECT_NEAR(world.z(), 100.0 * 1200.0 / 3937.0, kToleranceM);
+  EXPECT_EQ(cloud.horizontal_unit_m, 0.3048);
+  EXPECT_NEAR(cloud.vertical_unit_m, 1200.0 / 3937.0, 1e-15);
+}
+
+TEST_F(ReadCloud, UnknownSystemIsWarnedOf) {
+  const std::string path = write("a.las", {point_at(0, 0, 0)}, {0, 0, 0}, {});
+  const PointCloud cloud = read_cloud({path});
+  EXPECT_FALSE(cloud.crs.known());
+  EXPECT_THAT(cloud.warnings, ElementsAre(HasSubstr("states no reference system")));
+}
+
+TEST_F(ReadCloud, WarnsOfWrongHeaderBoundsAndNeverUsesThem) {
+  const std::string path = folder_.write("a.las", LasBytes(2, 0).add_point({7, 8, 9}).bytes());
+  const PointCloud cloud = read_cloud({path});
+  EXPECT_EQ(cloud.points.size(), 1U);
+  EXPECT_THAT(cloud.warnings, Contains(AllOf(HasSubstr("header bounds are wrong"),
+                                             HasSubstr("the points span x 1000.07"))));
+}
+
+TEST_F(ReadCloud, RefusesCoordinatesBeyondAnyMap) {
+  const std::string path =
+      folder_.write("a.las", LasBytes(2, 0).add_point({1, 1, 1}).set(131, 1e9).bytes());
+  EXPECT_THAT(io_error_of([&] { read_cloud({path}); }), HasSubstr("a point has x = 1000001000 m"));
+}
+
+TEST_F(ReadCloud, SalvagesACutFile) {
+  const std::string path =
+      folder_.write("a.las", LasBytes(2, 0).add_point({}).set<std::uint32_t>(107, 9).bytes());
+  EXPECT_NE(io_error_of([&] { read_cloud({path}); }), "");
+  ReadOptions options;
+  options.salvage = true;
+  const PointCloud cloud = read_cloud({path}, options);
+  EXPECT_EQ(cloud.points.size(), 1U);
+  EXPECT_THAT(cloud.warnings, Contains(HasSubstr("salvaged 1 records of 9")));
+}
+
+TEST_F(ReadCloud, CountsPointsThatAreNotFinite) {
+  const std::string path = folder_.write("a.xyz", "1 2 3\nnan 0 0\n0 inf 0\n");
+  const PointCloud cloud = read_cloud({path});
+  EXPECT_EQ(cloud.points.size(), 1U);
+  EXPECT_EQ(cloud.n_dropped_non_finite, 2U);
+}
+
+}  // namespace
+}  // namespace ridgeline::io
