@@ -214,7 +214,8 @@ TEST_F(Evaluate, PatchClassesLinesAndNamesTheCloud) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(read(path("out/table2.csv")),
               AllOf(HasSubstr("north,plain,aligned,"), HasSubstr("north,plain,not_aligned,")));
-  for (const auto& line : read_json(path("out/evaluation.plain.json"))["lines"]) {
+  const nlohmann::json evaluation = read_json(path("out/evaluation.plain.json"));
+  for (const auto& line : evaluation["lines"]) {
     const bool aligned = line["epipolar_angle_deg"].get<double>() <= 10.0;
     EXPECT_EQ(line["class"], aligned ? "aligned" : "not_aligned") << line["id"];
   }
