@@ -9,6 +9,13 @@ struct LineMatch {
   int right = 0;
 };
 
+/// A match with what speaks for it.
+struct ScoredMatch {
+  LineMatch match;
+  double score = 0.0;  ///< similarity in [0, 1]
+  double votes = 0.0;  ///< sum of the scores of the pairs that support it
+};
+
 /// Two line matches, by their indices, that form a pair in both images and may meet in object
 /// space.
 struct PairConnection {

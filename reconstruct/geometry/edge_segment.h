@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/uncertain/uncertain_segment.h"
+
+#include <array>
+
+namespace ridgeline {
+
+/// Look of a strip along one side of an edge: means of the normalised image (0 dark, 1 bright).
+struct Flank {
+  std::array<float, 4> colour{};  ///< per band; 0 where the image has fewer bands
+  float grey = 0.0F;              ///< mean over the bands
+};
+
+/// A straight edge of an image. It runs from start to end with its brighter side (grey) on the
+/// right, which for u = end - start is the side that n = (-u_y, u_x) points to (y runs down).
+struct EdgeSegment {
+  UncertainSegment2 line;  ///< ideal pixels: the distortion of the lens is removed
+  Segment2 in_image;       ///< the same in pixels of the file; where the image can be sampled
+  Flank left, right;
+  int n_edge_pixels = 0;
+  double rms_px = 0.0;    ///< of the edge pixels across the line
+  double contrast = 0.0;  ///< mean strength of the colour gradient along the edge, 1/px
+};
+
+}  // namespace ridgeline
