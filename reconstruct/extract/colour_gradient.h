@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace ridgeline::reconstruct {
+
+/// The gradient of a multi-band image after Di Zenzo (1986): per pixel the direction in which the
+/// bands together change most, i.e. the principal eigenvector of the tensor
+/// G = sum over bands of grad f grad f^T, of length sqrt(lambda_1), in 1/px. The tensor is not
+/// smoothed, which would move edges at corners and towards close neighbours. The derivatives are
+/// those of a Gaussian of `sigma_px`, exact on a linear ramp; the border is replicated.
+/// The sense is the one in which the mean of the bands grows; arbitrary where it does not change.
+/// `image`: CV_32FC(n), n = 1..4. Returns CV_32FC2 (x, y).
+cv::Mat colour_gradient(const cv::Mat& image, double sigma_px);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A pixel where the gradient is strongest across an edge.
+struct EdgePixel {
+  int x = 0, y = 0;
+  Eigen::Vector2f position_px;  ///< of the maximum, below a pixel from (x, y)
+  Eigen::Vector2f gradient;     ///< at (x, y), 1/px
+};
+
+/// Distance in pixels, in [-0.5, 0.5], from the middle of three equally spaced strengths to the
+/// maximum: of a parabola through their logarithms, which is exact for the profile of a blurred
+/// step, a Gaussian, at any position between the pixels and along either axis.
+float peak_offset_px(float before, float middle, float after);
+
+/// Non-maximum suppression along the axis (x or y) nearest to the gradient (Devernay 1995): pixels
+/// of at least `min_strength` in raster order. The border of the image has none.
+/// `gradient`: CV_32FC2 of colour_gradient().
+std::vector<EdgePixel> edge_pixels(const cv::Mat& gradient, float min_strength);
+
+}  // namespace ridgeline::reconstruct
