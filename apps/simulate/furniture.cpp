@@ -49,6 +49,7 @@ void add_tree(const Eigen::Vector3d& foot,
   const double shadow_m2 = std::numbers::pi * crown_radius_m * crown_radius_m;
   const int count = static_cast<int>(kOpticalDepth * shadow_m2 / (kMeanCosine * kLeafAreaM2));
   // bulges make the crown rough: the radius varies with the direction
+  const Look leaf{kNone, kNone, Material::kFoliage, next_object_id(mesh)};
   const Eigen::Vector3d wave{random.uniform(2.0, 4.0), random.uniform(2.0, 4.0),
                              random.uniform(2.0, 4.0)};
   for (int i = 0; i < count; ++i) {
@@ -60,16 +61,15 @@ void add_tree(const Eigen::Vector3d& foot,
     const Eigen::Vector3d a = kLeafM * normal.unitOrthogonal();
     const Eigen::Vector3d b = normal.cross(a);
     const double half_sqrt3 = 0.5 * std::numbers::sqrt3;
-    add_polygon({x + a, x - 0.5 * a + half_sqrt3 * b, x - 0.5 * a - half_sqrt3 * b},
-                {kNone, kNone, Material::kFoliage}, mesh);
+    add_polygon({x + a, x - 0.5 * a + half_sqrt3 * b, x - 0.5 * a - half_sqrt3 * b}, leaf, mesh);
   }
   constexpr double kHalfTrunkM = 0.12;
   add_prism(turned_rectangle(foot.head<2>(), 0.0, kHalfTrunkM, kHalfTrunkM), foot.z() - 0.5,
-            centre.z(), {kNone, kNone, Material::kWood}, mesh);
+            centre.z(), {kNone, kNone, Material::kWood, leaf.object_id}, mesh);
 }
 
 void add_car(const Eigen::Vector3d& foot, double azimuth_rad, Mesh& mesh) {
-  const Look look{kNone, kNone, Material::kCar};
+  const Look look{kNone, kNone, Material::kCar, next_object_id(mesh)};
   const Eigen::Vector2d at = foot.head<2>();
   add_prism(turned_rectangle(at, azimuth_rad, 2.15, 0.88), foot.z() - 0.1, foot.z() + 0.85, look,
             mesh);

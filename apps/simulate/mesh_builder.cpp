@@ -12,7 +12,8 @@ void add_polygon(const std::vector<Eigen::Vector3d>& corners, const Look& look, 
     mesh.triangles.push_back({.vertices = {first, first + i, first + i + 1},
                               .building_id = look.building_id,
                               .plane_id = look.plane_id,
-                              .material = look.material});
+                              .material = look.material,
+                              .object_id = look.object_id});
   }
 }
 

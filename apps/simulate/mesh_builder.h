@@ -14,7 +14,11 @@ struct Look {
   int building_id = kNone;
   int plane_id = kNone;
   Material material = Material::kGround;
+  int object_id = kNone;
 };
+
+/// An id that no other object of the mesh has: the number of its first vertex.
+inline int next_object_id(const Mesh& mesh) { return static_cast<int>(mesh.vertices.size()); }
 
 /// Adds a convex planar polygon (counter-clockwise seen from outside) as a fan of triangles; fewer
 /// than three corners add nothing.

@@ -45,6 +45,23 @@ double distance_to_plane(const Mesh& mesh,
   return normal.dot(corner(0) - origin) / normal.dot(direction);
 }
 
+RTCRay ray_of(const Eigen::Vector3d& origin,
+              const Eigen::Vector3d& direction,
+              double min_distance_m,
+              double max_distance_m) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin.x());
+  ray.org_y = static_cast<float>(origin.y());
+  ray.org_z = static_cast<float>(origin.z());
+  ray.dir_x = static_cast<float>(direction.x());
+  ray.dir_y = static_cast<float>(direction.y());
+  ray.dir_z = static_cast<float>(direction.z());
+  ray.tnear = static_cast<float>(min_distance_m);
+  ray.tfar = static_cast<float>(max_distance_m);
+  ray.mask = ~0U;
+  return ray;
+}
+
 }  // namespace
 
 struct RayScene::Embree {
@@ -84,15 +101,7 @@ std::optional<RayScene::Hit> RayScene::first_hit(const Eigen::Vector3d& origin,
                                                  const Eigen::Vector3d& direction,
                                                  double min_distance_m) const {
   RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(origin.x());
-  query.ray.org_y = static_cast<float>(origin.y());
-  query.ray.org_z = static_cast<float>(origin.z());
-  query.ray.dir_x = static_cast<float>(direction.x());
-  query.ray.dir_y = static_cast<float>(direction.y());
-  query.ray.dir_z = static_cast<float>(direction.z());
-  query.ray.tnear = static_cast<float>(min_distance_m);
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0U;
+  query.ray = ray_of(origin, direction, min_distance_m, std::numeric_limits<double>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -101,6 +110,17 @@ std::optional<RayScene::Hit> RayScene::first_hit(const Eigen::Vector3d& origin,
   const Triangle& triangle = mesh_->triangles[query.hit.primID];
   return Hit{.distance_m = distance_to_plane(*mesh_, triangle, origin, direction),
              .triangle = static_cast<int>(query.hit.primID)};
+}
+
+bool RayScene::occluded(const Eigen::Vector3d& origin,
+                        const Eigen::Vector3d& direction,
+                        double min_distance_m,
+                        double max_distance_m) const {
+  RTCRay ray = ray_of(origin, direction, min_distance_m, max_distance_m);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(embree_->scene, &context, &ray);
+  return ray.tfar < 0.0F;  // Embree's sign of a hit
 }
 
 }  // namespace ridgeline::simulate

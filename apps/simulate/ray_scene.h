@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,14 @@ class RayScene {
   [[nodiscard]] std::optional<Hit> first_hit(const Eigen::Vector3d& origin,
                                              const Eigen::Vector3d& direction,
                                              double min_distance_m = 0.0) const;
+
+  /// Whether anything lies between `min_distance_m` and `max_distance_m` along the unit vector
+  /// `direction`.
+  [[nodiscard]] bool occluded(
+      const Eigen::Vector3d& origin,
+      const Eigen::Vector3d& direction,
+      double min_distance_m = 0.0,
+      double max_distance_m = std::numeric_limits<double>::infinity()) const;
 
  private:
   struct Embree;

@@ -39,6 +39,7 @@ struct Triangle {
   std::int32_t building_id = kNone;
   std::int32_t plane_id = kNone;  ///< index into Scene::planes; kNone for walls, leaves, cars
   Material material = Material::kGround;
+  std::int32_t object_id = kNone;  ///< tree, car or fence, which have no building id
 };
 
 /// All surfaces of a scene, local metres. Bodies may penetrate each other (a dormer its roof); what

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/simulate/als.h"
 #include "apps/simulate/degrade.h"
 #include "apps/simulate/nominal_pair.h"
+#include "apps/simulate/render.h"
+#include "apps/simulate/sensor.h"
 #include "apps/simulate/village.h"
 #include "io/cloud/las_writer.h"
+#include "io/image_writer.h"
 #include "io/lines/write_lines.h"
+#include "io/write_patch.h"
 
 #include <fmt/core.h>
 
@@ -23,6 +28,10 @@ struct SimulateArguments {
   std::vector<double> origin_m{513000.0, 5403000.0, 250.0};
   simulate::VillageOptions village;
   simulate::AlsOptions als;
+  simulate::FlightOptions flight;
+  simulate::RenderOptions render;
+  simulate::SensorOptions sensor;
+  bool no_images = false;
 };
 
 void add_village_options(CLI::App& app, SimulateArguments& a) {
@@ -92,6 +101,43 @@ void add_scanner_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
+void add_image_options(CLI::App& app, SimulateArguments& a) {
+  const char* group = "Images";
+  app.add_flag("--no-images", a.no_images, "neither images nor patch.yaml")->group(group);
+  app.add_option("--bands", a.sensor.bands, "of the images")
+      ->check(CLI::IsMember({"rgb", "cir", "rgbn"}))
+      ->capture_default_str()
+      ->group(group);
+  add_flags(app, a.sensor, group);
+  add_flags(app, a.render, group);
+  add_flags(app, a.flight, group);
+}
+
+/// left.tif, right.tif and patch.yaml.
+void write_images(const SimulateArguments& a,
+                  const simulate::Scene& scene,
+                  const OutputFolder& out) {
+  const std::array<simulate::AerialView, 2> views = simulate::aerial_pair(scene, a.flight);
+  const simulate::Renderer renderer(scene, a.render);
+  io::PatchFile patch;
+  patch.id = fmt::format("{}", a.seed);
+  patch.crs = scene.crs;
+  patch.height_range_m = simulate::height_range_m(scene);
+  patch.lidar = {"lidar.las"};
+  patch.reference_lines = "truth.geojson";
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::string id = i == 0 ? "left" : "right";
+    const std::string file = id + ".tif";
+    io::write_tiff(out.path(file), simulate::expose(renderer.radiance(views[i]), a.sensor, i));
+    io::PatchImage image;
+    image.id = id;
+    image.path = file;
+    image.image_from_world = views[i].image_from_world;
+    patch.images.push_back(std::move(image));
+  }
+  io::write_patch(out.path("patch.yaml"), patch);
+}
+
 void write_lines_of(const OutputFolder& out, const std::string& name, const io::LineSet& lines) {
   io::write_lines(out.path(name), lines, io::LineFormat::kGeoJson);
 }
@@ -99,6 +145,9 @@ void write_lines_of(const OutputFolder& out, const std::string& name, const io::
 int run_simulate(SimulateArguments a) {
   a.village.seed = a.seed;
   a.als.seed = a.seed;
+  a.flight.seed = a.seed;
+  a.render.seed = a.seed;
+  a.sensor.seed = a.seed;
   a.village.extent_m = {a.extent_m[0], a.extent_m[1]};
   a.village.origin_m = {a.origin_m[0], a.origin_m[1], a.origin_m[2]};
   const simulate::Scene scene = simulate::make_village(a.village);
@@ -114,6 +163,7 @@ int run_simulate(SimulateArguments a) {
     write_lines_of(out, fmt::format("lines.{}.geojson", name),
                    simulate::degrade_lines(truth, simulate::options_of(grade, a.seed)));
   }
+  if (!a.no_images) write_images(a, scene, out);
   fmt::print("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
              truth.lines.size(), cloud.points.size());
   return kDone;
@@ -132,6 +182,7 @@ Run add_simulate(CLI::App& subcommand) {
       ->capture_default_str();
   add_village_options(subcommand, *a);
   add_scanner_options(subcommand, *a);
+  add_image_options(subcommand, *a);
   return [a] { return run_simulate(*a); };
 }
 

@@ -65,7 +65,8 @@ Cli::~Cli() { fs::remove_all(folder_); }
 void Cli::SetUpTestSuite() {
   scene_of_suite = temporary_folder();
   const ProgramResult result = test::run_program(
-      RIDGELINE_BINARY, {"simulate", "--out", ".", "--seed", "3", "--extent-m", "60,60"},
+      RIDGELINE_BINARY,
+      {"simulate", "--out", ".", "--seed", "3", "--extent-m", "60,60", "--no-images"},
       scene_of_suite);
   ASSERT_EQ(result.exit_code, 0) << result.err;
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/scene.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// Red, green, blue, near infrared: of reflectance (0..1) or of radiance.
+using Spectrum = Eigen::Array4f;
+
+/// The look of the surfaces of a scene: a function of the surface point alone, so that all views
+/// agree, and of a seed. Free of detail below the given footprint.
+class Appearance {
+ public:
+  /// Keeps a reference to the scene.
+  Appearance(const Scene& scene, std::uint32_t seed);
+
+  /// Reflectance at a point of a triangle of the mesh, for samples that are `footprint_m` apart.
+  [[nodiscard]] Spectrum reflectance(int triangle,
+                                     const Eigen::Vector3d& x_in_local,
+                                     float footprint_m) const;
+
+  /// Of the ground where it goes on beyond the mesh.
+  [[nodiscard]] Spectrum lawn(const Eigen::Vector3d& x_in_local, float footprint_m) const;
+
+  /// Unit normal for shading, outwards: that of the triangle; of a leaf, bent to that of its crown.
+  [[nodiscard]] const Eigen::Vector3f& normal(int triangle) const {
+    return surfaces_[static_cast<std::size_t>(triangle)].normal;
+  }
+
+ private:
+  struct Surface {
+    Eigen::Vector3f normal;
+    Eigen::Vector3f u_axis;      ///< level
+    Eigen::Vector3f v_axis;      ///< up the slope
+    std::uint32_t key = 0;       ///< of the colour: one per building, car or tree
+    std::uint32_t face_key = 0;  ///< of the texture: one per plane or triangle
+    Spectrum base = Spectrum::Zero();
+    bool tiled = false;
+  };
+
+  [[nodiscard]] Surface surface_of(const Triangle& triangle, std::uint32_t index) const;
+  void bend_leaves();
+
+  const Scene* scene_;
+  std::uint32_t seed_;
+  std::vector<Surface> surfaces_;  ///< one per triangle
+};
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/noise.h"
+
+namespace ridgeline::simulate {
+
+float value_noise(const Eigen::Vector2f& x_m, float wavelength_m, std::uint32_t key) {
+  const float x = x_m.x() / wavelength_m;
+  const float y = x_m.y() / wavelength_m;
+  const float column = std::floor(x);
+  const float row = std::floor(y);
+  const auto i = static_cast<std::int32_t>(column);
+  const auto k = static_cast<std::int32_t>(row);
+  const auto blend = [](float t) { return t * t * (3.0F - 2.0F * t); };
+  const float s = blend(x - column);
+  const float t = blend(y - row);
+  const auto at = [&](std::int32_t di, std::int32_t dk) {
+    return 2.0F * unit(hash(i + di, k + dk, key)) - 1.0F;
+  };
+  const float low = at(0, 0) + s * (at(1, 0) - at(0, 0));
+  const float high = at(0, 1) + s * (at(1, 1) - at(0, 1));
+  return low + t * (high - low);
+}
+
+float fractal_noise(const Eigen::Vector2f& x_m,
+                    float longest_m,
+                    float shortest_m,
+                    float roughness,
+                    std::uint32_t key) {
+  float sum = 0.0F;
+  float weight = 1.0F;
+  float total = 0.0F;
+  for (float wavelength = longest_m; wavelength >= shortest_m; wavelength *= 0.5F) {
+    sum += weight * value_noise(x_m, wavelength, ++key);
+    total += weight;
+    weight *= roughness;
+  }
+  return total > 0.0F ? sum / total : 0.0F;
+}
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/aerial_pair.h"
+#include "apps/simulate/appearance.h"
+#include "apps/simulate/ray_scene.h"
+#include "reconstruct/geometry/field.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstdint>
+
+namespace ridgeline::simulate {
+
+/// Light and optics of a rendered view.
+struct RenderOptions {
+  double sun_azimuth_deg = 200.0;  ///< clockwise from grid north (+y)
+  double sun_elevation_deg = 45.0;
+  double sky_share = 0.20;     ///< light of the sky on level ground over that of the sun
+  double backscatter = 0.25;   ///< rough surfaces are this much brighter along the sun's rays
+  double psf_sigma_px = 0.55;  ///< Gaussian point spread of lens and detector together
+  int samples_per_side = 3;    ///< rays per pixel: the square of it
+  std::uint64_t seed = 1;
+
+  static constexpr auto fields() {
+    using O = RenderOptions;
+    return std::tuple{
+        Field{"sun_azimuth_deg", &O::sun_azimuth_deg, -360.0, 360.0, "clockwise from north"},
+        Field{"sun_elevation_deg", &O::sun_elevation_deg, 5.0, 90.0, "above the horizon"},
+        Field{"sky_share", &O::sky_share, 0.0, 2.0, "of the sky's light to the sun's"},
+        Field{"backscatter", &O::backscatter, 0.0, 1.0,
+              "gain of rough surfaces against the sun's rays"},
+        Field{"psf_sigma_px", &O::psf_sigma_px, 0.3, 0.8, "of lens and detector together"},
+        Field{"samples_per_side", &O::samples_per_side, 1, 8, "rays per pixel: the square of it"}};
+  }
+};
+
+/// Unit vector towards the sun, local axes.
+Eigen::Vector3d sun_direction(const RenderOptions& options);
+
+/// Renders views of one scene by ray casting: sun with cast shadows, light of the sky, textures
+/// fixed to the surfaces.
+class Renderer {
+ public:
+  /// Keeps a reference to the scene. Throws std::invalid_argument for an option outside its range.
+  Renderer(const Scene& scene, const RenderOptions& options);
+
+  /// Radiance free of noise, CV_32FC4 (red, green, blue, near infrared), rows x columns of the
+  /// view; 1: white under the sun at right angles. Pixel (0, 0) is the centre of the top-left
+  /// pixel. Byte-identical for any number of threads.
+  [[nodiscard]] cv::Mat radiance(const AerialView& view) const;
+
+ private:
+  friend class RowBlock;
+  [[nodiscard]] Spectrum seen_along(const Eigen::Vector3d& origin,
+                                    const Eigen::Vector3d& direction,
+                                    float footprint_m) const;
+  [[nodiscard]] Spectrum lit(const Eigen::Vector3d& x,
+                             const Eigen::Vector3f& normal,
+                             const Eigen::Vector3d& direction,
+                             const Spectrum& reflectance,
+                             bool leaf) const;
+
+  const Scene* scene_;
+  RenderOptions options_;
+  RayScene rays_;
+  Appearance appearance_;
+  Eigen::Vector3d to_sun_;
+  double top_z_m_;  ///< above all
+};
+
+}  // namespace ridgeline::simulate

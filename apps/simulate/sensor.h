@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace ridgeline::simulate {
+
+/// What a digital frame camera and its processing make of the light.
+struct SensorOptions {
+  std::string bands = "rgb";     ///< rgb, cir (near infrared, red, green) or rgbn
+  int bits = 8;                  ///< 8 or 16
+  double white_radiance = 0.50;  ///< becomes the largest number
+  double gamma = 1.5;            ///< numbers grow with the radiance to the power of 1 / gamma
+  double full_well_electrons = 12000.0;  ///< at white: shot noise
+  double read_noise_electrons = 30.0;
+  double radiometric_sigma = 0.05;  ///< between the views: gain and gamma; a fifth of it: offset
+  std::uint64_t seed = 1;
+
+  static constexpr auto fields() {
+    using O = SensorOptions;
+    return std::tuple{
+        Field{"bits", &O::bits, 8, 16, "of the numbers: 8 or 16"},
+        Field{"white_radiance", &O::white_radiance, 0.05, 5.0, "becomes the largest number"},
+        Field{"gamma", &O::gamma, 1.0, 3.0, "of the tone curve"},
+        Field{"full_well_electrons", &O::full_well_electrons, 100.0, 1e9,
+              "at white; decides the shot noise"},
+        Field{"read_noise_electrons", &O::read_noise_electrons, 0.0, 1e4, "standard deviation"},
+        Field{"radiometric_sigma", &O::radiometric_sigma, 0.0, 0.3,
+              "of gain and gamma of each view and band"}};
+  }
+};
+
+/// How one view differs from the nominal exposure, per band.
+struct Radiometry {
+  std::array<double, 4> gain{1.0, 1.0, 1.0, 1.0};
+  std::array<double, 4> offset{};  ///< of white: haze
+  double gamma = 1.0;              ///< on top of the nominal one
+};
+
+/// The radiometry of view number 0, 1, ...
+Radiometry radiometry_of(const SensorOptions& options, std::uint64_t view);
+
+/// Noise-free number in [0, 1] of a radiance (1: the largest one of the file).
+double tone(double radiance, std::size_t band, const SensorOptions& options, const Radiometry& r);
+
+/// The image that view number `view` takes: CV_8UC(n) or CV_16UC(n) from a radiance as of
+/// Renderer::radiance(), n = 3 or 4 bands in the order of `bands`. Byte-identical for any number
+/// of threads. Throws std::invalid_argument for an option outside its range.
+cv::Mat expose(const cv::Mat& radiance, const SensorOptions& options, std::uint64_t view);
+
+}  // namespace ridgeline::simulate
