@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/segment_plane.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,6 +38,14 @@ const char* name(Status status);
 enum class Kind : std::uint8_t { kNone, kStep, kRidge };
 const char* name(Kind kind);  ///< "" | "step" | "ridge"
 
+/// The image segments of a stereo pair that a line was made from. They tell, independently of the
+/// method that made it, where its edge lies in plan and which plane the edge belongs to.
+struct ImageEvidence {
+  std::array<ProjectionMatrix, 2> image_from_local;  ///< base, other
+  std::array<Segment2, 2> segments_px;               ///< ideal pixels
+  std::array<double, 2> height_range_m{};            ///< lowest, highest object height, local
+};
+
 /// A line to be judged. Local metres.
 struct JudgedLine {
   std::string id;
@@ -45,7 +55,8 @@ struct JudgedLine {
   std::optional<double> epipolar_angle_deg;
   /// Covariance of (start, end), m^2, world axes.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
-  bool reconstructed = true;  ///< false: status not_reconstructed
+  std::optional<ImageEvidence> images;  ///< empty: the line's own plan view is its footprint
+  bool reconstructed = true;            ///< false: status not_reconstructed
 };
 
 /// A LIDAR plane chosen for a line.

@@ -110,8 +110,11 @@ Cameras read_cameras_text(const std::string& path) {
       throw IoError(where,
                     fmt::format("{} fields; {} has {}", words.size(), name, 4 + model->n_params));
     }
-    cameras[id_of(words[0], where)] =
+    InteriorOrientation interior =
         interior_of(*model, to_doubles({words.begin() + 4, words.end()}, where), where);
+    const std::vector<double> size = to_doubles({words.begin() + 2, words.begin() + 4}, where);
+    interior.size_px = Eigen::Vector2d(size[0], size[1]).cast<int>();
+    cameras[id_of(words[0], where)] = interior;
   }
   return cameras;
 }
@@ -182,13 +185,16 @@ Cameras read_cameras_binary(const std::string& path) {
   for (std::uint64_t i = 0; i < count; ++i) {
     const auto id = reader.next<std::uint32_t>();
     const auto model_id = reader.next<std::int32_t>();
-    reader.skip(2, sizeof(std::uint64_t));  // width and height
+    const auto width = reader.next<std::uint64_t>();
+    const auto height = reader.next<std::uint64_t>();
     const auto* const model = std::find_if(kModels.begin(), kModels.end(),
                                            [&](const CameraModel& m) { return m.id == model_id; });
     if (model == kModels.end()) refuse_model(path, std::to_string(model_id));
     std::vector<double> params(model->n_params);
     for (double& param : params) param = reader.next<double>();
-    cameras[id] = interior_of(*model, params, path);
+    InteriorOrientation interior = interior_of(*model, params, path);
+    interior.size_px = Eigen::Vector2i(static_cast<int>(width), static_cast<int>(height));
+    cameras[id] = interior;
   }
   return cameras;
 }

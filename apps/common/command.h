@@ -22,6 +22,7 @@ Run add_demo(CLI::App& subcommand);
 Run add_evaluate(CLI::App& subcommand);
 Run add_gate(CLI::App& subcommand);
 Run add_compare(CLI::App& subcommand);
+Run add_match(CLI::App& subcommand);
 Run add_simulate(CLI::App& subcommand);
 Run add_info(CLI::App& subcommand);
 

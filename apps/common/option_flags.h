@@ -19,11 +19,16 @@ inline std::string flag_of(std::string_view field_name) {
 }
 
 /// One flag per field of an options struct, with its help and default; ranges are checked by
-/// validate() where the options are used, so that every caller gets the same message.
+/// validate() where the options are used, so that every caller gets the same message. A command
+/// with several such structs tells them apart by a prefix: "extract_" gives --extract-....
 template <typename Options>
-void add_flags(CLI::App& app, Options& options, const std::string& group) {
+void add_flags(CLI::App& app,
+               Options& options,
+               const std::string& group,
+               const std::string& prefix = "") {
   for_each_field<Options>([&](const auto& field) {
-    app.add_option(flag_of(field.name), options.*field.member, std::string(field.help))
+    app.add_option(flag_of(prefix + std::string(field.name)), options.*field.member,
+                   std::string(field.help))
         ->capture_default_str()
         ->group(group);
   });

@@ -32,20 +32,20 @@ int run_demo(const std::string& folder) {
   RunRecord record("demo");
   const OutputFolder out(folder, {});
   std::vector<evaluate::Evaluation> all;
-  std::vector<evaluate::ToleranceRow> tolerances;
+  std::vector<TruthRows> truth;
   for (const fs::path& patch : sample_patches()) {
     const JudgeFilesOptions options = options_of(patch);
     JudgedFiles judged = judge_files(options, record);
     for (evaluate::Evaluation& e : judged.evaluations) {
       e.method = fs::path(e.method).extension().string().substr(1);  // lines.good -> good
     }
-    tolerances.insert(tolerances.end(), judged.tolerances.begin(), judged.tolerances.end());
+    truth.insert(truth.end(), judged.truth.begin(), judged.truth.end());
     write_evaluations(judged.evaluations, out, options.patch_name + "/");
     for (const std::string& path : options.line_paths) record.add_input("lines", path);
     record.add_input("cloud", options.cloud_paths.front());
     all.insert(all.end(), judged.evaluations.begin(), judged.evaluations.end());
   }
-  write_tolerances(tolerances, out);
+  write_truth(truth, out);
   fmt::print("{}", write_table2(all, out));
   out.write("run.json", record.to_json());
   fmt::print("\nResults: {}\n", fs::absolute(folder).lexically_normal().string());

@@ -228,7 +228,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   for (const Input& input : inputs) record.add_input(input.role, input.path);
   record.end_stage("hash_inputs");
   write_evaluations(judged.evaluations, out, "");
-  write_tolerances(judged.tolerances, out);
+  write_truth(judged.truth, out);
   fmt::print("{}", write_table2(judged.evaluations, out));
   record.end_stage("write");
   out.write("run.json", record.to_json());

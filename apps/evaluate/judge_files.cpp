@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/evaluate/judge_files.h"
 
+#include "apps/evaluate/judged_lines.h"
+#include "evaluate/judge/image_evidence.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/statistics/frame_check.h"
 #include "io/error.h"
-#include "reconstruct/geometry/epipolar.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
@@ -40,67 +41,18 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
   return sets;
 }
 
-/// Coordinates in metres: files in feet state their unit in the CRS.
-Segment3 metric_segment(const io::Line& line, const io::CrsFacts& crs) {
-  const Eigen::Vector3d unit_m(crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m);
-  return {line.segment_in_world.start.cwiseProduct(unit_m),
-          line.segment_in_world.end.cwiseProduct(unit_m)};
-}
-
-std::string class_of(const io::Line& line, std::optional<double> epipolar_angle_deg) {
-  constexpr double kAligned_deg = 10.0;  // Ok et al. 2011, section 3
-  if (!line.line_class.empty()) return line.line_class;
-  if (!epipolar_angle_deg) return "all";
-  return *epipolar_angle_deg <= kAligned_deg ? "aligned" : "not_aligned";
-}
-
-JudgedLine judged_line(const io::Line& line,
-                       const io::CrsFacts& crs,
-                       const LocalFrame& frame,
-                       const std::vector<ProjectionMatrix>& cameras) {
-  const Segment3 segment_in_world = metric_segment(line, crs);
-  JudgedLine judged;
-  judged.id = line.id;
-  judged.segment = {frame.local_from_world(segment_in_world.start),
-                    frame.local_from_world(segment_in_world.end)};
-  judged.building = line.building;
-  judged.covariance_m2 = line.covariance_m2;
-  judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection";
-  judged.epipolar_angle_deg = line.epipolar_angle_deg;
-  if (!judged.epipolar_angle_deg && cameras.size() >= 2 && all_finite(segment_in_world)) {
-    judged.epipolar_angle_deg =
-        epipolar_angle_rad(cameras, segment_in_world) * 180.0 / std::numbers::pi;
-  }
-  judged.line_class = class_of(line, judged.epipolar_angle_deg);
-  return judged;
-}
-
-std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& patch) {
-  std::vector<ProjectionMatrix> cameras;
-  if (!patch) return cameras;
-  for (const auto& image : patch->images) cameras.push_back(image.image_from_world);
-  return cameras;
-}
-
-std::vector<std::vector<JudgedLine>> localise(const std::vector<io::LineSet>& sets,
-                                              const LocalFrame& frame,
-                                              const std::vector<ProjectionMatrix>& cameras) {
-  std::vector<std::vector<JudgedLine>> lines;
-  for (const io::LineSet& set : sets) {
-    const io::CrsFacts crs = io::describe(set.crs);
-    std::vector<JudgedLine>& judged = lines.emplace_back();
-    judged.reserve(set.lines.size());
-    for (const io::Line& line : set.lines) judged.push_back(judged_line(line, crs, frame, cameras));
-  }
-  return lines;
-}
-
 /// The surroundings of all lines: nothing else of the cloud is kept.
 io::PlanMask mask_around(const std::vector<std::vector<JudgedLine>>& lines,
                          const evaluate::JudgeOptions& options) {
+  constexpr double kSweep_m = 1.0;
   std::vector<Segment2> footprints;
   for (const auto& set : lines) {
     for (const JudgedLine& line : set) {
+      if (line.images) {
+        for (const Segment2& seen : evaluate::plan_sweep(*line.images, kSweep_m)) {
+          footprints.push_back(seen);
+        }
+      }
       if (all_finite(line.segment)) footprints.push_back(plan(line.segment));
     }
   }
@@ -222,39 +174,6 @@ Evaluation judge_set(const io::LineSet& set,
   return evaluate::with_summaries(std::move(evaluation));
 }
 
-std::vector<Segment3> finite_segments(const std::vector<JudgedLine>& lines) {
-  std::vector<Segment3> segments;
-  for (const JudgedLine& line : lines) {
-    if (line.reconstructed && all_finite(line.segment)) segments.push_back(line.segment);
-  }
-  return segments;
-}
-
-std::vector<Segment3> read_references(const std::string& path,
-                                      const JudgeFilesOptions& options,
-                                      const io::PointCloud& cloud,
-                                      JudgedFiles& judged) {
-  const io::LineSet set = io::read_lines(path, options.lines);
-  refuse_mismatch(set, cloud, judged.warnings);
-  return finite_segments(localise({set}, judged.frame, {}).front());
-}
-
-/// Rows of one evaluation against its planes, and against the reference lines where there are any.
-void add_tolerances(const Evaluation& evaluation,
-                    const std::vector<JudgedLine>& lines,
-                    const std::optional<std::vector<Segment3>>& references,
-                    std::vector<evaluate::ToleranceRow>& rows) {
-  const evaluate::ToleranceOptions options;
-  for (const auto& m : evaluate::measure_against_planes(evaluation.lines, options)) {
-    rows.push_back({evaluation.patch, evaluation.method, "planes", m});
-  }
-  if (!references) return;
-  for (const auto& m :
-       evaluate::measure_against_lines(finite_segments(lines), *references, options)) {
-    rows.push_back({evaluation.patch, evaluation.method, "lines", m});
-  }
-}
-
 }  // namespace
 
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
@@ -264,7 +183,10 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   judged.line_sets = read_line_files(options);
   judged.frame = options.cloud.frame ? *options.cloud.frame
                                      : io::suggest_frame(options.cloud_paths, options.cloud);
-  const auto lines = localise(judged.line_sets, judged.frame, cameras_of(options.patch));
+  std::vector<std::vector<JudgedLine>> lines;
+  for (const io::LineSet& set : judged.line_sets) {
+    lines.push_back(judged_lines_of(set, judged.frame, options.patch));
+  }
   record.end_stage("read_lines");
 
   io::ReadOptions cloud_options = options.cloud;
@@ -282,16 +204,18 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
     }
     refuse_mismatch(set, cloud, judged.warnings);
   }
-  std::optional<std::vector<Segment3>> references;
+  std::optional<std::vector<evaluate::ReferenceLine>> references;
   if (options.reference_lines) {
-    references = read_references(*options.reference_lines, options, cloud, judged);
+    const io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
+    refuse_mismatch(set, cloud, judged.warnings);
+    references = reference_lines_of(set, judged.frame);
   }
   const evaluate::PointGrid grid = grid_of(cloud);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.evaluations.push_back(
         judge_set(judged.line_sets[i], lines[i], grid, judged.frame, options));
     refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud, options);
-    add_tolerances(judged.evaluations.back(), lines[i], references, judged.tolerances);
+    judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
   }
   record.end_stage("judge");
   return judged;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "apps/common/run_record.h"
+#include "apps/evaluate/judged_lines.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
-#include "evaluate/tables/tolerance_table.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
 #include "io/patch.h"
@@ -29,9 +29,9 @@ struct JudgeFilesOptions {
 
 struct JudgedFiles {
   LocalFrame frame;
-  std::vector<io::LineSet> line_sets;              ///< as read
-  std::vector<evaluate::Evaluation> evaluations;   ///< one per line file; method: the file's stem
-  std::vector<evaluate::ToleranceRow> tolerances;  ///< against planes, and reference lines if given
+  std::vector<io::LineSet> line_sets;             ///< as read
+  std::vector<evaluate::Evaluation> evaluations;  ///< one per line file; method: the file's stem
+  std::vector<TruthRows> truth;                   ///< one per evaluation
   std::vector<std::string> warnings;
 };
 

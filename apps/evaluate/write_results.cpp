@@ -41,12 +41,14 @@ bool has_several_methods(std::span<const Evaluation> evaluations) {
 }  // namespace
 
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
-  std::vector<std::string> names{"table2.md",  "table2.csv",       "table2.json",
-                                 "table2.tex", "table2.common.md", "table2.common.csv",
-                                 "run.json",   "tolerances.csv",   "tolerances.md"};
+  std::vector<std::string> names{
+      "table2.md",    "table2.csv",           "table2.json",
+      "table2.tex",   "table2.common.md",     "table2.common.csv",
+      "run.json",     "tolerances.csv",       "tolerances.md",
+      "reference.md", "reference_errors.csv", "reference_completeness.csv"};
   for (const std::string& path : line_paths) {
     names.push_back(fmt::format("evaluation.{}.json", stem_of(path)));
-    names.push_back(fmt::format("lines.{}.csv", stem_of(path)));
+    names.push_back(fmt::format("evaluation.{}.csv", stem_of(path)));
     names.push_back(fmt::format("accuracy.{}.md", stem_of(path)));
   }
   return names;
@@ -57,16 +59,26 @@ void write_evaluations(std::span<const Evaluation> evaluations,
                        const std::string& subfolder) {
   for (const Evaluation& e : evaluations) {
     out.write(fmt::format("{}evaluation.{}.json", subfolder, e.method), evaluate::to_json(e));
-    out.write(fmt::format("{}lines.{}.csv", subfolder, e.method), evaluate::to_line_csv(e));
+    out.write(fmt::format("{}evaluation.{}.csv", subfolder, e.method), evaluate::to_line_csv(e));
     out.write(fmt::format("{}accuracy.{}.md", subfolder, e.method),
               evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
                   evaluate::to_markdown(evaluate::stratify(e)));
   }
 }
 
-void write_tolerances(const std::vector<evaluate::ToleranceRow>& rows, const OutputFolder& out) {
-  out.write("tolerances.csv", evaluate::tolerances_to_csv(rows));
-  out.write("tolerances.md", evaluate::tolerances_to_markdown(rows));
+void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
+  std::vector<evaluate::ToleranceRow> tolerances;
+  std::vector<evaluate::ReferenceRow> references;
+  for (const TruthRows& part : rows) {
+    tolerances.insert(tolerances.end(), part.tolerances.begin(), part.tolerances.end());
+    references.insert(references.end(), part.references.begin(), part.references.end());
+  }
+  out.write("tolerances.csv", evaluate::tolerances_to_csv(tolerances));
+  out.write("tolerances.md", evaluate::tolerances_to_markdown(tolerances));
+  if (references.empty()) return;
+  out.write("reference_errors.csv", evaluate::reference_errors_to_csv(references));
+  out.write("reference_completeness.csv", evaluate::reference_completeness_to_csv(references));
+  out.write("reference.md", evaluate::reference_to_markdown(references));
 }
 
 std::string write_table2(std::span<const Evaluation> evaluations, const OutputFolder& out) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "apps/common/output_folder.h"
+#include "apps/evaluate/judged_lines.h"
 #include "evaluate/statistics/evaluation.h"
-#include "evaluate/tables/tolerance_table.h"
 
 #include <span>
 #include <string>
@@ -14,14 +14,15 @@ namespace ridgeline::apps {
 /// Names of all files that an evaluation of the line files can write, to be checked before it.
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths);
 
-/// Writes evaluation.METHOD.json, lines.METHOD.csv and accuracy.METHOD.md (the labelled accuracy
+/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line) and accuracy.METHOD.md (the labelled accuracy
 /// numbers and the strata) of each evaluation, below `subfolder` ("" or "PATCH/").
 void write_evaluations(std::span<const evaluate::Evaluation> evaluations,
                        const OutputFolder& out,
                        const std::string& subfolder);
 
-/// Writes tolerances.{csv,md}: precision and completeness at tolerances.
-void write_tolerances(const std::vector<evaluate::ToleranceRow>& rows, const OutputFolder& out);
+/// Writes tolerances.{csv,md}: precision and completeness at tolerances; and, where there are
+/// reference lines, reference_errors.csv, reference_completeness.csv and reference.md.
+void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out);
 
 /// Writes table2.{md,csv,json,tex} of all evaluations and returns the Markdown. Where a patch has
 /// several methods: also table2.common.{md,csv} on the lines that all of them have evaluated.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/edge_decision.h"
 
+#include "evaluate/judge/image_evidence.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -154,9 +156,30 @@ bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
   return 4 * std::min(left, right) >= std::max(left, right);
 }
 
+/// Which of the planes, the uppermost first, the images show the edge of.
+std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
+                          const std::vector<std::size_t>& along,
+                          const std::optional<ImageEvidence>& images,
+                          std::vector<std::string>& flags) {
+  if (along.size() == 1) return along[0];
+  if (!images) {
+    flags.emplace_back("upper_plane");
+    return along[0];
+  }
+  constexpr double kMargin = 4.0;  // chi-square units (system.md 13.6)
+  std::vector<std::pair<double, std::size_t>> costs;
+  for (const std::size_t i : along)
+    costs.emplace_back(image_cost(*images, candidates[i].fit.plane), i);
+  std::sort(costs.begin(), costs.end());
+  if (costs[1].first - costs[0].first > kMargin) return costs[0].second;
+  flags.emplace_back("plane_ambiguous");
+  return along[0];
+}
+
 EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
                            const Footprint& footprint,
-                           const JudgeOptions& options) {
+                           const JudgeOptions& options,
+                           const std::optional<ImageEvidence>& images) {
   const std::vector<std::size_t> along = planes_along(candidates, footprint, options);
   EdgeDecision decision;
   if (along.empty()) {
@@ -180,12 +203,12 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
       decision.reason = "two planes of the same height at the line that do not meet along it";
       return decision;
     }
-    decision.flags.emplace_back("upper_plane");
   }
-  if (on_both_sides(upper, options)) decision.flags.emplace_back("merged");
+  const std::size_t chosen = plane_of_step(candidates, along, images, decision.flags);
+  if (on_both_sides(candidates[chosen], options)) decision.flags.emplace_back("merged");
   decision.status = Status::kEvaluated;
   decision.kind = Kind::kStep;
-  decision.planes = {along[0]};
+  decision.planes = {chosen};
   return decision;
 }
 
@@ -229,7 +252,8 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b) {
 
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
-                         const JudgeOptions& options) {
+                         const JudgeOptions& options,
+                         const std::optional<ImageEvidence>& images) {
   if (candidates.empty()) {
     EdgeDecision none;
     none.reason = "points beside the line, but no plane among them";
@@ -242,7 +266,7 @@ EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
             .planes = {ridge->a, ridge->b},
             .flags = {}};
   }
-  return step_decision(candidates, footprint, options);
+  return step_decision(candidates, footprint, options, images);
 }
 
 }  // namespace ridgeline::evaluate

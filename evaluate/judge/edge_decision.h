@@ -42,8 +42,11 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b);
 /// sides of their intersection. Otherwise step: the plane whose border or interior the line
 /// follows; where several do, the upper one, because an edge seen from the air belongs to the upper
 /// surface.
+/// With the image segments of the line, the plane whose edge they show decides a step instead; where
+/// they tell the planes not apart it is the upper one, flag `plane_ambiguous` (system.md 13.6).
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
-                         const JudgeOptions& options);
+                         const JudgeOptions& options,
+                         const std::optional<ImageEvidence>& images = std::nullopt);
 
 }  // namespace ridgeline::evaluate

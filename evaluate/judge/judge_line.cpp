@@ -4,6 +4,7 @@
 #include "evaluate/judge/candidate_planes.h"
 #include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/footprint.h"
+#include "evaluate/judge/image_evidence.h"
 
 #include <Eigen/Geometry>
 
@@ -150,6 +151,13 @@ std::vector<std::uint32_t> sorted_indices(std::span<const ZonePoint> points) {
   return indices;
 }
 
+/// Where the edge lies in plan: by its image segment on the LIDAR surface, so that all methods meet
+/// the same points; by the line itself where there is no image or the ray meets no surface.
+Footprint footprint_of_edge(const PointGrid& grid, const JudgedLine& line) {
+  const std::optional<Segment3> seen = line.images ? monoplot(grid, *line.images) : std::nullopt;
+  return footprint_of(seen ? *seen : line.segment);
+}
+
 LineEvaluation undecided(const JudgedLine& line) {
   LineEvaluation e;
   e.id = line.id;
@@ -175,7 +183,7 @@ JudgedResult judge_line(const PointGrid& grid,
   if (const auto refusal = refuse(line, options)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
-  const Footprint footprint = footprint_of(line.segment);
+  const Footprint footprint = footprint_of_edge(grid, line);
   const std::vector<ZonePoint> zone =
       points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
   const std::size_t n_beside = count_in_corridor(zone, footprint, options);
@@ -186,7 +194,7 @@ JudgedResult judge_line(const PointGrid& grid,
   }
   std::vector<CandidatePlane> candidates =
       candidate_planes(zone, footprint, options, line_key(line.id, options.seed));
-  EdgeDecision decision = decide_edge(candidates, footprint, options);
+  EdgeDecision decision = decide_edge(candidates, footprint, options, line.images);
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));
   }

@@ -27,6 +27,12 @@ constexpr std::array kTextAttributes{TextAttribute{"id", &Line::id},
                                      TextAttribute{"left_id", &Line::left_id},
                                      TextAttribute{"right_id", &Line::right_id}};
 
+constexpr std::array kSegmentAttributes{SegmentAttribute{"left_px", &Line::left_px},
+                                        SegmentAttribute{"right_px", &Line::right_px}};
+
+constexpr std::array kNumberAttributes{NumberAttribute{"visible_left", &Line::visible_left},
+                                       NumberAttribute{"visible_right", &Line::visible_right}};
+
 bool is_empty(const json& value) {
   return value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
 }
@@ -101,6 +107,11 @@ std::vector<int> plane_ids_of(const json& value, const std::string& where) {
   return planes;
 }
 
+Segment2 segment_of(const json& value, std::string_view name, const std::string& where) {
+  const std::vector<double> ends = numbers_of(value, name, 4, where);
+  return {{ends[0], ends[1]}, {ends[2], ends[3]}};
+}
+
 json with_lower_case_names(const json& properties) {
   json lower = json::object();
   for (const auto& [name, value] : properties.items()) {
@@ -114,6 +125,15 @@ json with_lower_case_names(const json& properties) {
 }  // namespace
 
 std::span<const TextAttribute> text_attributes() { return kTextAttributes; }
+
+std::span<const SegmentAttribute> segment_attributes() { return kSegmentAttributes; }
+
+std::span<const NumberAttribute> number_attributes() { return kNumberAttributes; }
+
+std::string segment_text(const Segment2& segment_px) {
+  return fmt::format("[{:.4f},{:.4f},{:.4f},{:.4f}]", segment_px.start.x(), segment_px.start.y(),
+                     segment_px.end.x(), segment_px.end.y());
+}
 
 std::string text_of(const json& value) {
   if (value.is_null()) return {};
@@ -142,6 +162,14 @@ Line line_from_properties(const json& properties, const std::string& where) {
   }
   if (const auto it = values.find("plane_ids"); it != values.end()) {
     line.plane_ids = plane_ids_of(*it, where);
+  }
+  for (const NumberAttribute& attribute : kNumberAttributes) {
+    if (!values.contains(attribute.name)) continue;
+    line.*attribute.member = number_of(values[attribute.name], attribute.name, where);
+  }
+  for (const SegmentAttribute& attribute : kSegmentAttributes) {
+    if (!values.contains(attribute.name)) continue;
+    line.*attribute.member = segment_of(values[attribute.name], attribute.name, where);
   }
   if (values.contains("covariance")) {
     line.covariance_m2 = covariance_of(values["covariance"], where);

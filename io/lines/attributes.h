@@ -19,6 +19,21 @@ struct TextAttribute {
 };
 std::span<const TextAttribute> text_attributes();
 
+/// An attribute that holds an image segment, in files [x1, y1, x2, y2].
+struct SegmentAttribute {
+  std::string_view name;
+  std::optional<Segment2> Line::*member;
+};
+std::span<const SegmentAttribute> segment_attributes();
+std::string segment_text(const Segment2& segment_px);
+
+/// An attribute that is a plain number.
+struct NumberAttribute {
+  std::string_view name;
+  std::optional<double> Line::*member;
+};
+std::span<const NumberAttribute> number_attributes();
+
 /// The attributes that a feature's properties state; names in any case, unknown ones are passed
 /// over. Numbers may be given as text, arrays as JSON text (formats without arrays). The covariance
 /// is 6x6 or 36 numbers; without it `sigma_start_m` and `sigma_end_m` make a diagonal one.

@@ -37,6 +37,14 @@ std::string properties_text(const Line& line) {
     const std::string& value = line.*attribute.member;
     if (!value.empty()) add(attribute.name, json_text(value));
   }
+  for (const SegmentAttribute& attribute : segment_attributes()) {
+    const std::optional<Segment2>& segment = line.*attribute.member;
+    if (segment) add(attribute.name, segment_text(*segment));
+  }
+  for (const NumberAttribute& attribute : number_attributes()) {
+    const std::optional<double>& value = line.*attribute.member;
+    if (value) add(attribute.name, fmt::format("{:.4f}", *value));
+  }
   if (line.epipolar_angle_deg) {
     add("epipolar_angle_deg", fmt::format("{:.4f}", *line.epipolar_angle_deg));
   }

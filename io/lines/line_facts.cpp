@@ -17,6 +17,14 @@ std::vector<std::string> attributes_of(const std::vector<Line>& lines) {
   for (const TextAttribute& attribute : text_attributes()) {
     add_if_any(attribute.name, [&](const Line& line) { return !(line.*attribute.member).empty(); });
   }
+  for (const NumberAttribute& attribute : number_attributes()) {
+    add_if_any(attribute.name,
+               [&](const Line& line) { return (line.*attribute.member).has_value(); });
+  }
+  for (const SegmentAttribute& attribute : segment_attributes()) {
+    add_if_any(attribute.name,
+               [&](const Line& line) { return (line.*attribute.member).has_value(); });
+  }
   add_if_any("epipolar_angle_deg",
              [](const Line& line) { return line.epipolar_angle_deg.has_value(); });
   add_if_any("n_points", [](const Line& line) { return line.n_points.has_value(); });

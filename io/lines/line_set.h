@@ -24,7 +24,11 @@ struct Line {
   std::string building;    ///< building id: the cluster of the bootstrap
   std::string status;
   std::string left_id, right_id;  ///< image segments
+  /// Their ends in the base and in the other image, ideal pixels.
+  std::optional<Segment2> left_px, right_px;
   std::optional<double> epipolar_angle_deg;
+  /// Of a true line: share of its length that the base and the other image show, 0..1.
+  std::optional<double> visible_left, visible_right;
   std::optional<int> n_points;  ///< artificial points used
   std::optional<int> n_images;  ///< supporting images (Line3D++, LIMAP)
   /// Covariance of (start, end) in world axes, m^2.

@@ -81,7 +81,14 @@ class OgrWriter {
     create_field("n_points", OFTInteger);
     create_field("n_images", OFTInteger);
     create_field("plane_ids", OFTString);
-    if (target_.has_long_text) create_field("covariance", OFTString);
+    if (!target_.has_long_text) return;
+    for (const NumberAttribute& attribute : number_attributes()) {
+      create_field(attribute.name, OFTReal);
+    }
+    for (const SegmentAttribute& attribute : segment_attributes()) {
+      create_field(attribute.name, OFTString);
+    }
+    create_field("covariance", OFTString);
   }
 
   void set_attributes(const Line& line, OGRFeature& feature) const {
@@ -95,7 +102,21 @@ class OgrWriter {
     if (!line.plane_ids.empty()) {
       feature.SetField("plane_ids", fmt::format("[{}]", fmt::join(line.plane_ids, ",")).c_str());
     }
-    if (target_.has_long_text && line.covariance_m2) {
+    if (target_.has_long_text) set_wide_attributes(line, feature);
+  }
+
+  /// What does not fit into a Shapefile's columns, by the width of the value or of the name.
+  static void set_wide_attributes(const Line& line, OGRFeature& feature) {
+    for (const NumberAttribute& attribute : number_attributes()) {
+      const std::optional<double>& value = line.*attribute.member;
+      if (value) feature.SetField(std::string(attribute.name).c_str(), *value);
+    }
+    for (const SegmentAttribute& attribute : segment_attributes()) {
+      const std::optional<Segment2>& segment = line.*attribute.member;
+      if (!segment) continue;
+      feature.SetField(std::string(attribute.name).c_str(), segment_text(*segment).c_str());
+    }
+    if (line.covariance_m2) {
       feature.SetField("covariance", covariance_text(*line.covariance_m2).c_str());
     }
   }

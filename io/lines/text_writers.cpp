@@ -23,6 +23,12 @@ std::string attribute_header() {
   for (const TextAttribute& attribute : text_attributes()) {
     header += fmt::format(",{}", attribute.name);
   }
+  for (const NumberAttribute& attribute : number_attributes()) {
+    header += fmt::format(",{}", attribute.name);
+  }
+  for (const SegmentAttribute& attribute : segment_attributes()) {
+    header += fmt::format(",{}", attribute.name);
+  }
   return header + ",epipolar_angle_deg,n_points,n_images,plane_ids,covariance\n";
 }
 
@@ -35,6 +41,13 @@ std::string attribute_fields(const Line& line) {
   std::string row;
   const auto add = [&row](std::string_view text) { row += fmt::format(",{}", field(text)); };
   for (const TextAttribute& attribute : text_attributes()) add(line.*attribute.member);
+  for (const NumberAttribute& attribute : number_attributes()) {
+    add(optional_field(line.*attribute.member));
+  }
+  for (const SegmentAttribute& attribute : segment_attributes()) {
+    const std::optional<Segment2>& segment = line.*attribute.member;
+    add(segment ? segment_text(*segment) : std::string());
+  }
   add(optional_field(line.epipolar_angle_deg));
   add(optional_field(line.n_points));
   add(optional_field(line.n_images));

@@ -15,7 +15,7 @@ constexpr std::array kFormats{LineFormatInfo{LineFormat::kGeoJson, "geojson", ".
                               LineFormatInfo{LineFormat::kGeoPackage, "gpkg", ".gpkg"},
                               LineFormatInfo{LineFormat::kDxf, "dxf", ".dxf"},
                               LineFormatInfo{LineFormat::kShapefile, "shapefile", ".shp"},
-                              LineFormatInfo{LineFormat::kWktCsv, "wkt_csv", ".csv"},
+                              LineFormatInfo{LineFormat::kWktCsv, "wkt_csv", ".wkt.csv"},
                               LineFormatInfo{LineFormat::kCsv, "csv", ".csv"},
                               LineFormatInfo{LineFormat::kObj, "obj", ".obj"},
                               LineFormatInfo{LineFormat::kPly, "ply", ".ply"}};

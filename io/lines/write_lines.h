@@ -35,7 +35,7 @@ std::optional<LineFormat> line_format(std::string_view name);
 
 /// Writes one feature a line, in the order of the set, coordinates to 0.1 mm or better at any size.
 ///   GeoJSON, GeoPackage, WKT CSV   all attributes and the covariance; CSV with WKT states no CRS
-///   Shapefile   all but the covariance (columns hold 254 characters), CRS in the .prj
+///   Shapefile   all but the covariance, image segments and visible shares (columns hold 254 characters), CRS in the .prj
 ///   CSV         x1,y1,z1,x2,y2,z2 and all attributes, no CRS
 ///   DXF         one 3D polyline a line, layer = class; no other attributes, no CRS
 ///   OBJ, PLY    geometry only

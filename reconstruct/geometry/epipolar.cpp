@@ -30,6 +30,16 @@ Segment2 project(const ProjectionMatrix& image_from_world, const Segment3& segme
           project(image_from_world, segment_in_world.end)};
 }
 
+Eigen::Vector3d point_on_plane(const ProjectionMatrix& image_from_world,
+                               const Eigen::Vector2d& x_px,
+                               const Plane3& plane_in_world) {
+  const Eigen::Matrix3d rays_from_pixels = image_from_world.leftCols<3>().inverse();
+  const Eigen::Vector3d centre = -rays_from_pixels * image_from_world.col(3);
+  const Eigen::Vector3d ray = rays_from_pixels * x_px.homogeneous();
+  const double t = -plane_in_world.signedDistance(centre) / plane_in_world.normal().dot(ray);
+  return centre + t * ray;
+}
+
 ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
                                   const Eigen::Vector3d& origin_m) {
   ProjectionMatrix p = image_from_world;

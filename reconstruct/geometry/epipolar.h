@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
@@ -22,6 +23,11 @@ Eigen::Vector2d project(const ProjectionMatrix& image_from_world,
 /// Images of both ends; not meaningful for a segment that crosses the plane of the projection
 /// centre.
 Segment2 project(const ProjectionMatrix& image_from_world, const Segment3& segment_in_world);
+
+/// The point of a plane that is seen at a pixel; infinite or NaN for a plane along the ray.
+Eigen::Vector3d point_on_plane(const ProjectionMatrix& image_from_world,
+                               const Eigen::Vector2d& x_px,
+                               const Plane3& plane_in_world);
 
 /// The same camera for coordinates reduced to a local origin: P_local x_local ~ P (x_local +
 /// origin).

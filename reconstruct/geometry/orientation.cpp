@@ -55,7 +55,8 @@ InteriorOrientation interior_orientation(double focal_length_mm,
   const Eigen::Vector2d offset_down_mm(principal_point_mm.x(), -principal_point_mm.y());
   return {Eigen::Vector2d::Constant(focal_length_mm * pixels_per_mm),
           centre_px + pixels_per_mm * offset_down_mm,
-          {}};
+          {},
+          size_px};
 }
 
 Eigen::Matrix3d world_from_camera_axes(double omega_rad, double phi_rad, double kappa_rad) {

@@ -26,6 +26,7 @@ struct InteriorOrientation {
   Eigen::Vector2d focal_length_px = Eigen::Vector2d::Ones();  ///< along columns and rows
   Eigen::Vector2d principal_point_px = Eigen::Vector2d::Zero();
   BrownDistortion distortion;
+  std::optional<Eigen::Vector2i> size_px;  ///< columns, rows of the frame, where it is known
 };
 
 /// The interior orientation of a frame camera from the terms of its calibration. The principal

@@ -35,7 +35,7 @@ TEST_F(Evaluate, WritesTheFilesOfTheContract) {
   const ProgramResult result = evaluate("scene/lines.good.geojson", "out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(names_in(path("out")),
-              IsSupersetOf({"evaluation.lines.good.json", "lines.lines.good.csv", "run.json",
+              IsSupersetOf({"evaluation.lines.good.json", "evaluation.lines.good.csv", "run.json",
                             "table2.csv", "table2.json", "table2.md", "table2.tex"}));
   const std::string table = read(path("out/table2.md"));
   EXPECT_EQ(result.out, table);

@@ -45,6 +45,19 @@ TEST(ProjectionCentre, IsProjectedToZero) {
   EXPECT_NEAR((left - Eigen::Vector3d(-104, -10, 797)).norm(), 0.0, kTolM);
 }
 
+TEST(PointOnPlane, IsSeenAtThePixelAndLiesOnThePlane) {
+  const ProjectionMatrix camera = simple_camera({1, 2, 3});
+  const Plane3 plane(Eigen::Vector3d(0.1, -0.2, 1).normalized(), -12.0);
+  for (const double sign : {1.0, -1.0}) {  // a matrix may have either sign
+    const Eigen::Vector3d x = point_on_plane(sign * camera, {30, -40}, plane);
+    EXPECT_NEAR(plane.signedDistance(x), 0.0, 1e-12);
+    EXPECT_TRUE(project(camera, x).isApprox(Eigen::Vector2d(30, -40)));
+  }
+  // straight ahead at depth 10
+  EXPECT_TRUE(point_on_plane(camera, {0, 0}, Plane3(Eigen::Vector3d::UnitZ(), -13.0))
+                  .isApprox(Eigen::Vector3d(1, 2, 13)));
+}
+
 TEST(ImageFromLocal, SeesReducedCoordinatesAtTheSamePixel) {
   constexpr double kTolPx = 1e-6;  // a coordinate of 5e6 m rounds by 1e-9 m = 1e-8 px
   const Eigen::Vector3d origin(512000, 5403000, 250);

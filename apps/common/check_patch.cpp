@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/patch_views.h"
+#include "io/error.h"
+#include "io/image.h"
+#include "reconstruct/geometry/epipolar.h"
+
+#include <Eigen/Dense>
+#include <fmt/core.h>
+
+namespace ridgeline::apps {
+namespace {
+
+void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
+  if (!image.interior || !image.interior->size_px) return;
+  const Eigen::Vector2i frame = *image.interior->size_px;
+  const Eigen::Vector2i size(facts.width_px, facts.height_px);
+  const Eigen::Vector2d end = image.window_px + size.cast<double>();
+  const bool whole = image.window_px.isZero();
+  const bool fits = whole ? size == frame
+                          : (image.window_px.array() >= 0.0).all() &&
+                                (end.array() <= frame.cast<double>().array()).all();
+  if (fits) return;
+  throw io::IoError(image.path,
+                    fmt::format("{} x {} pixels; its camera has {} x {}{}", size.x(), size.y(),
+                                frame.x(), frame.y(),
+                                whole ? "; an image cut out of the frame needs window_px"
+                                      : fmt::format(", which does not hold the window at {}, {}",
+                                                    image.window_px.x(), image.window_px.y())));
+}
+
+/// Along the ray through the middle of the image, both limits of height must lie ahead.
+void check_heights(const io::PatchFile& patch,
+                   const io::PatchImage& image,
+                   const io::ImageFacts& facts) {
+  const Eigen::Matrix3d m = image.image_from_world.leftCols<3>();
+  const Eigen::Vector3d centre = projection_centre(image.image_from_world).hnormalized();
+  const Eigen::Vector2d middle(0.5 * (facts.width_px - 1), 0.5 * (facts.height_px - 1));
+  const double side = m.determinant() > 0.0 ? 1.0 : -1.0;  // a matrix may have either sign
+  const Eigen::Vector3d ray = side * m.inverse() * middle.homogeneous();
+  for (const double z : patch.height_range_m) {
+    if ((z - centre.z()) / ray.z() > 0.0) continue;
+    throw io::IoError(
+        patch.path,
+        fmt::format("height_range [{}, {}]: the height {} m lies behind the camera of image {}, "
+                    "which is at {:.1f} m and looks {}; heights must be in front of it",
+                    patch.height_range_m[0], patch.height_range_m[1], z, image.id, centre.z(),
+                    ray.z() < 0.0 ? "down" : "up"));
+  }
+}
+
+void check_id(const io::PatchFile& patch, const std::string& id) {
+  const bool is_name =
+      !id.empty() && id != "." && id != ".." && id.find_first_of("/\\") == std::string::npos;
+  if (is_name) return;
+  throw io::IoError(patch.path, fmt::format("id '{}' names a file or folder of the results; it "
+                                            "must not be empty or hold a slash",
+                                            id));
+}
+
+}  // namespace
+
+void check_patch(const io::PatchFile& patch) {
+  check_id(patch, patch.id);
+  int n_bands = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const io::PatchImage& image = patch.images[i];
+    check_id(patch, image.id);
+    const io::ImageFacts facts = io::image_facts(image.path);
+    check_size(image, facts);
+    check_heights(patch, image, facts);
+    if (i > 0 && facts.n_bands != n_bands) {
+      throw io::IoError(image.path, fmt::format("{} bands, but {} has {}; both images of a pair "
+                                                "must have the same bands",
+                                                facts.n_bands, patch.images[0].path, n_bands));
+    }
+    n_bands = facts.n_bands;
+  }
+}
+
+}  // namespace ridgeline::apps

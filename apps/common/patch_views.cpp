@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/patch_views.h"
+
+#include "io/image.h"
+#include "reconstruct/extract/extract_segments.h"
+#include "reconstruct/extract/normalised_image.h"
+
+namespace ridgeline::apps {
+
+LocalFrame patch_frame(const io::PatchFile& patch) {
+  constexpr double kStep_m = 100.0;
+  const io::PatchImage& base = patch.images[0];
+  const io::ImageFacts facts = io::image_facts(base.path);
+  const double mean_m = 0.5 * (patch.height_range_m[0] + patch.height_range_m[1]);
+  const Eigen::Vector3d x =
+      point_on_plane(base.image_from_world, {0.5 * facts.width_px, 0.5 * facts.height_px},
+                     Plane3(Eigen::Vector3d::UnitZ(), -mean_m));
+  return {(x / kStep_m).array().round() * kStep_m};
+}
+
+cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
+  return reconstruct::normalised_image(io::read_image(patch.images.at(i).path));
+}
+
+std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
+                                             std::size_t i,
+                                             const cv::Mat& image,
+                                             const reconstruct::ExtractOptions& options) {
+  const io::PatchImage& view = patch.images.at(i);
+  const auto ideal = [&view](const Eigen::Vector2d& x_px) {
+    return io::undistorted_px(view, x_px);
+  };
+  const bool is_ideal = !view.interior || view.interior->distortion.is_zero();
+  return reconstruct::extract_segments(
+      image, is_ideal ? reconstruct::PixelMap{} : reconstruct::PixelMap{ideal}, options);
+}
+
+std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame) {
+  return {image_from_local(patch.images[0].image_from_world, frame.origin_m),
+          image_from_local(patch.images[1].image_from_world, frame.origin_m)};
+}
+
+std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFrame& frame) {
+  return {patch.height_range_m[0] - frame.origin_m.z(),
+          patch.height_range_m[1] - frame.origin_m.z()};
+}
+
+reconstruct::MatchResult match_patch(const io::PatchFile& patch,
+                                     const std::array<cv::Mat, 2>& images,
+                                     const std::array<std::vector<EdgeSegment>, 2>& segments,
+                                     const reconstruct::MatchOptions& options) {
+  const LocalFrame frame = patch_frame(patch);
+  const auto [left, right] = patch_cameras(patch, frame);
+  return reconstruct::match_pairwise({left, images[0], segments[0]},
+                                     {right, images[1], segments[1]}, patch_heights_m(patch, frame),
+                                     options);
+}
+
+}  // namespace ridgeline::apps

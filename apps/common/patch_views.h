@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/patch.h"
+#include "reconstruct/extract/options.h"
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/local_frame.h"
+#include "reconstruct/match/match_pairwise.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// What can be told of a patch before any work: its images exist, fit their cameras and have the
+/// same number of bands; the cameras look at the heights to be searched. Throws IoError.
+void check_patch(const io::PatchFile& patch);
+
+/// Local frame of the patch: the point that the middle of the base image shows at the mean height,
+/// rounded to 100 m.
+LocalFrame patch_frame(const io::PatchFile& patch);
+
+/// The first (base) or second image of the patch, normalised.
+cv::Mat patch_image(const io::PatchFile& patch, std::size_t i);
+
+/// Its segments, without the distortion of its lens.
+std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
+                                             std::size_t i,
+                                             const cv::Mat& image,
+                                             const reconstruct::ExtractOptions& options);
+
+/// Cameras of the pair and the range of heights in the local frame.
+std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame);
+std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFrame& frame);
+
+/// Matches of the pair.
+reconstruct::MatchResult match_patch(const io::PatchFile& patch,
+                                     const std::array<cv::Mat, 2>& images,
+                                     const std::array<std::vector<EdgeSegment>, 2>& segments,
+                                     const reconstruct::MatchOptions& options);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/judged_lines.h"
+
+#include "reconstruct/geometry/epipolar.h"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::JudgedLine;
+
+/// Coordinates in metres: files in feet state their unit in the CRS.
+Segment3 metric_segment(const io::Line& line, const io::CrsFacts& crs) {
+  const Eigen::Vector3d unit_m(crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m);
+  return {line.segment_in_world.start.cwiseProduct(unit_m),
+          line.segment_in_world.end.cwiseProduct(unit_m)};
+}
+
+std::string class_of(const io::Line& line, std::optional<double> epipolar_angle_deg) {
+  constexpr double kAligned_deg = 10.0;  // Ok et al. 2011, section 3
+  if (!line.line_class.empty()) return line.line_class;
+  if (!epipolar_angle_deg) return "all";
+  return *epipolar_angle_deg <= kAligned_deg ? "aligned" : "not_aligned";
+}
+
+/// The image segments of a line that states them, with the cameras of the patch's pair.
+std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
+                                                   const LocalFrame& frame,
+                                                   const std::optional<io::PatchFile>& patch) {
+  if (!patch || !line.left_px || !line.right_px) return std::nullopt;
+  const auto camera = [&](std::size_t i) {
+    return image_from_local(patch->images[i].image_from_world, frame.origin_m);
+  };
+  return evaluate::ImageEvidence{.image_from_local = {camera(0), camera(1)},
+                                 .segments_px = {*line.left_px, *line.right_px},
+                                 .height_range_m = {patch->height_range_m[0] - frame.origin_m.z(),
+                                                    patch->height_range_m[1] - frame.origin_m.z()}};
+}
+
+JudgedLine judged_line(const io::Line& line,
+                       const io::CrsFacts& crs,
+                       const LocalFrame& frame,
+                       const std::optional<io::PatchFile>& patch,
+                       const std::vector<ProjectionMatrix>& cameras) {
+  const Segment3 segment_in_world = metric_segment(line, crs);
+  JudgedLine judged;
+  judged.id = line.id;
+  judged.segment = {frame.local_from_world(segment_in_world.start),
+                    frame.local_from_world(segment_in_world.end)};
+  judged.building = line.building;
+  judged.covariance_m2 = line.covariance_m2;
+  judged.images = evidence_of(line, frame, patch);
+  judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection";
+  judged.epipolar_angle_deg = line.epipolar_angle_deg;
+  if (!judged.epipolar_angle_deg && cameras.size() >= 2 && all_finite(segment_in_world)) {
+    judged.epipolar_angle_deg =
+        epipolar_angle_rad(cameras, segment_in_world) * 180.0 / std::numbers::pi;
+  }
+  judged.line_class = class_of(line, judged.epipolar_angle_deg);
+  return judged;
+}
+
+std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& patch) {
+  std::vector<ProjectionMatrix> cameras;
+  if (!patch) return cameras;
+  for (const auto& image : patch->images) cameras.push_back(image.image_from_world);
+  return cameras;
+}
+
+std::vector<Segment3> finite_segments(const std::vector<JudgedLine>& lines) {
+  std::vector<Segment3> segments;
+  for (const JudgedLine& line : lines) {
+    if (line.reconstructed && all_finite(line.segment)) segments.push_back(line.segment);
+  }
+  return segments;
+}
+
+std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& references) {
+  std::vector<Segment3> segments;
+  segments.reserve(references.size());
+  for (const evaluate::ReferenceLine& line : references) segments.push_back(line.segment);
+  return segments;
+}
+
+}  // namespace
+
+std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
+                                        const LocalFrame& frame,
+                                        const std::optional<io::PatchFile>& patch) {
+  const std::vector<ProjectionMatrix> cameras = cameras_of(patch);
+  const io::CrsFacts crs = io::describe(set.crs);
+  std::vector<JudgedLine> lines;
+  lines.reserve(set.lines.size());
+  for (const io::Line& line : set.lines) {
+    lines.push_back(judged_line(line, crs, frame, patch, cameras));
+  }
+  return lines;
+}
+
+std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
+                                                        const LocalFrame& frame) {
+  const io::CrsFacts crs = io::describe(set.crs);
+  std::vector<evaluate::ReferenceLine> references;
+  for (const io::Line& line : set.lines) {
+    const Segment3 in_world = metric_segment(line, crs);
+    if (!all_finite(in_world)) continue;
+    const double visible =
+        std::min(line.visible_left.value_or(1.0), line.visible_right.value_or(1.0));
+    references.push_back(
+        {{frame.local_from_world(in_world.start), frame.local_from_world(in_world.end)},
+         line.kind,
+         visible});
+  }
+  return references;
+}
+
+TruthRows compare_with_truth(
+    const evaluate::Evaluation& evaluation,
+    const std::vector<JudgedLine>& lines,
+    const std::optional<std::vector<evaluate::ReferenceLine>>& references) {
+  TruthRows rows;
+  const auto add = [&](const char* reference, const auto& measures) {
+    for (const evaluate::ToleranceMeasures& m : measures) {
+      rows.tolerances.push_back({evaluation.patch, evaluation.method, reference, m});
+    }
+  };
+  const evaluate::ToleranceOptions options;
+  add("planes", evaluate::measure_against_planes(evaluation.lines, options));
+  if (!references) return rows;
+  add("lines",
+      evaluate::measure_against_lines(finite_segments(lines), segments_of(*references), options));
+  rows.references.push_back(
+      {evaluation.patch, evaluation.method, evaluate::compare_with_references(lines, *references)});
+  return rows;
+}
+
+}  // namespace ridgeline::apps

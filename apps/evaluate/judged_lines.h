@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/line_evaluation.h"
+#include "evaluate/statistics/evaluation.h"
+#include "evaluate/statistics/reference_errors.h"
+#include "evaluate/tables/reference_table.h"
+#include "evaluate/tables/tolerance_table.h"
+#include "io/lines/line_set.h"
+#include "io/patch.h"
+#include "reconstruct/geometry/local_frame.h"
+
+#include <optional>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The lines of a file in metres of the local frame. The patch's cameras class those without a
+/// class; lines that state their image segments take these along as evidence.
+std::vector<evaluate::JudgedLine> judged_lines_of(const io::LineSet& set,
+                                                  const LocalFrame& frame,
+                                                  const std::optional<io::PatchFile>& patch);
+
+/// The true lines of a file; those with coordinates that are not finite are left out.
+std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
+                                                        const LocalFrame& frame);
+
+/// Figures beside the distances from LIDAR planes.
+struct TruthRows {
+  std::vector<evaluate::ToleranceRow> tolerances;  ///< against planes; against lines where given
+  std::vector<evaluate::ReferenceRow> references;  ///< none without reference lines
+};
+
+/// Of the lines that `evaluation` judged.
+TruthRows compare_with_truth(const evaluate::Evaluation& evaluation,
+                             const std::vector<evaluate::JudgedLine>& lines,
+                             const std::optional<std::vector<evaluate::ReferenceLine>>& references);
+
+}  // namespace ridgeline::apps

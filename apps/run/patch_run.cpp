@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/run/patch_run.h"
+
+#include "apps/common/option_flags.h"
+#include "apps/evaluate/judge_files.h"
+#include "apps/evaluate/write_results.h"
+#include "apps/run/patch_stages.h"
+#include "apps/run/stage_cache.h"
+#include "evaluate/judge/judge_lines.h"
+#include "evaluate/tables/evaluation_json.h"
+#include "io/lines/read_lines.h"
+#include "io/sha256.h"
+#include "io/text_file.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+namespace ridgeline::apps {
+namespace fs = std::filesystem;
+namespace {
+
+using reconstruct::Method;
+
+/// One patch on its way through the stages. Each stage either runs or, being done, leaves its files
+/// to be read; what comes after reads files in both cases, so that a resumed run gives the same
+/// bytes.
+class PatchRun {
+ public:
+  PatchRun(const io::PatchFile& patch,
+           const RunOptions& options,
+           const OutputFolder& out,
+           Progress& progress,
+           RunRecord& record)
+      : patch_(patch),
+        options_(options),
+        out_(out),
+        progress_(progress),
+        record_(record),
+        stages_(patch, options, out.path(patch.id)),
+        cache_(out.path(patch.id), options.resume) {
+    patch_key_ = stage_key({io::sha256_of_file(patch.path)});
+  }
+
+  PatchResult run() {
+    extract();
+    match();
+    result_.matching = stages_.score_matches();
+    for (const Method method : options_.methods) reconstruct(method);
+    evaluate();
+    return std::move(result_);
+  }
+
+ private:
+  /// Runs the stage unless it is done. `files` are those that it writes, in the patch's folder.
+  template <typename Work>
+  void stage(const std::string& name,
+             const std::string& key,
+             const std::vector<std::string>& files,
+             const Work& work) {
+    progress_.begin(fmt::format("{}: {}", patch_.id, name));
+    if (cache_.is_done(name, key)) {
+      ++result_.n_skipped_stages;
+    } else {
+      work();
+      cache_.set_done(name, key, files);
+    }
+    record_.end_stage(patch_.id + "/" + name);
+  }
+
+  void extract() {
+    std::vector<std::string> parts{patch_key_, echo(options_.extract).dump(),
+                                   reconstruct::name(options_.extract.detector)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      parts.push_back(io::sha256_of_file(patch_.images[i].path));
+    }
+    extract_key_ = stage_key(parts);
+    stage("extract", extract_key_, stages_.segment_files(), [&] { stages_.extract(); });
+  }
+
+  void match() {
+    match_key_ = stage_key({extract_key_, echo(options_.match).dump()});
+    stage("match", match_key_, PatchStages::match_files(), [&] { stages_.match(); });
+  }
+
+  void reconstruct(Method method) {
+    const std::string name = reconstruct::name(method);
+    std::vector<std::string> parts{match_key_, name, echo(options_.reconstruct).dump()};
+    for (const std::string& file : stages_.line_files(method)) parts.push_back(file);
+    lines_keys_.push_back(stage_key(parts));
+    stage("reconstruct " + name, lines_keys_.back(), stages_.line_files(method),
+          [&] { stages_.reconstruct(method); });
+  }
+
+  /// All methods at once: the cloud is read once.
+  void evaluate() {
+    std::vector<std::string> files;
+    for (const Method method : options_.methods) files.push_back(evaluation_file(method));
+    stage("evaluate", evaluation_key(), files, [&] {
+      write_evaluations(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(), out_,
+                        patch_.id + "/");
+    });
+    for (const Method method : options_.methods) {
+      result_.evaluations.push_back(
+          evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method)))));
+      result_.truth.push_back(compare(method, result_.evaluations.back()));
+    }
+  }
+
+  static std::string evaluation_file(Method method) {
+    return fmt::format("evaluation.{}.json", reconstruct::name(method));
+  }
+
+  [[nodiscard]] std::string evaluation_key() const {
+    std::vector<std::string> parts = lines_keys_;
+    parts.push_back(echo(options_.judge).dump());
+    parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
+                                options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
+                                options_.summary.bootstrap.seed));
+    if (!patch_.lidar.empty()) {
+      for (const std::string& file : io::expand_patterns(patch_.lidar)) {
+        parts.push_back(io::sha256_of_file(file));
+      }
+    }
+    return stage_key(parts);
+  }
+
+  std::vector<evaluate::Evaluation> judge_against_lidar() {
+    JudgeFilesOptions options;
+    for (const Method method : options_.methods) {
+      options.line_paths.push_back(in_folder(PatchStages::line_file(method)));
+    }
+    options.cloud_paths = patch_.lidar;
+    options.patch = patch_;
+    options.patch_name = patch_.id;
+    options.cloud.frame = stages_.frame();
+    options.judge = options_.judge;
+    options.summary = options_.summary;
+    JudgedFiles judged = judge_files(options, record_);
+    record_.add_warnings(judged.warnings);
+    for (std::size_t i = 0; i < options_.methods.size(); ++i) {
+      judged.evaluations[i].method = reconstruct::name(options_.methods[i]);
+    }
+    return std::move(judged.evaluations);
+  }
+
+  /// Every line gets the status `no_lidar`.
+  [[nodiscard]] std::vector<evaluate::Evaluation> judge_without_lidar() const {
+    const auto nothing =
+        evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
+    std::vector<evaluate::Evaluation> evaluations;
+    for (const Method method : options_.methods) {
+      evaluate::Evaluation evaluation;
+      evaluation.patch = patch_.id;
+      evaluation.method = reconstruct::name(method);
+      evaluation.origin_m = stages_.frame().origin_m;
+      evaluation.options = options_.summary;
+      for (auto& judged : evaluate::judge_lines(nothing, lines_of(method), options_.judge)) {
+        evaluation.lines.push_back(std::move(judged.evaluation));
+      }
+      evaluations.push_back(evaluate::with_summaries(std::move(evaluation)));
+    }
+    return evaluations;
+  }
+
+  [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(Method method) const {
+    return judged_lines_of(io::read_lines(in_folder(PatchStages::line_file(method))),
+                           stages_.frame(), patch_);
+  }
+
+  [[nodiscard]] TruthRows compare(Method method, const evaluate::Evaluation& evaluation) const {
+    std::optional<std::vector<evaluate::ReferenceLine>> references;
+    if (patch_.reference_lines) {
+      references = reference_lines_of(io::read_lines(*patch_.reference_lines), stages_.frame());
+    }
+    return compare_with_truth(evaluation, lines_of(method), references);
+  }
+
+  [[nodiscard]] std::string in_folder(const std::string& file) const {
+    return out_.path(patch_.id + "/" + file);
+  }
+
+  const io::PatchFile& patch_;
+  const RunOptions& options_;
+  const OutputFolder& out_;
+  Progress& progress_;
+  RunRecord& record_;
+  PatchStages stages_;
+  StageCache cache_;
+  std::string patch_key_, extract_key_, match_key_;
+  std::vector<std::string> lines_keys_;
+  PatchResult result_;
+};
+
+}  // namespace
+
+std::size_t count_steps(const RunOptions& options) { return 3 + options.methods.size(); }
+
+PatchResult run_patch(const io::PatchFile& patch,
+                      const RunOptions& options,
+                      const OutputFolder& out,
+                      Progress& progress,
+                      RunRecord& record) {
+  return PatchRun(patch, options, out, progress, record).run();
+}
+
+}  // namespace ridgeline::apps

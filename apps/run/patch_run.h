@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/common/output_folder.h"
+#include "apps/common/progress.h"
+#include "apps/common/run_record.h"
+#include "apps/evaluate/judged_lines.h"
+#include "evaluate/judge/options.h"
+#include "evaluate/statistics/evaluation.h"
+#include "evaluate/tables/table1.h"
+#include "io/lines/write_lines.h"
+#include "io/patch.h"
+#include "reconstruct/estimate/options.h"
+#include "reconstruct/extract/options.h"
+#include "reconstruct/match/options.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+struct RunOptions {
+  std::vector<reconstruct::Method> methods{reconstruct::Method::kDirect,
+                                           reconstruct::Method::kJoint};
+  reconstruct::ExtractOptions extract;
+  reconstruct::MatchOptions match;
+  reconstruct::ReconstructOptions reconstruct;
+  evaluate::JudgeOptions judge;
+  evaluate::SummaryOptions summary;
+  std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
+  bool resume = false;
+};
+
+/// Matching and evaluation of one patch; its files are written.
+struct PatchResult {
+  std::optional<evaluate::Table1Row> matching;    ///< with reference matches only
+  std::vector<evaluate::Evaluation> evaluations;  ///< one per method
+  std::vector<TruthRows> truth;
+  std::size_t n_skipped_stages = 0;  ///< finished before, by --resume
+};
+
+/// Steps that run_patch() announces to the progress bar.
+std::size_t count_steps(const RunOptions& options);
+
+/// Images -> segments -> matches -> 3D lines by each method -> judged lines (Ok et al. 2011), and
+/// the files of one patch in the folder of its id. A patch without LIDAR gets its lines; their
+/// status is `no_lidar`. Throws IoError for a file's fault.
+PatchResult run_patch(const io::PatchFile& patch,
+                      const RunOptions& options,
+                      const OutputFolder& out,
+                      Progress& progress,
+                      RunRecord& record);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/run/patch_run.h"
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/local_frame.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The stages of a reconstruction with their files. Every stage reads what it needs from the files
+/// of the stages before it, unless they ran in this object.
+class PatchStages {
+ public:
+  PatchStages(const io::PatchFile& patch, const RunOptions& options, std::filesystem::path folder);
+
+  [[nodiscard]] const LocalFrame& frame() const { return frame_; }
+
+  [[nodiscard]] std::vector<std::string> segment_files() const;
+  static std::vector<std::string> match_files();
+  static std::string line_file(reconstruct::Method method);  ///< GeoJSON
+  [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
+
+  void extract();
+  void match();
+  void reconstruct(reconstruct::Method method) const;
+  /// Table 1, if the patch has reference matches.
+  [[nodiscard]] std::optional<evaluate::Table1Row> score_matches() const;
+
+ private:
+  [[nodiscard]] std::string path(const std::string& file) const;
+  const cv::Mat& image(std::size_t i);
+  [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
+
+  const io::PatchFile& patch_;
+  const RunOptions& options_;
+  std::filesystem::path folder_;
+  LocalFrame frame_;
+  std::array<cv::Mat, 2> images_;  ///< normalised; read when first needed
+};
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/run/run_options.h"
+
+#include "apps/common/option_flags.h"
+
+#include <algorithm>
+
+namespace ridgeline::apps {
+namespace {
+
+reconstruct::Detector detector_named(const std::string& name) {
+  for (const reconstruct::Detector detector :
+       {reconstruct::Detector::kEdgeDrawing, reconstruct::Detector::kLsd}) {
+    if (name == reconstruct::name(detector)) return detector;
+  }
+  return reconstruct::Detector::kOurs;
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const io::LineFormatInfo& info : io::line_formats()) names.emplace_back(info.name);
+  return names;
+}
+
+}  // namespace
+
+reconstruct::Method method_named(const std::string& name) {
+  return name == reconstruct::name(reconstruct::Method::kDirect) ? reconstruct::Method::kDirect
+                                                                 : reconstruct::Method::kJoint;
+}
+
+void add_run_flags(CLI::App& app, RunFlags& flags) {
+  app.add_option("--methods", flags.methods, "of reconstruction: direct, joint")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"direct", "joint"}))
+      ->capture_default_str();
+  app.add_option("--matcher", flags.matcher, "of the line segments")
+      ->check(CLI::IsMember({"pairwise"}))
+      ->capture_default_str();
+  app.add_option("--detector", flags.detector, "of the line segments")
+      ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
+      ->capture_default_str();
+  app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
+      ->delimiter(',')
+      ->check(CLI::IsMember(format_names()));
+  app.add_flag("--resume", flags.options.resume,
+               "skip what an earlier run with the same inputs and options has finished");
+  app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_flags(app, flags.options.extract, "Extract", "extract_");
+  add_flags(app, flags.options.match, "Match", "match_");
+  add_flags(app, flags.options.reconstruct, "Reconstruct", "reconstruct_");
+  add_flags(app, flags.options.judge, "Judge", "judge_");
+}
+
+RunOptions run_options(const RunFlags& flags) {
+  RunOptions options = flags.options;
+  options.methods.clear();
+  for (const std::string& name : flags.methods) {
+    const reconstruct::Method method = method_named(name);
+    if (std::find(options.methods.begin(), options.methods.end(), method) ==
+        options.methods.end()) {
+      options.methods.push_back(method);
+    }
+  }
+  options.extract.detector = detector_named(flags.detector);
+  for (const std::string& name : flags.line_formats) {
+    if (const auto format = io::line_format(name)) options.line_formats.push_back(*format);
+  }
+  validate(options.extract);
+  validate(options.match);
+  validate(options.reconstruct);
+  validate(options.judge);
+  return options;
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/run/patch_run.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// RunOptions as they stand on a command line.
+struct RunFlags {
+  std::vector<std::string> methods{"direct", "joint"};
+  std::string matcher = "pairwise", detector = "ours";
+  std::vector<std::string> line_formats;
+  RunOptions options;
+};
+
+void add_run_flags(CLI::App& app, RunFlags& flags);
+
+/// Throws std::invalid_argument for values out of range.
+RunOptions run_options(const RunFlags& flags);
+
+/// "direct" | "joint"; CLI::IsMember has checked it.
+reconstruct::Method method_named(const std::string& name);
+
+}  // namespace ridgeline::apps

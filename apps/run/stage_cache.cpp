@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/run/stage_cache.h"
+
+#include "apps/common/version.h"
+#include "io/atomic_file.h"
+#include "io/error.h"
+#include "io/sha256.h"
+#include "io/text_file.h"
+
+#include <span>
+
+namespace ridgeline::apps {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kFileName = "stages.json";
+
+nlohmann::json read_stages(const fs::path& file) {
+  if (!fs::exists(file)) return nlohmann::json::object();
+  nlohmann::json json = nlohmann::json::parse(io::read_text_file(file.string()), nullptr, false);
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
+}  // namespace
+
+StageCache::StageCache(fs::path folder, bool resume) : folder_(std::move(folder)), resume_(resume) {
+  if (resume_) stages_ = read_stages(folder_ / kFileName);
+}
+
+bool StageCache::is_done(const std::string& stage, const std::string& key) const {
+  if (!resume_ || !stages_.contains(stage)) return false;
+  const nlohmann::json& record = stages_[stage];
+  if (!record.is_object() || record.value("key", "") != key || !record.contains("files")) {
+    return false;
+  }
+  for (const auto& [name, hash] : record["files"].items()) {
+    const fs::path file = folder_ / name;
+    if (!fs::is_regular_file(file) || hash != io::sha256_of_file(file.string())) return false;
+  }
+  return true;
+}
+
+void StageCache::set_done(const std::string& stage,
+                          const std::string& key,
+                          const std::vector<std::string>& files) {
+  nlohmann::json hashes = nlohmann::json::object();
+  for (const std::string& name : files) {
+    hashes[name] = io::sha256_of_file((folder_ / name).string());
+  }
+  stages_[stage] = {{"key", key}, {"files", std::move(hashes)}};
+  io::write_file((folder_ / kFileName).string(), stages_.dump(2) + "\n");
+}
+
+std::string stage_key(const std::vector<std::string>& parts) {
+  io::Sha256 digest;
+  const auto add = [&digest](std::string_view text) {
+    digest.update(std::as_bytes(std::span(text)));
+    digest.update(std::as_bytes(std::span("\n", 1)));
+  };
+  add(kVersion);
+  add(kGitHash);
+  for (const std::string& part : parts) add(part);
+  return digest.hex_digest();
+}
+
+}  // namespace ridgeline::apps

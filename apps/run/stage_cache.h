@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// What is finished of a patch, for `--resume`: stages.json in its folder holds for every stage the
+/// key that it was run with and the hashes of the files that it wrote. A stage is done if its key is
+/// the same and its files are still as they were written.
+class StageCache {
+ public:
+  /// With `resume` false nothing counts as done. A stages.json that cannot be read does neither.
+  StageCache(std::filesystem::path folder, bool resume);
+
+  [[nodiscard]] bool is_done(const std::string& stage, const std::string& key) const;
+
+  /// Records the files, names within the folder, that the stage has written.
+  void set_done(const std::string& stage,
+                const std::string& key,
+                const std::vector<std::string>& files);
+
+ private:
+  std::filesystem::path folder_;
+  bool resume_;
+  nlohmann::json stages_ = nlohmann::json::object();
+};
+
+/// Hash of all that a stage's result depends on: the program, its options, the hashes of its input
+/// files and the keys of the stages before it.
+std::string stage_key(const std::vector<std::string>& parts);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/image_evidence.h"
+
+#include "reconstruct/geometry/epipolar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::evaluate {
+namespace {
+
+Eigen::Vector3d at_height(const ImageEvidence& images, const Eigen::Vector2d& x_px, double z_m) {
+  return point_on_plane(images.image_from_local[0], x_px, Plane3(Eigen::Vector3d::UnitZ(), -z_m));
+}
+
+Segment3 at_height(const ImageEvidence& images, double z_m) {
+  const Segment2& base = images.segments_px[0];
+  return {at_height(images, base.start, z_m), at_height(images, base.end, z_m)};
+}
+
+/// A ray's way through the range of heights, as a plan position per height.
+struct Ray {
+  Eigen::Vector2d at_zero, per_metre;
+  [[nodiscard]] Eigen::Vector2d at(double z_m) const { return at_zero + z_m * per_metre; }
+};
+
+Ray ray_of(const ImageEvidence& images, const Eigen::Vector2d& x_px) {
+  const auto [low, high] = images.height_range_m;
+  const Eigen::Vector2d x_low = at_height(images, x_px, low).head<2>();
+  const Eigen::Vector2d x_high = at_height(images, x_px, high).head<2>();
+  const Eigen::Vector2d per_metre = (x_high - x_low) / (high - low);
+  return {x_low - low * per_metre, per_metre};
+}
+
+/// A radius in plan that holds two to three points, from the density around `x`.
+double search_radius_m(const PointGrid& grid, const Eigen::Vector2d& x) {
+  constexpr double kAround_m = 4.0;
+  constexpr double kPointsWanted = 2.5;
+  constexpr double kSmallest_m = 0.3;
+  constexpr double kLargest_m = 1.0;
+  const auto n = static_cast<double>(grid.count_within(x, kAround_m));
+  return std::clamp(kAround_m * std::sqrt(kPointsWanted / std::max(n, 1.0)), kSmallest_m,
+                    kLargest_m);
+}
+
+std::vector<Eigen::Vector3d> points_below(const PointGrid& grid,
+                                          const ImageEvidence& images,
+                                          double radius_m) {
+  const auto [low, high] = images.height_range_m;
+  const std::vector<Segment2> sweep = plan_sweep(images, radius_m);
+  std::vector<PointGrid::Point> found;
+  for (const Segment2& segment : sweep) {
+    grid.visit_near(segment, radius_m, [&](const PointGrid::Point& p) {
+      if (p.x.z() >= low && p.x.z() <= high) found.push_back(p);
+    });
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return std::pair(-a.x.z(), a.index) < std::pair(-b.x.z(), b.index);
+  });
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (i == 0 || found[i].index != found[i - 1].index) points.push_back(found[i].x);
+  }
+  return points;
+}
+
+/// Height of the surface over a share of the segment.
+struct Sample {
+  double s, z_m;
+};
+
+std::vector<Sample> first_hits(const std::vector<Eigen::Vector3d>& from_above,
+                               const ImageEvidence& images,
+                               int n_samples,
+                               double radius_m) {
+  const Segment2& base = images.segments_px[0];
+  std::vector<Sample> hits;
+  for (int i = 0; i < n_samples; ++i) {
+    const double s = (i + 0.5) / n_samples;
+    const Ray ray = ray_of(images, base.start + s * (base.end - base.start));
+    for (const Eigen::Vector3d& p : from_above) {
+      if ((ray.at(p.z()) - p.head<2>()).squaredNorm() > radius_m * radius_m) continue;
+      hits.push_back({s, p.z()});
+      break;
+    }
+  }
+  return hits;
+}
+
+struct HeightLine {
+  double z0_m, slope_m;  ///< z = z0 + s * slope
+  [[nodiscard]] double at(double s) const { return z0_m + s * slope_m; }
+};
+
+std::vector<Sample> agreeing(const std::vector<Sample>& samples, const HeightLine& line) {
+  constexpr double kAgree_m = 0.3;  // the steepest roof within half a search radius
+  std::vector<Sample> kept;
+  for (const Sample& sample : samples) {
+    if (std::abs(sample.z_m - line.at(sample.s)) <= kAgree_m) kept.push_back(sample);
+  }
+  return kept;
+}
+
+HeightLine regression(const std::vector<Sample>& samples) {
+  double mean_s = 0.0;
+  double mean_z = 0.0;
+  for (const Sample& p : samples) {
+    mean_s += p.s / static_cast<double>(samples.size());
+    mean_z += p.z_m / static_cast<double>(samples.size());
+  }
+  double ss = 0.0;
+  double sz = 0.0;
+  for (const Sample& p : samples) {
+    ss += (p.s - mean_s) * (p.s - mean_s);
+    sz += (p.s - mean_s) * (p.z_m - mean_z);
+  }
+  const double slope = ss > 0.0 ? sz / ss : 0.0;
+  return {mean_z - slope * mean_s, slope};
+}
+
+/// The line through two samples that most others agree with, by regression on these.
+std::vector<Sample> consensus(const std::vector<Sample>& samples) {
+  constexpr double kShortest = 0.25;  // of the segment: closer samples say nothing of its slope
+  std::vector<Sample> best;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t k = i + 1; k < samples.size(); ++k) {
+      const double ds = samples[k].s - samples[i].s;
+      if (ds < kShortest) continue;
+      const double slope = (samples[k].z_m - samples[i].z_m) / ds;
+      std::vector<Sample> kept = agreeing(samples, {samples[i].z_m - slope * samples[i].s, slope});
+      if (kept.size() > best.size()) best = std::move(kept);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& images) {
+  constexpr double kSpacing_m = 0.25;
+  constexpr double kLeastShare = 0.5;  // of the samples on the line found
+  const Segment3 midway =
+      at_height(images, 0.5 * (images.height_range_m[0] + images.height_range_m[1]));
+  if (!all_finite(midway)) return std::nullopt;
+  const int n_samples = std::clamp(static_cast<int>(length(midway) / kSpacing_m), 4, 40);
+  const double radius_m = search_radius_m(grid, midpoint(plan(midway)));
+  const std::vector<Sample> inliers =
+      consensus(first_hits(points_below(grid, images, radius_m), images, n_samples, radius_m));
+  if (static_cast<double>(inliers.size()) < kLeastShare * n_samples) return std::nullopt;
+  const HeightLine line = regression(inliers);
+  const Segment2& base = images.segments_px[0];
+  const Segment3 seen{at_height(images, base.start, line.at(0.0)),
+                      at_height(images, base.end, line.at(1.0))};
+  if (!all_finite(seen) || !(length(plan(seen)) > 0.0)) return std::nullopt;
+  return seen;
+}
+
+double image_cost(const ImageEvidence& images, const Plane3& plane) {
+  constexpr double kSigmaAcross_px = 1.0;  // image line, orientation and plane together
+  constexpr double kSigmaAlong_px = 3.0;
+  constexpr double kMostAlong_px = 10.0;
+  const Segment2& base = images.segments_px[0];
+  Segment2 other = images.segments_px[1];
+  const auto& [from_base, from_other] = images.image_from_local;
+  const Segment2 carried{project(from_other, point_on_plane(from_base, base.start, plane)),
+                         project(from_other, point_on_plane(from_base, base.end, plane))};
+  if ((carried.end - carried.start).dot(other.end - other.start) < 0.0) {
+    std::swap(other.start, other.end);
+  }
+  const Eigen::Vector2d along = (other.end - other.start).normalized();
+  double cost = 0.0;
+  for (const Eigen::Vector2d& off :
+       {Eigen::Vector2d(carried.start - other.start), Eigen::Vector2d(carried.end - other.end)}) {
+    const double across_px = off.x() * along.y() - off.y() * along.x();
+    const double along_px = std::min(std::abs(off.dot(along)), kMostAlong_px);
+    cost += std::pow(across_px / kSigmaAcross_px, 2) + std::pow(along_px / kSigmaAlong_px, 2);
+  }
+  return cost;
+}
+
+std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m) {
+  constexpr int kMostSteps = 1000;  // a ray near the horizon
+  const auto [low, high] = images.height_range_m;
+  const Segment2 first = plan(at_height(images, low));
+  const Segment2 last = plan(at_height(images, high));
+  const double way_m = std::max((last.start - first.start).norm(), (last.end - first.end).norm());
+  if (!(way_m < kMostSteps * spacing_m)) return {};
+  const int steps = std::max(1, static_cast<int>(std::ceil(way_m / spacing_m)));
+  std::vector<Segment2> sweep;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    sweep.push_back(
+        {first.start + t * (last.start - first.start), first.end + t * (last.end - first.end)});
+  }
+  return sweep;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/point_grid.h"
+#include "evaluate/line_evaluation.h"
+#include "reconstruct/geometry/plane.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <optional>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// The base segment on the LIDAR surface (monoplotting, system.md 13.2): the rays through samples of
+/// the segment end at the first point of the cloud that they come close to, and a line is fitted
+/// robustly to the heights so found. Close is a radius in plan that holds about two points.
+/// No answer where most rays meet no point, or no straight line explains them, or the result has no
+/// direction in plan.
+std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& images);
+
+/// How badly the plane explains the pair of segments, in chi-square units: the ends of the base
+/// segment are carried by the plane into the other image and compared with the segment there,
+/// across it, and along it with a limit, because ends are found where an occlusion or a lack of
+/// contrast puts them (system.md 13.6).
+double image_cost(const ImageEvidence& images, const Plane3& plane);
+
+/// Plan views of the base segment at heights from the lowest to the highest: the points that
+/// monoplot() may need lie within `spacing_m` of them.
+std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m);
+
+}  // namespace ridgeline::evaluate

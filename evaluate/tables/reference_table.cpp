@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/reference_table.h"
+
+#include "evaluate/tables/format.h"
+
+#include <fmt/core.h>
+
+#include <optional>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr int kShareDecimals = 4;
+
+std::optional<double> share_of(const ReferenceCompleteness& row) {
+  if (row.n_lines == 0) return std::nullopt;
+  return static_cast<double>(row.n_reconstructed) / static_cast<double>(row.n_lines);
+}
+
+}  // namespace
+
+std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows) {
+  std::string text =
+      "patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share\n";
+  for (const ReferenceRow& row : rows) {
+    for (const ReferenceErrors& e : row.comparison.classes) {
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
+                          escape_csv(row.method), e.line_class, e.n_lines, e.n_on_reference,
+                          metres(e.rms_m, ""), metres(e.median_m, ""), metres(e.q95_m, ""),
+                          metres(e.max_m, ""), fixed(e.gross_share, kShareDecimals, ""));
+    }
+  }
+  return text;
+}
+
+std::string reference_completeness_to_csv(const std::vector<ReferenceRow>& rows) {
+  std::string text = "patch,method,kind,n_reference_lines,n_reconstructed,share\n";
+  for (const ReferenceRow& row : rows) {
+    for (const ReferenceCompleteness& c : row.comparison.completeness) {
+      text += fmt::format("{},{},{},{},{},{}\n", escape_csv(row.patch), escape_csv(row.method),
+                          escape_csv(c.kind), c.n_lines, c.n_reconstructed,
+                          fixed(share_of(c), kShareDecimals, ""));
+    }
+  }
+  return text;
+}
+
+std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
+  std::string text =
+      "Mean distance from the true line that both image segments lie on.\n\n"
+      "| patch | method | class | lines | on a true line | RMS m | median m | 95 % m | max m | "
+      "gross % |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const ReferenceRow& row : rows) {
+    for (const ReferenceErrors& e : row.comparison.classes) {
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                          escape_markdown(row.patch), escape_markdown(row.method), e.line_class,
+                          e.n_lines, e.n_on_reference, metres(e.rms_m), metres(e.median_m),
+                          metres(e.q95_m), metres(e.max_m), percent(e.gross_share));
+    }
+  }
+  text +=
+      "\nTrue lines that both images show, reconstructed over half of their length to 0.3 m.\n\n"
+      "| patch | method | kind | true lines | reconstructed | % |\n|---|---|---|--:|--:|--:|\n";
+  for (const ReferenceRow& row : rows) {
+    for (const ReferenceCompleteness& c : row.comparison.completeness) {
+      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
+                          escape_markdown(row.method), escape_markdown(c.kind), c.n_lines,
+                          c.n_reconstructed, percent(share_of(c)));
+    }
+  }
+  return text;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/image_evidence.h"
+
+#include "evaluate/judge/judge_line.h"
+#include "reconstruct/geometry/epipolar.h"
+#include "tests/support/sampled_roof.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr double kLidarSigma_m = 0.034;
+constexpr double kDensity_per_m2 = 8.0;
+// a hit lies within the search radius (0.3 m) of the ray: on a roof of slope 0.5 at most this high
+constexpr double kHit_m = 0.2;
+
+/// A frame looking straight down from 800 m, GSD 8 cm.
+ProjectionMatrix camera_at(double x) {
+  ProjectionMatrix p;
+  p << 10000, 0, 0, -10000 * x, 0, -10000, 0, 0, 0, 0, -1, 800;
+  return p;
+}
+
+ImageEvidence seen(const Segment3& segment) {
+  const std::array<ProjectionMatrix, 2> cameras{camera_at(-100.0), camera_at(108.0)};
+  return {cameras, {project(cameras[0], segment), project(cameras[1], segment)}, {-10.0, 30.0}};
+}
+
+class OnRoof : public testing::Test {
+ protected:
+  OnRoof() {
+    const auto points = roof_.sample(kDensity_per_m2, kLidarSigma_m, 5);
+    grid_ = PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
+  }
+
+  [[nodiscard]] Segment3 ridge() const {
+    return {{1, 0, roof_.ridge_height_m()}, {11, 0, roof_.ridge_height_m()}};
+  }
+  [[nodiscard]] Segment3 verge() const {
+    return {{roof_.length_m, 0.3, roof_.ridge_height_m() - 0.15},
+            {roof_.length_m, 4.5, roof_.ridge_height_m() - 2.25}};
+  }
+
+  test::SampledRoof roof_;
+  PointGrid grid_;
+};
+
+TEST_F(OnRoof, MonoplotFindsTheSurfaceThatTheBaseImageShows) {
+  for (const Segment3& truth : {ridge(), verge()}) {
+    const auto found = monoplot(grid_, seen(truth));
+    ASSERT_TRUE(found);
+    EXPECT_LT((found->start - truth.start).norm(), kHit_m);
+    EXPECT_LT((found->end - truth.end).norm(), kHit_m);
+  }
+}
+
+TEST_F(OnRoof, MonoplotHasNoAnswerWhereThereIsNoLidar) {
+  EXPECT_FALSE(monoplot(grid_, seen({{100, 0, 5}, {110, 0, 5}})));
+  EXPECT_FALSE(
+      monoplot(PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); }), seen(ridge())));
+}
+
+TEST_F(OnRoof, LineFarOffAlongTheRayIsJudgedByThePlanesThatItsImageShows) {
+  // the base ray moves the line by an eighth of its height error in plan: 2.5 m here
+  constexpr double kLift_m = 20.0;
+  JudgedLine line;
+  line.id = "lifted";
+  line.images = seen(ridge());
+  const Plane3 high(Eigen::Vector3d::UnitZ(), -(roof_.ridge_height_m() + kLift_m));
+  const auto& [base, other] = line.images->image_from_local;
+  line.segment = {point_on_plane(base, line.images->segments_px[0].start, high),
+                  point_on_plane(base, line.images->segments_px[0].end, high)};
+  const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;
+  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  EXPECT_EQ(judged.kind, Kind::kRidge);
+  EXPECT_NEAR(judged.mean_distance_m, kLift_m * roof_.normal_z(), 0.05);
+}
+
+TEST_F(OnRoof, ImagesTellALineOnTheGroundFromTheEaveAboveIt) {
+  // 0.3 m in front of the eave in plan: without images the upper surface would be taken
+  const double y = roof_.half_width_m + 0.3;
+  JudgedLine line;
+  line.id = "kerb";
+  line.segment = {{2, y, 0}, {10, y, 0}};
+  const LineEvaluation blind = judge_line(grid_, line, {}).evaluation;
+  ASSERT_EQ(blind.status, Status::kEvaluated) << blind.reason;
+  EXPECT_THAT(blind.flags, testing::Contains("upper_plane"));
+  EXPECT_GT(blind.mean_distance_m, 5.0);
+
+  line.images = seen(line.segment);
+  const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;
+  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  EXPECT_LT(judged.mean_distance_m, 0.03);
+}
+
+TEST_F(OnRoof, CostOfTheRightPlaneIsThatOfThePixelNoise) {
+  const ImageEvidence images = seen(verge());
+  const double slope = roof_.slope;
+  const Plane3 right(Eigen::Vector3d(0, slope, 1).normalized(),
+                     -roof_.ridge_height_m() * roof_.normal_z());
+  const Plane3 ground(Eigen::Vector3d::UnitZ(), 0.0);
+  EXPECT_NEAR(image_cost(images, right), 0.0, 1e-12);
+  // 6 to 8 m of height are 20 px of parallax across this line
+  EXPECT_GT(image_cost(images, ground), 400.0);
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate

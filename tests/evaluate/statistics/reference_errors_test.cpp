@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/statistics/reference_errors.h"
+
+#include "evaluate/tables/reference_table.h"
+#include "reconstruct/geometry/epipolar.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr double kExact = 1e-9;
+
+/// A frame looking straight down from 800 m, GSD 8 cm.
+ProjectionMatrix camera_at(double x) {
+  ProjectionMatrix p;
+  p << 10000, 0, 0, -10000 * x, 0, -10000, 0, 0, 0, 0, -1, 800;
+  return p;
+}
+
+/// A line that the images show exactly at `seen`, reconstructed at `found`.
+JudgedLine reconstructed(const Segment3& seen, const Segment3& found, std::string line_class) {
+  const std::array<ProjectionMatrix, 2> cameras{camera_at(-104.0), camera_at(104.0)};
+  JudgedLine line;
+  line.segment = found;
+  line.line_class = std::move(line_class);
+  line.images = {cameras, {project(cameras[0], seen), project(cameras[1], seen)}, {-10.0, 30.0}};
+  return line;
+}
+
+Segment3 moved(const Segment3& s, const Eigen::Vector3d& by) { return {s.start + by, s.end + by}; }
+
+const Segment3 kRidge{{0, 0, 8}, {10, 0, 8}};
+const Segment3 kEave{{0, 5, 5}, {10, 5, 5}};
+
+TEST(CompareWithReferences, ErrorIsTheMeanDistanceFromTheLineThatTheImagesShow) {
+  // shifted along itself, which is no error, and by a 3-4-5 triangle across
+  const std::vector<JudgedLine> lines{
+      reconstructed(kRidge, moved(kRidge, {0.7, 0.3, 0.4}), "aligned"),
+      reconstructed(kEave, moved(kEave, {0, 0, 0.1}), "not_aligned")};
+  const std::vector<ReferenceLine> truth{{kEave, "eave"}, {kRidge, "ridge"}};
+  const ReferenceComparison found = compare_with_references(lines, truth);
+  ASSERT_EQ(found.classes.size(), 3U);
+  EXPECT_EQ(found.classes[0].line_class, "not_aligned");
+  EXPECT_NEAR(*found.classes[0].rms_m, 0.1, kExact);
+  EXPECT_EQ(found.classes[1].line_class, "aligned");
+  EXPECT_NEAR(*found.classes[1].rms_m, 0.5, kExact);
+  EXPECT_NEAR(*found.classes[2].rms_m, std::sqrt((0.01 + 0.25) / 2.0), kExact);
+  EXPECT_EQ(found.classes[2].n_on_reference, 2U);
+}
+
+TEST(CompareWithReferences, LineMetresOffIsStillComparedWithItsOwnReference) {
+  const std::vector<JudgedLine> lines{reconstructed(kRidge, moved(kRidge, {0, 5, 30}), "aligned")};
+  const ReferenceComparison found = compare_with_references(
+      lines, std::vector<ReferenceLine>{{kEave, "eave"}, {kRidge, "ridge"}});
+  EXPECT_NEAR(*found.classes[1].max_m, std::hypot(5.0, 30.0), kExact);
+  EXPECT_EQ(*found.classes[1].gross_share, 1.0);
+}
+
+TEST(CompareWithReferences, LineThatTheImagesShowElsewhereHasNoReference) {
+  // half a metre are six pixels; the reconstruction happens to lie on the ridge
+  const std::vector<JudgedLine> lines{reconstructed(moved(kRidge, {0, 0.5, 0}), kRidge, "aligned")};
+  const ReferenceComparison found =
+      compare_with_references(lines, std::vector<ReferenceLine>{{kRidge, "ridge"}});
+  EXPECT_EQ(found.classes[2].n_lines, 1U);
+  EXPECT_EQ(found.classes[2].n_on_reference, 0U);
+  EXPECT_FALSE(found.classes[2].rms_m.has_value());
+}
+
+TEST(CompareWithReferences, CompletenessCountsHalfOfTheLengthOfVisibleLines) {
+  const Segment3 most{{0, 0, 8.2}, {5.1, 0, 8.2}};
+  const Segment3 less{{0, 5, 5}, {4.9, 5, 5}};
+  const std::vector<JudgedLine> lines{reconstructed(most, most, "aligned"),
+                                      reconstructed(less, less, "aligned")};
+  const std::vector<ReferenceLine> truth{
+      {kRidge, "ridge", 1.0}, {kEave, "eave", 0.6}, {moved(kEave, {0, 0, 9}), "eave", 0.4}};
+  const auto rows = compare_with_references(lines, truth).completeness;
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].kind, "eave");
+  EXPECT_EQ(rows[0].n_lines, 1U);  // the hidden one does not count
+  EXPECT_EQ(rows[0].n_reconstructed, 0U);
+  EXPECT_EQ(rows[1].kind, "ridge");
+  EXPECT_EQ(rows[1].n_reconstructed, 1U);
+  EXPECT_EQ(rows[2].kind, "all");
+  EXPECT_EQ(rows[2].n_lines, 2U);
+}
+
+TEST(ReferenceTables, FigureThatDoesNotExistIsEmpty) {
+  const std::vector<ReferenceRow> rows{
+      {"1", "joint", compare_with_references({}, std::vector<ReferenceLine>{{kRidge, "ridge"}})}};
+  EXPECT_THAT(reference_errors_to_csv(rows), testing::HasSubstr("1,joint,total,0,0,,,,,\n"));
+  EXPECT_THAT(reference_completeness_to_csv(rows), testing::HasSubstr("1,joint,all,1,0,0.0000\n"));
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate
