@@ -14,7 +14,7 @@ struct Kernels {
 
 /// A Gaussian of sum 1, and its derivative scaled to give 1 on a ramp of slope 1.
 Kernels kernels(double sigma_px) {
-  const int radius = static_cast<int>(std::ceil(3.5 * sigma_px));
+  const int radius = gradient_reach_px(sigma_px);
   Kernels k{cv::Mat(1, 2 * radius + 1, CV_32F), cv::Mat(1, 2 * radius + 1, CV_32F)};
   double sum = 0.0;
   double moment = 0.0;
@@ -58,6 +58,8 @@ cv::Vec2f gradient_of(const float* dx, const float* dy, int n_bands) {
 }
 
 }  // namespace
+
+int gradient_reach_px(double sigma_px) { return static_cast<int>(std::ceil(3.5 * sigma_px)); }
 
 cv::Mat colour_gradient(const cv::Mat& image, double sigma_px) {
   check(image.depth() == CV_32F && image.channels() <= 4,

@@ -5,6 +5,9 @@
 
 namespace ridgeline::reconstruct {
 
+/// Pixels beside a pixel on which its gradient depends.
+int gradient_reach_px(double sigma_px);
+
 /// The gradient of a multi-band image after Di Zenzo (1986): per pixel the direction in which the
 /// bands together change most, i.e. the principal eigenvector of the tensor
 /// G = sum over bands of grad f grad f^T, of length sqrt(lambda_1), in 1/px. The tensor is not

@@ -20,25 +20,20 @@ float peak_offset_px(float before, float middle, float after) {
   return std::clamp(0.5F * (c - a) / curvature, -0.5F, 0.5F);
 }
 
-std::vector<EdgePixel> edge_pixels(const cv::Mat& gradient, float min_strength) {
-  std::vector<EdgePixel> pixels;
-  for (int y = 1; y + 1 < gradient.rows; ++y) {
-    const auto* row = gradient.ptr<cv::Vec2f>(y);
-    for (int x = 1; x + 1 < gradient.cols; ++x) {
-      const cv::Vec2f& g = row[x];
-      if (g.dot(g) < min_strength * min_strength || g.dot(g) == 0.0F) continue;
-      const bool along_x = std::abs(g[0]) > std::abs(g[1]);
-      const float before = strength(along_x ? row[x - 1] : gradient.at<cv::Vec2f>(y - 1, x));
-      const float after = strength(along_x ? row[x + 1] : gradient.at<cv::Vec2f>(y + 1, x));
-      const float middle = strength(g);
-      if (middle < before || middle <= after) continue;
-      const float offset = peak_offset_px(before, middle, after);
-      const Eigen::Vector2f shift =
-          along_x ? Eigen::Vector2f(offset, 0) : Eigen::Vector2f(0, offset);
-      pixels.push_back({x, y, Eigen::Vector2f(float(x), float(y)) + shift, {g[0], g[1]}});
-    }
-  }
-  return pixels;
+std::optional<EdgePixel> edge_pixel_at(const cv::Mat& gradient, int x, int y, float min_strength) {
+  const auto& g = gradient.at<cv::Vec2f>(y, x);
+  if (!(g.dot(g) > min_strength * min_strength)) return std::nullopt;
+  const bool along_x = std::abs(g[0]) > std::abs(g[1]);
+  const cv::Point step = along_x ? cv::Point(1, 0) : cv::Point(0, 1);
+  const cv::Point middle(x, y);
+  const float s = strength(g);
+  const float before = strength(gradient.at<cv::Vec2f>(middle - step));
+  const float after = strength(gradient.at<cv::Vec2f>(middle + step));
+  if (s < before || s <= after) return std::nullopt;
+  const float offset = peak_offset_px(before, s, after);
+  const Eigen::Vector2f position(static_cast<float>(x) + offset * static_cast<float>(step.x),
+                                 static_cast<float>(y) + offset * static_cast<float>(step.y));
+  return EdgePixel{x, y, position, {g[0], g[1]}};
 }
 
 }  // namespace ridgeline::reconstruct

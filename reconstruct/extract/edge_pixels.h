@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -20,9 +21,9 @@ struct EdgePixel {
 /// step, a Gaussian, at any position between the pixels and along either axis.
 float peak_offset_px(float before, float middle, float after);
 
-/// Non-maximum suppression along the axis (x or y) nearest to the gradient (Devernay 1995): pixels
-/// of at least `min_strength` in raster order. The border of the image has none.
-/// `gradient`: CV_32FC2 of colour_gradient().
-std::vector<EdgePixel> edge_pixels(const cv::Mat& gradient, float min_strength);
+/// The edge through a pixel if the gradient has a maximum there along the axis (x or y) that is
+/// nearest to its direction (Devernay 1995) and is stronger than `min_strength`. The pixel must not
+/// be on the border of `gradient` (CV_32FC2 of colour_gradient()).
+std::optional<EdgePixel> edge_pixel_at(const cv::Mat& gradient, int x, int y, float min_strength);
 
 }  // namespace ridgeline::reconstruct

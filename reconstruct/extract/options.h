@@ -11,19 +11,31 @@ namespace ridgeline::reconstruct {
 enum class Detector : std::uint8_t { kOurs, kEdgeDrawing, kLsd };
 const char* name(Detector detector);  ///< "ours" | "edge_drawing" | "lsd"
 
+/// Strengths are multiples of the local noise: the typical strength of the gradient where there is
+/// no edge (NoiseGrid).
 struct ExtractOptions {
   Detector detector = Detector::kOurs;
 
-  double gradient_sigma_px = 0.8;
-  double low_noise_factor = 2.5;
-  double high_noise_factor = 5.0;
-  double max_lambda_min_px2 = 0.15;
-  double max_deviation_px = 1.0;
+  int diffusion_levels = 3;          ///< of the non-linear diffusion before detection; 0: none
+  double diffusion_lambda = 2.0;     ///< edges this much stronger than the noise stop it
+  bool colour_boosting = false;      ///< detect in decorrelated colour derivatives
+  double gradient_sigma_px = 0.8;    ///< more loses close edges, less is noisier
+  double low_noise_factor = 2.5;     ///< of a pixel of an edge
+  double high_noise_factor = 5.0;    ///< of the strongest pixel of an edge
+  double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
+  double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
+  double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
 
   static constexpr auto fields() {
     using O = ExtractOptions;
     return std::tuple{
+        Field{"diffusion_levels", &O::diffusion_levels, 0, 3,
+              "levels of edge-preserving colour diffusion before detection"},
+        Field{"diffusion_lambda", &O::diffusion_lambda, 0.1, 100.0,
+              "edges this many times as strong as the noise stop the diffusion"},
+        Field{"colour_boosting", &O::colour_boosting, false, true,
+              "detect edges in decorrelated colour derivatives"},
         Field{"gradient_sigma_px", &O::gradient_sigma_px, 0.5, 5.0,
               "smoothing of the colour gradient"},
         Field{"low_noise_factor", &O::low_noise_factor, 0.0, 1e3,
@@ -34,6 +46,8 @@ struct ExtractOptions {
               "straightness: variance of the edge pixels across the line"},
         Field{"max_deviation_px", &O::max_deviation_px, 0.1, 100.0,
               "straightness: largest distance of an edge pixel from the line"},
+        Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,
+              "an edge that continues beyond a gap up to this is one segment"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"}};
   }
 };

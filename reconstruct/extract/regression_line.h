@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/uncertain/uncertain_segment.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// The line that minimises the distances of points across it.
+struct RegressionLine {
+  Eigen::Vector2d centroid;
+  Eigen::Vector2d along;            ///< unit, from the first to the last point
+  std::vector<double> residual_px;  ///< of every point, n . (x - centroid), n = (-u_y, u_x)
+  std::vector<double> weight;       ///< of every point, in [0, 1]
+  double sum_weights = 0.0;
+  double sum_weights_t2 = 0.0;     ///< sum of w t^2, t along the line from the centroid
+  double first = 0.0, last = 0.0;  ///< t of the first and the last point
+};
+
+/// Orthogonal regression with the weights of Huber (1.345 sigma, sigma from the median of the
+/// residuals). The outermost points on each side have no weight if there are enough others: next to
+/// a corner an edge bends towards the inside. Needs three points that are not all the same.
+RegressionLine regression_line(std::span<const Eigen::Vector2d> points);
+
+/// Weighted variance of the residuals, two parameters being estimated.
+double variance_px2(const RegressionLine& line);
+
+/// What the residuals of the segments of one image have in common.
+struct EdgeNoise {
+  double variance_px2 = 0.01;  ///< of a point across its line, typical
+  double correlation = 1.0;    ///< n points weigh as n / correlation independent ones
+};
+
+/// From lines of at least 30 points; without any, what is typical of aerial images.
+EdgeNoise edge_noise(std::span<const RegressionLine> lines);
+
+/// The segment between the outermost points with its uncertainty (system.md, section 3.6): the
+/// variance of a point is the one of the line's own residuals, drawn to the typical one as if that
+/// came from ten more points.
+UncertainSegment2 uncertain_segment(const RegressionLine& line, const EdgeNoise& noise);
+
+}  // namespace ridgeline::reconstruct
