@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/match/match_pairwise.h"
+#include "reconstruct/match/match_view.h"
+
+#include <opencv2/core/mat.hpp>
+
+namespace ridgeline::apps {
+
+/// Both images side by side (CV_8UC3) with their segments: matched ones in a colour of their own,
+/// the same on both sides, with the left index at every fifth; the others thin and grey.
+cv::Mat match_overlay(const reconstruct::MatchView& left,
+                      const reconstruct::MatchView& right,
+                      const reconstruct::MatchResult& result);
+
+}  // namespace ridgeline::apps

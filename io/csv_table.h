@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// A comma-separated table of plain fields (no quotes) with a header, as the program itself writes.
+class CsvTable {
+ public:
+  /// Throws IoError for a file that cannot be read or is empty, and for a row with another number
+  /// of fields than the header.
+  explicit CsvTable(const std::string& path);
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  /// Names of columns count in lower case.
+  [[nodiscard]] bool has(std::string_view column) const { return find(column).has_value(); }
+  /// Throws IoError naming the column if there is none.
+  [[nodiscard]] std::size_t column(std::string_view name) const;
+
+  [[nodiscard]] std::string_view text(std::size_t row, std::size_t column) const {
+    return rows_[row].fields[column];
+  }
+  /// Throw IoError naming row and value unless it is a finite number, an index (0, 1, ...).
+  [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  [[nodiscard]] int index(std::size_t row, std::size_t column) const;
+
+  /// `path:row` of the file, for messages.
+  [[nodiscard]] std::string place_of(std::size_t row) const;
+
+ private:
+  struct Row {
+    int number = 0;
+    std::vector<std::string_view> fields;
+  };
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
+
+  std::string path_, content_;
+  std::vector<std::string> names_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace ridgeline::io

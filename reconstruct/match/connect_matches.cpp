@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/connect_matches.h"
+
+#include "reconstruct/match/base_pairs.h"
+#include "reconstruct/match/epipolar_transfer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+bool meet_in_both(const std::array<Segment2, 2>& a,
+                  const std::array<Segment2, 2>& b,
+                  const Eigen::Matrix3d& right_from_left,
+                  const MatchOptions& options) {
+  constexpr double kRadPerDeg = M_PI / 180.0;
+  std::array<Eigen::Vector2d, 2> x;
+  std::array<double, 2> angle_rad{};
+  for (const int image : {0, 1}) {
+    const auto meeting = intersection(a[image], b[image], options.min_pair_angle_deg * kRadPerDeg);
+    if (!meeting) return false;
+    x[image] = *meeting;
+    angle_rad[image] = acute_angle_rad(Eigen::Vector2d(a[image].end - a[image].start),
+                                       Eigen::Vector2d(b[image].end - b[image].start));
+  }
+  const double apart_px = 0.5 * (epipolar_distance_px(right_from_left, x[0], x[1]) +
+                                 epipolar_distance_px(right_from_left.transpose(), x[1], x[0]));
+  return apart_px <= options.max_pair_epipolar_px &&
+         std::abs(angle_rad[0] - angle_rad[1]) <= options.max_pair_turn_deg * kRadPerDeg;
+}
+
+}  // namespace
+
+std::vector<PairConnection> connect_matches(std::span<const EdgeSegment> left,
+                                            std::span<const EdgeSegment> right,
+                                            std::span<const LineMatch> matches,
+                                            const std::array<ProjectionMatrix, 2>& cameras,
+                                            const MatchOptions& options) {
+  validate(options);
+  const Eigen::Matrix3d right_from_left = fundamental_matrix(cameras[0], cameras[1]);
+  std::vector<Segment2> in_left;
+  for (const LineMatch& match : matches) {
+    check(match.left >= 0 && match.left < static_cast<int>(left.size()), "left_id = ", match.left,
+          ", must be below ", left.size());
+    check(match.right >= 0 && match.right < static_cast<int>(right.size()),
+          "right_id = ", match.right, ", must be below ", right.size());
+    in_left.push_back(left[match.left].line.segment);
+  }
+  std::vector<PairConnection> connections;
+  for (const BasePair& pair : base_pairs(in_left, options)) {
+    const LineMatch& a = matches[pair.first];
+    const LineMatch& b = matches[pair.second];
+    if (a.right == b.right) continue;
+    if (meet_in_both({in_left[pair.first], right[a.right].line.segment},
+                     {in_left[pair.second], right[b.right].line.segment}, right_from_left,
+                     options)) {
+      connections.push_back({pair.first, pair.second});
+    }
+  }
+  return connections;
+}
+
+}  // namespace ridgeline::reconstruct

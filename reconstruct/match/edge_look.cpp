@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/edge_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kAlongStep_px = 1.5;
+constexpr int kFewestAlong = 4;
+/// tan(35 deg), a common slope of roofs. 20 degrees off, a strip 8 px wide is sheared by less than a
+/// pixel at a base to height ratio of 0.26.
+constexpr double kSlope = 0.7;
+/// Variance of the grey values that is noise: keeps noise from being correlated.
+constexpr double kNoiseVariance = 0.008 * 0.008;
+
+/// Running sums of a normalised cross correlation of one band.
+struct BandSums {
+  double a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
+  void add(double x, double y) {
+    a += x;
+    b += y;
+    aa += x * x;
+    bb += y * y;
+    ab += x * y;
+  }
+};
+
+SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples) {
+  double covariance = 0.0;
+  double variance_a = 0.0;
+  double variance_b = 0.0;
+  double squared_difference = 0.0;
+  const double n = n_samples;
+  for (int band = 0; band < n_bands; ++band) {
+    const BandSums& s = sums[band];
+    covariance += s.ab / n - s.a * s.b / (n * n);
+    variance_a += s.aa / n - s.a * s.a / (n * n);
+    variance_b += s.bb / n - s.b * s.b / (n * n);
+    const double difference = (s.a - s.b) / n;
+    squared_difference += difference * difference;
+  }
+  const double noise = n_bands * kNoiseVariance;
+  return {covariance / std::sqrt((variance_a + noise) * (variance_b + noise)),
+          std::sqrt(squared_difference / n_bands)};
+}
+
+/// Where the rows of a strip lie: on the line in both images, and one pixel to the side.
+struct StripFrame {
+  std::vector<Eigen::Vector2d> on_left, on_right;
+  Eigen::Vector2d side_in_left, side_in_right;
+};
+
+/// From ideal to file pixels at a parameter of a segment.
+Eigen::Vector2d file_shift(const EdgeSegment& segment, double t) {
+  return point_at(segment.in_image, t) - point_at(segment.line.segment, t);
+}
+
+StripFrame strip_frame(const EdgeSegment& left,
+                       const EdgeSegment& right,
+                       const EpipolarOverlap& overlap,
+                       int most_along) {
+  const Segment2& segment = left.line.segment;
+  const double length_px = overlap.share_of_left() * length(segment);
+  const int n = std::clamp(static_cast<int>(length_px / kAlongStep_px), kFewestAlong, most_along);
+  StripFrame frame;
+  for (int i = 0; i < n; ++i) {
+    const double share = (i + 0.5) / n;
+    const double on_left = overlap.on_left[0] + share * overlap.share_of_left();
+    const double on_right = overlap.right_of(on_left);
+    frame.on_left.push_back(point_at(left.in_image, on_left));
+    // file_shift may be taken at the nearest end: it hardly changes along a segment
+    frame.on_right.push_back(point_at(right.line.segment, on_right) +
+                             file_shift(right, std::clamp(on_right, 0.0, 1.0)));
+  }
+  const Eigen::Vector2d u = (segment.end - segment.start).normalized();
+  frame.side_in_left = Eigen::Vector2d(-u.y(), u.x());
+  return frame;
+}
+
+std::optional<SideLook> look_of_side(const ImagePair& images,
+                                     const StripFrame& frame,
+                                     double sign,
+                                     const StripGrid& grid) {
+  std::array<BandSums, kMaxBands> sums{};
+  int n_samples = 0;
+  Colour a{};
+  Colour b{};
+  for (std::size_t i = 0; i < frame.on_left.size(); ++i) {
+    for (int k = 0; k < grid.n_offsets; ++k) {
+      const double offset = sign * (grid.first_offset_px + k * grid.offset_step_px);
+      if (!images.left.sample(frame.on_left[i] + offset * frame.side_in_left, a) ||
+          !images.right.sample(frame.on_right[i] + offset * frame.side_in_right, b)) {
+        continue;
+      }
+      ++n_samples;
+      b = images.radiometry.left_from_right(b);
+      for (int band = 0; band < images.left.n_bands(); ++band) sums[band].add(a[band], b[band]);
+    }
+  }
+  const auto wanted = static_cast<int>(frame.on_left.size()) * grid.n_offsets;
+  if (2 * n_samples < wanted) return std::nullopt;
+  return side_look(sums, images.left.n_bands(), n_samples);
+}
+
+struct FlankMoments {
+  std::array<double, kMaxBands> mean{}, spread{};
+};
+FlankMoments flank_moments(std::span<const EdgeSegment> segments) {
+  std::array<BandSums, kMaxBands> sums{};
+  for (const EdgeSegment& segment : segments) {
+    for (const Flank* flank : {&segment.left, &segment.right}) {
+      for (int band = 0; band < kMaxBands; ++band) sums[band].add(flank->colour[band], 0.0);
+    }
+  }
+  const double n = 2.0 * static_cast<double>(segments.size());
+  FlankMoments moments;
+  for (int band = 0; band < kMaxBands; ++band) {
+    moments.mean[band] = sums[band].a / n;
+    const double variance = sums[band].aa / n - moments.mean[band] * moments.mean[band];
+    moments.spread[band] = std::sqrt(std::max(0.0, variance));
+  }
+  return moments;
+}
+
+}  // namespace
+
+Radiometry relative_radiometry(std::span<const EdgeSegment> left,
+                               std::span<const EdgeSegment> right) {
+  constexpr std::size_t kFewest = 10;
+  Radiometry radiometry;
+  if (left.size() < kFewest || right.size() < kFewest) return radiometry;
+  const FlankMoments a = flank_moments(left);
+  const FlankMoments b = flank_moments(right);
+  for (int band = 0; band < kMaxBands; ++band) {
+    if (!(a.spread[band] > 0.0 && b.spread[band] > 0.0)) continue;
+    radiometry.gain[band] = static_cast<float>(a.spread[band] / b.spread[band]);
+    radiometry.offset[band] =
+        static_cast<float>(a.mean[band] - radiometry.gain[band] * b.mean[band]);
+  }
+  return radiometry;
+}
+
+EdgeLook edge_look(const ImagePair& images,
+                   const EdgeSegment& left,
+                   const EdgeSegment& right,
+                   const EpipolarOverlap& overlap,
+                   const LocalTransfer& transfer,
+                   const StripGrid& grid) {
+  StripFrame frame = strip_frame(left, right, overlap, grid.most_along);
+  EdgeLook look;
+  for (const int side : {0, 1}) {
+    const double sign = side == 0 ? -1.0 : 1.0;
+    for (int slope = 0; slope < grid.n_slopes; ++slope) {
+      const double height_per_px = (slope == 0   ? 0.0
+                                    : slope == 1 ? kSlope
+                                                 : -kSlope) *
+                                   transfer.gsd_m;
+      frame.side_in_right =
+          transfer.jacobian * frame.side_in_left + height_per_px * transfer.per_height;
+      const std::optional<SideLook> found = look_of_side(images, frame, sign, grid);
+      std::optional<SideLook>& best = look.sides[side];
+      if (found && (!best || found->ncc > best->ncc)) best = found;
+    }
+  }
+  return look;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+
+namespace ridgeline::reconstruct {
+
+/// Where a point of one image may lie in the other: the image y ~ a + z b of its ray, a line in
+/// homogeneous pixels with the object height z (m, local frame) as parameter.
+struct Stretch {
+  Eigen::Vector3d a, b;
+
+  /// Pixel for a height; not finite where the ray meets the plane of the projection centre.
+  [[nodiscard]] Eigen::Vector2d at(double z_m) const { return (a + z_m * b).hnormalized(); }
+  /// dy/dz, pixels per metre of height.
+  [[nodiscard]] Eigen::Vector2d derivative(double z_m) const;
+  /// Height at which the stretch crosses the line n.y = c, |n| = 1. Not finite for a line parallel
+  /// to it.
+  [[nodiscard]] double height_on(const Eigen::Vector2d& n, double c) const;
+};
+
+/// Transfer of points between two oriented images by way of the object height; for any orientation
+/// of the cameras except rays that run horizontally, whose stretch is not finite.
+class EpipolarTransfer {
+ public:
+  EpipolarTransfer(const ProjectionMatrix& from, const ProjectionMatrix& to);
+
+  [[nodiscard]] Stretch stretch(const Eigen::Vector2d& x_from) const;
+  /// The point of the ray at a height.
+  [[nodiscard]] Eigen::Vector3d object_point(const Eigen::Vector2d& x_from, double z_m) const;
+  /// F with x_to' F x_from = 0.
+  [[nodiscard]] const Eigen::Matrix3d& fundamental() const { return fundamental_; }
+
+ private:
+  Eigen::Matrix3d ray_from_pixel_;
+  Eigen::Vector3d centre_;
+  ProjectionMatrix to_;
+  Eigen::Matrix3d fundamental_;
+};
+
+/// The affine map that transfer at a fixed height is near a point: y(x0 + dx, z0 + dz) ~ y(x0, z0) +
+/// jacobian dx + per_height dz.
+struct LocalTransfer {
+  Eigen::Matrix2d jacobian;
+  Eigen::Vector2d per_height;  ///< px/m
+  double gsd_m = 0.0;          ///< size of a pixel of the first image on the level at z0
+};
+LocalTransfer local_transfer(const EpipolarTransfer& transfer,
+                             const Eigen::Vector2d& x_from,
+                             double z_m);
+
+/// Both directions of a stereo pair and the heights to search.
+struct StereoSearch {
+  EpipolarTransfer right_from_left, left_from_right;
+  std::array<double, 2> height_range_m;
+
+  /// Throws std::invalid_argument for matrices or heights that are not finite, or a range that is
+  /// not lowest to highest.
+  StereoSearch(const ProjectionMatrix& left,
+               const ProjectionMatrix& right,
+               const std::array<double, 2>& height_range_in_local_m);
+};
+
+/// Distance of y from the epipolar line of x (F x) in the image of y.
+double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
+                            const Eigen::Vector2d& x,
+                            const Eigen::Vector2d& y);
+
+}  // namespace ridgeline::reconstruct

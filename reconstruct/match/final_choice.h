@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/match/match_pairwise.h"
+#include "reconstruct/match/similarity_voting.h"
+
+namespace ridgeline::reconstruct {
+
+/// The last step of the matching: left segments take their most probable mate, in order of
+/// probability, if it reaches min_probability and no other edge has taken it. A mate may serve
+/// several fragments of one left edge, each with a part of its own.
+MatchResult final_choice(const MatchView& left,
+                         const std::vector<std::vector<Candidate>>& candidates,
+                         const Supports& supports,
+                         const MatchOptions& options);
+
+}  // namespace ridgeline::reconstruct

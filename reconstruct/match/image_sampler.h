@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+
+namespace ridgeline::reconstruct {
+
+inline constexpr int kMaxBands = 4;
+using Colour = std::array<float, kMaxBands>;  ///< per band; 0 where the image has fewer
+
+/// Bilinear interpolation in a CV_32FC(1..4) image.
+class ImageSampler {
+ public:
+  explicit ImageSampler(const cv::Mat& image) : image_(&image), n_bands_(image.channels()) {}
+
+  [[nodiscard]] int n_bands() const { return n_bands_; }
+
+  /// False, and `colour` untouched, outside of the centres of the border pixels.
+  [[nodiscard]] bool sample(const Eigen::Vector2d& x, Colour& colour) const {
+    if (!(x.x() >= 0.0 && x.y() >= 0.0 && x.x() <= image_->cols - 1.0 &&
+          x.y() <= image_->rows - 1.0)) {
+      return false;
+    }
+    const int column = std::min(static_cast<int>(x.x()), image_->cols - 2);
+    const int row = std::min(static_cast<int>(x.y()), image_->rows - 2);
+    const auto fx = static_cast<float>(x.x() - column);
+    const auto fy = static_cast<float>(x.y() - row);
+    const float* upper = image_->ptr<float>(row) + static_cast<std::ptrdiff_t>(column) * n_bands_;
+    const float* lower =
+        image_->ptr<float>(row + 1) + static_cast<std::ptrdiff_t>(column) * n_bands_;
+    for (int band = 0; band < n_bands_; ++band) {
+      const float top = upper[band] + fx * (upper[band + n_bands_] - upper[band]);
+      const float bottom = lower[band] + fx * (lower[band + n_bands_] - lower[band]);
+      colour[band] = top + fy * (bottom - top);
+    }
+    return true;
+  }
+
+ private:
+  const cv::Mat* image_;
+  int n_bands_;
+};
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/match/edge_look.h"
+#include "reconstruct/match/epipolar_overlap.h"
+
+#include <array>
+
+namespace ridgeline::reconstruct {
+
+/// What speaks for a match of two single lines, each in [0, 1] with 1 as the best.
+struct LineMeasures {
+  static constexpr int kCount = 6;
+  enum Index : int {
+    kBetterSide,  ///< correlation of the side that agrees better
+    kOtherSide,   ///< of the other side; 0.5, undecided, where it is not seen
+    kColour,      ///< colours of the better side
+    kContrast,    ///< direction and strength of the colour step across the line
+    kOverlap,     ///< share of the longer segment in the epipolar overlap
+    kLevel,       ///< how level the line is: most edges of buildings are
+  };
+  std::array<double, kCount> values{};
+};
+
+LineMeasures line_measures(const EdgeSegment& left,
+                           const EdgeSegment& right,
+                           const EpipolarOverlap& overlap,
+                           const EdgeLook& look,
+                           const Radiometry& radiometry,
+                           double gsd_m);
+
+/// Probability of the match in [0, 1] by logistic regression over the measures.
+double line_similarity(const LineMeasures& measures);
+
+}  // namespace ridgeline::reconstruct

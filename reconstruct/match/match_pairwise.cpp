@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/match_pairwise.h"
+
+#include "reconstruct/match/final_choice.h"
+#include "reconstruct/match/similarity_voting.h"
+
+#include <tbb/parallel_for.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+void check_images(const MatchView& left, const MatchView& right) {
+  for (const MatchView* view : {&left, &right}) {
+    check(view->image.depth() == CV_32F && view->image.channels() <= kMaxBands &&
+              view->image.rows >= 2 && view->image.cols >= 2,
+          "image: must be CV_32F of 1 to 4 bands and at least 2 x 2 pixels");
+  }
+  check(left.image.channels() == right.image.channels(),
+        "bands of the images = ", left.image.channels(), " and ", right.image.channels(),
+        ", must be equal");
+}
+
+std::vector<Segment2> segments_of(const MatchView& view) {
+  std::vector<Segment2> segments;
+  segments.reserve(view.segments.size());
+  for (const EdgeSegment& edge : view.segments) segments.push_back(edge.line.segment);
+  return segments;
+}
+
+std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const BasePair> pairs) {
+  std::vector<std::vector<PairMatch>> found(pairs.size());
+  tbb::parallel_for(std::size_t{0}, pairs.size(),
+                    [&](std::size_t p) { found[p] = pair_matches(scene, pairs[p]); });
+  std::vector<PairMatch> all;
+  for (const std::vector<PairMatch>& matches : found) {
+    all.insert(all.end(), matches.begin(), matches.end());
+  }
+  return all;
+}
+
+double gsd_m(const MatchView& left, const StereoSearch& search) {
+  const Eigen::Vector2d centre(0.5 * left.image.cols, 0.5 * left.image.rows);
+  const auto [lowest, highest] = search.height_range_m;
+  return local_transfer(search.right_from_left, centre, 0.5 * (lowest + highest)).gsd_m;
+}
+
+}  // namespace
+
+MatchResult match_pairwise(const MatchView& left,
+                           const MatchView& right,
+                           const std::array<double, 2>& height_range_in_local_m,
+                           const MatchOptions& options) {
+  validate(options);
+  check_images(left, right);
+  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
+  const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
+  const std::vector<std::vector<Candidate>> candidates =
+      match_candidates(left, right, search, radiometry, options);
+  const std::vector<BasePair> pairs = base_pairs(segments_of(left), options);
+  const PairScene scene{
+      left,       right,  search, {ImageSampler(left.image), ImageSampler(right.image), radiometry},
+      candidates, options};
+  const std::vector<PairMatch> pair_matches = all_pair_matches(scene, pairs);
+  const Supports supports =
+      similarity_votes(left, right, candidates, pair_matches, gsd_m(left, search));
+  return final_choice(left, candidates, supports, options);
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+
+/// Pair-wise matching. Ok et al. 2011 name the steps but publish no numbers: the defaults are ours.
+struct MatchOptions {
+  /// Below this angle to the epipolar line end points are not transferred by geometry.
+  double min_epipolar_angle_deg = 5.0;
+  double max_turn_deg = 35.0;  ///< a steep line of a roof turns by up to 20 degrees between views
+  double epipolar_tolerance_px = 2.0;  ///< of near-aligned segments to each other's epipolar band
+  double min_overlap = 0.3;            ///< of the shorter segment, in the epipolar overlap
+  int max_candidates = 8;              ///< per segment, by the look of the single line
+
+  double first_pair_radius_px = 30.0;  ///< grows until a segment has min_partners
+  double max_pair_radius_px = 150.0;
+  int min_partners = 3;
+  int max_partners = 15;
+  double min_pair_angle_deg = 10.0;  ///< as the t-term of Eq. 6
+  double max_pair_turn_deg = 15.0;   ///< difference of the angle enclosed by a pair
+  double max_pair_epipolar_px = 5.0;
+
+  double max_distance_ratio = 0.8;  ///< next to best, of the votes of a line's candidates
+  double min_probability = 0.5;     ///< of a match, to be kept
+
+  static constexpr auto fields() {
+    using O = MatchOptions;
+    return std::tuple{
+        Field{"min_epipolar_angle_deg", &O::min_epipolar_angle_deg, 0.1, 45.0,
+              "below this angle to the epipolar line the look decides what corresponds"},
+        Field{"max_turn_deg", &O::max_turn_deg, 0.0, 90.0,
+              "largest difference of direction of two matched segments"},
+        Field{"epipolar_tolerance_px", &O::epipolar_tolerance_px, 0.0, 100.0,
+              "of near-aligned segments to each other's epipolar band"},
+        Field{"min_overlap", &O::min_overlap, 0.0, 1.0,
+              "epipolar overlap of two segments, share of the shorter one"},
+        Field{"max_candidates", &O::max_candidates, 1, 100, "candidates kept per segment"},
+        Field{"first_pair_radius_px", &O::first_pair_radius_px, 1.0, 1e4,
+              "search radius of line pairs to start with"},
+        Field{"max_pair_radius_px", &O::max_pair_radius_px, 1.0, 1e4,
+              "up to where the radius grows for a segment with few partners"},
+        Field{"min_partners", &O::min_partners, 1, 1000, "partners at which the radius is kept"},
+        Field{"max_partners", &O::max_partners, 1, 1000, "nearest partners used per segment"},
+        Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.1, 89.0,
+              "smallest angle enclosed by a pair"},
+        Field{"max_pair_turn_deg", &O::max_pair_turn_deg, 0.0, 90.0,
+              "largest difference of the enclosed angle between the images"},
+        Field{"max_pair_epipolar_px", &O::max_pair_epipolar_px, 0.0, 100.0,
+              "largest distance of a pair's intersection point from its epipolar line"},
+        Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,
+              "next to best votes of a line; above it the line is ambiguous for now"},
+        Field{"min_probability", &O::min_probability, 0.0, 1.0,
+              "smallest probability of a match that is kept"}};
+  }
+};
+
+}  // namespace ridgeline::reconstruct

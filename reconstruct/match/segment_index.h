@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Finds image segments by place: a grid whose cells list the segments that run through them.
+class SegmentIndex {
+ public:
+  explicit SegmentIndex(std::span<const Segment2> segments);
+
+  /// Segments that may come into the box, in ascending order, each once: all that do, and some that
+  /// only pass nearby.
+  [[nodiscard]] std::vector<int> in_box(const Eigen::AlignedBox2d& box) const;
+
+ private:
+  [[nodiscard]] Eigen::Vector2i cell_of(const Eigen::Vector2d& x) const;
+
+  Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2i n_cells_ = Eigen::Vector2i::Zero();
+  std::vector<std::size_t> first_;  ///< per cell, into ids_; one more than cells
+  std::vector<int> ids_;
+};
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/similarity_voting.h"
+
+#include "reconstruct/match/segment_index.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kMostPasses = 20;
+constexpr double kFixedPoint = 1e-4;  // largest change of a probability
+
+/// A candidate by its place in the flat list of all.
+using Flat = int;
+
+/// A pair match seen from one of its members.
+struct Link {
+  int partner;     ///< left segment
+  Flat candidate;  ///< of the partner
+  double similarity;
+};
+
+/// A segment nearby whose height should agree.
+struct Neighbour {
+  int segment;
+  double distance_px;
+};
+
+struct Network {
+  std::vector<int> first;  ///< per left segment: its first flat candidate; one more at the end
+  std::vector<const Candidate*> candidates;
+  std::vector<int> left;                           ///< left segment, per candidate
+  std::vector<std::vector<Flat>> rivals;           ///< per candidate
+  std::vector<std::vector<Link>> links;            ///< per candidate, by partner
+  std::vector<std::vector<Neighbour>> neighbours;  ///< per left segment
+  double gsd_m = 0.0;
+};
+
+double mid_height(const Candidate& c) { return c.overlap.height_at(0.5); }
+
+bool disjoint_on_right(const EpipolarOverlap& a, const EpipolarOverlap& b) {
+  constexpr double kShared = 0.3;  // of the shorter interval: end points are uncertain
+  const auto [a_low, a_high] = std::minmax(a.on_right[0], a.on_right[1]);
+  const auto [b_low, b_high] = std::minmax(b.on_right[0], b.on_right[1]);
+  const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
+  return common <= kShared * std::min(a_high - a_low, b_high - b_low);
+}
+
+void add_row_rivals(Network& network, const MatchView& right) {
+  for (std::size_t i = 0; i + 1 < network.first.size(); ++i) {
+    for (Flat a = network.first[i]; a < network.first[i + 1]; ++a) {
+      for (Flat b = network.first[i]; b < network.first[i + 1]; ++b) {
+        if (a == b) continue;
+        const Segment2& own = right.segments[network.candidates[a]->right].line.segment;
+        const Segment2& other = right.segments[network.candidates[b]->right].line.segment;
+        if (!are_fragments(own, other)) network.rivals[a].push_back(b);
+      }
+    }
+  }
+}
+
+void add_column_rivals(Network& network, const MatchView& left, std::size_t n_right) {
+  std::vector<std::vector<Flat>> of_right(n_right);
+  for (Flat c = 0; c < static_cast<Flat>(network.candidates.size()); ++c) {
+    of_right[network.candidates[c]->right].push_back(c);
+  }
+  for (const std::vector<Flat>& column : of_right) {
+    for (const Flat a : column) {
+      for (const Flat b : column) {
+        if (a == b) continue;
+        if (!may_share_mate(
+                left.segments[network.left[a]].line.segment, network.candidates[a]->overlap,
+                left.segments[network.left[b]].line.segment, network.candidates[b]->overlap)) {
+          network.rivals[a].push_back(b);
+        }
+      }
+    }
+  }
+}
+
+void add_links(Network& network, std::span<const PairMatch> pairs) {
+  for (const PairMatch& match : pairs) {
+    const Flat a = network.first[match.pair.first] + match.first_candidate;
+    const Flat b = network.first[match.pair.second] + match.second_candidate;
+    network.links[a].push_back({match.pair.second, b, match.similarity});
+    network.links[b].push_back({match.pair.first, a, match.similarity});
+  }
+  for (std::vector<Link>& links : network.links) {
+    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+      return a.partner != b.partner ? a.partner < b.partner : a.candidate < b.candidate;
+    });
+  }
+}
+
+std::vector<Neighbour> neighbours_of(int segment,
+                                     std::span<const Segment2> segments,
+                                     const SegmentIndex& index) {
+  constexpr double kReach_px = 60.0;
+  constexpr std::size_t kMost = 12;
+  const Segment2& own = segments[segment];
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kReach_px);
+  std::vector<Neighbour> neighbours;
+  for (const int other : index.in_box(Eigen::AlignedBox2d(own.start.cwiseMin(own.end) - reach,
+                                                          own.start.cwiseMax(own.end) + reach))) {
+    const double apart_px = distance(own, segments[other]);
+    if (other != segment && apart_px <= kReach_px) neighbours.push_back({other, apart_px});
+  }
+  std::stable_sort(
+      neighbours.begin(), neighbours.end(),
+      [](const Neighbour& a, const Neighbour& b) { return a.distance_px < b.distance_px; });
+  if (neighbours.size() > kMost) neighbours.resize(kMost);
+  return neighbours;
+}
+
+void add_neighbours(Network& network, const MatchView& left) {
+  std::vector<Segment2> segments;
+  for (const EdgeSegment& edge : left.segments) segments.push_back(edge.line.segment);
+  const SegmentIndex index(segments);
+  network.neighbours.resize(segments.size());
+  tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
+    network.neighbours[i] = neighbours_of(static_cast<int>(i), segments, index);
+  });
+}
+
+Network build_network(const MatchView& left,
+                      const MatchView& right,
+                      const std::vector<std::vector<Candidate>>& candidates,
+                      std::span<const PairMatch> pairs,
+                      double gsd_m) {
+  Network network;
+  network.gsd_m = gsd_m;
+  network.first.push_back(0);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (const Candidate& candidate : candidates[i]) {
+      network.candidates.push_back(&candidate);
+      network.left.push_back(static_cast<int>(i));
+    }
+    network.first.push_back(static_cast<int>(network.candidates.size()));
+  }
+  network.rivals.resize(network.candidates.size());
+  network.links.resize(network.candidates.size());
+  add_row_rivals(network, right);
+  add_column_rivals(network, left, right.segments.size());
+  add_links(network, pairs);
+  add_neighbours(network, left);
+  return network;
+}
+
+double best_probability(const Network& network, std::span<const double> probability, int segment) {
+  double best = 0.0;
+  for (Flat c = network.first[segment]; c < network.first[segment + 1]; ++c) {
+    best = std::max(best, probability[c]);
+  }
+  return best;
+}
+
+void add_votes(const Network& network,
+               std::span<const double> probability,
+               Flat candidate,
+               Support& support) {
+  constexpr double kSupporting = 0.25;  // a vote from here on counts as a pair
+  const std::vector<Link>& links = network.links[candidate];
+  double possible = 0.0;
+  for (std::size_t begin = 0; begin < links.size();) {
+    double best = 0.0;
+    std::size_t end = begin;
+    for (; end < links.size() && links[end].partner == links[begin].partner; ++end) {
+      best = std::max(best, links[end].similarity * probability[links[end].candidate]);
+    }
+    possible += best_probability(network, probability, links[begin].partner);
+    support.votes += best;
+    if (best >= kSupporting) ++support.n_pairs;
+    begin = end;
+  }
+  support.vote_share = support.votes / (possible + 0.5);
+}
+
+double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
+  constexpr double kNear_px = 20.0;
+  constexpr double kSameHeight_m = 0.3;
+  constexpr double kSlope = 0.7;
+  const double z = mid_height(*network.candidates[candidate]);
+  double agreeing = 0.0;
+  double all = 0.5;  // a lone neighbour proves little
+  for (const Neighbour& neighbour : network.neighbours[network.left[candidate]]) {
+    const double weight = std::exp(-neighbour.distance_px / kNear_px);
+    const double spread_m = kSameHeight_m + kSlope * network.gsd_m * neighbour.distance_px;
+    for (Flat c = network.first[neighbour.segment]; c < network.first[neighbour.segment + 1]; ++c) {
+      const double apart = (mid_height(*network.candidates[c]) - z) / spread_m;
+      agreeing += weight * probability[c] * std::exp(-0.5 * apart * apart);
+      all += weight * probability[c];
+    }
+  }
+  return agreeing / all;
+}
+
+/// Strength e^T of a candidate: odds of being right before its rivals are looked at.
+double strength(const Candidate& candidate, const Support& support) {
+  constexpr double kBias = -2.0;
+  constexpr double kLook = 0.8;
+  constexpr double kVotes = 0.6;
+  constexpr double kVoteShare = 2.0;
+  constexpr double kHeight = 2.0;
+  const double u = std::clamp(candidate.similarity, 1e-6, 1.0 - 1e-6);
+  return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVotes * support.votes +
+                  kVoteShare * support.vote_share + kHeight * support.height);
+}
+
+}  // namespace
+
+bool are_fragments(const Segment2& a, const Segment2& b) {
+  constexpr double kTurn_rad = 2.0 * M_PI / 180.0;
+  constexpr double kOffset_px = 1.5;
+  const Eigen::Vector2d u = a.end - a.start;
+  const Eigen::Vector2d v = b.end - b.start;
+  if (acute_angle_rad(u, v) > kTurn_rad) return false;
+  // measured from the longer one, whose direction is known better
+  const Segment2& longer = u.squaredNorm() >= v.squaredNorm() ? a : b;
+  const Segment2& shorter = &longer == &a ? b : a;
+  const Eigen::Vector2d along = (longer.end - longer.start).normalized();
+  const Eigen::Vector2d w = midpoint(shorter) - longer.start;
+  return std::abs(along.x() * w.y() - along.y() * w.x()) <= kOffset_px;
+}
+
+bool may_share_mate(const Segment2& a,
+                    const EpipolarOverlap& a_overlap,
+                    const Segment2& b,
+                    const EpipolarOverlap& b_overlap) {
+  return are_fragments(a, b) && disjoint_on_right(a_overlap, b_overlap);
+}
+
+Supports similarity_votes(const MatchView& left,
+                          const MatchView& right,
+                          const std::vector<std::vector<Candidate>>& candidates,
+                          std::span<const PairMatch> pairs,
+                          double gsd_m) {
+  const Network network = build_network(left, right, candidates, pairs, gsd_m);
+  const std::size_t n = network.candidates.size();
+  std::vector<Support> supports(n);
+  std::vector<double> probability(n);
+  std::vector<double> strengths(n);
+  for (std::size_t c = 0; c < n; ++c) probability[c] = network.candidates[c]->similarity;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
+      Support support;
+      add_votes(network, probability, static_cast<Flat>(c), support);
+      support.height = height_support(network, probability, static_cast<Flat>(c));
+      strengths[c] = strength(*network.candidates[c], support);
+      supports[c] = support;
+    });
+    double change = 0.0;
+    for (std::size_t c = 0; c < n; ++c) {
+      double rivals = 0.0;
+      for (const Flat rival : network.rivals[c]) rivals += strengths[rival];
+      const double next = strengths[c] / (1.0 + strengths[c] + rivals);
+      change = std::max(change, std::abs(next - probability[c]));
+      probability[c] = next;
+      supports[c].probability = next;
+    }
+    if (change < kFixedPoint) break;
+  }
+  Supports by_segment(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    by_segment[i].assign(supports.begin() + network.first[i],
+                         supports.begin() + network.first[i + 1]);
+  }
+  return by_segment;
+}
+
+}  // namespace ridgeline::reconstruct
