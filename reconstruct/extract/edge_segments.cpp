@@ -47,7 +47,7 @@ EdgeSegment segment_of(const TraceLines& lines, const EdgeNoise& noise, const cv
   segment.line = uncertain_segment(lines.ideal, noise);
   segment.in_image = uncertain_segment(lines.in_image, noise).segment;
   segment.n_edge_pixels = static_cast<int>(lines.trace->size());
-  segment.rms_px = std::sqrt(variance_px2(lines.ideal));
+  segment.rms_px = std::sqrt(variance_px2(lines.ideal, noise.correlation));
   segment.contrast = mean_strength(*lines.trace);
   const auto [left, right] = flanks(image, segment.in_image);
   segment.left = left;

@@ -77,66 +77,90 @@ RegressionLine regression_line(std::span<const Eigen::Vector2d> points) {
 namespace {
 
 constexpr std::size_t kMinForStatistics = 30;
-constexpr int kMaxLag = 8;
-constexpr double kTypicalCorrelation = 2.5;
+constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
 constexpr double kSystematicAcross_px = 0.01;
 constexpr double kSigmaAlong_px = 1.0;
 
-}  // namespace
-
-double variance_px2(const RegressionLine& line) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < line.weight.size(); ++i) {
-    sum += line.weight[i] * line.residual_px[i] * line.residual_px[i];
-  }
-  return sum / std::max(1.0, line.sum_weights - 2.0);
+/// Two parameters take as many independent points, each of which is `correlation` points.
+double degrees_of_freedom(const RegressionLine& line, double correlation) {
+  return std::max(1.0, line.sum_weights - 2.0 * correlation);
 }
 
-EdgeNoise edge_noise(std::span<const RegressionLine> lines) {
-  std::vector<double> variances;
-  std::array<double, kMaxLag + 1> products{};
-  std::array<double, kMaxLag + 1> counts{};
-  for (const RegressionLine& line : lines) {
+/// Autocorrelation of the residuals of lines, each line scaled to variance 1.
+struct Autocorrelation {
+  std::array<double, kMaxLag + 1> products{}, counts{};
+  double n_points = 0.0;
+  int n_lines = 0;
+
+  void add(const RegressionLine& line) {
+    const double variance = std::max(1e-8, variance_px2(line, 1.0));
     const std::size_t n = line.weight.size();
-    if (n < kMinForStatistics) continue;
-    const double variance = std::max(1e-8, variance_px2(line));
-    variances.push_back(variance);
-    for (int lag = 0; lag <= kMaxLag; ++lag) {
+    for (std::size_t lag = 0; lag < products.size(); ++lag) {
       for (std::size_t i = 0; i + lag < n; ++i) {
         const double w = line.weight[i] * line.weight[i + lag];
         products[lag] += w * line.residual_px[i] * line.residual_px[i + lag] / variance;
         counts[lag] += w;
       }
     }
+    n_points += line.sum_weights;
+    ++n_lines;
+  }
+
+  /// f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have correlations
+  /// r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average; solved for f.
+  [[nodiscard]] double inflation() const {
+    double sum = 0.0;
+    for (int lag = 1; lag <= kMaxLag; ++lag) {
+      sum += products[lag] / counts[lag] / (products[0] / counts[0]);
+    }
+    const double mean_n = n_points / n_lines;
+    return std::clamp((1.0 + 2.0 * sum) / (1.0 - 4.0 * (kMaxLag - sum) / mean_n), 1.0, 10.0);
+  }
+};
+
+}  // namespace
+
+double variance_px2(const RegressionLine& line, double correlation) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < line.weight.size(); ++i) {
+    sum += line.weight[i] * line.residual_px[i] * line.residual_px[i];
+  }
+  return sum / degrees_of_freedom(line, correlation);
+}
+
+EdgeNoise edge_noise(std::span<const RegressionLine> lines) {
+  Autocorrelation autocorrelation;
+  for (const RegressionLine& line : lines) {
+    if (line.weight.size() >= kMinForStatistics) autocorrelation.add(line);
   }
   EdgeNoise noise;
-  noise.correlation = kTypicalCorrelation;
-  if (variances.empty()) return noise;
+  if (autocorrelation.n_lines == 0) return noise;
+  noise.correlation = autocorrelation.inflation();
+  std::vector<double> variances;
+  for (const RegressionLine& line : lines) {
+    if (line.weight.size() < kMinForStatistics) continue;
+    variances.push_back(variance_px2(line, noise.correlation));
+  }
   const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
   std::nth_element(variances.begin(), middle, variances.end());
   noise.variance_px2 = *middle;
-  noise.correlation = 1.0;
-  for (int lag = 1; lag <= kMaxLag; ++lag) {
-    noise.correlation += 2.0 * products[lag] / counts[lag] / (products[0] / counts[0]);
-  }
-  noise.correlation = std::clamp(noise.correlation, 1.0, 10.0);
   return noise;
 }
 
 UncertainSegment2 uncertain_segment(const RegressionLine& line, const EdgeNoise& noise) {
-  const double freedom = std::max(1.0, line.sum_weights - 2.0);
-  const double own = variance_px2(line) * freedom / noise.correlation;
-  const double variance = (own + kShrinkage * noise.variance_px2) /
-                          (freedom / noise.correlation + kShrinkage) * noise.correlation;
+  const double own_weight = degrees_of_freedom(line, noise.correlation) / noise.correlation;
+  const double own = variance_px2(line, noise.correlation);
+  const double mean = (own_weight * own + kShrinkage * noise.variance_px2) /
+                      (own_weight + kShrinkage) * noise.correlation;
   const double half_length = 0.5 * (line.last - line.first);
   UncertainSegment2 segment;
   segment.segment = {line.centroid + line.first * line.along,
                      line.centroid + line.last * line.along};
   segment.centroid_px = line.centroid;
-  segment.sigma_q_px = std::hypot(std::sqrt(variance / line.sum_weights), kSystematicAcross_px);
+  segment.sigma_q_px = std::hypot(std::sqrt(mean / line.sum_weights), kSystematicAcross_px);
   segment.sigma_phi_rad =
-      std::hypot(std::sqrt(variance / line.sum_weights_t2), kSystematicAcross_px / half_length);
+      std::hypot(std::sqrt(mean / line.sum_weights_t2), kSystematicAcross_px / half_length);
   segment.sigma_e_px = kSigmaAlong_px;
   return segment;
 }

@@ -26,13 +26,14 @@ struct RegressionLine {
 /// a corner an edge bends towards the inside. Needs three points that are not all the same.
 RegressionLine regression_line(std::span<const Eigen::Vector2d> points);
 
-/// Weighted variance of the residuals, two parameters being estimated.
-double variance_px2(const RegressionLine& line);
+/// Variance of a point across the line from the residuals, if n points are n / correlation
+/// independent ones.
+double variance_px2(const RegressionLine& line, double correlation);
 
 /// What the residuals of the segments of one image have in common.
 struct EdgeNoise {
   double variance_px2 = 0.01;  ///< of a point across its line, typical
-  double correlation = 1.0;    ///< n points weigh as n / correlation independent ones
+  double correlation = 2.8;    ///< n points weigh as n / correlation independent ones
 };
 
 /// From lines of at least 30 points; without any, what is typical of aerial images.
