@@ -47,7 +47,7 @@ EdgeSegment segment_of(const TraceLines& lines, const EdgeNoise& noise, const cv
   segment.line = uncertain_segment(lines.ideal, noise);
   segment.in_image = uncertain_segment(lines.in_image, noise).segment;
   segment.n_edge_pixels = static_cast<int>(lines.trace->size());
-  segment.rms_px = std::sqrt(variance_px2(lines.ideal, noise.correlation));
+  segment.rms_px = lines.ideal.rms_px;
   segment.contrast = mean_strength(*lines.trace);
   const auto [left, right] = flanks(image, segment.in_image);
   segment.left = left;
@@ -76,6 +76,9 @@ std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& traces,
     lines.push_back(std::move(*one));
   }
   const EdgeNoise noise = edge_noise(ideal);
+ 
+    fprintf(stderr, "noise var %g corr %g n %zu\n", noise.variance_px2, noise.correlation,
+            ideal.size());
   std::vector<EdgeSegment> segments(lines.size());
   tbb::parallel_for(std::size_t{0}, lines.size(),
                     [&](std::size_t i) { segments[i] = segment_of(lines[i], noise, image); });

@@ -20,8 +20,8 @@ struct ExtractOptions {
   double diffusion_lambda = 2.0;     ///< edges this much stronger than the noise stop it
   bool colour_boosting = false;      ///< detect in decorrelated colour derivatives
   double gradient_sigma_px = 0.8;    ///< more loses close edges, less is noisier
-  double low_noise_factor = 2.5;     ///< of a pixel of an edge
-  double high_noise_factor = 5.0;    ///< of the strongest pixel of an edge
+  double low_noise_factor = 1.0;     ///< of a pixel of an edge
+  double high_noise_factor = 2.0;    ///< of the strongest pixel of an edge
   double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
   double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
   double max_gap_px = 10.0;          ///< an edge that continues beyond is the same

@@ -26,6 +26,15 @@ bool at_end(std::size_t i, std::size_t n) {
   return n >= kMinForTrimming && (i < kTrimmed || i + kTrimmed >= n);
 }
 
+/// Weighted sum of the squared residuals.
+double squares(const RegressionLine& line) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < line.weight.size(); ++i) {
+    sum += line.weight[i] * line.residual_px[i] * line.residual_px[i];
+  }
+  return sum;
+}
+
 void fit(std::span<const Eigen::Vector2d> points, RegressionLine& line) {
   line.centroid.setZero();
   line.sum_weights = 0.0;
@@ -69,6 +78,7 @@ RegressionLine regression_line(std::span<const Eigen::Vector2d> points) {
     }
     fit(points, line);
   }
+  line.rms_px = std::sqrt(squares(line) / line.sum_weights);
   line.first = line.along.dot(points.front() - line.centroid);
   line.last = line.along.dot(points.back() - line.centroid);
   return line;
@@ -122,11 +132,7 @@ struct Autocorrelation {
 }  // namespace
 
 double variance_px2(const RegressionLine& line, double correlation) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < line.weight.size(); ++i) {
-    sum += line.weight[i] * line.residual_px[i] * line.residual_px[i];
-  }
-  return sum / degrees_of_freedom(line, correlation);
+  return squares(line) / degrees_of_freedom(line, correlation);
 }
 
 EdgeNoise edge_noise(std::span<const RegressionLine> lines) {

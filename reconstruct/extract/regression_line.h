@@ -18,6 +18,7 @@ struct RegressionLine {
   std::vector<double> weight;       ///< of every point, in [0, 1]
   double sum_weights = 0.0;
   double sum_weights_t2 = 0.0;     ///< sum of w t^2, t along the line from the centroid
+  double rms_px = 0.0;             ///< of the weighted residuals
   double first = 0.0, last = 0.0;  ///< t of the first and the last point
 };
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Writes the segments of an image as CSV, one row each, whole or not at all. Columns:
+///   id                            the index in `segments`, which match files refer to
+///   x1_px, y1_px, x2_px, y2_px    start and end in ideal pixels, brighter side on the right
+///   centroid_x_px, centroid_y_px, sigma_q_px, sigma_phi_rad, sigma_e_px   as UncertainSegment2
+///   cov_x1_x1_px2 ... cov_y2_y2_px2   upper triangle of the covariance of (x1, y1, x2, y2) that
+///                                 follows from these; for other tools, not read back
+///   image_x1_px ... image_y2_px   start and end in pixels of the file
+///   n_edge_pixels, rms_px, contrast
+///   left_1 ... left_4, left_grey, right_1 ... right_grey   the flanks, 0 dark to 1 bright
+/// Numbers have as many digits as it takes to read the same values back.
+/// Throws IoError if the file cannot be written.
+void write_segments(const std::string& path, const std::vector<EdgeSegment>& segments);
+
+/// Reads what write_segments() wrote; the columns may have any order and others beside them. Throws
+/// IoError with the line for a missing column, a field that is no finite number, an id that is not
+/// the row's index, a segment without length, and a sigma that is not positive.
+std::vector<EdgeSegment> read_segments(const std::string& path);
+
+}  // namespace ridgeline::io
