@@ -46,6 +46,10 @@ Reflectance reflectance(Material material) {
       return {5, 500.0};
     case Material::kWood:
       return {1, 450.0};
+    case Material::kGlass:
+    case Material::kFrame:
+    case Material::kSolar:
+    case Material::kPaving:
     case Material::kCar:
       return {1, 1200.0};
   }

@@ -35,18 +35,20 @@ float tile_factor(const Eigen::Vector2f& uv_m, float footprint_m, std::uint32_t 
 }
 
 Spectrum lawn_reflectance(const Eigen::Vector2f& x_m, float footprint_m, std::uint32_t key) {
-  const float shortest_m = std::max(0.06F, 2.0F * footprint_m);
-  const float dry = fractal_noise(x_m, 9.0F, 0.5F, 0.6F, key);
+  const float shortest_m = std::max(0.08F, 2.0F * footprint_m);
+  const float dry = fractal_noise(x_m, 9.0F, 0.8F, 0.6F, key);
   const float blades = fractal_noise(x_m, 0.5F, shortest_m, 0.8F, hash(key));
   const Spectrum green = base_reflectance(Material::kGround, false, key);
-  const Spectrum straw(0.17F, 0.155F, 0.09F, 0.34F);
-  const float share = std::clamp(0.3F + 0.9F * dry, 0.0F, 1.0F);
+  const Spectrum straw(0.22F, 0.20F, 0.11F, 0.36F);
+  const float usual = 0.1F + 0.4F * unit(hash(key, 5U));  // each garden is kept in its own way
+  const float share = std::clamp(usual + 0.9F * dry, 0.0F, 1.0F);
   return (green + share * (straw - green)) * (1.0F + 0.35F * blades);
 }
 
 }  // namespace
 
-Appearance::Appearance(const Scene& scene, std::uint32_t seed) : scene_(&scene), seed_(seed) {
+Appearance::Appearance(const Scene& scene, std::uint32_t seed, float texture)
+    : scene_(&scene), seed_(seed), texture_(texture) {
   surfaces_.reserve(scene.mesh.triangles.size());
   for (const Triangle& triangle : scene.mesh.triangles) {
     surfaces_.push_back(surface_of(triangle, static_cast<std::uint32_t>(surfaces_.size())));
@@ -55,12 +57,8 @@ Appearance::Appearance(const Scene& scene, std::uint32_t seed) : scene_(&scene),
 }
 
 Appearance::Surface Appearance::surface_of(const Triangle& triangle, std::uint32_t index) const {
-  const auto corner = [&](std::size_t i) -> const Eigen::Vector3d& {
-    return scene_->mesh.vertices[static_cast<std::size_t>(triangle.vertices[i])];
-  };
   Surface surface;
-  const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
-  surface.normal = normal.cast<float>();
+  surface.normal = triangle_normal(scene_->mesh, static_cast<int>(index)).cast<float>();
   const bool level = std::abs(surface.normal.z()) > kLevelCosine;
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();
   if (!level) {
@@ -110,19 +108,29 @@ void Appearance::bend_leaves() {
 }
 
 Spectrum Appearance::lawn(const Eigen::Vector3d& x_in_local, float footprint_m) const {
-  return lawn_reflectance(x_in_local.head<2>().cast<float>(), footprint_m, seed_);
+  const Spectrum flat = base_reflectance(Material::kGround, false, seed_);
+  const Eigen::Vector2f x_m = x_in_local.head<2>().cast<float>();
+  return flat + texture_ * (lawn_reflectance(x_m, footprint_m, seed_) - flat);
 }
 
 Spectrum Appearance::reflectance(int triangle,
                                  const Eigen::Vector3d& x_in_local,
                                  float footprint_m) const {
+  const Spectrum& flat = surfaces_[static_cast<std::size_t>(triangle)].base;
+  if (texture_ == 0.0F) return flat;
+  return (flat + texture_ * (textured(triangle, x_in_local, footprint_m) - flat)).max(0.0F);
+}
+
+Spectrum Appearance::textured(int triangle,
+                              const Eigen::Vector3d& x_in_local,
+                              float footprint_m) const {
   const Surface& surface = surfaces_[static_cast<std::size_t>(triangle)];
   const Eigen::Vector3f x = x_in_local.cast<float>();
   const Eigen::Vector2f uv(surface.u_axis.dot(x), surface.v_axis.dot(x));
   const float shortest_m = std::max(0.08F, 2.0F * footprint_m);
   switch (scene_->mesh.triangles[static_cast<std::size_t>(triangle)].material) {
     case Material::kGround:
-      return lawn(x_in_local, footprint_m);
+      return lawn_reflectance(x.head<2>(), footprint_m, surface.key);
     case Material::kStreet:
       return surface.base *
              (1.0F + 0.22F * fractal_noise(x.head<2>(), 5.0F, shortest_m, 0.7F, seed_));
@@ -132,6 +140,7 @@ Spectrum Appearance::reflectance(int triangle,
     case Material::kRoof:
       if (surface.tiled) return surface.base * tile_factor(uv, footprint_m, surface.key);
       return surface.base * (1.0F + 0.20F * fractal_noise(uv, 4.0F, shortest_m, 0.7F, surface.key));
+    case Material::kPaving:
     case Material::kWall:
     case Material::kChimney:
       return surface.base *

@@ -17,8 +17,8 @@ using Spectrum = Eigen::Array4f;
 /// agree, and of a seed. Free of detail below the given footprint.
 class Appearance {
  public:
-  /// Keeps a reference to the scene.
-  Appearance(const Scene& scene, std::uint32_t seed);
+  /// Keeps a reference to the scene. `texture`: contrast of the textures, 0: flat colours.
+  Appearance(const Scene& scene, std::uint32_t seed, float texture);
 
   /// Reflectance at a point of a triangle of the mesh, for samples that are `footprint_m` apart.
   [[nodiscard]] Spectrum reflectance(int triangle,
@@ -44,11 +44,15 @@ class Appearance {
     bool tiled = false;
   };
 
+  [[nodiscard]] Spectrum textured(int triangle,
+                                  const Eigen::Vector3d& x_in_local,
+                                  float footprint_m) const;
   [[nodiscard]] Surface surface_of(const Triangle& triangle, std::uint32_t index) const;
   void bend_leaves();
 
   const Scene* scene_;
   std::uint32_t seed_;
+  float texture_;
   std::vector<Surface> surfaces_;  ///< one per triangle
 };
 

@@ -46,9 +46,15 @@ constexpr std::array<Entry, 7> kCars{{{0.60F, 0.60F, 0.60F, 0.60F},
 constexpr std::array<Entry, 3> kLeaves{{{0.050F, 0.100F, 0.035F, 0.46F},
                                         {0.040F, 0.080F, 0.030F, 0.40F},
                                         {0.075F, 0.115F, 0.040F, 0.52F}}};
-constexpr std::array<Entry, 1> kGrass{{{0.085F, 0.125F, 0.050F, 0.42F}}};
+constexpr std::array<Entry, 1> kGrass{{{0.105F, 0.150F, 0.060F, 0.44F}}};
 constexpr std::array<Entry, 1> kAsphalt{{{0.125F, 0.124F, 0.122F, 0.15F}}};
 constexpr std::array<Entry, 1> kPaint{{{0.50F, 0.50F, 0.48F, 0.52F}}};
+constexpr std::array<Entry, 1> kGlass{{{0.045F, 0.055F, 0.070F, 0.06F}}};
+constexpr std::array<Entry, 2> kFrames{
+    {{0.62F, 0.62F, 0.60F, 0.64F}, {0.18F, 0.13F, 0.10F, 0.24F}}};
+constexpr std::array<Entry, 1> kSolar{{{0.030F, 0.035F, 0.060F, 0.05F}}};
+constexpr std::array<Entry, 3> kPaving{
+    {{0.32F, 0.30F, 0.27F, 0.35F}, {0.24F, 0.24F, 0.23F, 0.26F}, {0.36F, 0.26F, 0.19F, 0.42F}}};
 constexpr std::array<Entry, 1> kTimber{{{0.17F, 0.13F, 0.10F, 0.26F}}};
 
 std::span<const Entry> choices(Material material, bool flat_roof) {
@@ -73,6 +79,14 @@ std::span<const Entry> choices(Material material, bool flat_roof) {
       return kTimber;
     case Material::kCar:
       return kCars;
+    case Material::kGlass:
+      return kGlass;
+    case Material::kFrame:
+      return kFrames;
+    case Material::kSolar:
+      return kSolar;
+    case Material::kPaving:
+      return kPaving;
   }
   return kGrass;
 }

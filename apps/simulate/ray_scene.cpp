@@ -45,22 +45,37 @@ double distance_to_plane(const Mesh& mesh,
   return normal.dot(corner(0) - origin) / normal.dot(direction);
 }
 
-RTCRay ray_of(const Eigen::Vector3d& origin,
-              const Eigen::Vector3d& direction,
-              double min_distance_m,
-              double max_distance_m) {
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(origin.x());
-  ray.org_y = static_cast<float>(origin.y());
-  ray.org_z = static_cast<float>(origin.z());
-  ray.dir_x = static_cast<float>(direction.x());
-  ray.dir_y = static_cast<float>(direction.y());
-  ray.dir_z = static_cast<float>(direction.z());
-  ray.tnear = static_cast<float>(min_distance_m);
-  ray.tfar = static_cast<float>(max_distance_m);
-  ray.mask = ~0U;
-  return ray;
+RTCRay embree_ray(const RayScene::Ray& ray, double max_distance_m) {
+  RTCRay out{};
+  out.org_x = static_cast<float>(ray.origin.x());
+  out.org_y = static_cast<float>(ray.origin.y());
+  out.org_z = static_cast<float>(ray.origin.z());
+  out.dir_x = static_cast<float>(ray.direction.x());
+  out.dir_y = static_cast<float>(ray.direction.y());
+  out.dir_z = static_cast<float>(ray.direction.z());
+  out.tnear = static_cast<float>(ray.min_distance_m);
+  out.tfar = static_cast<float>(max_distance_m);
+  out.mask = ~0U;
+  return out;
 }
+
+RTCIntersectContext context_of(RTCIntersectContextFlags flags) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = flags;
+  return context;
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+RTCRayHit embree_query(const RayScene::Ray& ray) {
+  RTCRayHit query{};
+  query.ray = embree_ray(ray, kInfinity);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
+bool was_hit(const RTCRay& ray) { return ray.tfar < 0.0F; }  // rtcOccluded's sign
 
 }  // namespace
 
@@ -97,30 +112,61 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
+std::optional<RayScene::Hit> RayScene::hit_of(const Ray& ray,
+                                              unsigned geometry,
+                                              unsigned triangle) const {
+  if (geometry == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{.distance_m =
+                 distance_to_plane(*mesh_, mesh_->triangles[triangle], ray.origin, ray.direction),
+             .triangle = static_cast<int>(triangle)};
+}
+
 std::optional<RayScene::Hit> RayScene::first_hit(const Eigen::Vector3d& origin,
                                                  const Eigen::Vector3d& direction,
                                                  double min_distance_m) const {
-  RTCRayHit query{};
-  query.ray = ray_of(origin, direction, min_distance_m, std::numeric_limits<double>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  const Ray ray{origin, direction, min_distance_m};
+  RTCRayHit query = embree_query(ray);
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
   rtcIntersect1(embree_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const Triangle& triangle = mesh_->triangles[query.hit.primID];
-  return Hit{.distance_m = distance_to_plane(*mesh_, triangle, origin, direction),
-             .triangle = static_cast<int>(query.hit.primID)};
+  return hit_of(ray, query.hit.geomID, query.hit.primID);
 }
 
 bool RayScene::occluded(const Eigen::Vector3d& origin,
                         const Eigen::Vector3d& direction,
                         double min_distance_m,
                         double max_distance_m) const {
-  RTCRay ray = ray_of(origin, direction, min_distance_m, max_distance_m);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  RTCRay ray = embree_ray({origin, direction, min_distance_m}, max_distance_m);
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
   rtcOccluded1(embree_->scene, &context, &ray);
-  return ray.tfar < 0.0F;  // Embree's sign of a hit
+  return was_hit(ray);
+}
+
+std::vector<std::optional<RayScene::Hit>> RayScene::first_hits(std::span<const Ray> rays) const {
+  std::vector<RTCRayHit> queries;
+  queries.reserve(rays.size());
+  for (const Ray& ray : rays) queries.push_back(embree_query(ray));
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  rtcIntersect1M(embree_->scene, &context, queries.data(), static_cast<unsigned>(queries.size()),
+                 sizeof(RTCRayHit));
+  std::vector<std::optional<Hit>> hits;
+  hits.reserve(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits.push_back(hit_of(rays[i], queries[i].hit.geomID, queries[i].hit.primID));
+  }
+  return hits;
+}
+
+std::vector<char> RayScene::occluded(std::span<const Ray> rays) const {
+  std::vector<RTCRay> queries;
+  queries.reserve(rays.size());
+  for (const Ray& ray : rays) queries.push_back(embree_ray(ray, kInfinity));
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  rtcOccluded1M(embree_->scene, &context, queries.data(), static_cast<unsigned>(queries.size()),
+                sizeof(RTCRay));
+  std::vector<char> answers;
+  answers.reserve(rays.size());
+  for (const RTCRay& query : queries) answers.push_back(was_hit(query) ? 1 : 0);
+  return answers;
 }
 
 }  // namespace ridgeline::simulate

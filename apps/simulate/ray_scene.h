@@ -8,12 +8,18 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace ridgeline::simulate {
 
 /// Ray casting against a mesh; the only place that knows Embree. Queries may run in parallel.
 class RayScene {
  public:
+  struct Ray {
+    Eigen::Vector3d origin, direction;  ///< unit vector
+    double min_distance_m = 0.0;
+  };
   struct Hit {
     double distance_m = 0.0;  ///< along the ray, exact on the triangle's plane
     int triangle = 0;         ///< index into Mesh::triangles
@@ -41,8 +47,17 @@ class RayScene {
       double min_distance_m = 0.0,
       double max_distance_m = std::numeric_limits<double>::infinity()) const;
 
+  /// The same for many rays of similar origin and direction at once, several times faster. One
+  /// answer a ray. Rays within single precision of an edge may be decided otherwise than alone.
+  [[nodiscard]] std::vector<std::optional<Hit>> first_hits(std::span<const Ray> rays) const;
+  [[nodiscard]] std::vector<char> occluded(std::span<const Ray> rays) const;
+
  private:
   struct Embree;
+  [[nodiscard]] std::optional<Hit> hit_of(const Ray& ray,
+                                          unsigned geometry,
+                                          unsigned triangle) const;
+
   const Mesh* mesh_;
   std::unique_ptr<Embree> embree_;
 };

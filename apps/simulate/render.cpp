@@ -17,6 +17,7 @@ namespace ridgeline::simulate {
 namespace {
 
 constexpr double kShadowOffsetM = 2e-3;  // off the surface itself; Embree's float is good to 0.1 mm
+constexpr double kLeafClearanceM = 0.05;  // a leaf does not shadow itself
 
 double top_z_m(const Mesh& mesh) {
   double top = 0.0;
@@ -42,49 +43,69 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     : scene_(&scene),
       options_((validate(options), options)),
       rays_(scene.mesh),
-      appearance_(scene, hash(static_cast<std::uint32_t>(options.seed))),
+      appearance_(scene,
+                  hash(static_cast<std::uint32_t>(options.seed)),
+                  static_cast<float>(options.texture)),
       to_sun_(sun_direction(options)),
       top_z_m_(top_z_m(scene.mesh)) {}
 
-Spectrum Renderer::lit(const Eigen::Vector3d& x,
-                       const Eigen::Vector3f& normal,
-                       const Eigen::Vector3d& direction,
-                       const Spectrum& reflectance,
-                       bool leaf) const {
-  const float facing = normal.dot(to_sun_.cast<float>());
-  // light passes leaves, so that their dark sides are not black
-  const float cosine = leaf ? 0.25F + 0.75F * std::max(facing, 0.0F) : std::max(facing, 0.0F);
-  const double clearance_m = leaf ? 0.05 : 0.0;  // a leaf does not shadow itself
-  Spectrum light = static_cast<float>(options_.sky_share * to_sun_.z()) * sky_colour() *
-                   (0.55F + 0.45F * normal.z());
-  const Eigen::Vector3d start = x + kShadowOffsetM * normal.cast<double>();
-  if (cosine > 0.0F && !rays_.occluded(start, to_sun_, clearance_m)) {
-    const auto along = static_cast<float>(-direction.dot(to_sun_));  // 1: the sun behind the camera
-    const float gain = 1.0F + static_cast<float>(options_.backscatter) * (along - 0.7F);
-    light += gain * cosine * sun_colour();
-  }
-  return reflectance * light;
+Spectrum Renderer::sky_light(const SurfacePoint& point) const {
+  const auto level = static_cast<float>(options_.sky_share * to_sun_.z());
+  return level * (0.55F + 0.45F * point.normal.z()) * sky_colour() * point.reflectance;
 }
 
-Spectrum Renderer::seen_along(const Eigen::Vector3d& origin,
-                              const Eigen::Vector3d& direction,
-                              float footprint_m) const {
-  const auto hit = rays_.first_hit(origin, direction);
+Spectrum Renderer::sun_light(const SurfacePoint& point, const Eigen::Vector3d& direction) const {
+  const float facing = std::max(point.normal.dot(to_sun_.cast<float>()), 0.0F);
+  // light passes leaves, so that their dark sides are not black
+  const float cosine = point.leaf ? 0.25F + 0.75F * facing : facing;
+  const auto along = static_cast<float>(-direction.dot(to_sun_));  // 1: the sun behind the camera
+  constexpr float kUsual = 0.7F;
+  const float gain = 1.0F + static_cast<float>(options_.backscatter) * (along - kUsual);
+  return gain * cosine * sun_colour() * point.reflectance;
+}
+
+Renderer::SurfacePoint Renderer::surface_point(const RayScene::Ray& ray,
+                                               const std::optional<RayScene::Hit>& hit,
+                                               float footprint_m) const {
   if (!hit) {  // the ground goes on beyond the mesh
     const PlanFunction& ground = scene_->mean_terrain;
-    const double height = origin.z() - ground(origin.head<2>());
-    const double sinking = ground.gradient.dot(direction.head<2>()) - direction.z();
-    const Eigen::Vector3d x = origin + height / sinking * direction;
-    const Eigen::Vector3d up(-ground.gradient.x(), -ground.gradient.y(), 1.0);
-    return lit(x, up.normalized().cast<float>(), direction, appearance_.lawn(x, footprint_m),
-               false);
+    const double height = ray.origin.z() - ground(ray.origin.head<2>());
+    const double sinking = ground.gradient.dot(ray.direction.head<2>()) - ray.direction.z();
+    const Eigen::Vector3d x = ray.origin + height / sinking * ray.direction;
+    return {x, plane_of(ground).normal().cast<float>(), appearance_.lawn(x, footprint_m)};
   }
-  const Eigen::Vector3d x = origin + hit->distance_m * direction;
-  const bool leaf = scene_->mesh.triangles[static_cast<std::size_t>(hit->triangle)].material ==
-                    Material::kFoliage;
-  Eigen::Vector3f normal = appearance_.normal(hit->triangle);
-  if (!leaf && normal.dot(direction.cast<float>()) > 0.0F) normal = -normal;
-  return lit(x, normal, direction, appearance_.reflectance(hit->triangle, x, footprint_m), leaf);
+  const Triangle& triangle = scene_->mesh.triangles[static_cast<std::size_t>(hit->triangle)];
+  SurfacePoint point{ray.origin + hit->distance_m * ray.direction,
+                     appearance_.normal(hit->triangle), Spectrum::Zero(),
+                     triangle.material == Material::kFoliage};
+  point.reflectance = appearance_.reflectance(hit->triangle, point.x, footprint_m);
+  const bool from_behind = point.normal.dot(ray.direction.cast<float>()) > 0.0F;
+  if (from_behind && !point.leaf) point.normal = -point.normal;
+  return point;
+}
+
+std::vector<Spectrum> Renderer::seen_along(std::span<const RayScene::Ray> rays,
+                                           float footprint_m) const {
+  const std::vector<std::optional<RayScene::Hit>> hits = rays_.first_hits(rays);
+  std::vector<Spectrum> light(rays.size());
+  std::vector<Spectrum> direct;  // of those that face the sun
+  std::vector<RayScene::Ray> to_sun;
+  std::vector<std::size_t> facing;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const SurfacePoint point = surface_point(rays[i], hits[i], footprint_m);
+    light[i] = sky_light(point);
+    const Spectrum sun = sun_light(point, rays[i].direction);
+    if (!(sun > 0.0F).any()) continue;
+    direct.push_back(sun);
+    facing.push_back(i);
+    to_sun.push_back({point.x + kShadowOffsetM * point.normal.cast<double>(), to_sun_,
+                      point.leaf ? kLeafClearanceM : 0.0});
+  }
+  const std::vector<char> shadowed = rays_.occluded(to_sun);
+  for (std::size_t k = 0; k < facing.size(); ++k) {
+    if (shadowed[k] == 0) light[facing[k]] += direct[k];
+  }
+  return light;
 }
 
 /// A band of rows of one view. The rays of the rows and columns just outside are cast too, since
@@ -109,8 +130,11 @@ class RowBlock {
 
   void render(cv::Mat& radiance) {
     constexpr int kReach = PointSpread::kReachPx;
+    constexpr int kPixelsAtOnce = 16;
     for (int row = first_row_ - kReach; row < end_row_ + kReach; ++row) {
-      for (int column = -kReach; column < columns_ + kReach; ++column) cast_pixel(row, column);
+      for (int column = -kReach; column < columns_ + kReach; column += kPixelsAtOnce) {
+        cast(row, column, std::min(column + kPixelsAtOnce, columns_ + kReach));
+      }
     }
     for (int row = first_row_; row < end_row_; ++row) {
       auto* out = radiance.ptr<cv::Vec4f>(row);
@@ -127,33 +151,49 @@ class RowBlock {
     float weight;
   };
 
+  struct RayOrigin {
+    int column, sub_x, sub_y;
+  };
+
   [[nodiscard]] std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
   }
 
-  /// The lattice is shifted at random from pixel to pixel: what the rays miss is noise, no pattern.
-  void cast_pixel(int row, int column) {
-    const std::uint32_t h = hash(row, column, static_cast<std::uint32_t>(renderer_.options_.seed));
-    const int shift_x = static_cast<int>(h & 0xffU);
-    const int shift_y = static_cast<int>((h >> 8U) & 0xffU);
-    for (const SubPixelLattice::Position& position : lattice_.positions) {
-      const int sx = (position.x + shift_x) % kSubPixels;
-      const int sy = (position.y + shift_y) % kSubPixels;
-      const Eigen::Vector2d x_px(column + (sx + 0.5) / kSubPixels - 0.5,
-                                 row + (sy + 0.5) / kSubPixels - 0.5);
-      add(row, column, spread_.at(sx), spread_.at(sy), cast(x_px));
+  /// The rays of some neighbouring pixels of a row. The lattice is shifted at random from pixel to
+  /// pixel: what the rays miss is noise, no pattern.
+  void cast(int row, int begin_column, int end_column) {
+    rays_.clear();
+    origins_.clear();
+    for (int column = begin_column; column < end_column; ++column) {
+      const std::uint32_t h =
+          hash(row, column, static_cast<std::uint32_t>(renderer_.options_.seed));
+      const int shift_x = static_cast<int>(h & 0xffU);
+      const int shift_y = static_cast<int>((h >> 8U) & 0xffU);
+      for (const SubPixelLattice::Position& position : lattice_.positions) {
+        const int sx = (position.x + shift_x) % kSubPixels;
+        const int sy = (position.y + shift_y) % kSubPixels;
+        origins_.push_back({column, sx, sy});
+        rays_.push_back(
+            ray({column + (sx + 0.5) / kSubPixels - 0.5, row + (sy + 0.5) / kSubPixels - 0.5}));
+      }
+    }
+    const double way_m = (rays_.front().origin - view_.centre_in_local).norm();
+    const double footprint_m =
+        way_m * view_.pixel_angle_rad() / renderer_.options_.samples_per_side;
+    const std::vector<Spectrum> light =
+        renderer_.seen_along(rays_, static_cast<float>(footprint_m));
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      const RayOrigin& from = origins_[i];
+      add(row, from.column, spread_.at(from.sub_x), spread_.at(from.sub_y), light[i]);
     }
   }
 
-  [[nodiscard]] Spectrum cast(const Eigen::Vector2d& x_px) const {
+  /// From just above the scene, where Embree's single precision is enough.
+  [[nodiscard]] RayScene::Ray ray(const Eigen::Vector2d& x_px) const {
     const Eigen::Vector3d direction = view_.ray(x_px);
-    // from just above the scene, where Embree's single precision is enough
     const double way_m = (renderer_.top_z_m_ - view_.centre_in_local.z()) / direction.z();
-    const Eigen::Vector3d origin = view_.centre_in_local + way_m * direction;
-    const double pixel_m = way_m * view_.ray_from_pixel.col(0).norm();
-    return renderer_.seen_along(origin, direction,
-                                static_cast<float>(pixel_m / renderer_.options_.samples_per_side));
+    return {view_.centre_in_local + way_m * direction, direction};
   }
 
   void add(int row,
@@ -181,6 +221,8 @@ class RowBlock {
   const PointSpread& spread_;
   int first_row_, end_row_, columns_;
   std::vector<Sum> sums_;
+  std::vector<RayScene::Ray> rays_;
+  std::vector<RayOrigin> origins_;  // one per ray
 };
 
 cv::Mat Renderer::radiance(const AerialView& view) const {

@@ -9,6 +9,9 @@
 #include <opencv2/core/mat.hpp>
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace ridgeline::simulate {
 
@@ -16,8 +19,9 @@ namespace ridgeline::simulate {
 struct RenderOptions {
   double sun_azimuth_deg = 200.0;  ///< clockwise from grid north (+y)
   double sun_elevation_deg = 45.0;
-  double sky_share = 0.20;     ///< light of the sky on level ground over that of the sun
+  double sky_share = 0.22;     ///< light of the sky on level ground over that of the sun
   double backscatter = 0.25;   ///< rough surfaces are this much brighter along the sun's rays
+  double texture = 1.0;        ///< contrast of the textures; 0: flat colours
   double psf_sigma_px = 0.55;  ///< Gaussian point spread of lens and detector together
   int samples_per_side = 3;    ///< rays per pixel: the square of it
   std::uint64_t seed = 1;
@@ -30,6 +34,7 @@ struct RenderOptions {
         Field{"sky_share", &O::sky_share, 0.0, 2.0, "of the sky's light to the sun's"},
         Field{"backscatter", &O::backscatter, 0.0, 1.0,
               "gain of rough surfaces against the sun's rays"},
+        Field{"texture", &O::texture, 0.0, 2.0, "contrast of the textures; 0: flat colours"},
         Field{"psf_sigma_px", &O::psf_sigma_px, 0.3, 0.8, "of lens and detector together"},
         Field{"samples_per_side", &O::samples_per_side, 1, 8, "rays per pixel: the square of it"}};
   }
@@ -52,14 +57,20 @@ class Renderer {
 
  private:
   friend class RowBlock;
-  [[nodiscard]] Spectrum seen_along(const Eigen::Vector3d& origin,
-                                    const Eigen::Vector3d& direction,
-                                    float footprint_m) const;
-  [[nodiscard]] Spectrum lit(const Eigen::Vector3d& x,
-                             const Eigen::Vector3f& normal,
-                             const Eigen::Vector3d& direction,
-                             const Spectrum& reflectance,
-                             bool leaf) const;
+  struct SurfacePoint {
+    Eigen::Vector3d x;       ///< local
+    Eigen::Vector3f normal;  ///< towards the camera
+    Spectrum reflectance;
+    bool leaf = false;
+  };
+  [[nodiscard]] std::vector<Spectrum> seen_along(std::span<const RayScene::Ray> rays,
+                                                 float footprint_m) const;
+  [[nodiscard]] SurfacePoint surface_point(const RayScene::Ray& ray,
+                                           const std::optional<RayScene::Hit>& hit,
+                                           float footprint_m) const;
+  [[nodiscard]] Spectrum sky_light(const SurfacePoint& point) const;
+  [[nodiscard]] Spectrum sun_light(const SurfacePoint& point,
+                                   const Eigen::Vector3d& direction) const;
 
   const Scene* scene_;
   RenderOptions options_;

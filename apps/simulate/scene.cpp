@@ -4,6 +4,8 @@
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/segment_plane.h"
 
+#include <Eigen/Geometry>
+
 namespace ridgeline::simulate {
 
 const char* name(LineKind kind) {
@@ -48,6 +50,14 @@ const char* name(RoofType type) {
       return "row";
   }
   return "";
+}
+
+Eigen::Vector3d triangle_normal(const Mesh& mesh, int triangle) {
+  const auto& ids = mesh.triangles[static_cast<std::size_t>(triangle)].vertices;
+  const Eigen::Vector3d& a = mesh.vertices[static_cast<std::size_t>(ids[0])];
+  const Eigen::Vector3d& b = mesh.vertices[static_cast<std::size_t>(ids[1])];
+  const Eigen::Vector3d& c = mesh.vertices[static_cast<std::size_t>(ids[2])];
+  return (b - a).cross(c - a).normalized();
 }
 
 io::LineSet true_lines(const Scene& scene) {

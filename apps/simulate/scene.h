@@ -29,6 +29,10 @@ enum class Material : std::uint8_t {
   kFoliage,  ///< leaves: a pulse may pass
   kWood,     ///< trunks and fences
   kCar,
+  kGlass,   ///< panes
+  kFrame,   ///< of windows
+  kSolar,   ///< panels, frames of skylights
+  kPaving,  ///< terraces and paths
 };
 
 /// A building, a tree or the ground carry this id where there is none of the kind.
@@ -50,6 +54,9 @@ struct Mesh {
 };
 
 enum class PlaneKind : std::uint8_t { kRoof, kGround, kChimney };
+
+/// Unit normal of a triangle, outwards.
+Eigen::Vector3d triangle_normal(const Mesh& mesh, int triangle);
 
 /// A planar face as built, before other bodies cover parts of it.
 struct ScenePlane {

@@ -15,7 +15,7 @@ namespace ridgeline::simulate {
 struct SensorOptions {
   std::string bands = "rgb";     ///< rgb, cir (near infrared, red, green) or rgbn
   int bits = 8;                  ///< 8 or 16
-  double white_radiance = 0.50;  ///< becomes the largest number
+  double white_radiance = 0.45;  ///< becomes the largest number
   double gamma = 1.5;            ///< numbers grow with the radiance to the power of 1 / gamma
   double full_well_electrons = 12000.0;  ///< at white: shot noise
   double read_noise_electrons = 30.0;

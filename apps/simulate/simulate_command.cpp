@@ -6,13 +6,10 @@
 #include "apps/simulate/als.h"
 #include "apps/simulate/degrade.h"
 #include "apps/simulate/nominal_pair.h"
-#include "apps/simulate/render.h"
-#include "apps/simulate/sensor.h"
 #include "apps/simulate/village.h"
+#include "apps/simulate/write_stereo.h"
 #include "io/cloud/las_writer.h"
-#include "io/image_writer.h"
 #include "io/lines/write_lines.h"
-#include "io/write_patch.h"
 
 #include <fmt/core.h>
 
@@ -28,9 +25,7 @@ struct SimulateArguments {
   std::vector<double> origin_m{513000.0, 5403000.0, 250.0};
   simulate::VillageOptions village;
   simulate::AlsOptions als;
-  simulate::FlightOptions flight;
-  simulate::RenderOptions render;
-  simulate::SensorOptions sensor;
+  StereoOptions stereo;
   bool no_images = false;
 };
 
@@ -103,39 +98,14 @@ void add_scanner_options(CLI::App& app, SimulateArguments& a) {
 
 void add_image_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Images";
-  app.add_flag("--no-images", a.no_images, "neither images nor patch.yaml")->group(group);
-  app.add_option("--bands", a.sensor.bands, "of the images")
+  app.add_flag("--no-images", a.no_images, "only LIDAR and lines")->group(group);
+  app.add_option("--bands", a.stereo.sensor.bands, "of the images")
       ->check(CLI::IsMember({"rgb", "cir", "rgbn"}))
       ->capture_default_str()
       ->group(group);
-  add_flags(app, a.sensor, group);
-  add_flags(app, a.render, group);
-  add_flags(app, a.flight, group);
-}
-
-/// left.tif, right.tif and patch.yaml.
-void write_images(const SimulateArguments& a,
-                  const simulate::Scene& scene,
-                  const OutputFolder& out) {
-  const std::array<simulate::AerialView, 2> views = simulate::aerial_pair(scene, a.flight);
-  const simulate::Renderer renderer(scene, a.render);
-  io::PatchFile patch;
-  patch.id = fmt::format("{}", a.seed);
-  patch.crs = scene.crs;
-  patch.height_range_m = simulate::height_range_m(scene);
-  patch.lidar = {"lidar.las"};
-  patch.reference_lines = "truth.geojson";
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::string id = i == 0 ? "left" : "right";
-    const std::string file = id + ".tif";
-    io::write_tiff(out.path(file), simulate::expose(renderer.radiance(views[i]), a.sensor, i));
-    io::PatchImage image;
-    image.id = id;
-    image.path = file;
-    image.image_from_world = views[i].image_from_world;
-    patch.images.push_back(std::move(image));
-  }
-  io::write_patch(out.path("patch.yaml"), patch);
+  add_flags(app, a.stereo.sensor, group);
+  add_flags(app, a.stereo.render, group);
+  add_flags(app, a.stereo.flight, group);
 }
 
 void write_lines_of(const OutputFolder& out, const std::string& name, const io::LineSet& lines) {
@@ -145,9 +115,9 @@ void write_lines_of(const OutputFolder& out, const std::string& name, const io::
 int run_simulate(SimulateArguments a) {
   a.village.seed = a.seed;
   a.als.seed = a.seed;
-  a.flight.seed = a.seed;
-  a.render.seed = a.seed;
-  a.sensor.seed = a.seed;
+  a.stereo.flight.seed = a.seed;
+  a.stereo.render.seed = a.seed;
+  a.stereo.sensor.seed = a.seed;
   a.village.extent_m = {a.extent_m[0], a.extent_m[1]};
   a.village.origin_m = {a.origin_m[0], a.origin_m[1], a.origin_m[2]};
   const simulate::Scene scene = simulate::make_village(a.village);
@@ -155,15 +125,17 @@ int run_simulate(SimulateArguments a) {
 
   const OutputFolder out(a.out, {});
   io::write_las(out.path("lidar.las"), cloud.points, cloud.frame, scene.crs);
-  const io::LineSet truth = simulate::classed_by_nominal_pair(simulate::true_lines(scene), scene);
-  write_lines_of(out, "truth.geojson", truth);
+  const io::LineSet truth =
+      simulate::classed_by_pair(simulate::true_lines(scene), simulate::nominal_pair(scene));
   for (const auto& [name, grade] :
        {std::pair("good", simulate::Grade::kGood), std::pair("fair", simulate::Grade::kFair),
         std::pair("poor", simulate::Grade::kPoor)}) {
     write_lines_of(out, fmt::format("lines.{}.geojson", name),
                    simulate::degrade_lines(truth, simulate::options_of(grade, a.seed)));
   }
-  if (!a.no_images) write_images(a, scene, out);
+  write_lines_of(
+      out, "truth.geojson",
+      a.no_images ? truth : write_stereo(scene, fmt::format("{}", a.seed), a.stereo, truth, out));
   fmt::print("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
              truth.lines.size(), cloud.points.size());
   return kDone;
@@ -174,8 +146,10 @@ int run_simulate(SimulateArguments a) {
 Run add_simulate(CLI::App& subcommand) {
   auto a = std::make_shared<SimulateArguments>();
   subcommand
-      .add_option("--out", a->out,
-                  "folder for lidar.las, truth.geojson and lines.{good,fair,poor}.geojson")
+      .add_option(
+          "--out", a->out,
+          "folder for patch.yaml, left.tif, right.tif, matches.csv, lidar.las, truth.geojson "
+          "and lines.{good,fair,poor}.geojson")
       ->required();
   subcommand.add_option("--seed", a->seed, "same seed, same bytes")
       ->check(CLI::NonNegativeNumber)

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/common/output_folder.h"
+#include "apps/simulate/aerial_pair.h"
+#include "apps/simulate/render.h"
+#include "apps/simulate/sensor.h"
+#include "io/lines/line_set.h"
+
+#include <string>
+
+namespace ridgeline::apps {
+
+struct StereoOptions {
+  simulate::FlightOptions flight;
+  simulate::RenderOptions render;
+  simulate::SensorOptions sensor;
+};
+
+/// Renders both views of a scene, with its fittings, and writes left.tif, right.tif, matches.csv (the reference) and
+/// patch.yaml, which names lidar.las and truth.geojson too. `truth`, the true lines in order of
+/// Scene::lines, is given back with the class by these cameras and the visible shares.
+io::LineSet write_stereo(const simulate::Scene& bare_scene,
+                         const std::string& patch_id,
+                         const StereoOptions& options,
+                         io::LineSet truth,
+                         const OutputFolder& out);
+
+}  // namespace ridgeline::apps
