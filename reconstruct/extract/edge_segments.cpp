@@ -9,40 +9,56 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The regression lines of one trace.
-struct TraceLines {
+/// The lines of one edge.
+struct EdgeLines {
   const EdgeTrace* trace = nullptr;
   RegressionLine in_image;
   RegressionLine ideal;
 };
 
-std::optional<TraceLines> lines_of(const EdgeTrace& trace, const PixelMap& ideal_from_image) {
+/// False if one of the points has no ideal pixel.
+bool map_points(std::span<Eigen::Vector2d> points, const PixelMap& ideal_from_image) {
+  for (Eigen::Vector2d& point : points) {
+    const auto mapped = ideal_from_image(point);
+    if (!mapped) return false;
+    point = *mapped;
+  }
+  return true;
+}
+
+RegressionLine line_of(const std::optional<Segment2>& segment,
+                       std::span<const Eigen::Vector2d> points) {
+  return segment ? fixed_line(*segment, points) : regression_line(points);
+}
+
+std::optional<EdgeLines> lines_of(const DetectedEdge& edge, const PixelMap& ideal_from_image) {
   std::vector<Eigen::Vector2d> points;
-  points.reserve(trace.size());
-  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
-  TraceLines lines{&trace, regression_line(points), {}};
+  points.reserve(edge.trace.size());
+  for (const EdgeSample& sample : edge.trace) points.push_back(sample.position_px);
+  EdgeLines lines{&edge.trace, line_of(edge.segment, points), {}};
   if (!ideal_from_image) {
     lines.ideal = lines.in_image;
     return lines;
   }
-  for (Eigen::Vector2d& point : points) {
-    const auto mapped = ideal_from_image(point);
-    if (!mapped) return std::nullopt;
-    point = *mapped;
+  std::optional<Segment2> segment = edge.segment;
+  if (!map_points(points, ideal_from_image)) return std::nullopt;
+  if (segment && (!map_points({&segment->start, 1}, ideal_from_image) ||
+                  !map_points({&segment->end, 1}, ideal_from_image))) {
+    return std::nullopt;
   }
-  lines.ideal = regression_line(points);
+  lines.ideal = line_of(segment, points);
   return lines;
 }
 
 double mean_strength(const EdgeTrace& trace) {
   double sum = 0.0;
   for (const EdgeSample& sample : trace) sum += sample.strength;
-  return sum / static_cast<double>(trace.size());
+  return trace.empty() ? 0.0 : sum / static_cast<double>(trace.size());
 }
 
 void reverse(Segment2& segment) { std::swap(segment.start, segment.end); }
 
-EdgeSegment segment_of(const TraceLines& lines, const EdgeNoise& noise, const cv::Mat& image) {
+EdgeSegment segment_of(const EdgeLines& lines, const EdgeNoise& noise, const cv::Mat& image) {
   EdgeSegment segment;
   segment.line = uncertain_segment(lines.ideal, noise);
   segment.in_image = uncertain_segment(lines.in_image, noise).segment;
@@ -62,23 +78,20 @@ EdgeSegment segment_of(const TraceLines& lines, const EdgeNoise& noise, const cv
 
 }  // namespace
 
-std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& traces,
+std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
                                        const cv::Mat& image,
                                        const PixelMap& ideal_from_image) {
-  std::vector<std::optional<TraceLines>> fitted(traces.size());
-  tbb::parallel_for(std::size_t{0}, traces.size(),
-                    [&](std::size_t i) { fitted[i] = lines_of(traces[i], ideal_from_image); });
-  std::vector<TraceLines> lines;
+  std::vector<std::optional<EdgeLines>> fitted(edges.size());
+  tbb::parallel_for(std::size_t{0}, edges.size(),
+                    [&](std::size_t i) { fitted[i] = lines_of(edges[i], ideal_from_image); });
+  std::vector<EdgeLines> lines;
   std::vector<RegressionLine> ideal;
-  for (std::optional<TraceLines>& one : fitted) {
+  for (std::optional<EdgeLines>& one : fitted) {
     if (!one) continue;
     ideal.push_back(one->ideal);
     lines.push_back(std::move(*one));
   }
   const EdgeNoise noise = edge_noise(ideal);
- 
-    fprintf(stderr, "noise var %g corr %g n %zu\n", noise.variance_px2, noise.correlation,
-            ideal.size());
   std::vector<EdgeSegment> segments(lines.size());
   tbb::parallel_for(std::size_t{0}, lines.size(),
                     [&](std::size_t i) { segments[i] = segment_of(lines[i], noise, image); });

@@ -8,10 +8,16 @@
 
 namespace ridgeline::reconstruct {
 
-/// The segments of traced edges: regression lines in the pixels of the file and in ideal pixels,
-/// their uncertainty, flanks, contrast and direction. Traces of which a sample has no ideal pixel
-/// are left out.
-std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& traces,
+/// An edge as a detector found it.
+struct DetectedEdge {
+  EdgeTrace trace;
+  /// The detector's own line, in pixels of the file; else it is the regression line of the trace.
+  std::optional<Segment2> segment;
+};
+
+/// The segments of edges: lines in the pixels of the file and in ideal pixels, their uncertainty,
+/// flanks, contrast and direction. Edges of which a part has no ideal pixel are left out.
+std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
                                        const cv::Mat& image,
                                        const PixelMap& ideal_from_image);
 

@@ -5,6 +5,7 @@
 #include "reconstruct/extract/edge_detection.h"
 #include "reconstruct/extract/edge_segments.h"
 #include "reconstruct/extract/line_tracer.h"
+#include "reconstruct/extract/opencv_detectors.h"
 #include "reconstruct/extract/straight_pieces.h"
 #include "reconstruct/geometry/check.h"
 
@@ -48,20 +49,36 @@ std::vector<Points> detected_pieces(const cv::Mat& image,
 }
 
 /// One trace per edge.
-std::vector<EdgeTrace> traced_edges(const std::vector<Points>& pieces,
-                                    const GradientImage& image,
-                                    const ExtractOptions& options) {
+std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
+                                       const GradientImage& image,
+                                       const ExtractOptions& options) {
   LineTracer tracer(image, options);
-  std::vector<EdgeTrace> traces;
+  std::vector<DetectedEdge> edges;
   for (const Points& piece : pieces) {
     auto trace = tracer.trace(piece);
     if (!trace) continue;
     const Eigen::Vector2d chord = trace->back().position_px - trace->front().position_px;
     if (chord.norm() < options.min_length_px) continue;
     tracer.claim(*trace);
-    traces.push_back(std::move(*trace));
+    edges.push_back({std::move(*trace), std::nullopt});
   }
-  return traces;
+  return edges;
+}
+
+std::vector<DetectedEdge> our_edges(const cv::Mat& image, const ExtractOptions& options) {
+  const GradientImage gradient = gradient_image(image, options);
+  return traced_edges(detected_pieces(image, gradient.noise, options), gradient, options);
+}
+
+/// The segments of another detector and the edges beside them, from which their uncertainty comes.
+std::vector<DetectedEdge> foreign_edges(const cv::Mat& image, const ExtractOptions& options) {
+  const GradientImage gradient = gradient_image(image, options);
+  const LineTracer tracer(gradient, options);
+  std::vector<DetectedEdge> edges;
+  for (const Segment2& segment : opencv_segments(image, options)) {
+    edges.push_back({tracer.along(segment), segment});
+  }
+  return edges;
 }
 
 }  // namespace
@@ -83,10 +100,10 @@ std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
   check(!image.empty() && image.depth() == CV_32F && image.channels() <= 4,
         "extract_segments: the image must have 1 to 4 bands of float");
   validate(options);
-  const GradientImage gradient = gradient_image(image, options);
-  const std::vector<Points> pieces = detected_pieces(image, gradient.noise, options);
-  const std::vector<EdgeTrace> traces = traced_edges(pieces, gradient, options);
-  return edge_segments(traces, image, ideal_from_image);
+  const std::vector<DetectedEdge> edges = options.detector == Detector::kOurs
+                                              ? our_edges(image, options)
+                                              : foreign_edges(image, options);
+  return edge_segments(edges, image, ideal_from_image);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/extract/edge_detection.h"
+#include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
 
@@ -33,6 +34,10 @@ class LineTracer {
   [[nodiscard]] std::optional<EdgeTrace> trace(std::span<const Eigen::Vector2d> points) const;
 
   void claim(const EdgeTrace& trace);
+
+  /// Where the edge crosses the rows or columns between the ends of a given segment, claimed or
+  /// not. Empty for a segment without length.
+  [[nodiscard]] EdgeTrace along(const Segment2& segment) const;
 
  private:
   struct Line;
