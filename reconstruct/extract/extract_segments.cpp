@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/extract/extract_segments.h"
 
+#include "reconstruct/extract/colour_boosting.h"
 #include "reconstruct/extract/edge_chains.h"
 #include "reconstruct/extract/edge_detection.h"
 #include "reconstruct/extract/edge_segments.h"
@@ -66,8 +67,9 @@ std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
 }
 
 std::vector<DetectedEdge> our_edges(const cv::Mat& image, const ExtractOptions& options) {
-  const GradientImage gradient = gradient_image(image, options);
-  return traced_edges(detected_pieces(image, gradient.noise, options), gradient, options);
+  const cv::Mat colours = options.colour_boosting ? colour_boosted(image) : image;
+  const GradientImage gradient = gradient_image(colours, options);
+  return traced_edges(detected_pieces(colours, gradient.noise, options), gradient, options);
 }
 
 /// The segments of another detector and the edges beside them, from which their uncertainty comes.
@@ -82,17 +84,6 @@ std::vector<DetectedEdge> foreign_edges(const cv::Mat& image, const ExtractOptio
 }
 
 }  // namespace
-
-const char* name(Detector detector) {
-  switch (detector) {
-    case Detector::kOurs:
-      return "ours";
-    case Detector::kEdgeDrawing:
-      return "edge_drawing";
-    default:
-      return "lsd";
-  }
-}
 
 std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
                                           const PixelMap& ideal_from_image,

@@ -4,12 +4,15 @@
 #include "reconstruct/geometry/field.h"
 
 #include <cstdint>
+#include <string_view>
 #include <tuple>
 
 namespace ridgeline::reconstruct {
 
 enum class Detector : std::uint8_t { kOurs, kEdgeDrawing, kLsd };
 const char* name(Detector detector);  ///< "ours" | "edge_drawing" | "lsd"
+/// Throws std::invalid_argument for another name.
+Detector detector_named(std::string_view name);
 
 /// Strengths are multiples of the local noise: the typical strength of the gradient where there is
 /// no edge (NoiseGrid).

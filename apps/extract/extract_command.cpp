@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/common/option_flags.h"
+#include "apps/common/output_folder.h"
+#include "apps/extract/segment_overlay.h"
+#include "io/error.h"
+#include "io/image.h"
+#include "io/patch.h"
+#include "io/png_writer.h"
+#include "io/segments_file.h"
+#include "reconstruct/extract/extract_segments.h"
+#include "reconstruct/extract/normalised_image.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace ridgeline::apps {
+namespace {
+
+struct ExtractArguments {
+  std::string image, out, overlay, patch, image_id;
+  std::string detector = "ours";
+  reconstruct::ExtractOptions options;
+};
+
+/// The image of the patch that has the id, or the only one of that file.
+io::PatchImage camera_of(const ExtractArguments& a) {
+  const io::PatchFile patch = io::read_patch(a.patch);
+  for (const io::PatchImage& image : patch.images) {
+    const bool chosen = a.image_id.empty() ? std::filesystem::weakly_canonical(image.path) ==
+                                                 std::filesystem::weakly_canonical(a.image)
+                                           : image.id == a.image_id;
+    if (chosen) return image;
+  }
+  throw io::IoError(a.patch, a.image_id.empty()
+                                 ? "has no image " + a.image + "; name one by --image-id"
+                                 : "has no image of id " + a.image_id);
+}
+
+reconstruct::PixelMap pixel_map(const ExtractArguments& a) {
+  if (a.patch.empty()) {
+    check(a.image_id.empty(), "--image-id = ", a.image_id, ", needs --patch");
+    return {};
+  }
+  io::PatchImage camera = camera_of(a);
+  if (!camera.interior) return {};
+  return [camera = std::move(camera)](const Eigen::Vector2d& x_px) {
+    return io::undistorted_px(camera, x_px);
+  };
+}
+
+/// Refuses to write over the inputs.
+std::string output_path(const std::filesystem::path& file, const ExtractArguments& a) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  return OutputFolder(folder, {a.image, a.patch}).path(file.filename().string());
+}
+
+int run_extract(const ExtractArguments& a) {
+  reconstruct::ExtractOptions options = a.options;
+  options.detector = reconstruct::detector_named(a.detector);
+  validate(options);
+  const reconstruct::PixelMap ideal_from_image = pixel_map(a);
+  const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image));
+  const std::vector<EdgeSegment> segments =
+      reconstruct::extract_segments(image, ideal_from_image, options);
+  io::write_segments(output_path(a.out, a), segments);
+  if (!a.overlay.empty()) {
+    io::write_png(output_path(a.overlay, a), segment_overlay(image, segments));
+  }
+  double total_px = 0.0;
+  for (const EdgeSegment& segment : segments) total_px += length(segment.in_image);
+  fmt::print("{}: {} x {} px, {} bands: {} segments, {:.0f} px together\n", a.image, image.cols,
+             image.rows, image.channels(), segments.size(), total_px);
+  return kDone;
+}
+
+}  // namespace
+
+Run add_extract(CLI::App& subcommand) {
+  auto a = std::make_shared<ExtractArguments>();
+  subcommand.add_option("image", a->image, "TIFF, PNG or JPEG, 8 or 16 bit, 1 to 4 bands")
+      ->required();
+  subcommand
+      .add_option("--out", a->out,
+                  "CSV: ends, covariance, flanks; pixel (0,0) is the centre of the first")
+      ->required();
+  subcommand.add_option("--overlay", a->overlay, "PNG of the image with its segments");
+  subcommand.add_option("--patch", a->patch, "patch file: removes the distortion of its camera");
+  subcommand.add_option("--image-id", a->image_id, "of the camera; default: the one of this file");
+  subcommand.add_option("--detector", a->detector, "of the segments")
+      ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
+      ->capture_default_str();
+  add_flags(subcommand, a->options, "Extraction");
+  return [a] { return run_extract(*a); };
+}
+
+}  // namespace ridgeline::apps
