@@ -86,7 +86,7 @@ std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const Match
   std::vector<BasePair> pairs;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Partner& partner : partners[i]) {
-      const auto [first, second] = std::minmax(static_cast<int>(i), partner.segment);
+      const auto [first, second] = std::minmax({static_cast<int>(i), partner.segment});
       pairs.push_back({first, second});
     }
   }

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/matching/match_scoring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// Stretch of an edge that a segment runs beside, as parameters of the edge, ascending.
+struct Beside {
+  int edge = 0;
+  double from = 0.0, to = 0.0;
+};
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+bool boxes_apart(const Segment2& a, const Segment2& b, double margin) {
+  const auto apart = [&](double a0, double a1, double b0, double b1) {
+    return std::max(a0, a1) + margin < std::min(b0, b1) ||
+           std::max(b0, b1) + margin < std::min(a0, a1);
+  };
+  return apart(a.start.x(), a.end.x(), b.start.x(), b.end.x()) ||
+         apart(a.start.y(), a.end.y(), b.start.y(), b.end.y());
+}
+
+/// Nothing unless the segment lies on the edge.
+std::optional<Beside> lies_on(const Segment2& segment,
+                              const Segment2& edge,
+                              const MatchScoringOptions& options) {
+  if (boxes_apart(segment, edge, options.max_distance_px)) return std::nullopt;
+  const Eigen::Vector2d along = edge.end - edge.start;
+  const double edge_length = along.norm();
+  if (!(edge_length > 0.0) || !(length(segment) > 0.0)) return std::nullopt;
+  const Eigen::Vector2d direction = segment.end - segment.start;
+  if (acute_angle_rad(direction, along) > options.max_angle_deg * M_PI / 180.0) {
+    return std::nullopt;
+  }
+  const auto parameter = [&](const Eigen::Vector2d& x) {
+    return along.dot(x - edge.start) / (edge_length * edge_length);
+  };
+  const double t_start = parameter(segment.start);
+  const double t_end = parameter(segment.end);
+  const double from = std::max(0.0, std::min(t_start, t_end));
+  const double to = std::min(1.0, std::max(t_start, t_end));
+  if (to - from < options.min_overlap * std::abs(t_end - t_start)) return std::nullopt;
+  for (const double t : {from, to}) {
+    const double share = (t - t_start) / (t_end - t_start);
+    const Eigen::Vector2d x = segment.start + share * direction;
+    if (std::abs(cross(along, x - edge.start)) > options.max_distance_px * edge_length) {
+      return std::nullopt;
+    }
+  }
+  return Beside{0, from, to};
+}
+
+/// The edges that each segment lies on, in ascending order.
+std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
+                                          std::span<const EdgeInBoth> edges,
+                                          Segment2 EdgeInBoth::*image,
+                                          const MatchScoringOptions& options) {
+  std::vector<std::vector<Beside>> found(segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      auto beside = lies_on(segments[s], edges[e].*image, options);
+      if (!beside) continue;
+      beside->edge = static_cast<int>(e);
+      found[s].push_back(*beside);
+    }
+  }
+  return found;
+}
+
+bool have_common_edge(const std::vector<Beside>& a, const std::vector<Beside>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const Beside& x) {
+    return std::any_of(b.begin(), b.end(), [&](const Beside& y) { return x.edge == y.edge; });
+  });
+}
+
+bool overlap_along(const Beside& a, const Beside& b) {
+  constexpr double kShare = 0.5;  // of the shorter one
+  const double common = std::min(a.to, b.to) - std::max(a.from, b.from);
+  return common > 0.0 && common >= kShare * std::min(a.to - a.from, b.to - b.from);
+}
+
+void check_indices(std::span<const LineMatch> matches, std::size_t n_left, std::size_t n_right) {
+  for (const LineMatch& match : matches) {
+    check(match.left >= 0 && static_cast<std::size_t>(match.left) < n_left,
+          "left_id = ", match.left, ", must be below ", n_left);
+    check(match.right >= 0 && static_cast<std::size_t>(match.right) < n_right,
+          "right_id = ", match.right, ", must be below ", n_right);
+  }
+}
+
+}  // namespace
+
+MatchingScore score_matches(std::span<const Segment2> left,
+                            std::span<const Segment2> right,
+                            std::span<const LineMatch> matches,
+                            std::span<const EdgeInBoth> edges,
+                            const MatchScoringOptions& options) {
+  validate(options);
+  check_indices(matches, left.size(), right.size());
+  const auto on_left = edges_of(left, edges, &EdgeInBoth::left, options);
+  const auto on_right = edges_of(right, edges, &EdgeInBoth::right, options);
+  MatchingScore score;
+  std::vector<char> is_matched(left.size(), 0);
+  for (const LineMatch& match : matches) {
+    is_matched[match.left] = 1;
+    const auto& a = on_left[match.left];
+    const auto& b = on_right[match.right];
+    if (a.empty() && b.empty()) {
+      ++score.n_unjudged;
+    } else {
+      ++(have_common_edge(a, b) ? score.counts.n_correct : score.counts.n_false);
+    }
+  }
+  std::vector<std::vector<Beside>> of_edge(edges.size());  // of the right segments
+  for (const auto& besides : on_right) {
+    for (const Beside& beside : besides) of_edge[beside.edge].push_back(beside);
+  }
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const bool could_match =
+        std::any_of(on_left[i].begin(), on_left[i].end(), [&](const Beside& a) {
+          const auto& mates = of_edge[a.edge];
+          return std::any_of(mates.begin(), mates.end(),
+                             [&](const Beside& b) { return overlap_along(a, b); });
+        });
+    if (could_match && is_matched[i] == 0) ++score.counts.n_missed;
+  }
+  return score;
+}
+
+MatchingScore score_matches(std::span<const LineMatch> matches,
+                            std::span<const LineMatch> reference) {
+  std::set<std::pair<int, int>> pairs;
+  std::set<int> lefts;
+  std::set<int> rights;
+  for (const LineMatch& match : reference) {
+    pairs.insert({match.left, match.right});
+    lefts.insert(match.left);
+    rights.insert(match.right);
+  }
+  MatchingScore score;
+  std::set<int> matched;
+  for (const LineMatch& match : matches) {
+    matched.insert(match.left);
+    if (pairs.contains({match.left, match.right})) {
+      ++score.counts.n_correct;
+    } else if (lefts.contains(match.left) || rights.contains(match.right)) {
+      ++score.counts.n_false;
+    } else {
+      ++score.n_unjudged;
+    }
+  }
+  for (const int left : lefts) score.counts.n_missed += matched.contains(left) ? 0 : 1;
+  return score;
+}
+
+}  // namespace ridgeline::evaluate

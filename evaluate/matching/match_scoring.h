@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/matching_quality.h"
+#include "reconstruct/geometry/field.h"
+#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// A true edge: the part of it that is visible in each image, in one direction of travel. Pixels.
+struct EdgeInBoth {
+  Segment2 left, right;
+};
+
+struct MatchScoringOptions {
+  double max_distance_px = 2.0;  ///< of a segment from the edge it lies on, at both ends
+  double max_angle_deg = 10.0;   ///< between them: 2 px at both ends of the shortest segments
+  double min_overlap = 0.5;      ///< share of the segment's length beside the edge
+
+  static constexpr auto fields() {
+    using O = MatchScoringOptions;
+    return std::tuple{Field{"match_distance_px", &O::max_distance_px, 0.0, 100.0,
+                            "largest distance of a segment from its reference edge"},
+                      Field{"match_angle_deg", &O::max_angle_deg, 0.0, 90.0,
+                            "largest angle between a segment and its reference edge"},
+                      Field{"match_overlap", &O::min_overlap, 0.0, 1.0,
+                            "smallest share of a segment beside its reference edge"}};
+  }
+};
+
+/// Table 1 of one patch (Ok et al. 2011, section 4).
+struct MatchingScore {
+  MatchCounts counts;
+  std::size_t n_unjudged = 0;  ///< matches of which the reference knows neither segment
+};
+
+/// Judges matches by true edges. A segment lies on an edge if min_overlap of it runs beside the
+/// edge, within max_distance_px and max_angle_deg; it may lie on several that are close together.
+///   correct   both segments of the match lie on a common edge
+///   false     one of them at least lies on an edge, but they have none in common
+///   unjudged  neither lies on an edge: texture, shadows
+///   missed    left segments without any match that lie on an edge on which a right segment lies
+///             too, at least half of the shorter one beside the other along the edge
+/// A left segment with a false match is false, not missed as well. Throws std::invalid_argument for
+/// a match whose index is out of range and for options out of range.
+MatchingScore score_matches(std::span<const Segment2> left,
+                            std::span<const Segment2> right,
+                            std::span<const LineMatch> matches,
+                            std::span<const EdgeInBoth> edges,
+                            const MatchScoringOptions& options = {});
+
+/// Judges matches by a list of the true ones. Correct: in the list; false: not, but one of its
+/// segments is; unjudged: neither is; missed: left segments of the list without any match.
+MatchingScore score_matches(std::span<const LineMatch> matches,
+                            std::span<const LineMatch> reference);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/matches_file.h"
+
+#include "io/error.h"
+#include "io/text_file.h"
+#include "tests/io/lines/temp_folder.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kWritten_px = 5e-4;  // half of the last digit
+
+template <typename Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(WriteMatches, GivesTheColumnsOfTheContract) {
+  const test::TempFolder folder;
+  const std::vector<ScoredMatch> matches = {{{0, 7}, 0.98765, 3.25}, {{4, 2}, 0.5, 0.0}};
+  write_matches(folder.file("m.csv"), matches, "pairwise");
+  EXPECT_EQ(read_text_file(folder.file("m.csv")),
+            "left_id,right_id,score,votes,matcher\n"
+            "0,7,0.9877,3.250,pairwise\n"
+            "4,2,0.5000,0.000,pairwise\n");
+}
+
+TEST(ReadMatches, ReadsWhatWasWritten) {
+  const test::TempFolder folder;
+  write_matches(folder.file("m.csv"), std::vector<ScoredMatch>{{{3, 5}, 0.75, 1.5}}, "pairwise");
+  const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].scored.match.left, 3);
+  EXPECT_EQ(rows[0].scored.match.right, 5);
+  EXPECT_EQ(rows[0].scored.score, 0.75);
+  EXPECT_EQ(rows[0].scored.votes, 1.5);
+  EXPECT_EQ(rows[0].matcher, "pairwise");
+}
+
+TEST(ReadMatches, TakesOtherToolsColumnsInAnyOrder) {
+  const test::TempFolder folder;
+  folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n");
+  const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].scored.match.left, 1);
+  EXPECT_EQ(rows[0].scored.match.right, 8);
+}
+
+TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {
+  const test::TempFolder folder;
+  const auto message = [&](const std::string& content) {
+    folder.write("m.csv", content);
+    return message_of([&] { (void)read_matches(folder.file("m.csv")); });
+  };
+  EXPECT_THAT(message(""), HasSubstr("empty"));
+  EXPECT_THAT(message("left_id,score\n1,2\n"), HasSubstr("no column right_id"));
+  EXPECT_THAT(message("left_id,right_id\n1\n"), HasSubstr("m.csv:2: 1 fields, the header has 2"));
+  EXPECT_THAT(message("left_id,right_id\n1,2\n-1,2\n"), HasSubstr("m.csv:3: left_id = '-1'"));
+  EXPECT_THAT(message("left_id,right_id\n1,2.5\n"), HasSubstr("right_id = '2.5'"));
+  EXPECT_THAT(message("left_id,right_id,score\n1,2,nan\n"), HasSubstr("score = 'nan'"));
+  EXPECT_THAT(message("left_id,right_id\n1,2\n1,2\n"), HasSubstr("m.csv:3: the match 1, 2 occurs"));
+}
+
+TEST(ReadReferenceMatches, ReadsTheEdgesThatWereWritten) {
+  const test::TempFolder folder;
+  const std::vector<ReferenceEdge> edges = {
+      {"e1", "eave", {{1.5, 2.0}, {3.25, 4.0}}, {{-0.125, 6.0}, {7.0, 8.875}}}};
+  write_reference_edges(folder.file("r.csv"), edges);
+  const ReferenceMatches read = read_reference_matches(folder.file("r.csv"));
+  ASSERT_TRUE(std::holds_alternative<std::vector<ReferenceEdge>>(read));
+  const ReferenceEdge edge = std::get<std::vector<ReferenceEdge>>(read).at(0);
+  EXPECT_EQ(edge.id, "e1");
+  EXPECT_EQ(edge.kind, "eave");
+  EXPECT_LT((edge.left.end - edges[0].left.end).norm(), kWritten_px);
+  EXPECT_LT((edge.right.start - edges[0].right.start).norm(), kWritten_px);
+}
+
+TEST(ReadReferenceMatches, ReadsPairsOfIds) {
+  const test::TempFolder folder;
+  folder.write("r.csv", "left_id,right_id\n5,6\n");
+  const ReferenceMatches read = read_reference_matches(folder.file("r.csv"));
+  ASSERT_TRUE(std::holds_alternative<std::vector<LineMatch>>(read));
+  EXPECT_EQ(std::get<std::vector<LineMatch>>(read).at(0).right, 6);
+}
+
+}  // namespace
+}  // namespace ridgeline::io

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/match_pairwise.h"
+
+#include "tests/reconstruct/match/painted_pair.h"
+
+#include <gmock/gmock.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <set>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using test::PaintedPair;
+
+/// Two roofs of 9 m and 5 m over ground at 0 m, 12.5 px per metre.
+const PaintedPair::Roof kHigh{-11.0, -4.0, -3.0, 3.0, 9.0};
+const PaintedPair::Roof kLow{2.0, -6.0, 9.0, 1.0, 5.0};
+
+PaintedPair two_roofs() {
+  PaintedPair pair({kHigh, kLow});
+  pair.add_outline(kHigh);
+  pair.add_outline(kLow);
+  return pair;
+}
+
+MatchResult match(const PaintedPair& pair, const MatchOptions& options = {}) {
+  return match_pairwise(pair.views[0], pair.views[1], pair.heights_m, options);
+}
+
+TEST(MatchPairwise, FindsTheOutlinesOfFlatRoofs) {
+  const PaintedPair pair = two_roofs();
+  const MatchResult result = match(pair);
+  ASSERT_EQ(result.outcomes.size(), 8U);
+  ASSERT_EQ(result.matches.size(), 8U);
+  for (const ScoredMatch& m : result.matches) EXPECT_EQ(m.match.left, m.match.right);
+}
+
+TEST(MatchPairwise, FindsAnIsolatedLineByItsLook) {
+  PaintedPair pair({kHigh});
+  // the border of the roof alone: no other segment in either image
+  const double z = kHigh.height_m;
+  pair.add_line({{kHigh.east, kHigh.south, z}, {kHigh.east, kHigh.north, z}});
+  const MatchResult result = match(pair);
+  ASSERT_EQ(result.matches.size(), 1U);
+  EXPECT_EQ(result.matches[0].votes, 0.0);
+}
+
+TEST(MatchPairwise, LeavesALineWithoutMateAloneAndSaysWhy) {
+  PaintedPair pair = two_roofs();
+  pair.add_segment(0, {{-2.0, 8.0, 0.0}, {-2.0, 12.0, 0.0}});  // in the left image only
+  const MatchResult result = match(pair);
+  EXPECT_EQ(result.matches.size(), 8U);
+  EXPECT_EQ(result.outcomes.back(), MatchOutcome::kNoCandidate);
+}
+
+TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
+  PaintedPair pair({kHigh});
+  const double z = kHigh.height_m;
+  const Eigen::Vector3d south(kHigh.east, kHigh.south, z);
+  const Eigen::Vector3d north(kHigh.east, kHigh.north, z);
+  pair.add_segment(0, {south, 0.55 * south + 0.45 * north});
+  pair.add_segment(0, {0.45 * south + 0.55 * north, north});
+  pair.add_segment(1, {south, north});
+  const MatchResult result = match(pair);
+  ASSERT_EQ(result.matches.size(), 2U);
+  EXPECT_EQ(result.matches[0].match.right, 0);
+  EXPECT_EQ(result.matches[1].match.right, 0);
+}
+
+TEST(MatchPairwise, NeverGivesOneMateToTwoEdges) {
+  PaintedPair pair = two_roofs();
+  // a second left line beside the east edge of the high roof, on the ground: it has no mate
+  pair.add_segment(0, {{-2.0, -4.0, 0.0}, {-2.0, 3.0, 0.0}});
+  std::set<int> rights;
+  for (const ScoredMatch& m : match(pair).matches) {
+    EXPECT_TRUE(rights.insert(m.match.right).second) << m.match.right;
+  }
+}
+
+TEST(MatchPairwise, IsTheSameForAnyNumberOfThreads) {
+  const PaintedPair pair = two_roofs();
+  const MatchResult all = match(pair);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const MatchResult single = match(pair);
+  ASSERT_EQ(all.matches.size(), single.matches.size());
+  for (std::size_t i = 0; i < all.matches.size(); ++i) {
+    EXPECT_EQ(all.matches[i].match.right, single.matches[i].match.right);
+    EXPECT_EQ(all.matches[i].score, single.matches[i].score);
+    EXPECT_EQ(all.matches[i].votes, single.matches[i].votes);
+  }
+}
+
+TEST(MatchPairwise, GivesNothingForImagesWithoutSegments) {
+  PaintedPair pair = two_roofs();
+  pair.views[1].segments.clear();
+  const MatchResult result = match(pair);
+  EXPECT_TRUE(result.matches.empty());
+  for (const MatchOutcome outcome : result.outcomes) {
+    EXPECT_EQ(outcome, MatchOutcome::kNoCandidate);
+  }
+  pair.views[0].segments.clear();
+  EXPECT_TRUE(match(pair).outcomes.empty());
+}
+
+TEST(MatchPairwise, RejectsWhatItCannotWorkWith) {
+  const PaintedPair good = two_roofs();
+  PaintedPair inverted = good;
+  std::swap(inverted.heights_m[0], inverted.heights_m[1]);
+  EXPECT_THROW((void)match(inverted), std::invalid_argument);
+  PaintedPair bytes = good;
+  bytes.views[0].image.convertTo(bytes.views[0].image, CV_8U);
+  EXPECT_THROW((void)match(bytes), std::invalid_argument);
+  PaintedPair one_place = good;
+  one_place.views[1].image_from_local = one_place.views[0].image_from_local;
+  EXPECT_THROW((void)match(one_place), std::invalid_argument);
+  MatchOptions options;
+  options.min_overlap = 1.5;
+  EXPECT_THROW((void)match(good, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
