@@ -7,17 +7,16 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kSampling_px = 2;
 constexpr double kLargestRatio = 10.0;
 
-/// Sum over every other pixel of df df^T, df the differences to the right and below.
+/// Sum over the pixels of df df^T, df the differences to the right and below.
 Eigen::Matrix4d derivative_scatter(const cv::Mat& image) {
   const int n_bands = image.channels();
   Eigen::Matrix4d scatter = Eigen::Matrix4d::Zero();
-  for (int y = 0; y + 1 < image.rows; y += kSampling_px) {
+  for (int y = 0; y + 1 < image.rows; ++y) {
     const auto* row = image.ptr<float>(y);
     const auto* below = image.ptr<float>(y + 1);
-    for (int x = 0; x + 1 < image.cols; x += kSampling_px) {
+    for (int x = 0; x + 1 < image.cols; ++x) {
       Eigen::Vector4d right_step = Eigen::Vector4d::Zero();
       Eigen::Vector4d down_step = Eigen::Vector4d::Zero();
       for (int band = 0; band < n_bands; ++band) {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/extract/extract_segments.h"
+#include "reconstruct/extract/normalised_image.h"
+#include "tests/reconstruct/extract/blurred_scene.h"
+
+#include <Eigen/Dense>
+#include <gmock/gmock.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Found edges of three scenes, 144 rectangles.
+struct Found {
+  std::vector<std::vector<EdgeSegment>> segments;  ///< which the errors point to
+  std::vector<test::EdgeError> errors;
+  std::vector<Segment2> edges;
+};
+
+Found found_edges(const test::BlurredSceneOptions& scene_options, Detector detector) {
+  ExtractOptions options;
+  options.detector = detector;
+  Found found;
+  for (const std::uint64_t seed : {101, 102, 103, 104}) {
+    const test::BlurredScene scene = test::blurred_scene(seed, scene_options);
+    found.segments.push_back(extract_segments(normalised_image(scene.raw), {}, options));
+    const auto errors = test::edge_errors(scene.edges, found.segments.back());
+    found.errors.insert(found.errors.end(), errors.begin(), errors.end());
+    found.edges.insert(found.edges.end(), scene.edges.begin(), scene.edges.end());
+  }
+  return found;
+}
+
+/// Shift of all segments in x and y together, which does not depend on what side is bright.
+Eigen::Vector2d common_shift_px(const std::vector<test::EdgeError>& errors) {
+  Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
+  for (const test::EdgeError& e : errors) {
+    normal_matrix += e.normal * e.normal.transpose();
+    right_side += e.across_px * e.normal;
+  }
+  return normal_matrix.ldlt().solve(right_side);
+}
+
+TEST(Accuracy, EdgesOfGoodContrastAreFoundToAFewHundredthsOfAPixel) {
+  for (const double blur_px : {0.5, 0.8, 1.2}) {
+    const Found found = found_edges({.blur_px = blur_px}, Detector::kOurs);
+    const test::ErrorSummary s = test::summary(found.errors, found.edges);
+    EXPECT_LT(s.rms_px, 0.05) << blur_px;
+    EXPECT_LT(std::abs(s.bias_px), 0.005) << blur_px;
+    EXPECT_LT(common_shift_px(found.errors).norm(), 0.005) << blur_px;
+    EXPECT_GT(s.completeness, 0.88) << blur_px;  // 2 px at each corner are rounded
+  }
+}
+
+TEST(Accuracy, StatedSigmasAreThoseOfTheErrors) {
+  // noise that outweighs the systematic part of the sigmas
+  const Found found = found_edges({.blur_px = 0.8, .noise = 0.02}, Detector::kOurs);
+  const test::ErrorSummary s = test::summary(found.errors, found.edges);
+  // 15.16 of the specification asks for 10 % of sigma, 20 % of the variance
+  EXPECT_NEAR(s.across_z2, 1.0, 0.2);
+  EXPECT_NEAR(s.angle_z2, 1.0, 0.2);
+}
+
+TEST(Accuracy, FaintEdgesAreFoundInNoise) {
+  // the step is twice the noise of a pixel in each band
+  const Found found = found_edges({.noise = 0.03, .contrast = 0.06}, Detector::kOurs);
+  const test::ErrorSummary s = test::summary(found.errors, found.edges);
+  EXPECT_GT(s.completeness, 0.5);
+  EXPECT_LT(s.rms_px, 0.2);
+}
+
+TEST(Accuracy, DetectorsOfOpenCvHaveNoCommonShift) {
+  for (const Detector detector : {Detector::kLsd, Detector::kEdgeDrawing}) {
+    const Found found = found_edges({}, detector);
+    EXPECT_LT(common_shift_px(found.errors).norm(), 0.02) << name(detector);
+    EXPECT_GT(test::summary(found.errors, found.edges).completeness, 0.85) << name(detector);
+  }
+}
+
+TEST(Accuracy, ColourBoostingKeepsIt) {
+  const test::BlurredScene scene = test::blurred_scene(105);
+  ExtractOptions options;
+  options.colour_boosting = true;
+  const auto segments = extract_segments(normalised_image(scene.raw), {}, options);
+  const auto s = test::summary(test::edge_errors(scene.edges, segments), scene.edges);
+  EXPECT_LT(s.rms_px, 0.1);
+  EXPECT_GT(s.completeness, 0.85);
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
