@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -47,7 +48,8 @@ std::optional<Beside> lies_on(const Segment2& segment,
   const double t_end = parameter(segment.end);
   const double from = std::max(0.0, std::min(t_start, t_end));
   const double to = std::min(1.0, std::max(t_start, t_end));
-  if (to - from < options.min_overlap * std::abs(t_end - t_start)) return std::nullopt;
+  const double shorter = std::min(1.0, std::abs(t_end - t_start));
+  if (to - from < options.min_overlap * shorter) return std::nullopt;
   for (const double t : {from, to}) {
     const double share = (t - t_start) / (t_end - t_start);
     const Eigen::Vector2d x = segment.start + share * direction;
@@ -87,6 +89,44 @@ bool overlap_along(const Beside& a, const Beside& b) {
   return common > 0.0 && common >= kShare * std::min(a.to - a.from, b.to - b.from);
 }
 
+/// A segment that lies on an edge.
+struct OnEdge {
+  int segment = 0;
+  Beside beside;
+};
+
+std::vector<std::vector<OnEdge>> segments_of_edges(const std::vector<std::vector<Beside>>& edges_of,
+                                                   std::size_t n_edges) {
+  std::vector<std::vector<OnEdge>> segments(n_edges);
+  for (std::size_t s = 0; s < edges_of.size(); ++s) {
+    for (const Beside& beside : edges_of[s]) {
+      segments[beside.edge].push_back({static_cast<int>(s), beside});
+    }
+  }
+  return segments;
+}
+
+/// Per right segment: where the left segments lie that it is matched with.
+using Taken = std::map<int, std::vector<Beside>>;
+
+Taken taken_mates(std::span<const LineMatch> matches,
+                  const std::vector<std::vector<Beside>>& on_left) {
+  Taken taken;
+  for (const LineMatch& match : matches) {
+    for (const Beside& beside : on_left[match.left]) taken[match.right].push_back(beside);
+  }
+  return taken;
+}
+
+/// Whether no match has this right segment for the same part of the edge.
+bool is_free(const Taken& taken, int right, const Beside& wanted) {
+  const auto it = taken.find(right);
+  if (it == taken.end()) return true;
+  return std::none_of(it->second.begin(), it->second.end(), [&](const Beside& other) {
+    return other.edge == wanted.edge && overlap_along(other, wanted);
+  });
+}
+
 void check_indices(std::span<const LineMatch> matches, std::size_t n_left, std::size_t n_right) {
   for (const LineMatch& match : matches) {
     check(match.left >= 0 && static_cast<std::size_t>(match.left) < n_left,
@@ -119,18 +159,18 @@ MatchingScore score_matches(std::span<const Segment2> left,
       ++(have_common_edge(a, b) ? score.counts.n_correct : score.counts.n_false);
     }
   }
-  std::vector<std::vector<Beside>> of_edge(edges.size());  // of the right segments
-  for (const auto& besides : on_right) {
-    for (const Beside& beside : besides) of_edge[beside.edge].push_back(beside);
-  }
+  const Taken taken = taken_mates(matches, on_left);
+  const auto of_edge = segments_of_edges(on_right, edges.size());
   for (std::size_t i = 0; i < left.size(); ++i) {
+    if (is_matched[i] != 0) continue;
     const bool could_match =
         std::any_of(on_left[i].begin(), on_left[i].end(), [&](const Beside& a) {
           const auto& mates = of_edge[a.edge];
-          return std::any_of(mates.begin(), mates.end(),
-                             [&](const Beside& b) { return overlap_along(a, b); });
+          return std::any_of(mates.begin(), mates.end(), [&](const OnEdge& mate) {
+            return overlap_along(a, mate.beside) && is_free(taken, mate.segment, a);
+          });
         });
-    if (could_match && is_matched[i] == 0) ++score.counts.n_missed;
+    if (could_match) ++score.counts.n_missed;
   }
   return score;
 }

@@ -21,7 +21,7 @@ struct EdgeInBoth {
 struct MatchScoringOptions {
   double max_distance_px = 2.0;  ///< of a segment from the edge it lies on, at both ends
   double max_angle_deg = 10.0;   ///< between them: 2 px at both ends of the shortest segments
-  double min_overlap = 0.5;      ///< share of the segment's length beside the edge
+  double min_overlap = 0.5;      ///< of the shorter of segment and edge, beside the other
 
   static constexpr auto fields() {
     using O = MatchScoringOptions;
@@ -30,7 +30,7 @@ struct MatchScoringOptions {
                       Field{"match_angle_deg", &O::max_angle_deg, 0.0, 90.0,
                             "largest angle between a segment and its reference edge"},
                       Field{"match_overlap", &O::min_overlap, 0.0, 1.0,
-                            "smallest share of a segment beside its reference edge"}};
+                            "of the shorter of segment and reference edge, beside the other"}};
   }
 };
 
@@ -40,13 +40,16 @@ struct MatchingScore {
   std::size_t n_unjudged = 0;  ///< matches of which the reference knows neither segment
 };
 
-/// Judges matches by true edges. A segment lies on an edge if min_overlap of it runs beside the
-/// edge, within max_distance_px and max_angle_deg; it may lie on several that are close together.
+/// Judges matches by true edges. A segment lies on an edge if the two run side by side over
+/// min_overlap of the shorter one, within max_distance_px and max_angle_deg. It may lie on several
+/// edges that are close together, or that continue each other behind something in front of them.
 ///   correct   both segments of the match lie on a common edge
 ///   false     one of them at least lies on an edge, but they have none in common
 ///   unjudged  neither lies on an edge: texture, shadows
 ///   missed    left segments without any match that lie on an edge on which a right segment lies
-///             too, at least half of the shorter one beside the other along the edge
+///             too, at least half of the shorter one beside the other along the edge, unless it is
+///             the mate of another left segment beside this one: of two parallel lines close
+///             together the right image may show one only
 /// A left segment with a false match is false, not missed as well. Throws std::invalid_argument for
 /// a match whose index is out of range and for options out of range.
 MatchingScore score_matches(std::span<const Segment2> left,

@@ -30,10 +30,12 @@ LineMeasures line_measures(const EdgeSegment& left,
   }
   m.values[LineMeasures::kBetterSide] = std::max(ncc[0], ncc[1]);
   m.values[LineMeasures::kOtherSide] = std::min(ncc[0], ncc[1]);
-  m.values[LineMeasures::kColour] = std::max(colour[0], colour[1]);
+  m.values[LineMeasures::kBetterColour] = std::max(colour[0], colour[1]);
+  m.values[LineMeasures::kOtherColour] = std::min(colour[0], colour[1]);
   m.values[LineMeasures::kContrast] =
       contrast_similarity(left, right, overlap.reversed(), radiometry).value_or(kUndecided);
-  m.values[LineMeasures::kOverlap] = std::min(overlap.share_of_left(), overlap.share_of_right());
+  m.values[LineMeasures::kOverlap] = std::max(overlap.share_of_left(), overlap.share_of_right());
+  m.values[LineMeasures::kExtent] = std::min(overlap.share_of_left(), overlap.share_of_right());
   const double rise_m = std::abs(overlap.height_m[1] - overlap.height_m[0]);
   const double run_m = gsd_m * overlap.share_of_left() * length(left.line.segment);
   m.values[LineMeasures::kLevel] = run_m > 0.0 ? run_m / std::hypot(run_m, rise_m) : 0.0;
@@ -41,9 +43,9 @@ LineMeasures line_measures(const EdgeSegment& left,
 }
 
 double line_similarity(const LineMeasures& measures) {
-  static constexpr std::array<double, LineMeasures::kCount> kWeights = {3.0, 1.5, 2.0,
-                                                                        2.5, 2.0, 2.0};
-  constexpr double kBias = -8.0;
+  static constexpr std::array<double, LineMeasures::kCount> kWeights = {1.27, 4.01, 4.64, 1.61,
+                                                                        0.99, 7.18, 3.71, 0.97};
+  constexpr double kBias = -16.8;
   double sum = kBias;
   for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];
   return 1.0 / (1.0 + std::exp(-sum));

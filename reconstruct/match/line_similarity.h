@@ -11,14 +11,16 @@ namespace ridgeline::reconstruct {
 
 /// What speaks for a match of two single lines, each in [0, 1] with 1 as the best.
 struct LineMeasures {
-  static constexpr int kCount = 6;
   enum Index : int {
-    kBetterSide,  ///< correlation of the side that agrees better
-    kOtherSide,   ///< of the other side; 0.5, undecided, where it is not seen
-    kColour,      ///< colours of the better side
-    kContrast,    ///< direction and strength of the colour step across the line
-    kOverlap,     ///< share of the longer segment in the epipolar overlap
-    kLevel,       ///< how level the line is: most edges of buildings are
+    kBetterSide,    ///< correlation of the side that agrees better
+    kOtherSide,     ///< of the other side; 0.5, undecided, where it is not seen
+    kBetterColour,  ///< mean colour of the side that agrees better
+    kOtherColour,
+    kContrast,  ///< direction and strength of the colour step across the line
+    kOverlap,   ///< share of the shorter segment in the epipolar overlap
+    kExtent,    ///< share of the longer one
+    kLevel,     ///< how level the line is: most edges of buildings are
+    kCount
   };
   std::array<double, kCount> values{};
 };

@@ -153,8 +153,8 @@ std::optional<Constraints> constraints_of(const PairScene& scene,
 }  // namespace
 
 double weighted_similarity(const Constraints& constraints) {
-  static constexpr std::array<double, kNumConstraints> kWeights = {2.0, 1.0, 1.0, 1.0,
-                                                                   1.0, 1.0, 2.0, 1.0};
+  static constexpr std::array<double, kNumConstraints> kWeights = {1.1, 0.2, 1.2, 1.9,
+                                                                   5.2, 5.6, 2.2, 0.2};
   double sum = 0.0;
   double weights = 0.0;
   for (int k = 0; k < kNumConstraints; ++k) {
@@ -163,6 +163,12 @@ double weighted_similarity(const Constraints& constraints) {
     weights += kWeights[k];
   }
   return weights > 0.0 ? sum / weights : 0.0;
+}
+
+double vote_of(double similarity) {
+  constexpr double kEven = 0.77;   // as many right as wrong pairs
+  constexpr double kSlope = 17.0;  // the sum of the weights: the scale of the regression
+  return 1.0 / (1.0 + std::exp(-kSlope * (similarity - kEven)));
 }
 
 std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair) {

@@ -17,6 +17,9 @@ using Constraints = std::array<std::optional<double>, kNumConstraints>;
 /// S = sum w_k s_k / sum w_k over the constraints that are present; 0 if none is.
 double weighted_similarity(const Constraints& constraints);
 
+/// Probability in [0, 1] that both members of a pair match of similarity S are right: its vote.
+double vote_of(double similarity);
+
 /// A pair of the left image with a candidate for each of its members.
 struct PairMatch {
   BasePair pair;

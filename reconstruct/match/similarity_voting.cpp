@@ -21,7 +21,7 @@ using Flat = int;
 struct Link {
   int partner;     ///< left segment
   Flat candidate;  ///< of the partner
-  double similarity;
+  double vote;
 };
 
 /// A segment nearby whose height should agree.
@@ -43,7 +43,7 @@ struct Network {
 double mid_height(const Candidate& c) { return c.overlap.height_at(0.5); }
 
 bool disjoint_on_right(const EpipolarOverlap& a, const EpipolarOverlap& b) {
-  constexpr double kShared = 0.3;  // of the shorter interval: end points are uncertain
+  constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
   const auto [a_low, a_high] = std::minmax(a.on_right[0], a.on_right[1]);
   const auto [b_low, b_high] = std::minmax(b.on_right[0], b.on_right[1]);
   const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
@@ -86,8 +86,9 @@ void add_links(Network& network, std::span<const PairMatch> pairs) {
   for (const PairMatch& match : pairs) {
     const Flat a = network.first[match.pair.first] + match.first_candidate;
     const Flat b = network.first[match.pair.second] + match.second_candidate;
-    network.links[a].push_back({match.pair.second, b, match.similarity});
-    network.links[b].push_back({match.pair.first, a, match.similarity});
+    const double vote = vote_of(match.similarity);
+    network.links[a].push_back({match.pair.second, b, vote});
+    network.links[b].push_back({match.pair.first, a, vote});
   }
   for (std::vector<Link>& links : network.links) {
     std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
@@ -169,7 +170,7 @@ void add_votes(const Network& network,
     double best = 0.0;
     std::size_t end = begin;
     for (; end < links.size() && links[end].partner == links[begin].partner; ++end) {
-      best = std::max(best, links[end].similarity * probability[links[end].candidate]);
+      best = std::max(best, links[end].vote * probability[links[end].candidate]);
     }
     possible += best_probability(network, probability, links[begin].partner);
     support.votes += best;
@@ -200,14 +201,13 @@ double height_support(const Network& network, std::span<const double> probabilit
 
 /// Strength e^T of a candidate: odds of being right before its rivals are looked at.
 double strength(const Candidate& candidate, const Support& support) {
-  constexpr double kBias = -2.0;
-  constexpr double kLook = 0.8;
-  constexpr double kVotes = 0.6;
-  constexpr double kVoteShare = 2.0;
-  constexpr double kHeight = 2.0;
+  constexpr double kBias = -3.4;
+  constexpr double kLook = 0.5;
+  constexpr double kVoteShare = 4.8;
+  constexpr double kHeight = 6.0;
   const double u = std::clamp(candidate.similarity, 1e-6, 1.0 - 1e-6);
-  return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVotes * support.votes +
-                  kVoteShare * support.vote_share + kHeight * support.height);
+  return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVoteShare * support.vote_share +
+                  kHeight * support.height);
 }
 
 }  // namespace
@@ -217,13 +217,18 @@ bool are_fragments(const Segment2& a, const Segment2& b) {
   constexpr double kOffset_px = 1.5;
   const Eigen::Vector2d u = a.end - a.start;
   const Eigen::Vector2d v = b.end - b.start;
-  if (acute_angle_rad(u, v) > kTurn_rad) return false;
   // measured from the longer one, whose direction is known better
   const Segment2& longer = u.squaredNorm() >= v.squaredNorm() ? a : b;
   const Segment2& shorter = &longer == &a ? b : a;
+  const double turn_rad = std::max(kTurn_rad, kOffset_px / length(shorter));
+  if (acute_angle_rad(u, v) > turn_rad) return false;
   const Eigen::Vector2d along = (longer.end - longer.start).normalized();
-  const Eigen::Vector2d w = midpoint(shorter) - longer.start;
-  return std::abs(along.x() * w.y() - along.y() * w.x()) <= kOffset_px;
+  const auto offset_px = [&](const Eigen::Vector2d& x) {
+    const Eigen::Vector2d w = x - longer.start;
+    return std::abs(along.x() * w.y() - along.y() * w.x());
+  };
+  const bool start_is_near = distance(longer, shorter.start) < distance(longer, shorter.end);
+  return offset_px(start_is_near ? shorter.start : shorter.end) <= kOffset_px;
 }
 
 bool may_share_mate(const Segment2& a,

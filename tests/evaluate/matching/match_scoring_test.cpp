@@ -53,12 +53,22 @@ TEST(ScoreMatches, MissesOnlyWhereTheRightImageHasTheSamePartOfTheEdge) {
   EXPECT_EQ(score({row(0, 10, 40)}, {row(10, 110, 140)}, {}), (Counts{0, 0, 0, 0}));
 }
 
+TEST(ScoreMatches, DoesNotMissWhatAParallelLineOfTheSameEdgeHasTaken) {
+  EXPECT_EQ(score({row(0, 10, 40), row(1.5, 10, 40)}, {row(0, 110, 140)}, {{0, 0}}),
+            (Counts{1, 0, 0, 0}));
+  // another part of the edge is missed
+  EXPECT_EQ(score({row(0, 0, 20), row(0, 25, 50)}, {row(0, 100, 150)}, {{0, 0}}),
+            (Counts{1, 0, 1, 0}));
+}
+
 TEST(ScoreMatches, TakesASegmentForTheEdgeByDistanceAngleAndOverlap) {
   const std::vector<Segment2> right = {row(0, 100, 150)};
   EXPECT_EQ(score({row(1.9, 10, 40)}, right, {{0, 0}}).correct, 1U);
   EXPECT_EQ(score({row(2.1, 10, 40)}, right, {{0, 0}}).correct, 0U);
   EXPECT_EQ(score({row(0, 30, 69)}, right, {{0, 0}}).correct, 1U);  // 20 of 39 beside the edge
   EXPECT_EQ(score({row(0, 30, 71)}, right, {{0, 0}}).correct, 0U);
+  EXPECT_EQ(score({row(0, -100, 26)}, right, {{0, 0}}).correct, 1U);  // 26 of the edge's 50
+  EXPECT_EQ(score({row(0, -100, 24)}, right, {{0, 0}}).correct, 0U);
   // 8 px long, 1.4 px up: 10.1 degrees
   EXPECT_EQ(score({{{10, 0}, {18, 1.43}}}, right, {{0, 0}}).correct, 0U);
   EXPECT_EQ(score({{{10, 0}, {18, 1.39}}}, right, {{0, 0}}).correct, 1U);
