@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/cli/cli_fixture.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace ridgeline::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ExtractCommand : public Cli {
+ protected:
+  /// A white square on grey.
+  void write_square(std::string_view name) const {
+    cv::Mat image(200, 200, CV_8UC3, cv::Scalar::all(90));
+    image(cv::Rect(60, 60, 80, 80)).setTo(cv::Scalar::all(180));
+    cv::GaussianBlur(image, image, {7, 7}, 0.8);
+    ASSERT_TRUE(cv::imwrite(path(name).string(), image));
+  }
+};
+
+TEST_F(ExtractCommand, WritesTheFourSidesOfASquare) {
+  write_square("square.png");
+  const auto result =
+      run({"extract", "square.png", "--out", "segments.csv", "--overlay", "overlay.png"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("200 x 200 px, 3 bands: 4 segments"));
+  const std::string csv = read(path("segments.csv"));
+  EXPECT_THAT(csv, StartsWith("id,x1_px,y1_px,x2_px,y2_px,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_EQ(cv::imread(path("overlay.png").string()).size(), cv::Size(400, 400));
+}
+
+TEST_F(ExtractCommand, EveryDetectorWrites) {
+  write_square("square.png");
+  for (const char* detector : {"ours", "edge_drawing", "lsd"}) {
+    const auto result =
+        run({"extract", "square.png", "--out", "segments.csv", "--detector", detector});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr(": 4 segments")) << detector;
+  }
+}
+
+TEST_F(ExtractCommand, TheFileDoesNotDependOnTheNumberOfThreads) {
+  write_square("square.png");
+  ASSERT_EQ(run({"extract", "square.png", "--out", "one.csv", "--jobs", "1"}).exit_code, 0);
+  ASSERT_EQ(run({"extract", "square.png", "--out", "two.csv", "--jobs", "2"}).exit_code, 0);
+  EXPECT_EQ(read(path("one.csv")), read(path("two.csv")));
+}
+
+TEST_F(ExtractCommand, AnImageWithoutTextureHasNoSegments) {
+  ASSERT_TRUE(cv::imwrite(path("flat.png").string(), cv::Mat(50, 50, CV_8UC1, cv::Scalar(70))));
+  const auto result = run({"extract", "flat.png", "--out", "segments.csv"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr(": 0 segments"));
+}
+
+TEST_F(ExtractCommand, RefusesWrongInput) {
+  write_square("square.png");
+  EXPECT_REFUSED(run({"extract", "missing.png", "--out", "a.csv"}), HasSubstr("does not exist"));
+  EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--min-length-px", "-4"}),
+                 HasSubstr("min_length_px"));
+  EXPECT_REFUSED(run({"extract", "square.png", "--out", "square.png"}),
+                 HasSubstr("would be written over"));
+  EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--image-id", "left"}),
+                 HasSubstr("needs --patch"));
+  EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
