@@ -48,10 +48,8 @@ struct AerialView {
   [[nodiscard]] Eigen::Vector3d ray(const Eigen::Vector2d& x_px) const {
     return (ray_from_pixel * x_px.homogeneous()).normalized();
   }
-  /// Angle between the rays of neighbouring pixels.
-  [[nodiscard]] double pixel_angle_rad() const {
-    return ray_from_pixel.col(0).norm() / ray_from_pixel.col(2).norm();
-  }
+  /// Angle between the rays of neighbouring pixels at the principal point.
+  [[nodiscard]] double pixel_angle_rad() const { return ray_from_pixel.col(0).norm(); }
   Eigen::Matrix3d ray_from_pixel = Eigen::Matrix3d::Identity();
 };
 

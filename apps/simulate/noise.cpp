@@ -2,17 +2,24 @@
 #include "apps/simulate/noise.h"
 
 namespace ridgeline::simulate {
+namespace {
+
+/// std::floor without the call that it is before SSE 4.1.
+std::int32_t floor_of(float x) {
+  const auto truncated = static_cast<std::int32_t>(x);
+  return truncated - (static_cast<float>(truncated) > x ? 1 : 0);
+}
+
+}  // namespace
 
 float value_noise(const Eigen::Vector2f& x_m, float wavelength_m, std::uint32_t key) {
   const float x = x_m.x() / wavelength_m;
   const float y = x_m.y() / wavelength_m;
-  const float column = std::floor(x);
-  const float row = std::floor(y);
-  const auto i = static_cast<std::int32_t>(column);
-  const auto k = static_cast<std::int32_t>(row);
+  const std::int32_t i = floor_of(x);
+  const std::int32_t k = floor_of(y);
   const auto blend = [](float t) { return t * t * (3.0F - 2.0F * t); };
-  const float s = blend(x - column);
-  const float t = blend(y - row);
+  const float s = blend(x - static_cast<float>(i));
+  const float t = blend(y - static_cast<float>(k));
   const auto at = [&](std::int32_t di, std::int32_t dk) {
     return 2.0F * unit(hash(i + di, k + dk, key)) - 1.0F;
   };

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace ridgeline::simulate {
 namespace {
@@ -49,6 +50,39 @@ TEST(RayScene, GivesNothingBesideOrBeyondTheMesh) {
   EXPECT_FALSE(rays.first_hit({0.8, 0.8, 2.0}, -Eigen::Vector3d::UnitZ()));
   EXPECT_FALSE(rays.first_hit({0.2, 0.2, 2.0}, Eigen::Vector3d::UnitZ()));
   EXPECT_FALSE(RayScene(Mesh{}).first_hit({0.0, 0.0, 1.0}, -Eigen::Vector3d::UnitZ()));
+}
+
+TEST(RayScene, FindsWhatLiesBetweenTwoDistances) {
+  Mesh mesh;
+  add_polygon({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {}, mesh);
+  const RayScene rays(mesh);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  EXPECT_TRUE(rays.occluded({0.2, 0.3, 0.0}, up));
+  EXPECT_FALSE(rays.occluded({0.2, 0.3, 0.0}, up, 1.1));
+  EXPECT_FALSE(rays.occluded({0.2, 0.3, 0.0}, up, 0.0, 0.9));
+  EXPECT_FALSE(rays.occluded({0.8, 0.8, 0.0}, up));
+}
+
+TEST(RayScene, AnswersManyRaysAsOneByOne) {
+  const Mesh mesh = bumpy_ground(20);
+  const RayScene rays(mesh);
+  Random random({9});
+  std::vector<RayScene::Ray> many;
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d origin{random.uniform(-2.0, 22.0), random.uniform(-2.0, 22.0), 9.0};
+    many.push_back({origin, Eigen::Vector3d(0.1, random.uniform(), -1.0).normalized()});
+  }
+  const auto hits = rays.first_hits(many);
+  const std::vector<char> occluded = rays.occluded(many);
+  ASSERT_EQ(hits.size(), many.size());
+  ASSERT_EQ(occluded.size(), many.size());
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    const auto alone = rays.first_hit(many[i].origin, many[i].direction);
+    ASSERT_EQ(hits[i].has_value(), alone.has_value()) << i;
+    EXPECT_EQ(occluded[i] != 0, alone.has_value()) << i;
+    if (!alone) continue;
+    EXPECT_EQ(hits[i]->triangle, alone->triangle) << i;
+  }
 }
 
 TEST(RayScene, LosesNoRayBetweenTwoTriangles) {

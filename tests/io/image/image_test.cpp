@@ -124,7 +124,7 @@ TEST(ReadImage, RefusesOtherBandsThanItTakes) {
   write_with_gdal(folder.file("real.tif"), "GTiff", real, GDT_Float32);
   EXPECT_THAT(error_of(folder.file("real.tif")),
               HasSubstr("band 1 is Float32; must be 8 or 16 bit unsigned"));
-  const cv::Mat five(4, 4, CV_8UC(5), cv::Scalar::all(9));
+  const cv::Mat five = pattern(5, GDT_Byte);
   write_with_gdal(folder.file("five.tif"), "GTiff", five, GDT_Byte);
   EXPECT_THAT(error_of(folder.file("five.tif")), HasSubstr("has 5 bands; must be 1 to 4"));
   write_with_gdal(folder.file("table.png"), "PNG", pattern(1, GDT_Byte), GDT_Byte, true);
