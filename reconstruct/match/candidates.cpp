@@ -16,7 +16,7 @@ constexpr double kRadPerDeg = M_PI / 180.0;
 constexpr double kHeightTolerance_px = 2.0;
 constexpr double kParallaxStep_px = 1.0;  // of the search along near-aligned lines
 /// For choosing among many parallaxes: coarser than the final comparison.
-constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1};
+constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
 
 struct Search {
   const MatchView& left;

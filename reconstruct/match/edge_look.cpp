@@ -105,6 +105,53 @@ std::optional<SideLook> look_of_side(const ImagePair& images,
   return side_look(sums, images.left.n_bands(), n_samples);
 }
 
+/// Mean colours along the line at steps across it.
+class Profile {
+ public:
+  static constexpr double kHalfWidth_px = 4.0;
+  static constexpr double kStep_px = 0.5;
+  static constexpr int kSize = 17;
+
+  /// Nothing if a sample lies outside of the image.
+  static std::optional<Profile> along(const ImageSampler& image,
+                                      std::span<const Eigen::Vector2d> line,
+                                      const Eigen::Vector2d& side) {
+    Profile profile;
+    Colour colour{};
+    for (int k = 0; k < kSize; ++k) {
+      const Eigen::Vector2d offset = (k * kStep_px - kHalfWidth_px) * side;
+      for (const Eigen::Vector2d& x : line) {
+        if (!image.sample(x + offset, colour)) return std::nullopt;
+        for (int band = 0; band < image.n_bands(); ++band) profile.sums_[k][band] += colour[band];
+      }
+    }
+    for (Colour& sum : profile.sums_) {
+      for (float& value : sum) value /= static_cast<float>(line.size());
+    }
+    return profile;
+  }
+
+  [[nodiscard]] const Colour& at(int k) const { return sums_[k]; }
+
+ private:
+  std::array<Colour, kSize> sums_{};
+};
+
+std::optional<double> profile_ncc(const ImagePair& images, const StripFrame& frame) {
+  const auto left = Profile::along(images.left, frame.on_left, frame.side_in_left);
+  if (!left) return std::nullopt;
+  const auto right = Profile::along(images.right, frame.on_right, frame.side_in_right);
+  if (!right) return std::nullopt;
+  std::array<BandSums, kMaxBands> sums{};
+  for (int k = 0; k < Profile::kSize; ++k) {
+    const Colour mapped = images.radiometry.left_from_right(right->at(k));
+    for (int band = 0; band < images.left.n_bands(); ++band) {
+      sums[band].add(left->at(k)[band], mapped[band]);
+    }
+  }
+  return side_look(sums, images.left.n_bands(), Profile::kSize).ncc;
+}
+
 struct FlankMoments {
   std::array<double, kMaxBands> mean{}, spread{};
 };
@@ -164,6 +211,10 @@ EdgeLook edge_look(const ImagePair& images,
       std::optional<SideLook>& best = look.sides[side];
       if (found && (!best || found->ncc > best->ncc)) best = found;
     }
+  }
+  if (grid.with_profile) {
+    frame.side_in_right = transfer.jacobian * frame.side_in_left;
+    look.profile_ncc = profile_ncc(images, frame);
   }
   return look;
 }

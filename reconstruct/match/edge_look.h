@@ -37,6 +37,9 @@ struct SideLook {
 /// The two sides of a line. A side is absent where its strip leaves one of the images.
 struct EdgeLook {
   std::array<std::optional<SideLook>, 2> sides;  ///< left, right of the left segment's direction
+  /// Correlation of the mean profiles across the line, -1..1: tells it from parallel lines a few
+  /// pixels away, as gutters make them. Absent where the profile leaves one of the images.
+  std::optional<double> profile_ncc;
 };
 
 /// A pair of images with what it takes to compare them.
@@ -52,6 +55,7 @@ struct StripGrid {
   int n_offsets = 8;
   int most_along = 20;
   int n_slopes = 3;  ///< 1: level sides only
+  bool with_profile = true;
 };
 
 /// Compares each side of a left segment with the same side of a right one over their epipolar

@@ -9,7 +9,26 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kColourScale = 0.05;  // of the range of grey values
+constexpr double kColourScale = 0.05;    // of the range of grey values
+constexpr double kEndScale_px = 3.0;     // end points along a line are this uncertain
+constexpr double kHalfLength_px = 30.0;  // overlap at which kLength is 1/2
+
+/// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
+double ends_agreement(const EdgeSegment& left,
+                      const EdgeSegment& right,
+                      const EpipolarOverlap& overlap) {
+  const double left_px = length(left.line.segment);
+  const double right_px = length(right.line.segment);
+  const auto gap_px = [&](double of_left, double of_right) {
+    return std::max(of_left * left_px, of_right * right_px);
+  };
+  const auto from_start = [](double t, bool reversed) { return reversed ? 1.0 - t : t; };
+  const bool reversed = overlap.reversed();
+  const double at_start = gap_px(overlap.on_left[0], from_start(overlap.on_right[0], reversed));
+  const double at_end =
+      gap_px(1.0 - overlap.on_left[1], 1.0 - from_start(overlap.on_right[1], reversed));
+  return 0.5 * (std::exp(-at_start / kEndScale_px) + std::exp(-at_end / kEndScale_px));
+}
 
 }  // namespace
 
@@ -34,18 +53,22 @@ LineMeasures line_measures(const EdgeSegment& left,
   m.values[LineMeasures::kOtherColour] = std::min(colour[0], colour[1]);
   m.values[LineMeasures::kContrast] =
       contrast_similarity(left, right, overlap.reversed(), radiometry).value_or(kUndecided);
+  m.values[LineMeasures::kProfile] = std::max(0.0, look.profile_ncc.value_or(kUndecided));
   m.values[LineMeasures::kOverlap] = std::max(overlap.share_of_left(), overlap.share_of_right());
   m.values[LineMeasures::kExtent] = std::min(overlap.share_of_left(), overlap.share_of_right());
+  const double length_px = overlap.share_of_left() * length(left.line.segment);
+  m.values[LineMeasures::kEnds] = ends_agreement(left, right, overlap);
+  m.values[LineMeasures::kLength] = length_px / (length_px + kHalfLength_px);
   const double rise_m = std::abs(overlap.height_m[1] - overlap.height_m[0]);
-  const double run_m = gsd_m * overlap.share_of_left() * length(left.line.segment);
+  const double run_m = gsd_m * length_px;
   m.values[LineMeasures::kLevel] = run_m > 0.0 ? run_m / std::hypot(run_m, rise_m) : 0.0;
   return m;
 }
 
 double line_similarity(const LineMeasures& measures) {
-  static constexpr std::array<double, LineMeasures::kCount> kWeights = {1.27, 4.01, 4.64, 1.61,
-                                                                        0.99, 7.18, 3.71, 0.97};
-  constexpr double kBias = -16.8;
+  static constexpr std::array<double, LineMeasures::kCount> kWeights = {
+      1.32, 3.40, 4.58, 1.19, 0.92, 0.26, 2.49, 0.47, 4.57, 1.86, 1.00};
+  constexpr double kBias = -12.75;
   double sum = kBias;
   for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];
   return 1.0 / (1.0 + std::exp(-sum));

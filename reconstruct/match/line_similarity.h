@@ -17,8 +17,11 @@ struct LineMeasures {
     kBetterColour,  ///< mean colour of the side that agrees better
     kOtherColour,
     kContrast,  ///< direction and strength of the colour step across the line
+    kProfile,   ///< correlation of the profiles across the line
     kOverlap,   ///< share of the shorter segment in the epipolar overlap
     kExtent,    ///< share of the longer one
+    kEnds,      ///< how close both ends come to their mates
+    kLength,    ///< of the overlap: long ones do not fit by chance
     kLevel,     ///< how level the line is: most edges of buildings are
     kCount
   };

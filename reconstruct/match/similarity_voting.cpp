@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -24,10 +25,11 @@ struct Link {
   double vote;
 };
 
-/// A segment nearby whose height should agree.
+/// A segment nearby whose height should agree where the two come closest.
 struct Neighbour {
   int segment;
   double distance_px;
+  double own_t, t;  ///< of the closest points: on the segment itself, on the neighbour
 };
 
 struct Network {
@@ -40,7 +42,24 @@ struct Network {
   double gsd_m = 0.0;
 };
 
-double mid_height(const Candidate& c) { return c.overlap.height_at(0.5); }
+/// The closest points of two segments as parameters of each.
+Neighbour closest(const Segment2& own, int other, const Segment2& segment) {
+  if (const auto x = intersection(own, segment, 0.0)) {
+    const double own_t = closest_parameter(own, *x);
+    const double t = closest_parameter(segment, *x);
+    if (own_t > 0.0 && own_t < 1.0 && t > 0.0 && t < 1.0) return {other, 0.0, own_t, t};
+  }
+  Neighbour best{other, std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  const auto offer = [&](double own_t, double t) {
+    const double apart_px = (point_at(own, own_t) - point_at(segment, t)).norm();
+    if (apart_px < best.distance_px) best = {other, apart_px, own_t, t};
+  };
+  for (const double end : {0.0, 1.0}) {
+    offer(end, closest_parameter(segment, point_at(own, end)));
+    offer(closest_parameter(own, point_at(segment, end)), end);
+  }
+  return best;
+}
 
 bool disjoint_on_right(const EpipolarOverlap& a, const EpipolarOverlap& b) {
   constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
@@ -107,8 +126,9 @@ std::vector<Neighbour> neighbours_of(int segment,
   std::vector<Neighbour> neighbours;
   for (const int other : index.in_box(Eigen::AlignedBox2d(own.start.cwiseMin(own.end) - reach,
                                                           own.start.cwiseMax(own.end) + reach))) {
-    const double apart_px = distance(own, segments[other]);
-    if (other != segment && apart_px <= kReach_px) neighbours.push_back({other, apart_px});
+    if (other == segment) continue;
+    const Neighbour neighbour = closest(own, other, segments[other]);
+    if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
   }
   std::stable_sort(
       neighbours.begin(), neighbours.end(),
@@ -181,17 +201,18 @@ void add_votes(const Network& network,
 }
 
 double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
-  constexpr double kNear_px = 20.0;
-  constexpr double kSameHeight_m = 0.3;
+  constexpr double kNear_px = 12.0;
+  constexpr double kSameHeight_m = 0.2;
   constexpr double kSlope = 0.7;
-  const double z = mid_height(*network.candidates[candidate]);
+  const EpipolarOverlap& own = network.candidates[candidate]->overlap;
   double agreeing = 0.0;
   double all = 0.5;  // a lone neighbour proves little
   for (const Neighbour& neighbour : network.neighbours[network.left[candidate]]) {
+    const double z = own.height_at(neighbour.own_t);
     const double weight = std::exp(-neighbour.distance_px / kNear_px);
     const double spread_m = kSameHeight_m + kSlope * network.gsd_m * neighbour.distance_px;
     for (Flat c = network.first[neighbour.segment]; c < network.first[neighbour.segment + 1]; ++c) {
-      const double apart = (mid_height(*network.candidates[c]) - z) / spread_m;
+      const double apart = (network.candidates[c]->overlap.height_at(neighbour.t) - z) / spread_m;
       agreeing += weight * probability[c] * std::exp(-0.5 * apart * apart);
       all += weight * probability[c];
     }
@@ -201,10 +222,10 @@ double height_support(const Network& network, std::span<const double> probabilit
 
 /// Strength e^T of a candidate: odds of being right before its rivals are looked at.
 double strength(const Candidate& candidate, const Support& support) {
-  constexpr double kBias = -3.4;
-  constexpr double kLook = 0.5;
-  constexpr double kVoteShare = 4.8;
-  constexpr double kHeight = 6.0;
+  constexpr double kBias = -3.7;
+  constexpr double kLook = 0.47;
+  constexpr double kVoteShare = 4.3;
+  constexpr double kHeight = 7.1;
   const double u = std::clamp(candidate.similarity, 1e-6, 1.0 - 1e-6);
   return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVoteShare * support.vote_share +
                   kHeight * support.height);
@@ -220,7 +241,7 @@ bool are_fragments(const Segment2& a, const Segment2& b) {
   // measured from the longer one, whose direction is known better
   const Segment2& longer = u.squaredNorm() >= v.squaredNorm() ? a : b;
   const Segment2& shorter = &longer == &a ? b : a;
-  const double turn_rad = std::max(kTurn_rad, kOffset_px / length(shorter));
+  const double turn_rad = std::max(kTurn_rad, 2.0 * kOffset_px / length(shorter));
   if (acute_angle_rad(u, v) > turn_rad) return false;
   const Eigen::Vector2d along = (longer.end - longer.start).normalized();
   const auto offset_px = [&](const Eigen::Vector2d& x) {

@@ -12,8 +12,9 @@ namespace ridgeline::reconstruct {
 /// What speaks for a candidate besides its own look.
 struct Support {
   double votes = 0.0;  ///< similarities of the pairs that contain it, by the trust in the partner
-  double vote_share = 0.0;   ///< votes over those its partners could have given; 0..1
-  double height = 0.0;       ///< share of its neighbours, by nearness, that lie at its height; 0..1
+  double vote_share = 0.0;  ///< votes over those its partners could have given; 0..1
+  double height =
+      0.0;  ///< share of its neighbours, by nearness, at its height where they are closest; 0..1
   int n_pairs = 0;           ///< partners that support it
   double probability = 0.0;  ///< that it is the mate, against its rivals
 };
@@ -35,7 +36,7 @@ Supports similarity_votes(const MatchView& left,
 
 /// Whether two segments of an image are parts of one straight edge: the near end of the shorter one
 /// within 1.5 px of the line of the longer one, and their directions within 2 degrees or what 1.5 px
-/// make of the shorter one's.
+/// at both ends make of the shorter one's.
 bool are_fragments(const Segment2& a, const Segment2& b);
 
 /// Whether two left segments may have the same mate: fragments of one edge, each with a part of the
