@@ -49,6 +49,17 @@ std::vector<Points> detected_pieces(const cv::Mat& image,
   return all;
 }
 
+/// Mean strength over the noise, times the root of the number of samples.
+double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
+  double sum = 0.0;
+  for (const EdgeSample& sample : trace) {
+    const auto x = static_cast<int>(std::lround(sample.position_px.x()));
+    const auto y = static_cast<int>(std::lround(sample.position_px.y()));
+    sum += sample.strength / noise.at(x, y);
+  }
+  return sum / std::sqrt(static_cast<double>(trace.size()));
+}
+
 /// One trace per edge.
 std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
                                        const GradientImage& image,
@@ -60,6 +71,7 @@ std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
     if (!trace) continue;
     const Eigen::Vector2d chord = trace->back().position_px - trace->front().position_px;
     if (chord.norm() < options.min_length_px) continue;
+    if (significance(*trace, image.noise) < options.min_significance) continue;
     tracer.claim(*trace);
     edges.push_back({std::move(*trace), std::nullopt});
   }

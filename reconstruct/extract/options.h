@@ -29,6 +29,9 @@ struct ExtractOptions {
   double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
   double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
+  /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
+  /// edge must be strong, a faint one long. Chance alignments in texture are neither.
+  double min_significance = 10.0;
 
   static constexpr auto fields() {
     using O = ExtractOptions;
@@ -51,7 +54,9 @@ struct ExtractOptions {
               "straightness: largest distance of an edge pixel from the line"},
         Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,
               "an edge that continues beyond a gap up to this is one segment"},
-        Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"}};
+        Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"},
+        Field{"min_significance", &O::min_significance, 0.0, 1e6,
+              "strength over noise times the root of the edge pixels; weaker ones are dropped"}};
   }
 };
 

@@ -108,6 +108,7 @@ constexpr std::size_t kMinForStatistics = 30;
 constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
 constexpr double kSystematicAcross_px = 0.01;
+constexpr double kSystematicEnds_px = 0.02;  ///< across, of one end against the other
 constexpr double kSigmaAlong_px = 1.0;
 
 /// Two parameters take as many independent points, each of which is `correlation` points.
@@ -184,7 +185,7 @@ UncertainSegment2 uncertain_segment(const RegressionLine& line, const EdgeNoise&
   segment.centroid_px = line.centroid;
   segment.sigma_q_px = std::hypot(std::sqrt(mean / line.sum_weights), kSystematicAcross_px);
   segment.sigma_phi_rad =
-      std::hypot(std::sqrt(mean / line.sum_weights_t2), kSystematicAcross_px / half_length);
+      std::hypot(std::sqrt(mean / line.sum_weights_t2), kSystematicEnds_px / half_length);
   segment.sigma_e_px = kSigmaAlong_px;
   return segment;
 }

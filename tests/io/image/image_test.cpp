@@ -127,8 +127,8 @@ TEST(ReadImage, RefusesOtherBandsThanItTakes) {
   const cv::Mat five = pattern(5, GDT_Byte);
   write_with_gdal(folder.file("five.tif"), "GTiff", five, GDT_Byte);
   EXPECT_THAT(error_of(folder.file("five.tif")), HasSubstr("has 5 bands; must be 1 to 4"));
-  write_with_gdal(folder.file("table.png"), "PNG", pattern(1, GDT_Byte), GDT_Byte, true);
-  EXPECT_THAT(error_of(folder.file("table.png")), HasSubstr("has a colour table"));
+  write_with_gdal(folder.file("table.tif"), "GTiff", pattern(1, GDT_Byte), GDT_Byte, true);
+  EXPECT_THAT(error_of(folder.file("table.tif")), HasSubstr("has a colour table"));
 }
 
 TEST(ReadImage, RefusesAFileThatEndsEarly) {
