@@ -62,10 +62,10 @@ TEST(Accuracy, StatedSigmasAreThoseOfTheErrors) {
 }
 
 TEST(Accuracy, FaintEdgesAreFoundInNoise) {
-  // the step is twice the noise of a pixel in each band
-  const Found found = found_edges({.noise = 0.03, .contrast = 0.06}, Detector::kOurs);
+  // the step is three times the noise of a pixel in each band
+  const Found found = found_edges({.noise = 0.02, .contrast = 0.06}, Detector::kOurs);
   const test::ErrorSummary s = test::summary(found.errors, found.edges);
-  EXPECT_GT(s.completeness, 0.5);
+  EXPECT_GT(s.completeness, 0.7);
   EXPECT_LT(s.rms_px, 0.2);
 }
 
