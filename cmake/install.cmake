@@ -1,8 +1,9 @@
-# `find_package(ridgeline)` gives ridgeline::geometry, ridgeline::estimate, ridgeline::io and
-# ridgeline::evaluate.
+# `find_package(ridgeline)` gives ridgeline::geometry, ::extract, ::match, ::estimate, ::io and
+# ::evaluate.
 include(CMakePackageConfigHelpers)
 
-set(libraries ridgeline_geometry ridgeline_estimate ridgeline_io ridgeline_evaluate)
+set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_estimate ridgeline_io
+    ridgeline_evaluate)
 install(TARGETS ${libraries}
   EXPORT ridgelineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

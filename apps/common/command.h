@@ -22,7 +22,10 @@ Run add_demo(CLI::App& subcommand);
 Run add_evaluate(CLI::App& subcommand);
 Run add_gate(CLI::App& subcommand);
 Run add_compare(CLI::App& subcommand);
+Run add_run(CLI::App& subcommand);
+Run add_extract(CLI::App& subcommand);
 Run add_match(CLI::App& subcommand);
+Run add_reconstruct(CLI::App& subcommand);
 Run add_simulate(CLI::App& subcommand);
 Run add_info(CLI::App& subcommand);
 

@@ -45,6 +45,20 @@ std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFra
           patch.height_range_m[1] - frame.origin_m.z()};
 }
 
+PatchViews load_patch_views(const io::PatchFile& patch,
+                            const reconstruct::ExtractOptions& options) {
+  check_patch(patch);
+  PatchViews pair;
+  pair.frame = patch_frame(patch);
+  pair.height_range_in_local_m = patch_heights_m(patch, pair.frame);
+  const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, pair.frame);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const cv::Mat image = patch_image(patch, i);
+    pair.views[i] = {cameras[i], image, extract_patch_image(patch, i, image, options)};
+  }
+  return pair;
+}
+
 reconstruct::MatchResult match_patch(const io::PatchFile& patch,
                                      const std::array<cv::Mat, 2>& images,
                                      const std::array<std::vector<EdgeSegment>, 2>& segments,

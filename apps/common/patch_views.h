@@ -35,6 +35,17 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
 std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame);
 std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFrame& frame);
 
+/// The pair of a patch, ready to be matched.
+struct PatchViews {
+  LocalFrame frame;
+  std::array<reconstruct::MatchView, 2> views;
+  std::array<double, 2> height_range_in_local_m{};
+};
+
+/// check_patch(), then images, cameras and segments of the pair. Throws IoError.
+PatchViews load_patch_views(const io::PatchFile& patch,
+                            const reconstruct::ExtractOptions& options);
+
 /// Matches of the pair.
 reconstruct::MatchResult match_patch(const io::PatchFile& patch,
                                      const std::array<cv::Mat, 2>& images,

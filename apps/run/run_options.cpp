@@ -16,13 +16,13 @@ reconstruct::Detector detector_named(const std::string& name) {
   return reconstruct::Detector::kOurs;
 }
 
-std::vector<std::string> format_names() {
+}  // namespace
+
+std::vector<std::string> line_format_names() {
   std::vector<std::string> names;
   for (const io::LineFormatInfo& info : io::line_formats()) names.emplace_back(info.name);
   return names;
 }
-
-}  // namespace
 
 reconstruct::Method method_named(const std::string& name) {
   return name == reconstruct::name(reconstruct::Method::kDirect) ? reconstruct::Method::kDirect
@@ -42,7 +42,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->capture_default_str();
   app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
       ->delimiter(',')
-      ->check(CLI::IsMember(format_names()));
+      ->check(CLI::IsMember(line_format_names()));
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")

@@ -23,6 +23,8 @@ void add_run_flags(CLI::App& app, RunFlags& flags);
 /// Throws std::invalid_argument for values out of range.
 RunOptions run_options(const RunFlags& flags);
 
+std::vector<std::string> line_format_names();
+
 /// "direct" | "joint"; CLI::IsMember has checked it.
 reconstruct::Method method_named(const std::string& name);
 

@@ -30,7 +30,13 @@ std::string to_markdown(const Table1& table) {
                         share_with_interval(q.completeness, q.completeness_ci95),
                         share_with_interval(q.quality, q.quality_ci95));
   }
-  return text + "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
+  text += "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
+  for (const Table1Row& row : table.rows) {
+    if (row.n_unjudged == 0) continue;
+    text += fmt::format("Patch {}: {} more matches, of lines that the reference does not hold.\n",
+                        escape_markdown(row.patch), row.n_unjudged);
+  }
+  return text;
 }
 
 std::string to_csv(const Table1& table) {
@@ -54,6 +60,7 @@ std::string to_json(const Table1& table) {
                     {"correct", row.counts.n_correct},
                     {"false", row.counts.n_false},
                     {"missed", row.counts.n_missed},
+                    {"unjudged", row.n_unjudged},
                     {"correctness", number_json(q.correctness)},
                     {"correctness_ci95", interval_json(q.correctness_ci95)},
                     {"completeness", number_json(q.completeness)},

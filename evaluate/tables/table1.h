@@ -11,6 +11,8 @@ namespace ridgeline::evaluate {
 struct Table1Row {
   std::string patch, matcher;
   MatchCounts counts;
+  /// Matches that the reference says nothing of: texture, shadows. In no figure of the table.
+  std::size_t n_unjudged = 0;
 };
 
 /// Quality of line matching (Ok et al. 2011, Table 1), by number of matches.

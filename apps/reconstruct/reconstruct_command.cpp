@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/common/option_flags.h"
+#include "apps/common/patch_views.h"
+#include "apps/reconstruct/reconstruct_patch.h"
+#include "apps/run/run_options.h"
+#include "io/error.h"
+#include "io/lines/write_lines.h"
+#include "io/matches_file.h"
+#include "io/segments_file.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+namespace ridgeline::apps {
+namespace fs = std::filesystem;
+namespace {
+
+struct ReconstructArguments {
+  std::string patch, matches, out, method = "joint", format = "geojson";
+  reconstruct::ExtractOptions extract;
+  reconstruct::MatchOptions match;
+  reconstruct::ReconstructOptions reconstruct;
+};
+
+struct MatchedPair {
+  std::array<std::vector<EdgeSegment>, 2> segments;
+  std::vector<LineMatch> matches;
+};
+
+/// The segments that a matches file speaks of: those in segments.IMAGE.csv beside it, else
+/// extracted now with the given options.
+std::vector<EdgeSegment> segments_of(const io::PatchFile& patch,
+                                     std::size_t i,
+                                     const cv::Mat& image,
+                                     const ReconstructArguments& a) {
+  if (!a.matches.empty()) {
+    const fs::path file =
+        fs::path(a.matches).parent_path() / fmt::format("segments.{}.csv", patch.images[i].id);
+    if (fs::exists(file)) return io::read_segments(file.string());
+  }
+  return extract_patch_image(patch, i, image, a.extract);
+}
+
+std::vector<LineMatch> read_line_matches(const std::string& path,
+                                         const std::array<std::vector<EdgeSegment>, 2>& segments) {
+  std::vector<LineMatch> matches;
+  for (const io::MatchRow& row : io::read_matches(path)) {
+    const LineMatch& match = row.scored.match;
+    if (static_cast<std::size_t>(match.left) >= segments[0].size() ||
+        static_cast<std::size_t>(match.right) >= segments[1].size()) {
+      throw io::IoError(path, fmt::format("match {},{}: the images have {} and {} segments; ids "
+                                          "must be indices of these",
+                                          match.left, match.right, segments[0].size(),
+                                          segments[1].size()));
+    }
+    matches.push_back(match);
+  }
+  return matches;
+}
+
+MatchedPair matched_pair(const io::PatchFile& patch, const ReconstructArguments& a) {
+  const std::array<cv::Mat, 2> images{patch_image(patch, 0), patch_image(patch, 1)};
+  MatchedPair pair;
+  for (std::size_t i = 0; i < 2; ++i) pair.segments[i] = segments_of(patch, i, images[i], a);
+  if (!a.matches.empty()) {
+    pair.matches = read_line_matches(a.matches, pair.segments);
+    return pair;
+  }
+  for (const ScoredMatch& scored : match_patch(patch, images, pair.segments, a.match).matches) {
+    pair.matches.push_back(scored.match);
+  }
+  return pair;
+}
+
+int run_reconstruct(ReconstructArguments a) {
+  validate(a.extract);
+  validate(a.match);
+  validate(a.reconstruct);
+  a.reconstruct.method = method_named(a.method);
+  const io::PatchFile patch = io::read_patch(a.patch);
+  check_patch(patch);
+  const MatchedPair pair = matched_pair(patch, a);
+  const io::LineSet lines =
+      reconstruct_patch(patch, pair.segments, pair.matches, a.reconstruct, a.match);
+  io::write_lines(a.out, lines, *io::line_format(a.format));
+  const auto with_geometry =
+      std::count_if(lines.lines.begin(), lines.lines.end(), [](const io::Line& line) {
+        return all_finite(line.segment_in_world);
+      });
+  fmt::print("{}: {} lines by {}, {} without geometry\n", a.out, with_geometry, a.method,
+             static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry);
+  return kDone;
+}
+
+}  // namespace
+
+Run add_reconstruct(CLI::App& subcommand) {
+  auto a = std::make_shared<ReconstructArguments>();
+  subcommand.add_option("patch", a->patch, "patch file (YAML): images and cameras")->required();
+  subcommand.add_option("--out", a->out, "file for the 3D lines")->required();
+  subcommand.add_option("--method", a->method, "direct, joint")
+      ->check(CLI::IsMember({"direct", "joint"}))
+      ->capture_default_str();
+  subcommand.add_option("--matches", a->matches,
+                        "matches.csv; its ids are those of segments.IMAGE.csv beside it, else of "
+                        "the segments extracted now. Default: match now");
+  subcommand.add_option("--format", a->format, "of --out")
+      ->check(CLI::IsMember(line_format_names()))
+      ->capture_default_str();
+  add_flags(subcommand, a->extract, "Extract", "extract_");
+  add_flags(subcommand, a->match, "Match", "match_");
+  add_flags(subcommand, a->reconstruct, "Reconstruct");
+  return [a] { return run_reconstruct(*a); };
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/png_writer.h"
+#include "tests/cli/cli_fixture.h"
+
+#include <opencv2/core.hpp>
+
+#include <map>
+
+namespace ridgeline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+/// A copy of sample patch 1 in `patch/`.
+class RunPatch : public Cli {
+ protected:
+  RunPatch() { fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch")); }
+
+  [[nodiscard]] ProgramResult run_patch(const std::string& out,
+                                        const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  /// Replaces what stands in the patch file; a failure if it does not stand there.
+  void edit_patch(std::string_view from, std::string_view to) const {
+    std::string text = read(path("patch/patch.yaml"));
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from << " is not in " << text;
+    write(path("patch/patch.yaml"), text.replace(at, from.size(), to));
+  }
+  /// Takes a key and what hangs on it out of the patch file.
+  void remove_line(std::string_view key) const {
+    const std::string text = read(path("patch/patch.yaml"));
+    const std::size_t begin = text.find(std::string(key) + ":");
+    ASSERT_NE(begin, std::string::npos) << key;
+    std::string rest = text.substr(text.find('\n', begin) + 1);
+    while (rest.starts_with(" ") || rest.starts_with("-")) rest.erase(0, rest.find('\n') + 1);
+    write(path("patch/patch.yaml"), text.substr(0, begin) + rest);
+  }
+
+  /// Content of all files of a result folder but the run's record, by relative name.
+  [[nodiscard]] std::map<std::string, std::string> results_in(const std::string& folder) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(path(folder))) {
+      if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
+      files[fs::relative(entry.path(), path(folder)).string()] = read(entry.path());
+    }
+    return files;
+  }
+};
+
+/// Two cameras 800 m above the ground, 208 m apart; images of `size` px with one grey value.
+class FlatPatch : public Cli {
+ protected:
+  void write_flat(int width, int height) const {
+    fs::create_directories(path("flat"));
+    for (const char* name : {"flat/left.png", "flat/right.png"}) {
+      io::write_png(path(name).string(), cv::Mat(height, width, CV_8UC3, cv::Scalar(90, 90, 90)));
+    }
+    write(path("flat/patch.yaml"),
+          "id: flat\nheight_range: [0, 50]\nimages:\n"
+          "  - {id: left, path: left.png, projection_matrix: "
+          "[[10000, 0, -100, 80000], [0, -10000, -100, 80000], [0, 0, -1, 800]]}\n"
+          "  - {id: right, path: right.png, projection_matrix: "
+          "[[10000, 0, -100, -2000000], [0, -10000, -100, 80000], [0, 0, -1, 800]]}\n");
+  }
+};
+
+TEST_F(RunPatch, WritesTheFilesOfTheContractAndPrintsBothTables) {
+  const ProgramResult result = run_patch("out", {"--lines-format", "csv,dxf"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names_in(path("out")),
+              IsSupersetOf({"1", "run.json", "table1.csv", "table1.json", "table1.md", "table2.csv",
+                            "table2.json", "table2.md", "table2.tex"}));
+  EXPECT_THAT(names_in(path("out/1")),
+              IsSupersetOf({"evaluation.direct.json", "evaluation.joint.json", "lines.direct.csv",
+                            "lines.direct.geojson", "lines.joint.dxf", "lines.joint.geojson",
+                            "matches.csv", "segments.left.csv", "segments.right.csv"}));
+  EXPECT_THAT(result.out, AllOf(HasSubstr(read(path("out/table1.md"))),
+                                HasSubstr(read(path("out/table2.md")))));
+  EXPECT_THAT(read(path("out/1/matches.csv")),
+              testing::StartsWith("left_id,right_id,score,votes,matcher\n"));
+}
+
+TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnly) {
+  ASSERT_EQ(run_patch("out").exit_code, 0);
+  const auto direct = read_json(path("out/1/lines.direct.geojson"));
+  const auto joint = read_json(path("out/1/lines.joint.geojson"));
+  ASSERT_EQ(direct["features"].size(), joint["features"].size());
+  int n_changed = 0;
+  for (std::size_t i = 0; i < direct["features"].size(); ++i) {
+    const auto& d = direct["features"][i];
+    const auto& j = joint["features"][i];
+    EXPECT_EQ(d["properties"]["left_id"], j["properties"]["left_id"]);
+    const bool same = d["geometry"] == j["geometry"];
+    if (d["properties"]["class"] == "not_aligned") EXPECT_TRUE(same) << i;
+    n_changed += same ? 0 : 1;
+  }
+  EXPECT_GT(n_changed, 5);
+}
+
+TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
+  ASSERT_EQ(run_patch("out").exit_code, 0);
+  const auto first = results_in("out");
+  const ProgramResult again = run_patch("out", {"--resume"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("5 finished stages skipped"));
+  EXPECT_EQ(results_in("out"), first);
+
+  // a file that was touched is made again, and all that hangs on it stays, being the same
+  write(path("out/1/lines.joint.geojson"), "damaged");
+  const ProgramResult repaired = run_patch("out", {"--resume"});
+  EXPECT_THAT(repaired.err, HasSubstr("4 finished stages skipped"));
+  EXPECT_EQ(results_in("out"), first);
+
+  // another option of the matching leaves the extraction alone
+  const ProgramResult other = run_patch("out", {"--resume", "--match-min-probability", "0.9"});
+  EXPECT_THAT(other.err, HasSubstr("1 finished stages skipped"));
+}
+
+TEST_F(RunPatch, GivesTheSameBytesForAnyNumberOfThreads) {
+  ASSERT_EQ(run_patch("one", {"--jobs", "1"}).exit_code, 0);
+  ASSERT_EQ(run_patch("four", {"--jobs", "4"}).exit_code, 0);
+  EXPECT_EQ(results_in("one"), results_in("four"));
+}
+
+TEST_F(RunPatch, WithoutLidarWritesLinesAndSaysWhyNoneIsEvaluated) {
+  remove_line("lidar");
+  const ProgramResult result = run_patch("out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto evaluation = read_json(path("out/1/evaluation.joint.json"));
+  ASSERT_GT(evaluation["lines"].size(), 20U);
+  for (const auto& line : evaluation["lines"]) {
+    EXPECT_THAT(line["status"], testing::AnyOf("no_lidar", "not_reconstructed", "too_short"));
+  }
+  EXPECT_EQ(read_json(path("out/1/lines.joint.geojson"))["features"].size(),
+            evaluation["lines"].size());
+}
+
+TEST_F(RunPatch, ReconstructFromTheMatchesOfARunGivesItsLines) {
+  ASSERT_EQ(run_patch("out").exit_code, 0);
+  const ProgramResult result = run({"reconstruct", "patch/patch.yaml", "--matches",
+                                    "out/1/matches.csv", "--out", "lines.geojson"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read(path("lines.geojson")), read(path("out/1/lines.joint.geojson")));
+
+  write(path("out/1/matches.csv"), "left_id,right_id\n0,999999\n");
+  EXPECT_REFUSED(run({"reconstruct", "patch/patch.yaml", "--matches", "out/1/matches.csv", "--out",
+                      "lines.geojson"}),
+                 AllOf(HasSubstr("matches.csv"), HasSubstr("0,999999")));
+}
+
+TEST_F(RunPatch, MissingImageIsNamed) {
+  fs::remove(path("patch/right.tif"));
+  EXPECT_REFUSED(run_patch("out"), HasSubstr("right.tif"));
+  EXPECT_FALSE(fs::exists(path("out/1/segments.left.csv")));
+}
+
+TEST_F(RunPatch, InvertedHeightRangeIsRefused) {
+  remove_line("height_range");
+  write(path("patch/patch.yaml"), read(path("patch/patch.yaml")) + "height_range: [300, 200]\n");
+  EXPECT_REFUSED(run_patch("out"), HasSubstr("height_range"));
+}
+
+TEST_F(RunPatch, TwoPatchesOfOneIdAreRefused) {
+  EXPECT_REFUSED(run({"run", "patch/patch.yaml", "patch/patch.yaml", "--out", "out"}),
+                 HasSubstr("id 1"));
+}
+
+TEST_F(FlatPatch, ImagesWithoutTextureGiveNoLinesAndNoError) {
+  write_flat(400, 300);
+  const ProgramResult result = run({"run", "flat/patch.yaml", "--out", "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(read_json(path("out/flat/lines.joint.geojson"))["features"].empty());
+  EXPECT_THAT(read(path("out/table2.csv")), HasSubstr("flat,joint,total,0,0,,"));
+}
+
+TEST_F(FlatPatch, HeightsBehindTheCameraAreRefused) {
+  write_flat(40, 30);
+  std::string text = read(path("flat/patch.yaml"));
+  write(path("flat/patch.yaml"), text.replace(text.find("[0, 50]"), 7, "[700, 900]"));
+  EXPECT_REFUSED(run({"run", "flat/patch.yaml", "--out", "out"}),
+                 AllOf(HasSubstr("900"), HasSubstr("behind the camera")));
+}
+
+TEST_F(FlatPatch, ImageThatDoesNotFitItsCameraIsRefused) {
+  write_flat(40, 30);
+  write(path("flat/patch.yaml"),
+        "id: flat\nheight_range: [0, 50]\nimages:\n"
+        "  - {id: left, path: left.png, interior: {focal_length_mm: 120, pixel_size_um: 12, "
+        "size_px: [7680, 13824]}, exterior: {position_m: [0, 0, 800], "
+        "omega_phi_kappa_deg: [0, 0, 0]}}\n"
+        "  - {id: right, path: right.png, interior: {focal_length_mm: 120, pixel_size_um: 12, "
+        "size_px: [7680, 13824]}, exterior: {position_m: [208, 0, 800], "
+        "omega_phi_kappa_deg: [0, 0, 0]}}\n");
+  EXPECT_REFUSED(run({"run", "flat/patch.yaml", "--out", "out"}),
+                 AllOf(HasSubstr("left.png: 40 x 30"), HasSubstr("7680 x 13824")));
+}
+
+TEST_F(FlatPatch, MatricesThatAreNoCamerasAreRefused) {
+  write_flat(40, 30);
+  const std::string good = read(path("flat/patch.yaml"));
+  const auto with = [&](std::string_view from, std::string_view to) {
+    std::string text = good;
+    write(path("flat/patch.yaml"), text.replace(text.find(from), from.size(), to));
+    return run({"run", "flat/patch.yaml", "--out", "out"});
+  };
+  EXPECT_REFUSED(with("[0, 0, -1, 800]", "[0, 0, 0, 800]"), HasSubstr("rank"));
+  EXPECT_REFUSED(with("[10000, 0, -100, 80000]", "[.nan, 0, -100, 80000]"), HasSubstr("nan"));
+  EXPECT_REFUSED(with("-2000000", "80000"), HasSubstr("one place"));
+}
+
+TEST_F(FlatPatch, FileThatIsNoImageIsRefused) {
+  write_flat(40, 30);
+  write(path("flat/right.png"), "no image");
+  EXPECT_REFUSED(run({"run", "flat/patch.yaml", "--out", "out"}), HasSubstr("right.png"));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
