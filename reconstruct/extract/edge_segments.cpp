@@ -58,10 +58,13 @@ double mean_strength(const EdgeTrace& trace) {
 
 void reverse(Segment2& segment) { std::swap(segment.start, segment.end); }
 
-EdgeSegment segment_of(const EdgeLines& lines, const EdgeNoise& noise, const cv::Mat& image) {
+EdgeSegment segment_of(const EdgeLines& lines,
+                       const EdgeNoise& noise,
+                       const SystematicError& systematic,
+                       const cv::Mat& image) {
   EdgeSegment segment;
-  segment.line = uncertain_segment(lines.ideal, noise);
-  segment.in_image = uncertain_segment(lines.in_image, noise).segment;
+  segment.line = uncertain_segment(lines.ideal, noise, systematic);
+  segment.in_image = uncertain_segment(lines.in_image, noise, systematic).segment;
   segment.n_edge_pixels = static_cast<int>(lines.trace->size());
   segment.rms_px = lines.ideal.rms_px;
   segment.contrast = mean_strength(*lines.trace);
@@ -80,7 +83,8 @@ EdgeSegment segment_of(const EdgeLines& lines, const EdgeNoise& noise, const cv:
 
 std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
                                        const cv::Mat& image,
-                                       const PixelMap& ideal_from_image) {
+                                       const PixelMap& ideal_from_image,
+                                       const ExtractOptions& options) {
   std::vector<std::optional<EdgeLines>> fitted(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(),
                     [&](std::size_t i) { fitted[i] = lines_of(edges[i], ideal_from_image); });
@@ -92,9 +96,11 @@ std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
     lines.push_back(std::move(*one));
   }
   const EdgeNoise noise = edge_noise(ideal);
+  const SystematicError systematic{options.systematic_across_px, options.systematic_ends_px};
   std::vector<EdgeSegment> segments(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(),
-                    [&](std::size_t i) { segments[i] = segment_of(lines[i], noise, image); });
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    segments[i] = segment_of(lines[i], noise, systematic, image);
+  });
   return segments;
 }
 

@@ -19,6 +19,7 @@ struct DetectedEdge {
 /// flanks, contrast and direction. Edges of which a part has no ideal pixel are left out.
 std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
                                        const cv::Mat& image,
-                                       const PixelMap& ideal_from_image);
+                                       const PixelMap& ideal_from_image,
+                                       const ExtractOptions& options);
 
 }  // namespace ridgeline::reconstruct

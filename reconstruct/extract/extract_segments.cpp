@@ -106,7 +106,7 @@ std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
   const std::vector<DetectedEdge> edges = options.detector == Detector::kOurs
                                               ? our_edges(image, options)
                                               : foreign_edges(image, options);
-  return edge_segments(edges, image, ideal_from_image);
+  return edge_segments(edges, image, ideal_from_image, options);
 }
 
 }  // namespace ridgeline::reconstruct

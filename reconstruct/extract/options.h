@@ -32,6 +32,11 @@ struct ExtractOptions {
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
   /// edge must be strong, a faint one long. Chance alignments in texture are neither.
   double min_significance = 10.0;
+  /// Systematic parts of the stated uncertainty. Where an edge appears depends on the tone curve of
+  /// the image and on details too small to be resolved (gutters, caps of ridges); calibrated on
+  /// rendered roofs, where the tone curve alone moves eaves by 0.1 px towards the dark side.
+  double systematic_across_px = 0.1;  ///< of the line at its centroid
+  double systematic_ends_px = 0.02;   ///< of the ends against each other, across the line
 
   static constexpr auto fields() {
     using O = ExtractOptions;
@@ -56,7 +61,11 @@ struct ExtractOptions {
               "an edge that continues beyond a gap up to this is one segment"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"},
         Field{"min_significance", &O::min_significance, 0.0, 1e6,
-              "strength over noise times the root of the edge pixels; weaker ones are dropped"}};
+              "strength over noise times the root of the edge pixels; weaker ones are dropped"},
+        Field{"systematic_across_px", &O::systematic_across_px, 0.0, 10.0,
+              "systematic part of the sigma across a segment"},
+        Field{"systematic_ends_px", &O::systematic_ends_px, 0.0, 10.0,
+              "systematic part of the sigma of a segment's ends against each other"}};
   }
 };
 

@@ -107,8 +107,6 @@ namespace {
 constexpr std::size_t kMinForStatistics = 30;
 constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
-constexpr double kSystematicAcross_px = 0.01;
-constexpr double kSystematicEnds_px = 0.02;  ///< across, of one end against the other
 constexpr double kSigmaAlong_px = 1.0;
 
 /// Two parameters take as many independent points, each of which is `correlation` points.
@@ -173,7 +171,9 @@ EdgeNoise edge_noise(std::span<const RegressionLine> lines) {
   return noise;
 }
 
-UncertainSegment2 uncertain_segment(const RegressionLine& line, const EdgeNoise& noise) {
+UncertainSegment2 uncertain_segment(const RegressionLine& line,
+                                    const EdgeNoise& noise,
+                                    const SystematicError& systematic) {
   const double own_weight = degrees_of_freedom(line, noise.correlation) / noise.correlation;
   const double own = variance_px2(line, noise.correlation);
   const double mean = (own_weight * own + kShrinkage * noise.variance_px2) /
@@ -183,9 +183,9 @@ UncertainSegment2 uncertain_segment(const RegressionLine& line, const EdgeNoise&
   segment.segment = {line.centroid + line.first * line.along,
                      line.centroid + line.last * line.along};
   segment.centroid_px = line.centroid;
-  segment.sigma_q_px = std::hypot(std::sqrt(mean / line.sum_weights), kSystematicAcross_px);
+  segment.sigma_q_px = std::hypot(std::sqrt(mean / line.sum_weights), systematic.across_px);
   segment.sigma_phi_rad =
-      std::hypot(std::sqrt(mean / line.sum_weights_t2), kSystematicEnds_px / half_length);
+      std::hypot(std::sqrt(mean / line.sum_weights_t2), systematic.ends_px / half_length);
   segment.sigma_e_px = kSigmaAlong_px;
   return segment;
 }

@@ -44,9 +44,17 @@ struct EdgeNoise {
 /// From lines of at least 30 points; without any, what is typical of aerial images.
 EdgeNoise edge_noise(std::span<const RegressionLine> lines);
 
+/// What all lines of an image have in common and residuals do not show.
+struct SystematicError {
+  double across_px = 0.0;  ///< sigma at the centroid
+  double ends_px = 0.0;    ///< sigma of an end across the line, against the centroid
+};
+
 /// The segment between the outermost points with its uncertainty (system.md, section 3.6): the
 /// variance of a point is the one of the line's own residuals, drawn to the typical one as if that
-/// came from ten more points.
-UncertainSegment2 uncertain_segment(const RegressionLine& line, const EdgeNoise& noise);
+/// came from ten more independent points.
+UncertainSegment2 uncertain_segment(const RegressionLine& line,
+                                    const EdgeNoise& noise,
+                                    const SystematicError& systematic);
 
 }  // namespace ridgeline::reconstruct

@@ -43,7 +43,7 @@ Eigen::Vector2d mean_squared_errors(int n, bool correlated) {
   const Eigen::Vector2d normal(-u.y(), u.x());
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const RegressionLine& line : lines) {
-    const UncertainSegment2 s = uncertain_segment(line, noise);
+    const UncertainSegment2 s = uncertain_segment(line, noise, {});
     const double across = normal.dot(s.centroid_px - Eigen::Vector2d(0.0, 3.0));
     const double angle = std::asin(normal.dot(line.along));
     sum +=
@@ -124,21 +124,31 @@ TEST(EdgeNoise, OfAnImageWithoutLongLinesIsTypical) {
 TEST(UncertainSegment, AShortLineOfLuckyPointsIsNotExact) {
   Points points;
   for (int i = 0; i < 10; ++i) points.emplace_back(i, 0.0);
-  const UncertainSegment2 s = uncertain_segment(regression_line(points), {0.04, 2.0});
+  const UncertainSegment2 s = uncertain_segment(regression_line(points), {0.04, 2.0}, {});
   EXPECT_GT(s.sigma_q_px, 0.05);
+}
+
+TEST(UncertainSegment, AddsTheSystematicParts) {
+  Points points;
+  for (int i = 0; i <= 40; ++i) points.emplace_back(i, 0.0);
+  const RegressionLine line = regression_line(points);
+  const UncertainSegment2 plain = uncertain_segment(line, {}, {});
+  const UncertainSegment2 more = uncertain_segment(line, {}, {.across_px = 0.3, .ends_px = 0.2});
+  EXPECT_NEAR(more.sigma_q_px, std::hypot(plain.sigma_q_px, 0.3), kRounding);
+  EXPECT_NEAR(more.sigma_phi_rad, std::hypot(plain.sigma_phi_rad, 0.2 / 20.0), kRounding);
 }
 
 TEST(FixedLine, KeepsTheSegmentAndTakesTheResidualsFromIt) {
   const Points points{{0, 1.1}, {1, 0.9}, {2, 1.1}, {3, 0.9}};
   const RegressionLine line = fixed_line({{0, 0}, {4, 0}}, points);
-  const Segment2 segment = uncertain_segment(line, {}).segment;
+  const Segment2 segment = uncertain_segment(line, {}, {}).segment;
   EXPECT_EQ(segment.start, Eigen::Vector2d(0, 0));
   EXPECT_EQ(segment.end, Eigen::Vector2d(4, 0));
   EXPECT_NEAR(line.rms_px, std::sqrt(1.01), kRounding);
 }
 
 TEST(FixedLine, WithoutPointsHasTheTypicalUncertainty) {
-  const UncertainSegment2 s = uncertain_segment(fixed_line({{0, 0}, {40, 0}}, {}), {0.04, 2.0});
+  const UncertainSegment2 s = uncertain_segment(fixed_line({{0, 0}, {40, 0}}, {}), {0.04, 2.0}, {});
   EXPECT_GT(s.sigma_q_px, 0.1);
   EXPECT_GT(s.sigma_phi_rad, 0.0);
 }
