@@ -76,7 +76,9 @@ cv::Mat colour_gradient(const cv::Mat& image, double sigma_px) {
     const auto* row_dy = dy.ptr<float>(y);
     auto* row = gradient.ptr<cv::Vec2f>(y);
     for (int x = 0; x < image.cols; ++x) {
-      row[x] = gradient_of(row_dx + x * n_bands, row_dy + x * n_bands, n_bands);
+      row[x] = gradient_of(row_dx, row_dy, n_bands);
+      row_dx += n_bands;
+      row_dy += n_bands;
     }
   }
   return gradient;
