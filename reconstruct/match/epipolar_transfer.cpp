@@ -69,7 +69,9 @@ StereoSearch::StereoSearch(const ProjectionMatrix& left,
   const auto [lowest, highest] = height_range_m;
   check(std::isfinite(lowest) && std::isfinite(highest) && lowest < highest,
         "height_range = ", lowest, " .. ", highest, ", must run from the lowest to the highest");
-  check(right_from_left.fundamental().allFinite(),
+  constexpr double kSamePlace_m = 1e-6;
+  check(right_from_left.fundamental().allFinite() &&
+            (right_from_left.centre() - left_from_right.centre()).norm() > kSamePlace_m,
         "projection matrices: no epipolar geometry, must be central cameras in two places");
 }
 

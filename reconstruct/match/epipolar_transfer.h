@@ -36,6 +36,8 @@ class EpipolarTransfer {
   [[nodiscard]] Eigen::Vector3d object_point(const Eigen::Vector2d& x_from, double z_m) const;
   /// F with x_to' F x_from = 0.
   [[nodiscard]] const Eigen::Matrix3d& fundamental() const { return fundamental_; }
+  /// Projection centre of the first image.
+  [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
 
  private:
   Eigen::Matrix3d ray_from_pixel_;

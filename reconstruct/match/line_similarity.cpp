@@ -67,8 +67,8 @@ LineMeasures line_measures(const EdgeSegment& left,
 
 double line_similarity(const LineMeasures& measures) {
   static constexpr std::array<double, LineMeasures::kCount> kWeights = {
-      1.32, 3.40, 4.58, 1.19, 0.92, 0.26, 2.49, 0.47, 4.57, 1.86, 1.00};
-  constexpr double kBias = -12.75;
+      1.24, 3.15, 4.02, 1.45, 0.82, 0.27, 3.09, 0.62, 4.47, 1.35, 0.0};
+  constexpr double kBias = -11.6;
   double sum = kBias;
   for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];
   return 1.0 / (1.0 + std::exp(-sum));

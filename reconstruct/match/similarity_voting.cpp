@@ -14,6 +14,10 @@ namespace {
 
 constexpr int kMostPasses = 20;
 constexpr double kFixedPoint = 1e-4;  // largest change of a probability
+/// A share of support starts from "undecided" with this weight: a lone neighbour proves little, and
+/// a segment without neighbours is judged by its look.
+constexpr double kLittle = 0.5;
+constexpr double kUndecided = 0.5;
 
 /// A candidate by its place in the flat list of all.
 using Flat = int;
@@ -197,21 +201,23 @@ void add_votes(const Network& network,
     if (best >= kSupporting) ++support.n_pairs;
     begin = end;
   }
-  support.vote_share = support.votes / (possible + 0.5);
+  support.vote_share = (support.votes + kLittle * kUndecided) / (possible + kLittle);
 }
 
 double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
   constexpr double kNear_px = 12.0;
-  constexpr double kSameHeight_m = 0.2;
+  constexpr double kSameHeight_m = 0.4;
   constexpr double kSlope = 0.7;
   const EpipolarOverlap& own = network.candidates[candidate]->overlap;
-  double agreeing = 0.0;
-  double all = 0.5;  // a lone neighbour proves little
+  if (own.aligned) return kUndecided;  // its height is what nobody knows yet
+  double all = kLittle;
+  double agreeing = kLittle * kUndecided;
   for (const Neighbour& neighbour : network.neighbours[network.left[candidate]]) {
     const double z = own.height_at(neighbour.own_t);
     const double weight = std::exp(-neighbour.distance_px / kNear_px);
     const double spread_m = kSameHeight_m + kSlope * network.gsd_m * neighbour.distance_px;
     for (Flat c = network.first[neighbour.segment]; c < network.first[neighbour.segment + 1]; ++c) {
+      if (network.candidates[c]->overlap.aligned) continue;
       const double apart = (network.candidates[c]->overlap.height_at(neighbour.t) - z) / spread_m;
       agreeing += weight * probability[c] * std::exp(-0.5 * apart * apart);
       all += weight * probability[c];
@@ -222,10 +228,10 @@ double height_support(const Network& network, std::span<const double> probabilit
 
 /// Strength e^T of a candidate: odds of being right before its rivals are looked at.
 double strength(const Candidate& candidate, const Support& support) {
-  constexpr double kBias = -3.7;
-  constexpr double kLook = 0.47;
-  constexpr double kVoteShare = 4.3;
-  constexpr double kHeight = 7.1;
+  constexpr double kBias = -3.9;
+  constexpr double kLook = 0.8;
+  constexpr double kVoteShare = 4.0;
+  constexpr double kHeight = 7.2;
   const double u = std::clamp(candidate.similarity, 1e-6, 1.0 - 1e-6);
   return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVoteShare * support.vote_share +
                   kHeight * support.height);

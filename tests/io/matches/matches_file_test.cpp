@@ -25,7 +25,7 @@ std::string message_of(const Action& action) {
 }
 
 TEST(WriteMatches, GivesTheColumnsOfTheContract) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const std::vector<ScoredMatch> matches = {{{0, 7}, 0.98765, 3.25}, {{4, 2}, 0.5, 0.0}};
   write_matches(folder.file("m.csv"), matches, "pairwise");
   EXPECT_EQ(read_text_file(folder.file("m.csv")),
@@ -35,7 +35,7 @@ TEST(WriteMatches, GivesTheColumnsOfTheContract) {
 }
 
 TEST(ReadMatches, ReadsWhatWasWritten) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   write_matches(folder.file("m.csv"), std::vector<ScoredMatch>{{{3, 5}, 0.75, 1.5}}, "pairwise");
   const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 1U);
@@ -47,8 +47,8 @@ TEST(ReadMatches, ReadsWhatWasWritten) {
 }
 
 TEST(ReadMatches, TakesOtherToolsColumnsInAnyOrder) {
-  const test::TempFolder folder;
-  folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n");
+  const TempFolder folder;
+  (void)folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n");
   const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].scored.match.left, 1);
@@ -56,9 +56,9 @@ TEST(ReadMatches, TakesOtherToolsColumnsInAnyOrder) {
 }
 
 TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const auto message = [&](const std::string& content) {
-    folder.write("m.csv", content);
+    (void)folder.write("m.csv", content);
     return message_of([&] { (void)read_matches(folder.file("m.csv")); });
   };
   EXPECT_THAT(message(""), HasSubstr("empty"));
@@ -71,7 +71,7 @@ TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {
 }
 
 TEST(ReadReferenceMatches, ReadsTheEdgesThatWereWritten) {
-  const test::TempFolder folder;
+  const TempFolder folder;
   const std::vector<ReferenceEdge> edges = {
       {"e1", "eave", {{1.5, 2.0}, {3.25, 4.0}}, {{-0.125, 6.0}, {7.0, 8.875}}}};
   write_reference_edges(folder.file("r.csv"), edges);
@@ -85,8 +85,8 @@ TEST(ReadReferenceMatches, ReadsTheEdgesThatWereWritten) {
 }
 
 TEST(ReadReferenceMatches, ReadsPairsOfIds) {
-  const test::TempFolder folder;
-  folder.write("r.csv", "left_id,right_id\n5,6\n");
+  const TempFolder folder;
+  (void)folder.write("r.csv", "left_id,right_id\n5,6\n");
   const ReferenceMatches read = read_reference_matches(folder.file("r.csv"));
   ASSERT_TRUE(std::holds_alternative<std::vector<LineMatch>>(read));
   EXPECT_EQ(std::get<std::vector<LineMatch>>(read).at(0).right, 6);

@@ -67,9 +67,14 @@ TEST(DirectionSimilarity, ComparesTheDirectionFromMidpointToMidpoint) {
 
 TEST(ExtentSimilarity, IgnoresTheScaleAndSeesTheLengths) {
   EXPECT_NEAR(*extent_similarity(corner(), turned(corner(), 0.2, 3.0)), 1.0, kTol);
-  PairShape longer = corner();
-  longer.second.end.y() = 60.0;
-  EXPECT_LT(*extent_similarity(corner(), longer), 0.95);
+  PairShape shifted = corner();  // end points are farther apart, lengths are the same
+  shifted.second.start.y() += 10.0;
+  shifted.second.end.y() += 10.0;
+  const double before = 50.0 / (0.25 * (0.0 + 20.0 + 30.0 + std::hypot(30.0, 20.0)));
+  const double after =
+      50.0 / (0.25 * (10.0 + 30.0 + std::hypot(30.0, 10.0) + std::hypot(30.0, 30.0)));
+  const double in_sigmas = std::log(before / after) / 0.15;
+  EXPECT_NEAR(*extent_similarity(corner(), shifted), std::exp(-0.5 * in_sigmas * in_sigmas), kTol);
 }
 
 TEST(GeometricConstraints, AreAbsentForNearAlignedMembersExceptTheAngle) {
@@ -164,7 +169,10 @@ TEST(SpatiogramSimilarity, SeesWhereTheColoursAre) {
   }
   PairPatch upside_down = top;
   for (Colour& c : upside_down.colours) c[0] = 1.0F - c[0];
-  EXPECT_LT(*spatiogram_similarity(top, upside_down), 0.1);
+  // two bins with half of the pixels each, 6 rows apart, variance of 6 rows (6^2 - 1) / 12 and the
+  // floor of 1: N(mu; mu', 2 (S + S')) falls to exp(-6^2 / 2 / (4 var))
+  const double variance = 35.0 / 12.0 + 1.0;
+  EXPECT_NEAR(*spatiogram_similarity(top, upside_down), std::exp(-18.0 / (4.0 * variance)), 1e-9);
 }
 
 }  // namespace
