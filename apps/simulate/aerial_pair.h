@@ -19,7 +19,9 @@ struct FlightOptions {
   double base_to_height = 0.26;     ///< base along x
   double attitude_sigma_deg = 0.4;  ///< of omega, phi and kappa of each view
   double position_sigma_m = 2.0;    ///< of each projection centre, per axis
-  double margin_m = 1.5;            ///< of the image around the plan
+  /// Of the image around the plan. Negative: the border of the plan, where the world ends, is cut
+  /// off; its straight edge is none that a landscape has.
+  double margin_m = -2.0;
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
@@ -33,7 +35,8 @@ struct FlightOptions {
               "of omega, phi, kappa of each view"},
         Field{"position_sigma_m", &O::position_sigma_m, 0.0, 50.0,
               "of each projection centre, per axis"},
-        Field{"image_margin_m", &O::margin_m, 0.0, 100.0, "of the images around the plan"}};
+        Field{"image_margin_m", &O::margin_m, -20.0, 100.0,
+              "of the images around the plan; negative: within it"}};
   }
 };
 
