@@ -240,22 +240,19 @@ double strength(const Candidate& candidate, const Support& support) {
 }  // namespace
 
 bool are_fragments(const Segment2& a, const Segment2& b) {
-  constexpr double kTurn_rad = 2.0 * M_PI / 180.0;
   constexpr double kOffset_px = 1.5;
-  const Eigen::Vector2d u = a.end - a.start;
-  const Eigen::Vector2d v = b.end - b.start;
-  // measured from the longer one, whose direction is known better
-  const Segment2& longer = u.squaredNorm() >= v.squaredNorm() ? a : b;
-  const Segment2& shorter = &longer == &a ? b : a;
-  const double turn_rad = std::max(kTurn_rad, 2.0 * kOffset_px / length(shorter));
-  if (acute_angle_rad(u, v) > turn_rad) return false;
-  const Eigen::Vector2d along = (longer.end - longer.start).normalized();
-  const auto offset_px = [&](const Eigen::Vector2d& x) {
-    const Eigen::Vector2d w = x - longer.start;
-    return std::abs(along.x() * w.y() - along.y() * w.x());
-  };
-  const bool start_is_near = distance(longer, shorter.start) < distance(longer, shorter.end);
-  return offset_px(start_is_near ? shorter.start : shorter.end) <= kOffset_px;
+  const std::array<Eigen::Vector2d, 4> ends{a.start, a.end, b.start, b.end};
+  Segment2 whole = a;
+  for (const Eigen::Vector2d& from : ends) {
+    for (const Eigen::Vector2d& to : ends) {
+      if ((to - from).squaredNorm() > (whole.end - whole.start).squaredNorm()) whole = {from, to};
+    }
+  }
+  const Eigen::Vector2d along = (whole.end - whole.start).normalized();
+  return std::all_of(ends.begin(), ends.end(), [&](const Eigen::Vector2d& x) {
+    const Eigen::Vector2d w = x - whole.start;
+    return std::abs(along.x() * w.y() - along.y() * w.x()) <= kOffset_px;
+  });
 }
 
 bool may_share_mate(const Segment2& a,

@@ -34,9 +34,8 @@ Supports similarity_votes(const MatchView& left,
                           std::span<const PairMatch> pairs,
                           double gsd_m);
 
-/// Whether two segments of an image are parts of one straight edge: the near end of the shorter one
-/// within 1.5 px of the line of the longer one, and their directions within 2 degrees or what 1.5 px
-/// at both ends make of the shorter one's.
+/// Whether two segments of an image are parts of one straight edge: all their ends within 1.5 px of
+/// the line between the two that are farthest apart.
 bool are_fragments(const Segment2& a, const Segment2& b);
 
 /// Whether two left segments may have the same mate: fragments of one edge, each with a part of the
