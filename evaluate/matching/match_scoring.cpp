@@ -60,6 +60,24 @@ std::optional<Beside> lies_on(const Segment2& segment,
   return Beside{0, from, to};
 }
 
+/// Whether the segment lies on the line of the edge, no farther from it than its own length: there
+/// the reference cannot tell what is visible.
+bool continues(const Segment2& segment, const Segment2& edge, const MatchScoringOptions& options) {
+  const Eigen::Vector2d along = edge.end - edge.start;
+  return lies_on(segment, {edge.start - along, edge.end + along}, options).has_value();
+}
+
+/// Whether a segment continues, in the image `own`, an edge that its mate lies on.
+bool mate_edge_continues(const Segment2& segment,
+                         const std::vector<Beside>& of_mate,
+                         std::span<const EdgeInBoth> edges,
+                         Segment2 EdgeInBoth::*own,
+                         const MatchScoringOptions& options) {
+  return std::any_of(of_mate.begin(), of_mate.end(), [&](const Beside& beside) {
+    return continues(segment, edges[beside.edge].*own, options);
+  });
+}
+
 /// The edges that each segment lies on, in ascending order.
 std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
                                           std::span<const EdgeInBoth> edges,
@@ -153,10 +171,16 @@ MatchingScore score_matches(std::span<const Segment2> left,
     is_matched[match.left] = 1;
     const auto& a = on_left[match.left];
     const auto& b = on_right[match.right];
-    if (a.empty() && b.empty()) {
+    if (have_common_edge(a, b)) {
+      ++score.counts.n_correct;
+    } else if ((a.empty() &&
+                mate_edge_continues(left[match.left], b, edges, &EdgeInBoth::left, options)) ||
+               (b.empty() &&
+                mate_edge_continues(right[match.right], a, edges, &EdgeInBoth::right, options)) ||
+               (a.empty() && b.empty())) {
       ++score.n_unjudged;
     } else {
-      ++(have_common_edge(a, b) ? score.counts.n_correct : score.counts.n_false);
+      ++score.counts.n_false;
     }
   }
   const Taken taken = taken_mates(matches, on_left);

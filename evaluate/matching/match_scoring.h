@@ -45,7 +45,8 @@ struct MatchingScore {
 /// edges that are close together, or that continue each other behind something in front of them.
 ///   correct   both segments of the match lie on a common edge
 ///   false     one of them at least lies on an edge, but they have none in common
-///   unjudged  neither lies on an edge: texture, shadows
+///   unjudged  neither lies on an edge (texture, shadows), or one lies on an edge and the other, on
+///             no edge, continues it beyond its visible part by at most its length
 ///   missed    left segments without any match that lie on an edge on which a right segment lies
 ///             too, at least half of the shorter one beside the other along the edge, unless it is
 ///             the mate of another left segment beside this one: of two parallel lines close

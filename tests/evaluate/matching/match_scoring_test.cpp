@@ -47,6 +47,14 @@ TEST(ScoreMatches, LeavesMatchesAwayFromAllEdgesUnjudged) {
   EXPECT_EQ(score({row(30, 10, 40)}, {row(30, 110, 140)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
 }
 
+TEST(ScoreMatches, LeavesTheContinuationOfAnEdgeUnjudged) {
+  EXPECT_EQ(score({row(0, 60, 90)}, {row(0, 110, 140)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
+  EXPECT_EQ(score({row(0, 10, 40)}, {row(0, 160, 190)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
+  // farther from the edge than its length; on another edge
+  EXPECT_EQ(score({row(0, 110, 140)}, {row(0, 110, 140)}, {{0, 0}}), (Counts{0, 1, 0, 0}));
+  EXPECT_EQ(score({row(10, 60, 90)}, {row(0, 110, 140)}, {{0, 0}}), (Counts{0, 1, 0, 0}));
+}
+
 TEST(ScoreMatches, MissesOnlyWhereTheRightImageHasTheSamePartOfTheEdge) {
   EXPECT_EQ(score({row(0, 10, 40)}, {row(0, 105, 135)}, {}), (Counts{0, 0, 1, 0}));
   EXPECT_EQ(score({row(0, 0, 20)}, {row(0, 130, 150)}, {}), (Counts{0, 0, 0, 0}));
