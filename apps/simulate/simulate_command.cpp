@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 
 namespace ridgeline::apps {
@@ -112,6 +113,12 @@ void write_lines_of(const OutputFolder& out, const std::string& name, const io::
   io::write_lines(out.path(name), lines, io::LineFormat::kGeoJson);
 }
 
+/// The patch is named after the folder that it is written to.
+std::string name_of_folder(const std::string& folder) {
+  const auto path = std::filesystem::weakly_canonical(folder);
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 int run_simulate(SimulateArguments a) {
   a.village.seed = a.seed;
   a.als.seed = a.seed;
@@ -135,7 +142,7 @@ int run_simulate(SimulateArguments a) {
   }
   write_lines_of(
       out, "truth.geojson",
-      a.no_images ? truth : write_stereo(scene, fmt::format("{}", a.seed), a.stereo, truth, out));
+      a.no_images ? truth : write_stereo(scene, name_of_folder(a.out), a.stereo, truth, out));
   fmt::print("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
              truth.lines.size(), cloud.points.size());
   return kDone;
