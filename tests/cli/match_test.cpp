@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/matches_file.h"
+#include "tests/cli/cli_fixture.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace ridgeline::cli {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Match : public Cli {
+ protected:
+  /// A small rendered pair, made in each test that needs it.
+  void SetUp() override {
+    const ProgramResult made = run({"simulate", "--out", "pair", "--seed", "3", "--extent-m",
+                                    "45,45", "--samples-per-side", "1"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+};
+
+TEST_F(Match, WritesMatchesAndAnOverlay) {
+  const ProgramResult result =
+      run({"match", "pair/patch.yaml", "--out", "m.csv", "--overlay", "m.png"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("matched"));
+  EXPECT_GT(io::read_matches(path("m.csv").string()).size(), 20U);
+  const cv::Mat overlay = cv::imread(path("m.png").string());
+  const cv::Mat left = cv::imread(path("pair/left.tif").string());
+  EXPECT_EQ(overlay.rows % 2, 0);
+  EXPECT_GE(overlay.cols, 4 * left.cols - 8);  // both images side by side, twice enlarged
+}
+
+TEST_F(Match, GivesTheSameBytesForAnyNumberOfThreads) {
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "one.csv", "--jobs", "1"}).exit_code, 0);
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "two.csv", "--jobs", "2"}).exit_code, 0);
+  EXPECT_EQ(read(path("one.csv")), read(path("two.csv")));
+}
+
+TEST_F(Match, SaysWhatIsWrongWithItsInput) {
+  EXPECT_REFUSED(run({"match", "none.yaml", "--out", "m.csv"}), HasSubstr("none.yaml"));
+  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--min-overlap", "2"}),
+                 HasSubstr("min_overlap = 2"));
+  std::filesystem::remove(path("pair/right.tif"));
+  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv"}), HasSubstr("right.tif"));
+  EXPECT_FALSE(std::filesystem::exists(path("m.csv")));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
