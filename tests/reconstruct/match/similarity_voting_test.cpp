@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/similarity_voting.h"
+
+#include "reconstruct/match/final_choice.h"
+#include "tests/reconstruct/match/stereo_pair.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kGsd_m = 0.08;
+
+/// Left segments far apart, so that nothing but the given candidates and pairs speaks for a match.
+class SimilarityVotes : public ::testing::Test {
+ protected:
+  int add_left(const Segment2& s) { return add(left_, s); }
+  int add_right(const Segment2& s) { return add(right_, s); }
+
+  void add_candidate(int left, int right, double similarity, double height_m = 0.0) {
+    candidates_.resize(left_.segments.size());
+    Candidate c;
+    c.right = right;
+    c.similarity = similarity;
+    c.overlap.on_left = {0.0, 1.0};
+    c.overlap.on_right = {0.0, 1.0};
+    c.overlap.height_m = {height_m, height_m};
+    candidates_[left].push_back(c);
+  }
+
+  [[nodiscard]] Supports vote(const std::vector<PairMatch>& pairs = {}) const {
+    return similarity_votes(left_, right_, candidates_, pairs, kGsd_m);
+  }
+
+  static int add(MatchView& view, const Segment2& s) {
+    view.segments.push_back(test::edge(s));
+    return static_cast<int>(view.segments.size()) - 1;
+  }
+
+  MatchView left_, right_;
+  std::vector<std::vector<Candidate>> candidates_;
+};
+
+const Segment2 kFirst{{0, 0}, {0, 40}};
+const Segment2 kFar{{1000, 0}, {1000, 40}};
+
+TEST_F(SimilarityVotes, PreferTheCandidateThatLooksBetter) {
+  add_left(kFirst);
+  add_right(kFirst);
+  add_right(kFar);
+  add_candidate(0, 0, 0.9);
+  add_candidate(0, 1, 0.5);
+  const Supports supports = vote();
+  EXPECT_GT(supports[0][0].probability, supports[0][1].probability);
+  EXPECT_EQ(supports[0][0].votes, 0.0);
+}
+
+TEST_F(SimilarityVotes, LetAPairDecideBetweenEqualLooks) {
+  add_left(kFirst);
+  add_left(kFar);
+  for (int i = 0; i < 3; ++i) add_right({{500.0 * i, 0.0}, {500.0 * i, 40.0}});
+  add_candidate(0, 0, 0.7);
+  add_candidate(0, 1, 0.7);
+  add_candidate(1, 2, 0.9);
+  const std::vector<PairMatch> pairs = {{{0, 1}, 1, 0, 0.95, {}}};
+  const Supports supports = vote(pairs);
+  EXPECT_GT(supports[0][1].probability, 2.0 * supports[0][0].probability);
+  EXPECT_EQ(supports[0][1].n_pairs, 1);
+  EXPECT_EQ(supports[0][0].n_pairs, 0);
+}
+
+TEST_F(SimilarityVotes, CountEachPartnerOnce) {
+  add_left(kFirst);
+  add_left(kFar);
+  for (int i = 0; i < 3; ++i) add_right({{500.0 * i, 0.0}, {500.0 * i, 40.0}});
+  add_candidate(0, 0, 0.9);
+  add_candidate(1, 1, 0.9);
+  add_candidate(1, 2, 0.9);
+  const std::vector<PairMatch> pairs = {{{0, 1}, 0, 0, 1.0, {}}, {{0, 1}, 0, 1, 1.0, {}}};
+  EXPECT_LE(vote(pairs)[0][0].votes, 1.0);
+}
+
+TEST_F(SimilarityVotes, SupportAHeightThatNeighboursShare) {
+  add_left(kFirst);
+  add_left({{5, 0}, {5, 40}});
+  for (int i = 0; i < 3; ++i) add_right({{500.0 * i, 0.0}, {500.0 * i, 40.0}});
+  add_candidate(0, 0, 0.7, 10.0);
+  add_candidate(0, 1, 0.7, 0.0);
+  add_candidate(1, 2, 0.95, 10.0);
+  const Supports supports = vote();
+  EXPECT_GT(supports[0][0].height, 0.6);
+  EXPECT_LT(supports[0][1].height, 0.4);
+  EXPECT_GT(supports[0][0].probability, supports[0][1].probability);
+}
+
+TEST_F(SimilarityVotes, LetTwoEdgesCompeteForOneMateButNotTwoFragments) {
+  add_left(kFirst);
+  add_left(kFar);  // another edge
+  add_right({{0, 0}, {0, 100}});
+  add_candidate(0, 0, 0.9);
+  add_candidate(1, 0, 0.9);
+  const double competing = vote()[0][0].probability;
+  left_.segments[1] = test::edge({{0, 60}, {0, 100}});  // continues the first
+  candidates_[0][0].overlap.on_right = {0.0, 0.4};
+  candidates_[1][0].overlap.on_right = {0.6, 1.0};
+  EXPECT_GT(vote()[0][0].probability, 1.3 * competing);
+}
+
+TEST(AreFragments, TakesCollinearSegmentsOnly) {
+  const Segment2 a{{0, 0}, {40, 0}};
+  EXPECT_TRUE(are_fragments(a, {{50, 1}, {90, 1}}));
+  EXPECT_TRUE(are_fragments({{90, 1}, {50, 1}}, a));
+  EXPECT_FALSE(are_fragments(a, {{50, 4}, {90, 4}}));     // parallel, 4 px beside
+  EXPECT_FALSE(are_fragments(a, {{50, 0}, {85, 20}}));    // turned
+  EXPECT_FALSE(are_fragments(a, {{20, -9}, {20, 9}}));    // crossing
+  EXPECT_FALSE(are_fragments(a, {{0, 2.9}, {40, 2.9}}));  // side by side
+}
+
+TEST_F(SimilarityVotes, FinalChoiceGivesAMateToTheMoreProbableEdgeAndSaysWhyToTheOther) {
+  add_left(kFirst);
+  add_left(kFar);
+  add_right(kFirst);
+  add_candidate(0, 0, 0.9);
+  add_candidate(1, 0, 0.9);
+  Supports supports(2, std::vector<Support>(1));
+  supports[0][0].probability = 0.6;
+  supports[1][0].probability = 0.7;
+  const MatchResult result = final_choice(left_, candidates_, supports, {});
+  ASSERT_EQ(result.matches.size(), 1U);
+  EXPECT_EQ(result.matches[0].match.left, 1);
+  EXPECT_EQ(result.outcomes[0], MatchOutcome::kLostVote);
+  EXPECT_EQ(result.outcomes[1], MatchOutcome::kMatched);
+}
+
+TEST_F(SimilarityVotes, FinalChoiceTellsWeakFromAmbiguousCandidates) {
+  add_left(kFirst);
+  add_left(kFar);
+  for (int i = 0; i < 2; ++i) add_right({{500.0 * i, 0.0}, {500.0 * i, 40.0}});
+  add_candidate(0, 0, 0.9);
+  add_candidate(0, 1, 0.9);
+  add_candidate(1, 0, 0.1);
+  Supports supports = {std::vector<Support>(2), std::vector<Support>(1)};
+  supports[0][0].probability = 0.29;
+  supports[0][1].probability = 0.28;
+  supports[1][0].probability = 0.01;
+  supports[1][0].n_pairs = 1;
+  const MatchResult result = final_choice(left_, candidates_, supports, {});
+  EXPECT_TRUE(result.matches.empty());
+  EXPECT_EQ(result.outcomes[0], MatchOutcome::kAmbiguous);
+  EXPECT_EQ(result.outcomes[1], MatchOutcome::kLowScore);
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
