@@ -10,10 +10,15 @@
 namespace ridgeline::evaluate {
 namespace {
 
+/// Share of max_distance_px up to which a segment certainly shows the edge. Shadows and gutters run
+/// along edges a few pixels away.
+constexpr double kCertain = 0.5;
+
 /// Stretch of an edge that a segment runs beside, as parameters of the edge, ascending.
 struct Beside {
   int edge = 0;
   double from = 0.0, to = 0.0;
+  double distance_px = 0.0;  ///< the larger one at both ends
 };
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -50,14 +55,14 @@ std::optional<Beside> lies_on(const Segment2& segment,
   const double to = std::min(1.0, std::max(t_start, t_end));
   const double shorter = std::min(1.0, std::abs(t_end - t_start));
   if (to - from < options.min_overlap * shorter) return std::nullopt;
+  double distance_px = 0.0;
   for (const double t : {from, to}) {
     const double share = (t - t_start) / (t_end - t_start);
     const Eigen::Vector2d x = segment.start + share * direction;
-    if (std::abs(cross(along, x - edge.start)) > options.max_distance_px * edge_length) {
-      return std::nullopt;
-    }
+    distance_px = std::max(distance_px, std::abs(cross(along, x - edge.start)) / edge_length);
   }
-  return Beside{0, from, to};
+  if (distance_px > options.max_distance_px) return std::nullopt;
+  return Beside{0, from, to, distance_px};
 }
 
 /// Whether the segment lies on the line of the edge, no farther from it than its own length: there
@@ -93,6 +98,14 @@ std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
     }
   }
   return found;
+}
+
+bool is_certain(const Beside& beside, const MatchScoringOptions& options) {
+  return beside.distance_px <= kCertain * options.max_distance_px;
+}
+bool any_certain(const std::vector<Beside>& besides, const MatchScoringOptions& options) {
+  return std::any_of(besides.begin(), besides.end(),
+                     [&](const Beside& beside) { return is_certain(beside, options); });
 }
 
 bool have_common_edge(const std::vector<Beside>& a, const std::vector<Beside>& b) {
@@ -171,30 +184,30 @@ MatchingScore score_matches(std::span<const Segment2> left,
     is_matched[match.left] = 1;
     const auto& a = on_left[match.left];
     const auto& b = on_right[match.right];
-    if (have_common_edge(a, b)) {
-      ++score.counts.n_correct;
-    } else if ((a.empty() &&
-                mate_edge_continues(left[match.left], b, edges, &EdgeInBoth::left, options)) ||
-               (b.empty() &&
-                mate_edge_continues(right[match.right], a, edges, &EdgeInBoth::right, options)) ||
-               (a.empty() && b.empty())) {
+    const bool continued = (a.empty() && mate_edge_continues(left[match.left], b, edges,
+                                                             &EdgeInBoth::left, options)) ||
+                           (b.empty() && mate_edge_continues(right[match.right], a, edges,
+                                                             &EdgeInBoth::right, options));
+    if (continued || (!any_certain(a, options) && !any_certain(b, options))) {
       ++score.n_unjudged;
     } else {
-      ++score.counts.n_false;
+      ++(have_common_edge(a, b) ? score.counts.n_correct : score.counts.n_false);
     }
   }
   const Taken taken = taken_mates(matches, on_left);
   const auto of_edge = segments_of_edges(on_right, edges.size());
+  const auto has_free_mate = [&](const Beside& a) {
+    const std::vector<OnEdge>& mates = of_edge[a.edge];
+    return is_certain(a, options) &&
+           std::any_of(mates.begin(), mates.end(), [&](const OnEdge& mate) {
+             return is_certain(mate.beside, options) && overlap_along(a, mate.beside) &&
+                    is_free(taken, mate.segment, a);
+           });
+  };
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (is_matched[i] != 0) continue;
-    const bool could_match =
-        std::any_of(on_left[i].begin(), on_left[i].end(), [&](const Beside& a) {
-          const auto& mates = of_edge[a.edge];
-          return std::any_of(mates.begin(), mates.end(), [&](const OnEdge& mate) {
-            return overlap_along(a, mate.beside) && is_free(taken, mate.segment, a);
-          });
-        });
-    if (could_match) ++score.counts.n_missed;
+    score.counts.n_missed +=
+        std::any_of(on_left[i].begin(), on_left[i].end(), has_free_mate) ? 1 : 0;
   }
   return score;
 }

@@ -41,16 +41,17 @@ struct MatchingScore {
 };
 
 /// Judges matches by true edges. A segment lies on an edge if the two run side by side over
-/// min_overlap of the shorter one, within max_distance_px and max_angle_deg. It may lie on several
-/// edges that are close together, or that continue each other behind something in front of them.
-///   correct   both segments of the match lie on a common edge
-///   false     one of them at least lies on an edge, but they have none in common
-///   unjudged  neither lies on an edge (texture, shadows), or one lies on an edge and the other, on
-///             no edge, continues it beyond its visible part by at most its length
-///   missed    left segments without any match that lie on an edge on which a right segment lies
-///             too, at least half of the shorter one beside the other along the edge, unless it is
-///             the mate of another left segment beside this one: of two parallel lines close
-///             together the right image may show one only
+/// min_overlap of the shorter one, within max_distance_px and max_angle_deg; certainly so within
+/// half of that distance, since shadows and gutters run along edges. It may lie on several edges
+/// that are close together, or that continue each other behind something in front of them.
+///   unjudged  neither segment certainly lies on an edge (texture, shadows), or one lies on an edge
+///             and the other, on none, continues it beyond its visible part by at most its length
+///   correct   else, if both segments lie on a common edge
+///   false     else
+///   missed    left segments without any match that certainly lie on an edge on which a right
+///             segment certainly lies too, at least half of the shorter one beside the other along
+///             the edge, unless it is the mate of another left segment beside this one: of two
+///             parallel lines close together the right image may show one only
 /// A left segment with a false match is false, not missed as well. Throws std::invalid_argument for
 /// a match whose index is out of range and for options out of range.
 MatchingScore score_matches(std::span<const Segment2> left,

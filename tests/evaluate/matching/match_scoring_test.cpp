@@ -47,6 +47,16 @@ TEST(ScoreMatches, LeavesMatchesAwayFromAllEdgesUnjudged) {
   EXPECT_EQ(score({row(30, 10, 40)}, {row(30, 110, 140)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
 }
 
+TEST(ScoreMatches, DoesNotTakeALineBesideAnEdgeForTheEdge) {
+  // 1.5 px away in both images, as a shadow: it could be either
+  EXPECT_EQ(score({row(1.5, 10, 40)}, {row(1.5, 110, 140)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
+  EXPECT_EQ(score({row(1.5, 10, 40)}, {row(30, 110, 140)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
+  EXPECT_EQ(score({row(1.5, 10, 40)}, {row(0, 110, 140)}, {}), (Counts{0, 0, 0, 0}));
+  // one certain segment suffices for a verdict
+  EXPECT_EQ(score({row(1.5, 10, 40)}, {row(0, 110, 140)}, {{0, 0}}), (Counts{1, 0, 0, 0}));
+  EXPECT_EQ(score({row(0.9, 10, 40)}, {row(30, 110, 140)}, {{0, 0}}), (Counts{0, 1, 0, 0}));
+}
+
 TEST(ScoreMatches, LeavesTheContinuationOfAnEdgeUnjudged) {
   EXPECT_EQ(score({row(0, 60, 90)}, {row(0, 110, 140)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
   EXPECT_EQ(score({row(0, 10, 40)}, {row(0, 160, 190)}, {{0, 0}}), (Counts{0, 0, 0, 1}));
