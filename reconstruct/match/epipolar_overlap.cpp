@@ -146,7 +146,9 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
   const double high =
       std::min(height_range_m[1], *std::max_element(touching.begin(), touching.end()));
   const double step_m = step_px / left.px_per_m;
-  for (double z = low; z <= high; z += step_m) {
+  const int n_steps = high >= low ? static_cast<int>((high - low) / step_m) + 1 : 0;
+  for (int step = 0; step < n_steps; ++step) {
+    const double z = low + step * step_m;
     const auto overlap = aligned_overlap(left, right, {z, z}, tolerance_px);
     if (overlap && covers_enough(*overlap)) overlaps.push_back(*overlap);
   }

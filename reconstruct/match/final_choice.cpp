@@ -29,6 +29,7 @@ std::vector<Choice> by_probability(const Supports& supports) {
 /// Why a left segment whose best candidate is below min_probability has no mate.
 MatchOutcome reason(const std::vector<Support>& supports) {
   std::vector<double> p;
+  p.reserve(supports.size());
   for (const Support& s : supports) p.push_back(s.probability);
   const auto best = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   const Support& winner = supports[best];

@@ -25,7 +25,7 @@ struct MatchOptions {
   double max_pair_epipolar_px = 5.0;
 
   double max_distance_ratio = 0.8;  ///< next to best, of the votes of a line's candidates
-  double min_probability = 0.3;     ///< of a match against its rivals, to be kept
+  double min_probability = 0.5;     ///< of a match against its rivals, to be kept
 
   static constexpr auto fields() {
     using O = MatchOptions;

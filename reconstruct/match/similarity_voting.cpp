@@ -206,7 +206,7 @@ void add_votes(const Network& network,
 
 double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
   constexpr double kNear_px = 12.0;
-  constexpr double kSameHeight_m = 0.4;
+  constexpr double kSameHeight_m = 0.6;
   constexpr double kSlope = 0.7;
   const EpipolarOverlap& own = network.candidates[candidate]->overlap;
   if (own.aligned) return kUndecided;  // its height is what nobody knows yet
