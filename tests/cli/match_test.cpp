@@ -4,6 +4,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
+
 namespace ridgeline::cli {
 namespace {
 
@@ -25,10 +27,12 @@ TEST_F(Match, WritesMatchesAndAnOverlay) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("matched"));
   EXPECT_GT(io::read_matches(path("m.csv").string()).size(), 20U);
+  // both images side by side, twice enlarged
   const cv::Mat overlay = cv::imread(path("m.png").string());
   const cv::Mat left = cv::imread(path("pair/left.tif").string());
-  EXPECT_EQ(overlay.rows % 2, 0);
-  EXPECT_GE(overlay.cols, 4 * left.cols - 8);  // both images side by side, twice enlarged
+  const cv::Mat right = cv::imread(path("pair/right.tif").string());
+  EXPECT_EQ(overlay.cols, 2 * (left.cols + right.cols));
+  EXPECT_EQ(overlay.rows, 2 * std::max(left.rows, right.rows));
 }
 
 TEST_F(Match, GivesTheSameBytesForAnyNumberOfThreads) {
