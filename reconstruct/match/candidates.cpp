@@ -112,8 +112,7 @@ std::optional<Candidate> candidate(const Search& search,
   Candidate found;
   found.right = right_id;
   found.overlap = *overlap;
-  found.measures =
-      line_measures(left, right, *overlap, look, search.images.radiometry, transfer.gsd_m);
+  found.measures = line_measures(left, right, *overlap, look, search.images.radiometry);
   found.similarity = line_similarity(found.measures);
   return found;
 }

@@ -26,18 +26,42 @@ std::vector<Choice> by_probability(const Supports& supports) {
   return choices;
 }
 
-/// Why a left segment whose best candidate is below min_probability has no mate.
-MatchOutcome reason(const std::vector<Support>& supports) {
-  std::vector<double> p;
-  p.reserve(supports.size());
-  for (const Support& s : supports) p.push_back(s.probability);
-  const auto best = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
-  const Support& winner = supports[best];
-  std::nth_element(p.begin(), p.begin() + (p.size() > 1 ? 1 : 0), p.end(), std::greater<>());
-  const double second = p.size() > 1 ? p[1] : 0.0;
-  if (second > 0.5 * winner.probability && winner.probability > 0.2)
+std::size_t best_of(const std::vector<Support>& supports) {
+  const auto best = std::max_element(
+      supports.begin(), supports.end(),
+      [](const Support& a, const Support& b) { return a.probability < b.probability; });
+  return static_cast<std::size_t>(best - supports.begin());
+}
+
+/// Probability of the next mate over that of the best, fragments of the best one's edge left out.
+double distance_ratio(const MatchView& right,
+                      const std::vector<Candidate>& candidates,
+                      const std::vector<Support>& supports) {
+  const std::size_t best = best_of(supports);
+  const Segment2& mate = right.segments[candidates[best].right].line.segment;
+  double next = 0.0;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (c == best || are_fragments(mate, right.segments[candidates[c].right].line.segment))
+      continue;
+    next = std::max(next, supports[c].probability);
+  }
+  return next / std::max(supports[best].probability, 1e-12);
+}
+
+/// What becomes of a left segment before the others are asked.
+MatchOutcome prospect(const MatchView& right,
+                      const std::vector<Candidate>& candidates,
+                      const std::vector<Support>& supports,
+                      const MatchOptions& options) {
+  constexpr double kWeak = 0.2;  // of two equally weak candidates neither is right
+  if (candidates.empty()) return MatchOutcome::kNoCandidate;
+  const Support& best = supports[best_of(supports)];
+  if (best.probability > kWeak &&
+      distance_ratio(right, candidates, supports) > options.max_distance_ratio) {
     return MatchOutcome::kAmbiguous;
-  return winner.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
+  }
+  if (best.probability >= options.min_probability) return MatchOutcome::kLostVote;
+  return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
 }
 
 }  // namespace
@@ -61,20 +85,21 @@ const char* name(MatchOutcome outcome) {
 }
 
 MatchResult final_choice(const MatchView& left,
+                         const MatchView& right,
                          const std::vector<std::vector<Candidate>>& candidates,
                          const Supports& supports,
                          const MatchOptions& options) {
   MatchResult result;
   result.outcomes.resize(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    result.outcomes[i] = candidates[i].empty() ? MatchOutcome::kNoCandidate : reason(supports[i]);
+    result.outcomes[i] = prospect(right, candidates[i], supports[i], options);
   }
   std::map<int, std::vector<Choice>> takers;  // by right segment
   for (const Choice& choice : by_probability(supports)) {
     const Support& support = supports[choice.left][choice.candidate];
     MatchOutcome& outcome = result.outcomes[choice.left];
     if (support.probability < options.min_probability) break;
-    if (outcome == MatchOutcome::kMatched) continue;
+    if (outcome != MatchOutcome::kLostVote) continue;  // matched or ambiguous
     const Candidate& candidate = candidates[choice.left][choice.candidate];
     std::vector<Choice>& others = takers[candidate.right];
     const bool free = std::all_of(others.begin(), others.end(), [&](const Choice& other) {
@@ -82,8 +107,8 @@ MatchResult final_choice(const MatchView& left,
                             left.segments[other.left].line.segment,
                             candidates[other.left][other.candidate].overlap);
     });
-    outcome = free ? MatchOutcome::kMatched : MatchOutcome::kLostVote;
     if (!free) continue;
+    outcome = MatchOutcome::kMatched;
     others.push_back(choice);
     result.matches.push_back({{choice.left, candidate.right}, support.probability, support.votes});
   }

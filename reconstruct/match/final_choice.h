@@ -7,9 +7,11 @@
 namespace ridgeline::reconstruct {
 
 /// The last step of the matching: left segments take their most probable mate, in order of
-/// probability, if it reaches min_probability and no other edge has taken it. A mate may serve
-/// several fragments of one left edge, each with a part of its own.
+/// probability, if it reaches min_probability, its next rival does not come closer than
+/// max_distance_ratio and no other edge has taken it. A mate may serve several fragments of one left
+/// edge, each with a part of its own; fragments of one right edge are no rivals.
 MatchResult final_choice(const MatchView& left,
+                         const MatchView& right,
                          const std::vector<std::vector<Candidate>>& candidates,
                          const Supports& supports,
                          const MatchOptions& options);

@@ -36,8 +36,7 @@ LineMeasures line_measures(const EdgeSegment& left,
                            const EdgeSegment& right,
                            const EpipolarOverlap& overlap,
                            const EdgeLook& look,
-                           const Radiometry& radiometry,
-                           double gsd_m) {
+                           const Radiometry& radiometry) {
   constexpr double kUndecided = 0.5;
   LineMeasures m;
   std::array<double, 2> ncc{};
@@ -59,15 +58,12 @@ LineMeasures line_measures(const EdgeSegment& left,
   const double length_px = overlap.share_of_left() * length(left.line.segment);
   m.values[LineMeasures::kEnds] = ends_agreement(left, right, overlap);
   m.values[LineMeasures::kLength] = length_px / (length_px + kHalfLength_px);
-  const double rise_m = std::abs(overlap.height_m[1] - overlap.height_m[0]);
-  const double run_m = gsd_m * length_px;
-  m.values[LineMeasures::kLevel] = run_m > 0.0 ? run_m / std::hypot(run_m, rise_m) : 0.0;
   return m;
 }
 
 double line_similarity(const LineMeasures& measures) {
   static constexpr std::array<double, LineMeasures::kCount> kWeights = {
-      1.24, 3.15, 4.02, 1.45, 0.82, 0.27, 3.09, 0.62, 4.47, 1.35, 0.0};
+      1.24, 3.15, 4.02, 1.45, 0.82, 0.27, 3.09, 0.62, 4.47, 1.35};
   constexpr double kBias = -11.6;
   double sum = kBias;
   for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];

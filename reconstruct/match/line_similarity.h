@@ -22,7 +22,6 @@ struct LineMeasures {
     kExtent,    ///< share of the longer one
     kEnds,      ///< how close both ends come to their mates
     kLength,    ///< of the overlap: long ones do not fit by chance
-    kLevel,     ///< how level the line is: most edges of buildings are
     kCount
   };
   std::array<double, kCount> values{};
@@ -32,10 +31,10 @@ LineMeasures line_measures(const EdgeSegment& left,
                            const EdgeSegment& right,
                            const EpipolarOverlap& overlap,
                            const EdgeLook& look,
-                           const Radiometry& radiometry,
-                           double gsd_m);
+                           const Radiometry& radiometry);
 
-/// Probability of the match in [0, 1] by logistic regression over the measures.
+/// Probability of the match in [0, 1] by logistic regression over the measures, fitted to the
+/// candidates of the simulated training scenes (seeds 1 to 8) that the surfaces themselves judge.
 double line_similarity(const LineMeasures& measures);
 
 }  // namespace ridgeline::reconstruct

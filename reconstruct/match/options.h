@@ -24,7 +24,7 @@ struct MatchOptions {
   double max_pair_turn_deg = 15.0;   ///< difference of the angle enclosed by a pair
   double max_pair_epipolar_px = 5.0;
 
-  double max_distance_ratio = 0.8;  ///< next to best, of the votes of a line's candidates
+  double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best rival
   double min_probability = 0.5;     ///< of a match against its rivals, to be kept
 
   static constexpr auto fields() {
@@ -52,7 +52,7 @@ struct MatchOptions {
         Field{"max_pair_epipolar_px", &O::max_pair_epipolar_px, 0.0, 100.0,
               "largest distance of a pair's intersection point from its epipolar line"},
         Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,
-              "next to best votes of a line; above it the line is ambiguous for now"},
+              "next to best mate of a line, by probability; above it the line is ambiguous"},
         Field{"min_probability", &O::min_probability, 0.0, 1.0,
               "smallest probability of a match that is kept"}};
   }

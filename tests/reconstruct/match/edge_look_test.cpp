@@ -92,7 +92,7 @@ TEST(LineMeasures, RewardSegmentsWhoseEndsCorrespond) {
   EpipolarOverlap half = whole;
   half.on_right = {0.25, 0.75};
   const auto ends = [&](const EpipolarOverlap& overlap) {
-    return line_measures(left, right, overlap, {}, {}, 0.08).values[LineMeasures::kEnds];
+    return line_measures(left, right, overlap, {}, {}).values[LineMeasures::kEnds];
   };
   EXPECT_EQ(ends(whole), 1.0);
   EXPECT_NEAR(ends(half), std::exp(-10.0 / 3.0), 1e-12);  // the right one is 10 px longer each side

@@ -125,7 +125,7 @@ TEST_F(SimilarityVotes, FinalChoiceGivesAMateToTheMoreProbableEdgeAndSaysWhyToTh
   Supports supports(2, std::vector<Support>(1));
   supports[0][0].probability = 0.6;
   supports[1][0].probability = 0.7;
-  const MatchResult result = final_choice(left_, candidates_, supports, {});
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {});
   ASSERT_EQ(result.matches.size(), 1U);
   EXPECT_EQ(result.matches[0].match.left, 1);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kLostVote);
@@ -144,7 +144,7 @@ TEST_F(SimilarityVotes, FinalChoiceTellsWeakFromAmbiguousCandidates) {
   supports[0][1].probability = 0.28;
   supports[1][0].probability = 0.01;
   supports[1][0].n_pairs = 1;
-  const MatchResult result = final_choice(left_, candidates_, supports, {});
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {});
   EXPECT_TRUE(result.matches.empty());
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kAmbiguous);
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kLowScore);
