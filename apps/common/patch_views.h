@@ -43,8 +43,7 @@ struct PatchViews {
 };
 
 /// check_patch(), then images, cameras and segments of the pair. Throws IoError.
-PatchViews load_patch_views(const io::PatchFile& patch,
-                            const reconstruct::ExtractOptions& options);
+PatchViews load_patch_views(const io::PatchFile& patch, const reconstruct::ExtractOptions& options);
 
 /// Matches of the pair.
 reconstruct::MatchResult match_patch(const io::PatchFile& patch,

@@ -53,10 +53,10 @@ std::vector<LineMatch> read_line_matches(const std::string& path,
     const LineMatch& match = row.scored.match;
     if (static_cast<std::size_t>(match.left) >= segments[0].size() ||
         static_cast<std::size_t>(match.right) >= segments[1].size()) {
-      throw io::IoError(path, fmt::format("match {},{}: the images have {} and {} segments; ids "
-                                          "must be indices of these",
-                                          match.left, match.right, segments[0].size(),
-                                          segments[1].size()));
+      throw io::IoError(
+          path, fmt::format("match {},{}: the images have {} and {} segments; ids "
+                            "must be indices of these",
+                            match.left, match.right, segments[0].size(), segments[1].size()));
     }
     matches.push_back(match);
   }
@@ -89,9 +89,8 @@ int run_reconstruct(ReconstructArguments a) {
       reconstruct_patch(patch, pair.segments, pair.matches, a.reconstruct, a.match);
   io::write_lines(a.out, lines, *io::line_format(a.format));
   const auto with_geometry =
-      std::count_if(lines.lines.begin(), lines.lines.end(), [](const io::Line& line) {
-        return all_finite(line.segment_in_world);
-      });
+      std::count_if(lines.lines.begin(), lines.lines.end(),
+                    [](const io::Line& line) { return all_finite(line.segment_in_world); });
   fmt::print("{}: {} lines by {}, {} without geometry\n", a.out, with_geometry, a.method,
              static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry);
   return kDone;

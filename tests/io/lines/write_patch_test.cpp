@@ -19,8 +19,8 @@ PatchFile sample_patch() {
     image.id = i == 0 ? "left" : "right";
     image.path = image.id + ".tif";
     // map coordinates need all digits of a double
-    image.image_from_world << 10000.0 / 3.0, 0.1, -512.0, -1710000000.123456789 + 1e6 * i, 0.2, -9999.9,
-        -512.0, 54030000000.98765, -0.01, 0.02, -1.0, 6000.123456789;
+    image.image_from_world << 10000.0 / 3.0, 0.1, -512.0, -1710000000.123456789 + 1e6 * i, 0.2,
+        -9999.9, -512.0, 54030000000.98765, -0.01, 0.02, -1.0, 6000.123456789;
     patch.images.push_back(image);
   }
   patch.lidar = {"lidar.las"};
