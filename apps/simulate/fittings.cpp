@@ -191,8 +191,10 @@ bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& rand
     const Panel array = random_panel(plane, columns * kHalfModuleU, rows * kHalfModuleV, random);
     if (!is_free(rays, scene, array, plane.id)) continue;
     for (int i = 0; i < columns * rows; ++i) {
-      const double s = (2.0 * (i % columns) + 1.0) / columns - 1.0;
-      const double t = (2.0 * (i / columns) + 1.0) / rows - 1.0;
+      const int column = i % columns;
+      const int row = i / columns;
+      const double s = (2.0 * column + 1.0) / columns - 1.0;
+      const double t = (2.0 * row + 1.0) / rows - 1.0;
       const Panel module{array.at(s, t), array.u, array.v, kHalfModuleU - kHalfGapM,
                          kHalfModuleV - kHalfGapM};
       add_panel(module, kHeightM, {plane.building_id, kNone, Material::kSolar}, scene.mesh);
