@@ -44,7 +44,8 @@ PointSpread::PointSpread(double sigma_px) {
     const double offset = (s + 0.5) / kSubPixels - 0.5;  // from the pixel's centre
     for (int k = -kReachPx; k <= kReachPx; ++k) {
       const double z = (offset - k) / sigma_px;
-      table_[static_cast<std::size_t>(s)][static_cast<std::size_t>(k + kReachPx)] =
+      const int tap = k + kReachPx;
+      table_[static_cast<std::size_t>(s)][static_cast<std::size_t>(tap)] =
           static_cast<float>(std::exp(-0.5 * z * z));
     }
   }

@@ -206,8 +206,10 @@ class RowBlock {
       if (row + k < first_row_ || row + k >= end_row_) continue;
       for (int i = -kReach; i <= kReach; ++i) {
         if (column + i < 0 || column + i >= columns_) continue;
-        const float weight = along_y[static_cast<std::size_t>(k + kReach)] *
-                             along_x[static_cast<std::size_t>(i + kReach)];
+        const int tap_y = k + kReach;
+        const int tap_x = i + kReach;
+        const float weight = along_y[static_cast<std::size_t>(tap_y)] *
+                             along_x[static_cast<std::size_t>(tap_x)];
         Sum& sum = sums_[index(row + k, column + i)];
         sum.light += weight * light;
         sum.weight += weight;
