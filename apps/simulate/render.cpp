@@ -208,8 +208,8 @@ class RowBlock {
         if (column + i < 0 || column + i >= columns_) continue;
         const int tap_y = k + kReach;
         const int tap_x = i + kReach;
-        const float weight = along_y[static_cast<std::size_t>(tap_y)] *
-                             along_x[static_cast<std::size_t>(tap_x)];
+        const float weight =
+            along_y[static_cast<std::size_t>(tap_y)] * along_x[static_cast<std::size_t>(tap_x)];
         Sum& sum = sums_[index(row + k, column + i)];
         sum.light += weight * light;
         sum.weight += weight;

@@ -168,6 +168,7 @@ std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
   }
   constexpr double kMargin = 4.0;  // chi-square units (system.md 13.6)
   std::vector<std::pair<double, std::size_t>> costs;
+  costs.reserve(along.size());
   for (const std::size_t i : along)
     costs.emplace_back(image_cost(*images, candidates[i].fit.plane), i);
   std::sort(costs.begin(), costs.end());

@@ -47,7 +47,8 @@ double search_radius_m(const PointGrid& grid, const Eigen::Vector2d& x) {
 std::vector<Eigen::Vector3d> points_below(const PointGrid& grid,
                                           const ImageEvidence& images,
                                           double radius_m) {
-  const auto [low, high] = images.height_range_m;
+  const double low = images.height_range_m[0];
+  const double high = images.height_range_m[1];
   const std::vector<Segment2> sweep = plan_sweep(images, radius_m);
   std::vector<PointGrid::Point> found;
   for (const Segment2& segment : sweep) {
