@@ -97,6 +97,7 @@ void run_patches(const std::string& command,
   warn_of_surplus_images(patches);
   const std::vector<Input> inputs = inputs_of(patches);
   std::vector<std::string> paths;
+  paths.reserve(inputs.size());
   for (const Input& input : inputs) paths.push_back(input.path);
   const OutputFolder out(folder, paths);
 

@@ -116,7 +116,10 @@ void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) 
   const Look frame{building_id, kNone, Material::kFrame};
   for (int column = 0; column < columns; ++column) {
     const double along = box.min().x() + (column + 0.5) / columns * box.sizes().x();
-    for (double low = box.min().y() + kSillM; low < box.max().y(); low += kStoreyM) {
+    double next_m = box.min().y() + kSillM;
+    while (next_m < box.max().y()) {
+      const double low = next_m;
+      next_m += kStoreyM;
       const Eigen::Vector2d reach(half_u_m + kFreeM, half_v_m + kFreeM);
       const Eigen::Vector2d middle(along, low + half_v_m);
       const bool fits = on_wall(wall, middle - reach) && on_wall(wall, middle + reach) &&
