@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/match/match_overlay.h"
 
+#include "apps/common/overlay_canvas.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <array>
@@ -9,7 +11,6 @@
 namespace ridgeline::apps {
 namespace {
 
-constexpr int kEnlarged = 2;  // display pixels per image pixel: segments may lie 2 px apart
 const cv::Scalar kUnmatched(150, 150, 150);
 
 /// Twelve hues around the circle, neighbours in the list far apart.
@@ -30,35 +31,14 @@ cv::Scalar colour_of(int number) {
   return {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
 }
 
-/// The first three bands as 8-bit colours; one band as grey.
-cv::Mat canvas_of(const cv::Mat& image) {
-  std::vector<cv::Mat> bands;
-  cv::split(image, bands);
-  std::vector<cv::Mat> shown;
-  for (int k = 2; k >= 0; --k) {  // OpenCV draws blue, green, red
-    shown.push_back(bands[bands.size() < 3 ? 0 : static_cast<std::size_t>(k)]);
-  }
-  cv::Mat merged;
-  cv::merge(shown, merged);
-  cv::Mat canvas;
-  merged.convertTo(canvas, CV_8UC3, 255.0);
-  cv::resize(canvas, canvas, {}, kEnlarged, kEnlarged, cv::INTER_LINEAR);
-  return canvas;
-}
-
-/// The centre of pixel 0 is at the display coordinate (kEnlarged - 1) / 2.
-cv::Point on_canvas(const Eigen::Vector2d& x_px) {
-  const Eigen::Vector2d x = kEnlarged * (x_px.array() + 0.5) - 0.5;
-  return {cvRound(x.x()), cvRound(x.y())};
-}
-
 void draw(cv::Mat& canvas, const EdgeSegment& segment, const cv::Scalar& colour, int width) {
   cv::line(canvas, on_canvas(segment.in_image.start), on_canvas(segment.in_image.end), colour,
-           width, cv::LINE_AA);
+           width, cv::LINE_AA, kCanvasFractionBits);
 }
 
 void label(cv::Mat& canvas, const EdgeSegment& segment, int number, const cv::Scalar& colour) {
-  cv::putText(canvas, std::to_string(number), on_canvas(midpoint(segment.in_image)),
+  cv::putText(canvas, std::to_string(number),
+              on_canvas(midpoint(segment.in_image)) / (1 << kCanvasFractionBits),
               cv::FONT_HERSHEY_SIMPLEX, 0.4, colour, 1, cv::LINE_AA);
 }
 
@@ -68,7 +48,7 @@ cv::Mat match_overlay(const reconstruct::MatchView& left,
                       const reconstruct::MatchView& right,
                       const reconstruct::MatchResult& result) {
   constexpr int kLabelled = 5;
-  std::array<cv::Mat, 2> canvases{canvas_of(left.image), canvas_of(right.image)};
+  std::array<cv::Mat, 2> canvases{overlay_canvas(left.image), overlay_canvas(right.image)};
   for (const EdgeSegment& segment : left.segments) draw(canvases[0], segment, kUnmatched, 1);
   for (const EdgeSegment& segment : right.segments) draw(canvases[1], segment, kUnmatched, 1);
   for (const ScoredMatch& scored : result.matches) {

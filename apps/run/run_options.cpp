@@ -6,18 +6,6 @@
 #include <algorithm>
 
 namespace ridgeline::apps {
-namespace {
-
-reconstruct::Detector detector_named(const std::string& name) {
-  for (const reconstruct::Detector detector :
-       {reconstruct::Detector::kEdgeDrawing, reconstruct::Detector::kLsd}) {
-    if (name == reconstruct::name(detector)) return detector;
-  }
-  return reconstruct::Detector::kOurs;
-}
-
-}  // namespace
-
 std::vector<std::string> line_format_names() {
   std::vector<std::string> names;
   for (const io::LineFormatInfo& info : io::line_formats()) names.emplace_back(info.name);
@@ -64,7 +52,7 @@ RunOptions run_options(const RunFlags& flags) {
       options.methods.push_back(method);
     }
   }
-  options.extract.detector = detector_named(flags.detector);
+  options.extract.detector = reconstruct::detector_named(flags.detector);
   for (const std::string& name : flags.line_formats) {
     if (const auto format = io::line_format(name)) options.line_formats.push_back(*format);
   }
