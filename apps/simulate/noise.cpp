@@ -36,8 +36,10 @@ float fractal_noise(const Eigen::Vector2f& x_m,
   float sum = 0.0F;
   float weight = 1.0F;
   float total = 0.0F;
-  for (float wavelength = longest_m; wavelength >= shortest_m; wavelength *= 0.5F) {
-    sum += weight * value_noise(x_m, wavelength, ++key);
+  float wavelength_m = longest_m;
+  while (wavelength_m >= shortest_m) {
+    sum += weight * value_noise(x_m, wavelength_m, ++key);
+    wavelength_m *= 0.5F;
     total += weight;
     weight *= roughness;
   }
