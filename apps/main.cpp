@@ -29,6 +29,7 @@ constexpr std::array kCommands{
     Command{"evaluate", "judge any tool's 3D lines against a point cloud", add_evaluate},
     Command{"gate", "fail when accuracy is below the gates (exit code 3)", add_gate},
     Command{"compare", "the same lines under several methods or tools, paired", add_compare},
+    Command{"report", "report.html of a folder of results, and its figures", add_report},
     Command{"run", "images and LIDAR of patches -> 3D lines, judged: Tables 1 and 2", add_run},
     Command{"extract", "line segments of an image with their uncertainty", add_extract},
     Command{"match", "line matches between the two images of a patch", add_match},

@@ -55,6 +55,15 @@ Segment2 segment_of(const CsvTable& table,
   return {{value(0), value(1)}, {value(2), value(3)}};
 }
 
+bool is_wrong_pair(const CsvTable& table, std::size_t row) {
+  if (!table.has("verdict")) return false;
+  const std::string_view verdict = table.text(row, table.column("verdict"));
+  if (verdict == "false") return true;
+  if (verdict == "correct" || verdict == "missed") return false;
+  throw IoError(table.place_of(row),
+                fmt::format("verdict '{}'; must be correct, missed or false", verdict));
+}
+
 std::vector<ReferenceEdge> edges_of(const CsvTable& table) {
   const std::size_t id = table.column("id");
   const std::array<std::size_t, 4> left = end_columns(table, "left");
@@ -66,6 +75,7 @@ std::vector<ReferenceEdge> edges_of(const CsvTable& table) {
     if (table.has("kind")) edge.kind = table.text(row, table.column("kind"));
     edge.left = segment_of(table, row, left);
     edge.right = segment_of(table, row, right);
+    edge.is_wrong_pair = is_wrong_pair(table, row);
     edges.push_back(std::move(edge));
   }
   return edges;

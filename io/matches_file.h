@@ -33,6 +33,8 @@ std::vector<MatchRow> read_matches(const std::string& path);
 struct ReferenceEdge {
   std::string id, kind;
   Segment2 left, right;  ///< both in the same direction of travel
+  /// The two segments were found by eye not to show one edge; a match of them is false.
+  bool is_wrong_pair = false;
 };
 
 /// What a reference file holds: edges, or pairs of segment ids.
@@ -40,8 +42,9 @@ using ReferenceMatches = std::variant<std::vector<ReferenceEdge>, std::vector<Li
 
 /// Reads reference matches, told by their header: edges
 ///   id,kind,left_x1_px,left_y1_px,left_x2_px,left_y2_px,right_x1_px,...,right_y2_px
-/// (kind is optional), or pairs left_id,right_id of the segments to be judged. Throws IoError
-/// naming the row for missing columns and values that are no numbers.
+/// (kind is optional; so is verdict, `correct`, `missed` or, for a wrong pair, `false`: what the
+/// review in the report exports), or pairs left_id,right_id of the segments to be judged. Throws
+/// IoError naming the row for missing columns, values that are no numbers and other verdicts.
 ReferenceMatches read_reference_matches(const std::string& path);
 
 /// Writes reference edges in that form, thousandths of a pixel. Throws IoError.

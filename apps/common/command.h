@@ -22,6 +22,7 @@ Run add_demo(CLI::App& subcommand);
 Run add_evaluate(CLI::App& subcommand);
 Run add_gate(CLI::App& subcommand);
 Run add_compare(CLI::App& subcommand);
+Run add_report(CLI::App& subcommand);
 Run add_run(CLI::App& subcommand);
 Run add_extract(CLI::App& subcommand);
 Run add_match(CLI::App& subcommand);

@@ -8,25 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
-#include <vector>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
-
-std::vector<fs::path> evaluation_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  constexpr int kDeepest = 1;  // DIR/PATCH/evaluation.METHOD.json
-  for (auto it = fs::recursive_directory_iterator(folder); it != fs::end(it); ++it) {
-    if (it.depth() >= kDeepest) it.disable_recursion_pending();
-    const std::string name = it->path().filename().string();
-    if (name.starts_with("evaluation.") && name.ends_with(".json")) files.push_back(it->path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 evaluate::Evaluation read_evaluation(const fs::path& file) {
   try {
@@ -54,6 +40,18 @@ void read_run_record(const fs::path& file, evaluate::ResultFolder& results) {
 }
 
 }  // namespace
+
+std::vector<fs::path> evaluation_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  constexpr int kDeepest = 1;  // DIR/PATCH/evaluation.METHOD.json
+  for (auto it = fs::recursive_directory_iterator(folder); it != fs::end(it); ++it) {
+    if (it.depth() >= kDeepest) it.disable_recursion_pending();
+    const std::string name = it->path().filename().string();
+    if (name.starts_with("evaluation.") && name.ends_with(".json")) files.push_back(it->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
 
 evaluate::ResultFolder read_result_folder(const std::string& folder) {
   if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");

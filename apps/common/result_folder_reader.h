@@ -3,9 +3,14 @@
 
 #include "evaluate/tables/result_folder.h"
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace ridgeline::apps {
+
+/// evaluation.*.json of the folder and of its subfolders, sorted.
+std::vector<std::filesystem::path> evaluation_files(const std::filesystem::path& folder);
 
 /// Reads what `evaluate`, `run` or `demo` wrote: evaluation.*.json of the folder and of its
 /// subfolders (one per patch), and run.json for the inputs' hashes and the time.

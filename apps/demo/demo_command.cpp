@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/sample_data.h"
+#include "apps/report/write_report.h"
 #include "apps/run/run_patches.h"
 
 #include <memory>
@@ -9,21 +10,26 @@
 namespace ridgeline::apps {
 namespace {
 
-int run_demo(const std::string& folder) {
+int run_demo(const std::string& folder, const RunOptions& options) {
   std::vector<std::string> patch_files;
   for (const std::filesystem::path& patch : sample_patches()) {
     patch_files.push_back((patch / "patch.yaml").string());
   }
-  run_patches("demo", patch_files, RunOptions(), folder);
+  run_patches("demo", patch_files, options, folder);
   return kDone;
 }
 
 }  // namespace
 
 Run add_demo(CLI::App& subcommand) {
-  auto out = std::make_shared<std::string>("ridgeline_demo");
-  subcommand.add_option("--out", *out, "folder for the results")->capture_default_str();
-  return [out] { return run_demo(*out); };
+  struct Arguments {
+    std::string out = "ridgeline_demo";
+    RunOptions options;
+  };
+  auto a = std::make_shared<Arguments>();
+  subcommand.add_option("--out", a->out, "folder for the results")->capture_default_str();
+  add_report_flag(subcommand, a->options.report);
+  return [a] { return run_demo(a->out, a->options); };
 }
 
 }  // namespace ridgeline::apps

@@ -5,6 +5,7 @@
 #include "apps/common/output_folder.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
+#include "apps/report/write_report.h"
 #include "io/error.h"
 
 #include <fmt/core.h>
@@ -23,7 +24,7 @@ struct EvaluateArguments {
   std::string out, patch, reference_lines;
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
-  bool vertex_pairs = false;
+  bool vertex_pairs = false, report = true;
   std::vector<double> bounds, origin;
   std::string assume_crs;
   std::string sample_consensus = "msac";
@@ -47,6 +48,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "true 3D lines: precision and completeness at tolerances beside the distances");
   app.add_option("--assume-crs", a.assume_crs,
                  "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
+  add_report_flag(app, a.report);
   app.add_flag("--pairs", a.vertex_pairs, "an OBJ's vertices two by two are the lines");
 }
 
@@ -234,6 +236,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   out.write("run.json", record.to_json());
   spdlog::info("local origin {:.0f} {:.0f} {:.0f} m; results in {}", judged.frame.origin_m.x(),
                judged.frame.origin_m.y(), judged.frame.origin_m.z(), arguments.out);
+  if (arguments.report) spdlog::info("report in {}", write_report(arguments.out));
   return kDone;
 }
 

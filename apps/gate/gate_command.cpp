@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/result_folder_reader.h"
-#include "evaluate/gates/gate.h"
+#include "apps/gate/gate_files.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
-#include "io/gates_file.h"
 
 #include <fmt/chrono.h>
 #include <fmt/core.h>
@@ -16,7 +14,6 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
@@ -26,39 +23,8 @@ struct GateArguments {
   std::string results, gates, baseline, junit, summary, json;
 };
 
-std::optional<evaluate::BaselineAllowance> allowance(
-    const std::optional<io::GateEntry::Allowance>& entry) {
-  if (!entry) return std::nullopt;
-  return evaluate::BaselineAllowance{entry->value};
-}
-
-evaluate::Gate gate_of(const io::GateEntry& entry) {
-  evaluate::Gate gate;
-  gate.patch = entry.patch;
-  gate.method = entry.method;
-  if (entry.line_class) gate.line_class = *entry.line_class;
-  if (entry.metric) gate.metric = *entry.metric;
-  gate.max = entry.max;
-  gate.min = entry.min;
-  gate.max_ratio_to_class = entry.max_ratio_to_class;
-  if (entry.ratio) gate.ratio = *entry.ratio;
-  gate.max_increase_over_baseline = allowance(entry.max_increase_over_baseline);
-  gate.max_decrease_below_baseline = allowance(entry.max_decrease_below_baseline);
-  if (entry.n_min) gate.n_min = static_cast<std::size_t>(*entry.n_min);
-  return gate;
-}
-
 std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
-}
-
-evaluate::GateReport apply(const GateArguments& a) {
-  std::vector<evaluate::Gate> gates;
-  for (const io::GateEntry& entry : io::read_gates_file(a.gates)) gates.push_back(gate_of(entry));
-  const evaluate::ResultFolder results = read_result_folder(a.results);
-  if (a.baseline.empty()) return evaluate::apply_gates(gates, results);
-  const evaluate::ResultFolder baseline = read_result_folder(a.baseline);
-  return evaluate::apply_gates(gates, results, &baseline);
 }
 
 /// The reports must not land on what was read: the gates or a file of the results.
@@ -75,12 +41,7 @@ void refuse_writing_over_inputs(const GateArguments& a) {
 }
 
 int run_gate(const GateArguments& a) {
-  evaluate::GateReport report;
-  try {
-    report = apply(a);
-  } catch (const std::invalid_argument& error) {
-    throw io::IoError(a.gates, error.what());
-  }
+  const evaluate::GateReport report = apply_gate_files(a.gates, a.results, a.baseline);
   refuse_writing_over_inputs(a);
   const std::string markdown = evaluate::to_markdown(report);
   if (!a.junit.empty()) io::write_file(a.junit, evaluate::to_junit(report, now_utc()));

@@ -30,6 +30,7 @@ struct RunOptions {
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
   bool resume = false;
+  bool report = true;  ///< report.html and the figures
 };
 
 /// Matching and evaluation of one patch; its files are written.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/patch_stages.h"
 
+#include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
 #include "apps/reconstruct/reconstruct_patch.h"
-#include "evaluate/matching/match_scoring.h"
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/segments_file.h"
@@ -19,20 +19,6 @@ std::vector<LineMatch> read_line_matches(const std::string& path) {
   std::vector<LineMatch> matches;
   for (const io::MatchRow& row : io::read_matches(path)) matches.push_back(row.scored.match);
   return matches;
-}
-
-std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
-  std::vector<Segment2> result;
-  result.reserve(segments.size());
-  for (const EdgeSegment& segment : segments) result.push_back(segment.in_image);
-  return result;
-}
-
-std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges) {
-  std::vector<evaluate::EdgeInBoth> result;
-  result.reserve(edges.size());
-  for (const io::ReferenceEdge& edge : edges) result.push_back({edge.left, edge.right});
-  return result;
 }
 
 }  // namespace
@@ -114,17 +100,10 @@ void PatchStages::reconstruct(reconstruct::Method method) const {
 }
 
 std::optional<evaluate::Table1Row> PatchStages::score_matches() const {
-  if (!patch_.reference_matches) return std::nullopt;
-  const io::ReferenceMatches reference = io::read_reference_matches(*patch_.reference_matches);
-  const std::vector<LineMatch> matches = read_line_matches(path("matches.csv"));
-  const auto [left, right] = segments();
-  const evaluate::MatchingScore score =
-      std::holds_alternative<std::vector<LineMatch>>(reference)
-          ? evaluate::score_matches(matches, std::get<std::vector<LineMatch>>(reference))
-          : evaluate::score_matches(
-                in_image(left), in_image(right), matches,
-                edges_in_both(std::get<std::vector<io::ReferenceEdge>>(reference)));
-  return evaluate::Table1Row{patch_.id, kMatcher, score.counts, score.n_unjudged};
+  const std::optional<evaluate::MatchingScore> score =
+      score_patch_matches(patch_, segments(), read_line_matches(path("matches.csv")));
+  if (!score) return std::nullopt;
+  return evaluate::Table1Row{patch_.id, kMatcher, score->counts, score->n_unjudged};
 }
 
 }  // namespace ridgeline::apps

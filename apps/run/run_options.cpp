@@ -2,6 +2,7 @@
 #include "apps/run/run_options.h"
 
 #include "apps/common/option_flags.h"
+#include "apps/report/write_report.h"
 
 #include <algorithm>
 
@@ -33,6 +34,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->check(CLI::IsMember(line_format_names()));
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
+  add_report_flag(app, flags.options.report);
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

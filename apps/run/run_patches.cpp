@@ -4,6 +4,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/patch_views.h"
 #include "apps/evaluate/write_results.h"
+#include "apps/report/write_report.h"
 #include "io/cloud/read_cloud.h"
 #include "io/error.h"
 
@@ -124,7 +125,9 @@ void run_patches(const std::string& command,
   for (const Input& input : inputs) record.add_input(input.role, input.path);
   record.end_stage("write");
   out.write("run.json", record.to_json());
-  fmt::print("\nResults: {}\n", std::filesystem::absolute(folder).lexically_normal().string());
+  const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
+  fmt::print("\nResults: {}\n", results.string());
+  if (options.report) fmt::print("Report: {}\n", write_report(results.string()));
 }
 
 }  // namespace ridgeline::apps

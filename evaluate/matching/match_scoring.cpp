@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -158,6 +159,81 @@ bool is_free(const Taken& taken, int right, const Beside& wanted) {
   });
 }
 
+/// Where all segments lie.
+struct OnEdges {
+  OnEdges(std::span<const Segment2> left_segments,
+          std::span<const Segment2> right_segments,
+          std::span<const EdgeInBoth> edges,
+          const MatchScoringOptions& options)
+      : left(edges_of(left_segments, edges, &EdgeInBoth::left, options)),
+        right(edges_of(right_segments, edges, &EdgeInBoth::right, options)) {}
+
+  std::vector<std::vector<Beside>> left, right;
+};
+
+std::vector<EdgeInBoth> entries_of(std::span<const EdgeInBoth> reference, bool wrong_pairs) {
+  std::vector<EdgeInBoth> entries;
+  std::copy_if(reference.begin(), reference.end(), std::back_inserter(entries),
+               [&](const EdgeInBoth& entry) { return entry.is_wrong_pair == wrong_pairs; });
+  return entries;
+}
+
+MatchVerdict verdict_of(const LineMatch& match,
+                        std::span<const Segment2> left,
+                        std::span<const Segment2> right,
+                        const OnEdges& on_edges,
+                        std::span<const EdgeInBoth> edges,
+                        const MatchScoringOptions& options) {
+  const auto& a = on_edges.left[match.left];
+  const auto& b = on_edges.right[match.right];
+  const bool continued =
+      (a.empty() && mate_edge_continues(left[match.left], b, edges, &EdgeInBoth::left, options)) ||
+      (b.empty() && mate_edge_continues(right[match.right], a, edges, &EdgeInBoth::right, options));
+  if (continued || (!any_certain(a, options) && !any_certain(b, options))) {
+    return MatchVerdict::kUnjudged;
+  }
+  return have_common_edge(a, b) ? MatchVerdict::kCorrect : MatchVerdict::kFalse;
+}
+
+void add(MatchVerdict verdict, MatchingScore& score) {
+  score.verdicts.push_back(verdict);
+  if (verdict == MatchVerdict::kUnjudged) ++score.n_unjudged;
+  if (verdict == MatchVerdict::kCorrect) ++score.counts.n_correct;
+  if (verdict == MatchVerdict::kFalse) ++score.counts.n_false;
+}
+
+/// Left segments without a match that have a free mate on their edge, with that mate.
+std::vector<LineMatch> missed_matches(std::span<const LineMatch> matches,
+                                      const OnEdges& on_edges,
+                                      std::size_t n_edges,
+                                      const MatchScoringOptions& options) {
+  const Taken taken = taken_mates(matches, on_edges.left);
+  const auto of_edge = segments_of_edges(on_edges.right, n_edges);
+  const auto free_mate = [&](const Beside& a) -> std::optional<int> {
+    if (!is_certain(a, options)) return std::nullopt;
+    for (const OnEdge& mate : of_edge[a.edge]) {
+      if (is_certain(mate.beside, options) && overlap_along(a, mate.beside) &&
+          is_free(taken, mate.segment, a)) {
+        return mate.segment;
+      }
+    }
+    return std::nullopt;
+  };
+  std::vector<char> is_matched(on_edges.left.size(), 0);
+  for (const LineMatch& match : matches) is_matched[match.left] = 1;
+  std::vector<LineMatch> missed;
+  for (std::size_t i = 0; i < on_edges.left.size(); ++i) {
+    if (is_matched[i] != 0) continue;
+    for (const Beside& beside : on_edges.left[i]) {
+      const std::optional<int> mate = free_mate(beside);
+      if (!mate) continue;
+      missed.push_back({static_cast<int>(i), *mate});
+      break;
+    }
+  }
+  return missed;
+}
+
 void check_indices(std::span<const LineMatch> matches, std::size_t n_left, std::size_t n_right) {
   for (const LineMatch& match : matches) {
     check(match.left >= 0 && static_cast<std::size_t>(match.left) < n_left,
@@ -169,46 +245,40 @@ void check_indices(std::span<const LineMatch> matches, std::size_t n_left, std::
 
 }  // namespace
 
+const char* name(MatchVerdict verdict) {
+  switch (verdict) {
+    case MatchVerdict::kUnjudged:
+      return "unjudged";
+    case MatchVerdict::kCorrect:
+      return "correct";
+    case MatchVerdict::kFalse:
+      return "false";
+  }
+  return "";
+}
+
 MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const Segment2> right,
                             std::span<const LineMatch> matches,
-                            std::span<const EdgeInBoth> edges,
+                            std::span<const EdgeInBoth> reference,
                             const MatchScoringOptions& options) {
   validate(options);
   check_indices(matches, left.size(), right.size());
-  const auto on_left = edges_of(left, edges, &EdgeInBoth::left, options);
-  const auto on_right = edges_of(right, edges, &EdgeInBoth::right, options);
+  const std::vector<EdgeInBoth> edges = entries_of(reference, false);
+  const std::vector<EdgeInBoth> wrong_pairs = entries_of(reference, true);
+  const OnEdges on_edges(left, right, edges, options);
+  const OnEdges on_wrong_pairs(left, right, wrong_pairs, options);
   MatchingScore score;
-  std::vector<char> is_matched(left.size(), 0);
   for (const LineMatch& match : matches) {
-    is_matched[match.left] = 1;
-    const auto& a = on_left[match.left];
-    const auto& b = on_right[match.right];
-    const bool continued = (a.empty() && mate_edge_continues(left[match.left], b, edges,
-                                                             &EdgeInBoth::left, options)) ||
-                           (b.empty() && mate_edge_continues(right[match.right], a, edges,
-                                                             &EdgeInBoth::right, options));
-    if (continued || (!any_certain(a, options) && !any_certain(b, options))) {
-      ++score.n_unjudged;
-    } else {
-      ++(have_common_edge(a, b) ? score.counts.n_correct : score.counts.n_false);
+    MatchVerdict verdict = verdict_of(match, left, right, on_edges, edges, options);
+    if (verdict == MatchVerdict::kUnjudged &&
+        have_common_edge(on_wrong_pairs.left[match.left], on_wrong_pairs.right[match.right])) {
+      verdict = MatchVerdict::kFalse;
     }
+    add(verdict, score);
   }
-  const Taken taken = taken_mates(matches, on_left);
-  const auto of_edge = segments_of_edges(on_right, edges.size());
-  const auto has_free_mate = [&](const Beside& a) {
-    const std::vector<OnEdge>& mates = of_edge[a.edge];
-    return is_certain(a, options) &&
-           std::any_of(mates.begin(), mates.end(), [&](const OnEdge& mate) {
-             return is_certain(mate.beside, options) && overlap_along(a, mate.beside) &&
-                    is_free(taken, mate.segment, a);
-           });
-  };
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (is_matched[i] != 0) continue;
-    score.counts.n_missed +=
-        std::any_of(on_left[i].begin(), on_left[i].end(), has_free_mate) ? 1 : 0;
-  }
+  score.missed = missed_matches(matches, on_edges, edges.size(), options);
+  score.counts.n_missed = score.missed.size();
   return score;
 }
 
@@ -227,14 +297,17 @@ MatchingScore score_matches(std::span<const LineMatch> matches,
   for (const LineMatch& match : matches) {
     matched.insert(match.left);
     if (pairs.contains({match.left, match.right})) {
-      ++score.counts.n_correct;
+      add(MatchVerdict::kCorrect, score);
     } else if (lefts.contains(match.left) || rights.contains(match.right)) {
-      ++score.counts.n_false;
+      add(MatchVerdict::kFalse, score);
     } else {
-      ++score.n_unjudged;
+      add(MatchVerdict::kUnjudged, score);
     }
   }
-  for (const int left : lefts) score.counts.n_missed += matched.contains(left) ? 0 : 1;
+  for (const LineMatch& match : reference) {
+    if (matched.insert(match.left).second) score.missed.push_back(match);
+  }
+  score.counts.n_missed = score.missed.size();
   return score;
 }
 

@@ -7,6 +7,7 @@
 #include "reconstruct/geometry/segment.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -16,7 +17,13 @@ namespace ridgeline::evaluate {
 /// A true edge: the part of it that is visible in each image, in one direction of travel. Pixels.
 struct EdgeInBoth {
   Segment2 left, right;
+  /// True: `left` and `right` are known not to show one edge (a match judged false by eye). Such an
+  /// entry makes a match of the two false and says nothing else.
+  bool is_wrong_pair = false;
 };
+
+enum class MatchVerdict : std::uint8_t { kUnjudged, kCorrect, kFalse };
+const char* name(MatchVerdict verdict);  ///< unjudged | correct | false
 
 struct MatchScoringOptions {
   double max_distance_px = 2.0;  ///< of a segment from the edge it lies on, at both ends
@@ -37,7 +44,9 @@ struct MatchScoringOptions {
 /// Table 1 of one patch (Ok et al. 2011, section 4).
 struct MatchingScore {
   MatchCounts counts;
-  std::size_t n_unjudged = 0;  ///< matches of which the reference knows neither segment
+  std::size_t n_unjudged = 0;          ///< matches of which the reference knows neither segment
+  std::vector<MatchVerdict> verdicts;  ///< of each match
+  std::vector<LineMatch> missed;       ///< with a right segment that would have been a mate
 };
 
 /// Judges matches by true edges. A segment lies on an edge if the two run side by side over
@@ -47,7 +56,7 @@ struct MatchingScore {
 ///   unjudged  neither segment certainly lies on an edge (texture, shadows), or one lies on an edge
 ///             and the other, on none, continues it beyond its visible part by at most its length
 ///   correct   else, if both segments lie on a common edge
-///   false     else
+///   false     else; and if the two segments lie on the two of a wrong pair, but on no common edge
 ///   missed    left segments without any match that certainly lie on an edge on which a right
 ///             segment certainly lies too, at least half of the shorter one beside the other along
 ///             the edge, unless it is the mate of another left segment beside this one: of two

@@ -158,15 +158,22 @@ std::vector<std::optional<std::size_t>> reference_of_each(std::span<const Judged
   return result;
 }
 
-ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,
-                                            std::span<const ReferenceLine> references,
-                                            const ReferenceOptions& options) {
+std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine> lines,
+                                                      std::span<const ReferenceLine> references,
+                                                      const ReferenceOptions& options) {
   const auto assigned = reference_of_each(lines, references, options);
   std::vector<std::optional<double>> errors_m(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!assigned[i] || !has_geometry(lines[i])) continue;
     errors_m[i] = mean_distance_m(lines[i].segment, references[*assigned[i]].segment);
   }
+  return errors_m;
+}
+
+ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,
+                                            std::span<const ReferenceLine> references,
+                                            const ReferenceOptions& options) {
+  const auto errors_m = reference_errors_m(lines, references, options);
   ReferenceComparison comparison;
   for (const std::string_view line_class : {kNotAligned, kAligned, kTotal}) {
     comparison.classes.push_back(errors_of(lines, errors_m, line_class, options));

@@ -58,6 +58,11 @@ std::vector<std::optional<std::size_t>> reference_of_each(std::span<const Judged
                                                           std::span<const ReferenceLine> references,
                                                           const ReferenceOptions& options = {});
 
+/// True error of each line, metres; empty for a line without geometry or on no reference line.
+std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine> lines,
+                                                      std::span<const ReferenceLine> references,
+                                                      const ReferenceOptions& options = {});
+
 ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,
                                             std::span<const ReferenceLine> references,
                                             const ReferenceOptions& options = {});

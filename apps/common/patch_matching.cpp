@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/patch_matching.h"
+
+#include "io/matches_file.h"
+
+#include <variant>
+
+namespace ridgeline::apps {
+namespace {
+
+std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
+  std::vector<Segment2> result;
+  result.reserve(segments.size());
+  for (const EdgeSegment& segment : segments) result.push_back(segment.in_image);
+  return result;
+}
+
+std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges) {
+  std::vector<evaluate::EdgeInBoth> result;
+  result.reserve(edges.size());
+  for (const io::ReferenceEdge& edge : edges) {
+    result.push_back({edge.left, edge.right, edge.is_wrong_pair});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<evaluate::MatchingScore> score_patch_matches(
+    const io::PatchFile& patch,
+    const std::array<std::vector<EdgeSegment>, 2>& segments,
+    std::span<const LineMatch> matches) {
+  if (!patch.reference_matches) return std::nullopt;
+  const io::ReferenceMatches reference = io::read_reference_matches(*patch.reference_matches);
+  if (const auto* pairs = std::get_if<std::vector<LineMatch>>(&reference)) {
+    return evaluate::score_matches(matches, *pairs);
+  }
+  return evaluate::score_matches(
+      in_image(segments[0]), in_image(segments[1]), matches,
+      edges_in_both(std::get<std::vector<io::ReferenceEdge>>(reference)));
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/matching/match_scoring.h"
+#include "io/patch.h"
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/line_match.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The matches of a patch against its reference matches; nothing if it has none. Throws IoError for
+/// a reference file's fault.
+std::optional<evaluate::MatchingScore> score_patch_matches(
+    const io::PatchFile& patch,
+    const std::array<std::vector<EdgeSegment>, 2>& segments,
+    std::span<const LineMatch> matches);
+
+}  // namespace ridgeline::apps

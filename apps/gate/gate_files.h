@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/gates/gate.h"
+
+#include <string>
+
+namespace ridgeline::apps {
+
+/// The gates of a file applied to a folder of results, against those of a baseline unless that is
+/// empty. Throws IoError for a file's fault, and for gates that cannot be applied.
+evaluate::GateReport apply_gate_files(const std::string& gates,
+                                      const std::string& results,
+                                      const std::string& baseline);
+
+}  // namespace ridgeline::apps

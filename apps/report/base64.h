@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// RFC 4648, padded, no line breaks.
+std::string base64(std::span<const std::byte> bytes);
+
+/// Of the values as they lie in memory: little endian on every platform that is built for.
+template <typename T>
+std::string base64(const std::vector<T>& values) {
+  static_assert(std::is_arithmetic_v<T>);
+  return base64(std::as_bytes(std::span(values)));
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/overlay_canvas.h"
+#include "apps/common/patch_views.h"
+#include "apps/report/figure_colours.h"
+#include "apps/report/figures.h"
+#include "reconstruct/geometry/epipolar.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::apps {
+namespace {
+
+/// An image with segments drawn on it.
+class SegmentPicture {
+ public:
+  explicit SegmentPicture(const cv::Mat& image) {
+    constexpr double kMostPixels = 4e6;  // of the image; the canvas has four times as many
+    cv::Mat shown = image;
+    scale_ = std::min(1.0, std::sqrt(kMostPixels / static_cast<double>(image.total())));
+    if (scale_ < 1.0) cv::resize(image, shown, {}, scale_, scale_, cv::INTER_AREA);
+    canvas_ = overlay_canvas(shown);
+    // faded, so that dark and bright lines both stand out
+    canvas_.convertTo(canvas_, -1, 0.7, 40.0);
+  }
+
+  void draw(const Segment2& segment_px, const cv::Scalar& colour, int width) {
+    cv::line(canvas_, at(segment_px.start), at(segment_px.end), colour, width, cv::LINE_AA,
+             kCanvasFractionBits);
+  }
+
+  void draw_dashed(const Segment2& segment_px, const cv::Scalar& colour, int width) {
+    constexpr double kDash_px = 6.0;
+    const auto n = std::max(1, static_cast<int>(length(segment_px) / kDash_px));
+    for (int i = 0; i < n; i += 2) {
+      const auto point = [&](double t) -> Eigen::Vector2d {
+        return (1.0 - t) * segment_px.start + t * segment_px.end;
+      };
+      draw({point(static_cast<double>(i) / n), point(static_cast<double>(i + 1) / n)}, colour,
+           width);
+    }
+  }
+
+  [[nodiscard]] const cv::Mat& canvas() const { return canvas_; }
+
+ private:
+  [[nodiscard]] cv::Point at(const Eigen::Vector2d& x_px) const {
+    return on_canvas(scale_ * (x_px.array() + 0.5) - 0.5);
+  }
+
+  cv::Mat canvas_;
+  double scale_ = 1.0;
+};
+
+constexpr int kThin = 1;
+constexpr int kThick = 2;
+
+/// The segment of an image that a match names.
+const Segment2& segment_of(const ReportImages& images, std::size_t image, const LineMatch& match) {
+  const int index = image == 0 ? match.left : match.right;
+  return images.segments[image].at(static_cast<std::size_t>(index)).in_image;
+}
+
+}  // namespace
+
+cv::Mat figure1(const ReportPatch& patch, std::size_t image) {
+  constexpr double kAligned_rad = 10.0 * std::numbers::pi / 180.0;  // Ok et al. 2011, section 3
+  const auto cameras = patch_cameras(*patch.patch, patch.frame);
+  SegmentPicture picture(patch.images->images[image]);
+  for (const EdgeSegment& segment : patch.images->segments[image]) {
+    const bool is_aligned = epipolar_angle_rad(cameras[image], cameras[1 - image],
+                                               segment.line.segment) <= kAligned_rad;
+    picture.draw(segment.in_image, is_aligned ? colour::kAligned : colour::kNotAligned,
+                 is_aligned ? kThick : kThin);
+  }
+  return picture.canvas();
+}
+
+cv::Mat figure7(const ReportPatch& patch, std::size_t image) {
+  const ReportImages& images = *patch.images;
+  SegmentPicture picture(images.images[image]);
+  for (const EdgeSegment& segment : images.segments[image]) {
+    picture.draw(segment.in_image, colour::kGrey, kThin);
+  }
+  for (std::size_t i = 0; i < images.matches.size(); ++i) {
+    const Segment2& segment = segment_of(images, image, images.matches[i].scored.match);
+    const auto verdict =
+        images.score ? images.score->verdicts[i] : evaluate::MatchVerdict::kUnjudged;
+    if (verdict == evaluate::MatchVerdict::kFalse) {
+      picture.draw_dashed(segment, colour::kFalse, kThick);
+    } else {
+      picture.draw(
+          segment,
+          verdict == evaluate::MatchVerdict::kCorrect ? colour::kCorrect : colour::kSkyBlue,
+          verdict == evaluate::MatchVerdict::kCorrect || !images.score ? kThick : kThin);
+    }
+  }
+  if (images.score) {
+    for (const LineMatch& missed : images.score->missed) {
+      picture.draw(segment_of(images, image, missed), colour::kMissed, kThick);
+    }
+  }
+  return picture.canvas();
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/command.h"
+#include "apps/common/exit_code.h"
+#include "apps/gate/gate_files.h"
+#include "apps/report/write_report.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+namespace ridgeline::apps {
+namespace {
+
+struct ReportArguments {
+  std::string results, gates, baseline;
+};
+
+int run_report(const ReportArguments& a) {
+  std::optional<evaluate::GateReport> gates;
+  if (!a.gates.empty()) gates = apply_gate_files(a.gates, a.results, a.baseline);
+  fmt::print("Report: {}\n", write_report(a.results, gates));
+  return kDone;
+}
+
+}  // namespace
+
+Run add_report(CLI::App& subcommand) {
+  auto a = std::make_shared<ReportArguments>();
+  subcommand.add_option("results", a->results, "folder that evaluate, run or demo wrote")
+      ->required();
+  CLI::Option* gates =
+      subcommand.add_option("--gates", a->gates, "gates file (YAML), for the verdict on top");
+  subcommand.add_option("--baseline", a->baseline, "results of an earlier run on the same data")
+      ->needs(gates);
+  return [a] { return run_report(*a); };
+}
+
+}  // namespace ridgeline::apps

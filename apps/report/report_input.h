@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/matching/match_scoring.h"
+#include "evaluate/tables/summary_json.h"
+#include "io/cloud/point_cloud.h"
+#include "io/lines/line_set.h"
+#include "io/matches_file.h"
+#include "io/patch.h"
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/local_frame.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// One method (or line file) on one patch.
+struct ReportMethod {
+  std::string name;
+  evaluate::Json evaluation;  ///< as evaluation.METHOD.json holds it
+  /// The judged lines, by the index in `evaluation`; nothing for a line whose file is gone.
+  std::vector<std::optional<io::Line>> lines;
+  std::vector<std::optional<double>> true_errors_m;  ///< of each line; empty without true lines
+};
+
+/// What both images of a patch show; only if all of it is there.
+struct ReportImages {
+  std::array<cv::Mat, 2> images;  ///< normalised
+  std::array<std::vector<EdgeSegment>, 2> segments;
+  std::vector<io::MatchRow> matches;
+  std::optional<evaluate::MatchingScore> score;    ///< with reference matches only
+  std::map<std::string, std::size_t> n_unmatched;  ///< left segments by reason
+};
+
+struct ReportPatch {
+  std::string id;
+  std::string subfolder;  ///< of its files in the folder of results: "" or "PATCH/"
+  LocalFrame frame;
+  std::vector<ReportMethod> methods;
+  std::optional<io::PatchFile> patch;
+  std::optional<ReportImages> images;
+  std::optional<io::PointCloud> cloud;
+  std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each
+};
+
+/// All that a report shows, as read from a folder of results and, by the paths that run.json
+/// records, from the data of the run.
+struct ReportInput {
+  evaluate::Json run;                    ///< run.json; an empty object if there is none
+  evaluate::Json table1;                 ///< rows of Table 1; empty without reference matches
+  std::vector<std::string> input_paths;  ///< of the run, never to be written over
+  std::vector<ReportPatch> patches;
+};
+
+/// Points that a report shows; more are thinned.
+inline constexpr std::size_t kMaxReportPoints = 200000;
+
+/// Reads what `run`, `demo` or `evaluate` left in the folder. Data that is no longer where it was,
+/// or not the same size, is left out with a note. Throws IoError for a folder without evaluations
+/// and for files of the folder that are not what they should be.
+ReportInput read_report_input(const std::string& folder);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/report/report_json.h"
+
+#include "apps/common/patch_views.h"
+#include "apps/report/base64.h"
+#include "evaluate/gates/gate_report.h"
+#include "evaluate/tables/table2.h"
+#include "io/jpeg.h"
+#include "reconstruct/geometry/epipolar.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::Json;
+
+constexpr int kSchema = 1;
+
+double rounded(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale;
+}
+
+/// Tenths of a millimetre: below what a screen or a table shows.
+Json coordinates(const Eigen::Vector3d& x) {
+  Json json = Json::array();
+  for (const double c : x) json.push_back(rounded(c, 4));
+  return json;
+}
+
+template <typename Matrix>
+Json matrix_json(const Matrix& m) {
+  Json json = Json::array();
+  for (Eigen::Index r = 0; r < m.rows(); ++r) {
+    for (Eigen::Index c = 0; c < m.cols(); ++c) json.push_back(m(r, c));
+  }
+  return json;
+}
+
+std::string segments_base64(const std::vector<EdgeSegment>& segments) {
+  std::vector<float> values;
+  values.reserve(4 * segments.size());
+  for (const EdgeSegment& s : segments) {
+    for (const Eigen::Vector2d& end : {s.in_image.start, s.in_image.end}) {
+      values.push_back(static_cast<float>(end.x()));
+      values.push_back(static_cast<float>(end.y()));
+    }
+  }
+  return base64(values);
+}
+
+/// The image for a browser: 8 bits, at most about a megapixel.
+cv::Mat display_image(const cv::Mat& normalised) {
+  constexpr double kMostPixels = 1.2e6;
+  std::vector<cv::Mat> bands;
+  cv::split(normalised, bands);
+  const std::size_t last = bands.size() < 3 ? 0 : 2;
+  cv::Mat picture;
+  cv::merge(std::vector<cv::Mat>{bands[last], bands[last / 2], bands[0]}, picture);
+  picture.convertTo(picture, CV_8UC3, 255.0);
+  const double shrink = std::sqrt(kMostPixels / static_cast<double>(picture.total()));
+  if (shrink < 1.0) cv::resize(picture, picture, {}, shrink, shrink, cv::INTER_AREA);
+  return picture;
+}
+
+/// Of each segment to its epipolar line: what makes it aligned.
+std::string angles_base64(const std::vector<EdgeSegment>& segments,
+                          const std::array<ProjectionMatrix, 2>& cameras,
+                          std::size_t i) {
+  std::vector<float> angles_deg;
+  angles_deg.reserve(segments.size());
+  for (const EdgeSegment& s : segments) {
+    angles_deg.push_back(static_cast<float>(
+        epipolar_angle_rad(cameras[i], cameras[1 - i], s.line.segment) * 180.0 / std::numbers::pi));
+  }
+  return base64(angles_deg);
+}
+
+Json view_json(const ReportPatch& patch, std::size_t i) {
+  constexpr int kQuality = 80;
+  const io::PatchImage& view = patch.patch->images[i];
+  const cv::Mat& image = patch.images->images[i];
+  const std::string jpeg = io::jpeg_bytes(display_image(image), kQuality);
+  const std::array<ProjectionMatrix, 2> cameras = patch_cameras(*patch.patch, patch.frame);
+  const std::vector<EdgeSegment>& segments = patch.images->segments[i];
+  return {{"id", view.id},
+          {"file", std::filesystem::path(view.path).filename().string()},
+          {"width_px", image.cols},
+          {"height_px", image.rows},
+          {"is_distorted", view.interior && !view.interior->distortion.is_zero()},
+          {"projection", matrix_json(cameras[i])},
+          {"segments", segments_base64(segments)},
+          {"angles_deg", angles_base64(segments, cameras, i)},
+          {"jpeg", base64(std::as_bytes(std::span(jpeg)))}};
+}
+
+Json matches_json(const ReportImages& images) {
+  Json matches = Json::array();
+  for (std::size_t i = 0; i < images.matches.size(); ++i) {
+    const ScoredMatch& m = images.matches[i].scored;
+    Json match{{"left", m.match.left},
+               {"right", m.match.right},
+               {"score", rounded(m.score, 4)},
+               {"votes", rounded(m.votes, 3)}};
+    if (images.score) match["verdict"] = evaluate::name(images.score->verdicts[i]);
+    matches.push_back(std::move(match));
+  }
+  return matches;
+}
+
+Json images_json(const ReportPatch& patch) {
+  if (!patch.images) return nullptr;
+  const auto cameras = patch_cameras(*patch.patch, patch.frame);
+  Json missed = Json::array();
+  if (patch.images->score) {
+    for (const LineMatch& m : patch.images->score->missed) {
+      missed.push_back(Json::array({m.left, m.right}));
+    }
+  }
+  return {{"views", Json::array({view_json(patch, 0), view_json(patch, 1)})},
+          {"fundamental", matrix_json(fundamental_matrix(cameras[0], cameras[1]))},
+          {"has_reference", patch.images->score.has_value()},
+          {"matches", matches_json(*patch.images)},
+          {"missed", std::move(missed)},
+          {"n_unmatched", patch.images->n_unmatched}};
+}
+
+/// Positions in 65535 steps of the box of the points.
+Json points_json(const ReportPatch& patch, const ShownPoints& points) {
+  if (!patch.cloud || points.x_in_local.empty()) return nullptr;
+  Eigen::Vector3d low = points.x_in_local.front();
+  Eigen::Vector3d high = low;
+  for (const Eigen::Vector3d& x : points.x_in_local) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  constexpr double kSteps = std::numeric_limits<std::uint16_t>::max();
+  const Eigen::Vector3d step = ((high - low) / kSteps).cwiseMax(1e-9);
+  std::vector<std::uint16_t> positions;
+  positions.reserve(3 * points.x_in_local.size());
+  for (const Eigen::Vector3d& x : points.x_in_local) {
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      positions.push_back(static_cast<std::uint16_t>(std::lround((x[a] - low[a]) / step[a])));
+    }
+  }
+  return {{"n_all", points.n_all},
+          {"n_shown", points.x_in_local.size()},
+          {"low", coordinates(low)},
+          {"step", matrix_json(step)},
+          {"positions", base64(positions)}};
+}
+
+Json plane_json(const ShownPlane& plane) {
+  Json outline = Json::array();
+  for (const Eigen::Vector3d& x : plane.outline) outline.push_back(coordinates(x));
+  return {{"id", plane.id},
+          {"normal", matrix_json(Eigen::Vector3d(plane.plane.normal()))},
+          {"n_inliers", plane.n_inliers},
+          {"rms_m", plane.rms_m},
+          {"outline", std::move(outline)}};
+}
+
+/// A segment index of the matches, or null for what is none: other tools' ids are text.
+Json segment_index(const std::string& id) {
+  if (id.empty() || id.size() > 9 || id.find_first_not_of("0123456789") != std::string::npos) {
+    return nullptr;
+  }
+  return std::stoi(id);
+}
+
+Json image_segment(const std::optional<Segment2>& s) {
+  if (!s) return nullptr;
+  return Json::array({rounded(s->start.x(), 3), rounded(s->start.y(), 3), rounded(s->end.x(), 3),
+                      rounded(s->end.y(), 3)});
+}
+
+/// What the line file adds to the judgement.
+void add_geometry(const io::Line& line, const LocalFrame& frame, Json& json) {
+  if (all_finite(line.segment_in_world)) {
+    json["start"] = coordinates(frame.local_from_world(line.segment_in_world.start));
+    json["end"] = coordinates(frame.local_from_world(line.segment_in_world.end));
+  }
+  json["left"] = segment_index(line.left_id);
+  json["right"] = segment_index(line.right_id);
+  json["left_px"] = image_segment(line.left_px);
+  json["right_px"] = image_segment(line.right_px);
+  json["construction"] = line.status;
+  if (line.n_points) json["n_points"] = *line.n_points;
+}
+
+Json line_json(const ReportMethod& method, std::size_t i, const LocalFrame& frame) {
+  Json json = method.evaluation.at("lines")[i];
+  for (Json& plane : json.at("planes")) {
+    plane.erase("normal");
+    plane.erase("d");
+  }
+  if (method.lines[i]) add_geometry(*method.lines[i], frame, json);
+  if (!method.true_errors_m.empty()) {
+    json["true_error_m"] = evaluate::number_json(method.true_errors_m[i]);
+  }
+  return json;
+}
+
+Json method_json(const ReportPatch& patch, const ReportMethod& method, const ShownPlanes& planes) {
+  Json json{{"name", method.name}};
+  for (const char* key : {"options", "summary", "accuracy", "calibration", "strata"}) {
+    json[key] = method.evaluation.at(key);
+  }
+  Json lines = Json::array();
+  for (std::size_t i = 0; i < method.lines.size(); ++i) {
+    lines.push_back(line_json(method, i, patch.frame));
+  }
+  json["lines"] = std::move(lines);
+  json["planes"] = Json::array();
+  for (const ShownPlane& plane : planes.planes) json["planes"].push_back(plane_json(plane));
+  json["plane_of_point"] = base64(planes.plane_of_point);
+  return json;
+}
+
+Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
+  Json methods = Json::array();
+  for (std::size_t m = 0; m < patch.methods.size(); ++m) {
+    methods.push_back(method_json(patch, patch.methods[m], scene.methods[m]));
+  }
+  std::string crs = "unknown";
+  if (patch.patch) crs = io::describe(patch.patch->crs).name;
+  if (crs == "unknown" && patch.cloud) crs = io::describe(patch.cloud->crs).name;
+  return {{"id", patch.id},
+          {"folder", patch.subfolder},
+          {"crs", crs},
+          {"origin_m", coordinates(patch.frame.origin_m)},
+          {"notes", patch.notes},
+          {"images", images_json(patch)},
+          {"points", points_json(patch, scene.points)},
+          {"methods", std::move(methods)}};
+}
+
+/// What is worth keeping of run.json. Without folders, which are the sender's own business, and
+/// without times, so that equal runs give equal reports.
+Json run_json(const Json& run) {
+  Json json = Json::object();
+  for (const char* key : {"command", "versions", "options", "cloud", "inputs", "warnings"}) {
+    if (run.contains(key)) json[key] = run[key];
+  }
+  if (json.contains("inputs")) {
+    for (Json& input : json["inputs"]) {
+      input["path"] = std::filesystem::path(input.value("path", "")).filename().string();
+    }
+  }
+  return json;
+}
+
+/// The rows of Table 2: the summaries of the evaluations.
+Json table2_json(const ReportInput& input) {
+  Json rows = Json::array();
+  for (const ReportPatch& patch : input.patches) {
+    for (const ReportMethod& method : patch.methods) {
+      for (const auto& [line_class, summary] : method.evaluation.at("summary").items()) {
+        Json row{{"patch", patch.id}, {"method", method.name}, {"class", line_class}};
+        row.update(summary);
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+ShownScene shown_scene(const ReportPatch& patch) {
+  ShownScene scene;
+  if (patch.cloud) scene.points = shown_points(*patch.cloud);
+  for (const ReportMethod& method : patch.methods) {
+    scene.methods.push_back(shown_planes(method, patch.frame, scene.points));
+  }
+  return scene;
+}
+
+Json report_json(const ReportInput& input,
+                 const std::vector<ShownScene>& scenes,
+                 const std::optional<evaluate::GateReport>& gates) {
+  Json patches = Json::array();
+  for (std::size_t i = 0; i < input.patches.size(); ++i) {
+    patches.push_back(patch_json(input.patches[i], scenes[i]));
+  }
+  return {{"schema", kSchema},
+          {"note", evaluate::kFixedSentence},
+          {"run", run_json(input.run)},
+          {"gates", gates ? Json::parse(evaluate::to_json(*gates)) : Json(nullptr)},
+          {"table1", input.table1},
+          {"table2", table2_json(input)},
+          {"patches", std::move(patches)}};
+}
+
+}  // namespace ridgeline::apps

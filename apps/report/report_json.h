@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/report/report_input.h"
+#include "apps/report/shown_points.h"
+#include "evaluate/gates/gate.h"
+
+#include <optional>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// What a patch shows in 3D: its points, and per method the planes of the lines.
+struct ShownScene {
+  ShownPoints points;
+  std::vector<ShownPlanes> methods;
+};
+
+ShownScene shown_scene(const ReportPatch& patch);
+
+/// The data of the page, as apps/report/web/src/data/schema.ts declares it. Figures are those of the
+/// result files, untouched; coordinates are local, binary arrays base64 of little-endian values.
+/// `scenes`: one per patch.
+evaluate::Json report_json(const ReportInput& input,
+                           const std::vector<ShownScene>& scenes,
+                           const std::optional<evaluate::GateReport>& gates);
+
+}  // namespace ridgeline::apps

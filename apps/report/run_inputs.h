@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/tables/summary_json.h"
+#include "io/patch.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The files that a run has read, by its run.json.
+class RunInputs {
+ public:
+  /// `run`: the record, or an empty object. Throws IoError naming `file` if it is no run's record.
+  RunInputs(const evaluate::Json& run, const std::string& file);
+
+  /// Whether the run judged given line files (`evaluate`), instead of making them.
+  [[nodiscard]] bool is_of_files() const { return is_of_files_; }
+  [[nodiscard]] std::vector<std::string> paths(const std::string& role) const;
+  [[nodiscard]] std::vector<std::string> all_paths() const;
+
+  /// `path`, if the run did not read it or its size is as it was then. Throws IoError if it is gone
+  /// or has changed: what the figures were made from must be what is shown beside them.
+  [[nodiscard]] std::string unchanged(const std::string& path) const;
+
+  /// The line file whose name gives the method's; empty if there is none.
+  [[nodiscard]] std::string lines_of(const std::string& method) const;
+  /// The run's patch of this id. Throws IoError if its file is gone or has changed.
+  [[nodiscard]] std::optional<io::PatchFile> patch(const std::string& id) const;
+  [[nodiscard]] std::optional<std::string> reference_lines(
+      const std::optional<io::PatchFile>& patch) const;
+
+ private:
+  struct Input {
+    std::string role, path;
+    std::uint64_t bytes = 0;
+  };
+  std::vector<Input> inputs_;
+  bool is_of_files_ = false;
+};
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/report/figure_colours.h"
+#include "apps/report/figures.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace ridgeline::apps {
+namespace {
+
+constexpr int kWidth_px = 1600;
+constexpr int kMargin_px = 40;
+constexpr int kFractionBits = 4;
+
+/// Parallel projection from the south-west, 40 degrees above the horizon: (right, down, depth), m.
+Eigen::Vector3d in_view(const Eigen::Vector3d& x) {
+  constexpr double kAzimuth_rad = 30.0 * std::numbers::pi / 180.0;
+  constexpr double kElevation_rad = 40.0 * std::numbers::pi / 180.0;
+  const double right = std::cos(kAzimuth_rad) * x.x() - std::sin(kAzimuth_rad) * x.y();
+  const double away = std::sin(kAzimuth_rad) * x.x() + std::cos(kAzimuth_rad) * x.y();
+  return {right, -std::cos(kElevation_rad) * x.z() - std::sin(kElevation_rad) * away,
+          std::cos(kElevation_rad) * away - std::sin(kElevation_rad) * x.z()};
+}
+
+/// What of a coordinate is shown: all of the points; of lines the middle 98 %, because some lie far
+/// off.
+std::array<double, 2> range_of(std::vector<double> values, double share_cut) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  return {at(share_cut), at(1.0 - share_cut)};
+}
+
+std::vector<Segment3> segments_of(const ReportMethod& method, const LocalFrame& frame) {
+  std::vector<Segment3> segments;
+  for (const auto& line : method.lines) {
+    if (!line || !all_finite(line->segment_in_world)) continue;
+    segments.push_back({frame.local_from_world(line->segment_in_world.start),
+                        frame.local_from_world(line->segment_in_world.end)});
+  }
+  return segments;
+}
+
+/// Scene -> canvas.
+class SceneCanvas {
+ public:
+  SceneCanvas(const ShownPoints& points, const std::vector<Segment3>& segments) {
+    std::vector<double> right;
+    std::vector<double> down;
+    const auto add = [&](const Eigen::Vector3d& x) {
+      const Eigen::Vector3d v = in_view(x);
+      right.push_back(v.x());
+      down.push_back(v.y());
+    };
+    const bool has_points = !points.x_in_local.empty();
+    for (const Eigen::Vector3d& x : points.x_in_local) add(x);
+    if (!has_points) {
+      for (const Segment3& s : segments) add(midpoint(s));
+    }
+    if (right.empty()) add(Eigen::Vector3d::Zero());
+    const auto [left_m, right_m] = range_of(std::move(right), has_points ? 0.0 : 0.01);
+    const auto [top_m, bottom_m] = range_of(std::move(down), has_points ? 0.0 : 0.01);
+    px_per_m_ = (kWidth_px - 2 * kMargin_px) / std::max(right_m - left_m, 1.0);
+    corner_m_ = {left_m, top_m};
+    const double height_px = std::min(4.0 * kWidth_px, px_per_m_ * (bottom_m - top_m));
+    canvas_ = cv::Mat(2 * kMargin_px + static_cast<int>(std::ceil(height_px)), kWidth_px, CV_8UC3,
+                      cv::Scalar::all(255.0));
+  }
+
+  [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector3d& x) const {
+    const Eigen::Vector2d v = in_view(x).head<2>();
+    return px_per_m_ * (v - corner_m_).array() + kMargin_px;
+  }
+  cv::Mat& canvas() { return canvas_; }
+
+ private:
+  cv::Mat canvas_;
+  double px_per_m_ = 1.0;
+  Eigen::Vector2d corner_m_ = Eigen::Vector2d::Zero();
+};
+
+cv::Vec3b plane_colour(std::uint16_t plane) {
+  static constexpr std::array<std::array<std::uint8_t, 3>, 8> kPale{{{205, 198, 190},
+                                                                     {233, 180, 86},
+                                                                     {90, 190, 245},
+                                                                     {150, 190, 80},
+                                                                     {120, 228, 240},
+                                                                     {205, 160, 90},
+                                                                     {150, 160, 235},
+                                                                     {200, 165, 215}}};
+  const auto& c = kPale[static_cast<std::size_t>(plane - 1U) % kPale.size()];
+  return {c[0], c[1], c[2]};
+}
+
+/// Far points first.
+void draw_points(const ShownPoints& points, const ShownPlanes& planes, SceneCanvas& scene) {
+  const cv::Vec3b none(225, 225, 225);
+  std::vector<double> depth(points.x_in_local.size());
+  std::vector<std::size_t> order(points.x_in_local.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = in_view(points.x_in_local[i]).z();
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
+  const int radius = points.x_in_local.size() > 60000 ? 1 : 2;
+  for (const std::size_t i : order) {
+    const Eigen::Vector2d x = scene.at(points.x_in_local[i]);
+    const std::uint16_t plane = planes.plane_of_point[i];
+    const cv::Vec3b c = plane == 0 ? none : plane_colour(plane);
+    cv::circle(scene.canvas(), {cvRound(x.x()), cvRound(x.y())}, radius,
+               {c[0] * 1.0, c[1] * 1.0, c[2] * 1.0}, cv::FILLED);
+  }
+}
+
+void draw_line(const Segment3& segment, const cv::Scalar& colour, int width, SceneCanvas& scene) {
+  constexpr double kFarthest_px = 1e5;  // fixed point coordinates must not overflow
+  const Eigen::Vector2d a = scene.at(segment.start);
+  const Eigen::Vector2d b = scene.at(segment.end);
+  if (a.cwiseAbs().maxCoeff() > kFarthest_px || b.cwiseAbs().maxCoeff() > kFarthest_px) return;
+  const auto fixed = [](const Eigen::Vector2d& x) {
+    constexpr double kScale = 1U << static_cast<unsigned>(kFractionBits);
+    return cv::Point(cvRound(x.x() * kScale), cvRound(x.y() * kScale));
+  };
+  cv::line(scene.canvas(), fixed(a), fixed(b), cv::Scalar::all(255.0), width + 3, cv::LINE_AA,
+           kFractionBits);
+  cv::line(scene.canvas(), fixed(a), fixed(b), colour, width, cv::LINE_AA, kFractionBits);
+}
+
+}  // namespace
+
+cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t method) {
+  const ReportMethod& lines = patch.methods[method];
+  SceneCanvas scene(shown.points, segments_of(lines, patch.frame));
+  draw_points(shown.points, shown.methods[method], scene);
+  const evaluate::Json& judged = lines.evaluation.at("lines");
+  for (const bool aligned : {false, true}) {
+    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+      const auto& line = lines.lines[i];
+      if ((judged[i].value("class", "") == "aligned") != aligned) continue;
+      if (!line || !all_finite(line->segment_in_world)) continue;
+      draw_line({patch.frame.local_from_world(line->segment_in_world.start),
+                 patch.frame.local_from_world(line->segment_in_world.end)},
+                aligned ? colour::kAligned : colour::kBlack, 3, scene);
+    }
+  }
+  return scene.canvas();
+}
+
+}  // namespace ridgeline::apps

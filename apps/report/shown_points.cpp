@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/report/shown_points.h"
+
+#include "evaluate/judge/options.h"
+#include "evaluate/judge/point_grid.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::Json;
+
+Plane3 plane_in_local(const Json& json, const LocalFrame& frame) {
+  const auto n = json.at("normal").get<std::array<double, 3>>();
+  const Eigen::Vector3d normal(n[0], n[1], n[2]);
+  return {normal, json.at("d").get<double>() + normal.dot(frame.origin_m)};
+}
+
+/// One entry per plane id; indices by id.
+std::vector<ShownPlane> planes_of(const Json& lines, const LocalFrame& frame) {
+  std::map<std::uint64_t, ShownPlane> by_id;
+  for (const Json& line : lines) {
+    for (const Json& json : line.at("planes")) {
+      ShownPlane plane{json.at("id").get<std::uint64_t>(),
+                       plane_in_local(json, frame),
+                       json.at("n_inliers").get<int>(),
+                       json.at("rms_m").get<double>(),
+                       {}};
+      const auto [entry, is_new] = by_id.try_emplace(plane.id, plane);
+      if (!is_new && plane.n_inliers > entry->second.n_inliers) entry->second = plane;
+    }
+  }
+  std::vector<ShownPlane> planes;
+  planes.reserve(by_id.size());
+  for (auto& [id, plane] : by_id) planes.push_back(std::move(plane));
+  std::stable_sort(planes.begin(), planes.end(), [](const ShownPlane& a, const ShownPlane& b) {
+    return a.n_inliers > b.n_inliers;
+  });
+  constexpr std::size_t kMost = std::numeric_limits<std::uint16_t>::max();  // 0 is no plane
+  if (planes.size() > kMost) planes.resize(kMost);
+  return planes;
+}
+
+/// Hull of the plane's points in plan, lifted onto it.
+std::vector<Eigen::Vector3d> outline_of(const Plane3& plane,
+                                        const std::vector<Eigen::Vector3d>& points) {
+  std::vector<cv::Point2f> in_plan;
+  in_plan.reserve(points.size());
+  for (const Eigen::Vector3d& x : points) {
+    in_plan.emplace_back(static_cast<float>(x.x()), static_cast<float>(x.y()));
+  }
+  std::vector<Eigen::Vector3d> outline;
+  if (in_plan.size() < 3) return outline;
+  std::vector<cv::Point2f> hull;
+  cv::convexHull(in_plan, hull);
+  if (hull.size() < 3) return outline;
+  for (const cv::Point2f& p : hull) {
+    const Eigen::Vector2d x(p.x, p.y);
+    outline.emplace_back(x.x(), x.y(), height_at(plane, x));
+  }
+  return outline;
+}
+
+}  // namespace
+
+ShownPoints shown_points(const io::PointCloud& cloud) {
+  ShownPoints shown;
+  shown.n_all = cloud.points.size();
+  const std::size_t step =
+      std::max<std::size_t>(1, (shown.n_all + kMaxReportPoints - 1) / kMaxReportPoints);
+  shown.x_in_local.reserve(shown.n_all / step + 1);
+  for (std::size_t i = 0; i < shown.n_all; i += step) {
+    const io::CloudPoint& p = cloud.points[i];
+    shown.x_in_local.emplace_back(p.x, p.y, p.z);
+  }
+  return shown;
+}
+
+ShownPlanes shown_planes(const ReportMethod& method,
+                         const LocalFrame& frame,
+                         const ShownPoints& points) {
+  const evaluate::JudgeOptions widths;
+  const Json& lines = method.evaluation.at("lines");
+  ShownPlanes shown;
+  shown.planes = planes_of(lines, frame);
+  shown.plane_of_point.assign(points.x_in_local.size(), 0);
+  std::map<std::uint64_t, std::uint16_t> index;
+  for (std::size_t k = 0; k < shown.planes.size(); ++k) {
+    index[shown.planes[k].id] = static_cast<std::uint16_t>(k + 1);
+  }
+  const auto grid = evaluate::PointGrid::build(points.x_in_local.size(),
+                                               [&](std::size_t i) { return points.x_in_local[i]; });
+  std::vector<double> nearest_m(points.x_in_local.size(), widths.inlier_distance_m);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!method.lines[i] || !all_finite(method.lines[i]->segment_in_world)) continue;
+    const Segment3& in_world = method.lines[i]->segment_in_world;
+    const Segment3 line{frame.local_from_world(in_world.start),
+                        frame.local_from_world(in_world.end)};
+    for (const Json& json : lines[i].at("planes")) {
+      const Plane3 plane = plane_in_local(json, frame);
+      const std::uint16_t number = index[json.at("id").get<std::uint64_t>()];
+      grid.visit_near(plan(line), widths.fit_half_width_m, [&](const auto& point) {
+        const double distance_m = plane.absDistance(point.x);
+        if (distance_m > nearest_m[point.index]) return;
+        nearest_m[point.index] = distance_m;
+        shown.plane_of_point[point.index] = number;
+      });
+    }
+  }
+  std::vector<std::vector<Eigen::Vector3d>> members(shown.planes.size());
+  for (std::size_t i = 0; i < points.x_in_local.size(); ++i) {
+    if (shown.plane_of_point[i] == 0) continue;
+    members[shown.plane_of_point[i] - 1U].push_back(points.x_in_local[i]);
+  }
+  for (std::size_t k = 0; k < shown.planes.size(); ++k) {
+    shown.planes[k].outline = outline_of(shown.planes[k].plane, members[k]);
+  }
+  return shown;
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/report/report_input.h"
+#include "reconstruct/geometry/plane.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The points of a patch that a report shows: every k-th, so that at most kMaxReportPoints stay.
+struct ShownPoints {
+  std::size_t n_all = 0;
+  std::vector<Eigen::Vector3d> x_in_local;
+};
+
+ShownPoints shown_points(const io::PointCloud& cloud);
+
+/// A plane that lines of a method were judged by.
+struct ShownPlane {
+  std::uint64_t id = 0;                         ///< as in the evaluation
+  Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local; the fit with the most inliers
+  int n_inliers = 0;
+  double rms_m = 0.0;
+  std::vector<Eigen::Vector3d> outline;  ///< convex, on the plane, around its shown points
+};
+
+/// The planes of a method's lines and the shown points that lie on them.
+struct ShownPlanes {
+  std::vector<ShownPlane> planes;  ///< by descending number of inliers
+  /// Of each shown point: index in `planes` + 1, 0 for none.
+  std::vector<std::uint16_t> plane_of_point;
+};
+
+/// Points within 4 m of a line in plan and 0.1 m of one of its planes belong to that plane (the
+/// widths that the judge fits with), to the nearest if there are several.
+ShownPlanes shown_planes(const ReportMethod& method,
+                         const LocalFrame& frame,
+                         const ShownPoints& points);
+
+}  // namespace ridgeline::apps

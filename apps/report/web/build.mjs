@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bundles the front end into ../dist (or the folder given), the same bytes on every machine.
+import { build } from 'esbuild';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+
+const here = import.meta.dirname;
+const out = process.argv[2] ?? join(here, '../dist');
+
+const common = { bundle: true, minify: true, legalComments: 'inline', logLevel: 'warning', absWorkingDir: here };
+await build({
+  ...common,
+  entryPoints: ['src/main.ts'],
+  outfile: join(out, 'report.js'),
+  format: 'iife',
+  target: 'es2022',
+  charset: 'ascii',
+});
+await build({ ...common, entryPoints: ['src/style/report.css'], outfile: join(out, 'report.css') });
+
+// The bundle stands inside a script element and a style element.
+for (const [file, end] of [['report.js', /<\/script|<!--/i], ['report.css', /<\/style/i]]) {
+  if (end.test(await readFile(join(out, file), 'utf8'))) throw new Error(`${file} would end its element`);
+}

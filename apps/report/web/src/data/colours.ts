@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Okabe and Ito's colours, which the colour-blind tell apart; figure_colours.h has the same for the PNG
+// figures. Colour never stands alone: classes also differ by dashes, statuses by words.
+import type { Line } from './schema';
+
+export const okabeIto = {
+  black: '#000000',
+  orange: '#e69f00',
+  skyBlue: '#56b4e9',
+  green: '#009e73',
+  yellow: '#f0e442',
+  blue: '#0072b2',
+  vermillion: '#d55e00',
+  purple: '#cc79a7',
+  grey: '#969696',
+} as const;
+
+export const verdictColours = {
+  correct: okabeIto.green,
+  false: okabeIto.vermillion,
+  missed: okabeIto.yellow,
+  unsure: okabeIto.purple,
+  unjudged: okabeIto.skyBlue,
+} as const;
+
+export const isDark = (): boolean => {
+  const chosen = document.documentElement.dataset['theme'];
+  return chosen ? chosen === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+};
+
+export function classColour(lineClass: string): string {
+  if (lineClass === 'aligned') return okabeIto.vermillion;
+  return isDark() ? okabeIto.skyBlue : okabeIto.blue;
+}
+
+const statusColours: Record<string, string> = {
+  evaluated: okabeIto.green,
+  no_lidar: okabeIto.grey,
+  no_plane: okabeIto.orange,
+  low_coverage: okabeIto.purple,
+  ambiguous: okabeIto.yellow,
+  degenerate: okabeIto.vermillion,
+};
+export const statusColour = (status: string): string => statusColours[status] ?? okabeIto.skyBlue;
+
+/** Steps of the distance colours, metres; the last one is without limit. */
+export const distanceSteps: readonly { upTo_m: number; colour: string; text: string }[] = [
+  { upTo_m: 0.05, colour: okabeIto.blue, text: 'up to 0.05 m' },
+  { upTo_m: 0.1, colour: okabeIto.skyBlue, text: 'up to 0.10 m' },
+  { upTo_m: 0.3, colour: okabeIto.green, text: 'up to 0.30 m' },
+  { upTo_m: 1, colour: okabeIto.orange, text: 'up to 1 m' },
+  { upTo_m: Infinity, colour: okabeIto.vermillion, text: 'above 1 m' },
+];
+
+export function distanceColour(line: Line): string {
+  const d = line.mean_distance_m;
+  if (d === null) return okabeIto.grey;
+  return distanceSteps.find((step) => d <= step.upTo_m)?.colour ?? okabeIto.grey;
+}
+
+/** Planes, neighbours in the list far apart; the largest, mostly the ground, is grey. */
+const planePalette = ['#a89f94', '#56b4e9', '#e69f00', '#7fb84e', '#e0d447', '#4b8fd0', '#e07b6a', '#cc79a7'] as const;
+export const planeColour = (index: number): string => planePalette[index % planePalette.length]!;
+export const noPlaneColour = (): string => (isDark() ? '#4a4d52' : '#c9c9c9');
+
+export function rgb(hex: string): [number, number, number] {
+  const n = parseInt(hex.slice(1), 16);
+  return [n >> 16, (n >> 8) & 255, n & 255];
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Report } from './schema';
+
+function bytesOf(base64: string): ArrayBuffer {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+
+export const float32 = (base64: string): Float32Array<ArrayBuffer> => new Float32Array(bytesOf(base64));
+export const uint16 = (base64: string): Uint16Array<ArrayBuffer> => new Uint16Array(bytesOf(base64));
+
+/** The data of the page; throws if this front end does not know its form. */
+export function readReport(): Report {
+  const text = document.getElementById('report-data')?.textContent;
+  if (!text) throw new Error('the page holds no data');
+  const report = JSON.parse(text) as Report;
+  if (report.schema !== 1) throw new Error(`data of schema ${report.schema}, this page knows 1`);
+  return report;
+}
+
+/** 53-bit hash (cyrb53), to tell one data set from another; not for security. */
+export function hash53(parts: readonly string[]): string {
+  let a = 0xdeadbeef;
+  let b = 0x41c6ce57;
+  for (const part of parts) {
+    for (let i = 0; i < part.length; ++i) {
+      const c = part.charCodeAt(i);
+      a = Math.imul(a ^ c, 2654435761);
+      b = Math.imul(b ^ c, 1597334677);
+    }
+  }
+  a = Math.imul(a ^ (a >>> 16), 2246822507) ^ Math.imul(b ^ (b >>> 13), 3266489909);
+  b = Math.imul(b ^ (b >>> 16), 2246822507) ^ Math.imul(a ^ (a >>> 13), 3266489909);
+  return (4294967296 * (2097151 & b) + (a >>> 0)).toString(16);
+}

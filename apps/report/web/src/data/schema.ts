@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What apps/report/report_json.cpp writes. Lengths in metres, coordinates local to the patch's origin,
+// image coordinates in pixels with (0, 0) in the centre of the top-left pixel.
+
+export type Triple = [number, number, number];
+export type ImageSegment = [number, number, number, number];
+export type Verdict = 'correct' | 'false' | 'unjudged';
+
+export interface Summary {
+  n_lines: number;
+  n_evaluated: number;
+  n_excluded: Record<string, number>;
+  evaluated_share: number | null;
+  rms_m: number | null;
+  ci95_m: [number, number] | null;
+  n_clusters: number;
+  few_clusters: boolean;
+  rms_length_weighted_m: number | null;
+  mean_m: number | null;
+  std_m: number | null;
+  median_m: number | null;
+  nmad_m: number | null;
+  q683_m: number | null;
+  q90_m: number | null;
+  q95_m: number | null;
+  max_m: number | null;
+  max_id: string;
+  gross_share: number | null;
+  n_outliers: number;
+  rms_without_outliers_m: number | null;
+}
+
+export interface Table2Row extends Summary {
+  patch: string;
+  method: string;
+  class: string;
+}
+
+export interface Table1Row {
+  patch: string;
+  matcher: string;
+  correct: number;
+  false: number;
+  missed: number;
+  unjudged: number;
+  correctness: number | null;
+  completeness: number | null;
+  quality: number | null;
+  correctness_ci95: [number, number] | null;
+  completeness_ci95: [number, number] | null;
+  quality_ci95: [number, number] | null;
+}
+
+export interface Accuracy {
+  n: number;
+  observed_m: number | null;
+  product_m: number | null;
+  method_only_m: number | null;
+  sigma_ref_m: number | null;
+  extrapolated_share: number | null;
+  flags: string[];
+}
+
+export interface Calibration {
+  n: number;
+  nees_per_dof: number | null;
+  bounds95: [number, number] | null;
+  median_z2: number | null;
+  coverage_1_96: number | null;
+  median_sigma_m: number | null;
+}
+
+export interface Stratum extends Summary {
+  stratum: string;
+  calibration: Calibration;
+}
+
+export interface LinePlane {
+  id: number;
+  n_inliers: number;
+  rms_m: number | null;
+  coverage: number | null;
+  extrapolation_m: number | null;
+  start_distance_m: number | null;
+  end_distance_m: number | null;
+  mean_distance_m: number | null;
+}
+
+export interface Line {
+  id: string;
+  class: string;
+  status: string;
+  kind: string | null;
+  reason?: string;
+  flags: string[];
+  length_m: number | null;
+  epipolar_angle_deg: number | null;
+  planes: LinePlane[];
+  mean_distance_m: number | null;
+  max_distance_m: number | null;
+  signed_mean_m: number | null;
+  sigma_plane_m: number | null;
+  sigma_line_m: number | null;
+  z: number | null;
+  start?: Triple;
+  end?: Triple;
+  left?: number | null;
+  right?: number | null;
+  left_px?: ImageSegment | null;
+  right_px?: ImageSegment | null;
+  construction?: string;
+  n_points?: number;
+  true_error_m?: number | null;
+}
+
+export interface Plane {
+  id: number;
+  normal: Triple;
+  n_inliers: number;
+  rms_m: number;
+  outline: Triple[];
+}
+
+export interface Method {
+  name: string;
+  options: { gross_m: number; [key: string]: unknown };
+  summary: Record<string, Summary>;
+  accuracy: Record<string, Accuracy>;
+  calibration: Calibration;
+  strata: Record<string, Stratum[]>;
+  lines: Line[];
+  planes: Plane[];
+  plane_of_point: string;
+}
+
+export interface View {
+  id: string;
+  file: string;
+  width_px: number;
+  height_px: number;
+  is_distorted: boolean;
+  projection: number[];
+  segments: string;
+  angles_deg: string;
+  jpeg: string;
+}
+
+export interface Match {
+  left: number;
+  right: number;
+  score: number;
+  votes: number;
+  verdict?: Verdict;
+}
+
+export interface Images {
+  views: [View, View];
+  fundamental: number[];
+  has_reference: boolean;
+  matches: Match[];
+  missed: [number, number][];
+  n_unmatched: Record<string, number>;
+}
+
+export interface Points {
+  n_all: number;
+  n_shown: number;
+  low: Triple;
+  step: Triple;
+  positions: string;
+}
+
+export interface Patch {
+  id: string;
+  folder: string;
+  crs: string;
+  origin_m: Triple;
+  notes: string[];
+  images: Images | null;
+  points: Points | null;
+  methods: Method[];
+}
+
+export interface GateResult {
+  rule: string;
+  patch: string;
+  method: string;
+  class: string;
+  metric: string;
+  value: number | null;
+  limit: number | null;
+  baseline: number | null;
+  n: number;
+  verdict: string;
+  explanation?: string;
+}
+
+export interface Report {
+  schema: number;
+  note: string;
+  run: {
+    command?: string;
+    versions?: Record<string, string>;
+    options?: Record<string, unknown>;
+    cloud?: Record<string, unknown>;
+    inputs?: { role: string; path: string; bytes: number; sha256: string }[];
+    warnings?: string[];
+  };
+  gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;
+  table1: Table1Row[];
+  table2: Table2Row[];
+  patches: Patch[];
+}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Matches judged by eye. The state outlives the page in the browser's storage, under a hash of the
+// matches and segments: another run starts afresh.
+import { hash53 } from '../data/decode';
+import type { Match, Patch } from '../data/schema';
+import type { State } from '../state';
+import type { PatchImages, ViewIndex } from '../views/patch_images';
+
+export type EyeVerdict = 'correct' | 'false' | 'unsure';
+type Pair = [number, number];
+interface Stored { verdicts: Record<string, EyeVerdict>; added: Pair[] }
+
+const keyOf = (match: { left: number; right: number }): string => `${match.left}-${match.right}`;
+
+function isStored(value: unknown): value is Stored {
+  const v = value as Partial<Stored> | null;
+  return typeof v === 'object' && v !== null && typeof v.verdicts === 'object' && Array.isArray(v.added);
+}
+
+export class Review {
+  private stored: Stored = { verdicts: {}, added: [] };
+  private storageKey = '';
+  private images: PatchImages | null = null;
+  private adding: [number | null, number | null] | null = null;
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(private readonly state: State) {}
+
+  onChange(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  show(patch: Patch, images: PatchImages | null): void {
+    this.images = images;
+    this.adding = null;
+    this.stored = { verdicts: {}, added: [] };
+    if (!patch.images) return;
+    const { matches, views } = patch.images;
+    this.storageKey = `ridgeline-review-${hash53([JSON.stringify(matches.map(keyOf)), views[0].segments, views[1].segments])}`;
+    try {
+      const value: unknown = JSON.parse(localStorage.getItem(this.storageKey) ?? 'null');
+      if (isStored(value)) this.stored = value;
+    } catch {
+      // no storage here: the review lasts as long as the page
+    }
+  }
+
+  get matches(): readonly Match[] {
+    return this.images?.images.matches ?? [];
+  }
+  get isActive(): boolean {
+    return this.state.now.match !== null;
+  }
+  get isAdding(): boolean {
+    return this.adding !== null;
+  }
+  get nJudged(): number {
+    return this.matches.filter((m) => this.stored.verdicts[keyOf(m)] !== undefined).length;
+  }
+  get hasBegun(): boolean {
+    return this.nJudged > 0 || this.stored.added.length > 0;
+  }
+
+  current(): Match | null {
+    return this.state.now.match === null ? null : (this.matches[this.state.now.match] ?? null);
+  }
+
+  eyeVerdict(match: Match): EyeVerdict | null {
+    return this.stored.verdicts[keyOf(match)] ?? null;
+  }
+
+  /** By eye once a review has begun, else by the reference. */
+  verdictOf(match: Match): string {
+    if (this.hasBegun || this.isActive) return this.eyeVerdict(match) ?? 'unjudged';
+    return match.verdict ?? 'unjudged';
+  }
+
+  /** Pairs of segments that should have been matched. */
+  missed(): readonly Pair[] {
+    if (this.hasBegun || this.isActive) return this.stored.added;
+    return this.images?.images.missed ?? [];
+  }
+
+  pending(view: ViewIndex): number | null {
+    return this.adding?.[view] ?? null;
+  }
+
+  start(): void {
+    if (this.matches.length > 0) this.go(this.nextUnjudged(-1) ?? 0);
+  }
+
+  stop(): void {
+    this.adding = null;
+    this.state.set({ match: null });
+    this.changed();
+  }
+
+  step(by: number): void {
+    const n = this.matches.length;
+    if (n > 0 && this.state.now.match !== null) this.go((this.state.now.match + by + n) % n);
+  }
+
+  judge(verdict: EyeVerdict): void {
+    const match = this.current();
+    if (!match) return;
+    this.stored.verdicts[keyOf(match)] = verdict;
+    this.save();
+    const next = this.nextUnjudged(this.state.now.match ?? -1);
+    if (next !== null) this.go(next);
+    else this.changed();
+  }
+
+  toggleAdding(): void {
+    this.adding = this.adding ? null : [null, null];
+    this.changed();
+  }
+
+  /** Whether the click on a segment (or on none) was meant for a missed match. */
+  takesClick(view: ViewIndex, segment: number | null): boolean {
+    if (!this.adding) return false;
+    this.adding[view] = segment;
+    const [left, right] = this.adding;
+    if (left !== null && right !== null) {
+      const isKnown = this.matches.some((m) => m.left === left && m.right === right) || this.stored.added.some((p) => p[0] === left && p[1] === right);
+      if (!isKnown) this.stored.added.push([left, right]);
+      this.adding = null;
+      this.save();
+    }
+    this.changed();
+    return true;
+  }
+
+  removeLastAdded(): void {
+    this.stored.added.pop();
+    this.save();
+    this.changed();
+  }
+
+  counts(): { correct: number; false: number; unsure: number; missed: number } {
+    const n = { correct: 0, false: 0, unsure: 0, missed: this.stored.added.length };
+    for (const match of this.matches) {
+      const verdict = this.eyeVerdict(match);
+      if (verdict) ++n[verdict];
+    }
+    return n;
+  }
+
+  /** Rows of reference_matches.csv, which `run` reads: edges by their segments in both images. Those
+   * that nobody is sure of are no reference. */
+  rows(): (string | number)[][] {
+    const ends = ['x1_px', 'y1_px', 'x2_px', 'y2_px'];
+    const rows: (string | number)[][] = [['id', 'verdict', ...ends.map((e) => `left_${e}`), ...ends.map((e) => `right_${e}`)]];
+    const add = (pair: Pair, verdict: string): void => {
+      const segments = [this.images?.segment(0, pair[0]), this.images?.segment(1, pair[1])];
+      rows.push([`${pair[0]}-${pair[1]}`, verdict, ...segments.flatMap((s) => (s ?? []).map((v) => v.toFixed(3)))]);
+    };
+    for (const match of this.matches) {
+      const verdict = this.eyeVerdict(match);
+      if (verdict === 'correct' || verdict === 'false') add([match.left, match.right], verdict);
+    }
+    for (const pair of this.stored.added) add(pair, 'missed');
+    return rows;
+  }
+
+  private nextUnjudged(from: number): number | null {
+    const n = this.matches.length;
+    for (let k = 1; k <= n; ++k) {
+      const i = (from + k + n) % n;
+      if (!this.eyeVerdict(this.matches[i]!)) return i;
+    }
+    return null;
+  }
+
+  private go(match: number): void {
+    const m = this.matches[match];
+    this.state.set({ match, line: m ? this.state.lineOfSegment(0, m.left) : null });
+    this.changed();
+  }
+
+  private save(): void {
+    try {
+      localStorage.setItem(this.storageKey, JSON.stringify(this.stored));
+    } catch {
+      // as above
+    }
+  }
+
+  private changed(): void {
+    for (const listener of this.listeners) listener();
+  }
+}

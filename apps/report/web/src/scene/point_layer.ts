@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { BufferAttribute, BufferGeometry, Points, PointsMaterial, Vector3 } from 'three';
+import { noPlaneColour, planeColour, rgb } from '../data/colours';
+import { uint16 } from '../data/decode';
+import type { Method, Points as PointData } from '../data/schema';
+
+type Project = (x: Vector3) => [number, number] | null;
+
+/** LIDAR points coloured by the plane that lines were judged by. */
+export class PointLayer {
+  readonly object = new Points(new BufferGeometry(), new PointsMaterial({ size: 3, sizeAttenuation: false, vertexColors: true }));
+  private positions = new Uint16Array();
+  private planeOfPoint = new Uint16Array();
+  private source: PointData | null = null;
+
+  show(points: PointData | null, method: Method): void {
+    this.planeOfPoint = points ? uint16(method.plane_of_point) : new Uint16Array();
+    if (points !== this.source) {
+      this.source = points;
+      this.positions = points ? uint16(points.positions) : new Uint16Array();
+      const n = this.positions.length / 3;
+      // four values a point: graphics memory is read by words
+      const padded = new Uint16Array(4 * n);
+      for (let i = 0; i < n; ++i) padded.set(this.positions.subarray(3 * i, 3 * i + 3), 4 * i);
+      this.object.geometry.dispose();
+      this.object.geometry = new BufferGeometry();
+      this.object.geometry.setAttribute('position', new BufferAttribute(padded, 4));
+      this.object.frustumCulled = false;
+      if (points) {
+        this.object.scale.set(...points.step);
+        this.object.position.set(...points.low);
+      }
+      this.object.material.size = n > 60000 ? 2 : 3;
+    }
+    this.applyTheme();
+  }
+
+  applyTheme(): void {
+    const n = this.planeOfPoint.length;
+    const colours = new Uint8Array(4 * n).fill(255);
+    const none = rgb(noPlaneColour());
+    const palette = new Map<number, [number, number, number]>();
+    for (let i = 0; i < n; ++i) {
+      const plane = this.planeOfPoint[i]!;
+      let colour = plane === 0 ? none : palette.get(plane);
+      if (!colour) palette.set(plane, (colour = rgb(planeColour(plane - 1))));
+      colours.set(colour, 4 * i);
+    }
+    this.object.geometry.setAttribute('color', new BufferAttribute(colours, 4, true));
+  }
+
+  /** The point nearest to a place on the screen, within 8 pixels. */
+  pointNear(at: [number, number], project: Project): Vector3 | null {
+    const { source } = this;
+    if (!source) return null;
+    let best = 8;
+    let found: Vector3 | null = null;
+    const x = new Vector3();
+    for (let i = 0; i < this.positions.length / 3; ++i) {
+      x.set(...([0, 1, 2].map((a) => source.low[a]! + this.positions[3 * i + a]! * source.step[a]!) as [number, number, number]));
+      const p = project(x);
+      const d = p ? Math.hypot(p[0] - at[0], p[1] - at[1]) : Infinity;
+      if (d < best) [best, found] = [d, x.clone()];
+    }
+    return found;
+  }
+}

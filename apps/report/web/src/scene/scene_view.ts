@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points, planes and lines of a patch in 3D. Draws only when something has changed.
+import { AmbientLight, Box3, Color, Group, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { isDark } from '../data/colours';
+import type { Method, Patch, Triple } from '../data/schema';
+import { h } from '../ui/dom';
+import { LineLayer, type LineColouring } from './line_layer';
+import { Measure } from './measure';
+import { PlaneLayer } from './plane_layer';
+import { PointLayer } from './point_layer';
+
+export class SceneView {
+  readonly element = h('div', { class: 'scene', id: 'scene' });
+  onPick: (line: number | null) => void = () => undefined;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly content = new Group();
+  private readonly camera = new PerspectiveCamera(35, 1, 0.5, 5000);
+  private readonly controls: OrbitControls;
+  private readonly points = new PointLayer();
+  private readonly planes = new PlaneLayer();
+  private readonly lines = new LineLayer();
+  readonly measure = new Measure();
+  private readonly box = new Box3();
+  private frame = 0;
+  private width = 1;
+  private height = 1;
+  /** Frames drawn so far, for tests and measurements. */
+  nFrames = 0;
+
+  /** Needs WebGL 2. */
+  constructor() {
+    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    const canvas = this.renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute('aria-label', '3D view of points, planes and lines');
+    this.element.append(canvas);
+    this.camera.up.set(0, 0, 1);
+    this.content.add(this.points.object, this.planes.object, this.lines.object, this.measure.object);
+    this.scene.add(this.content, new AmbientLight());
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener('change', () => this.redraw());
+    this.listenForClicks(canvas);
+    new ResizeObserver(() => this.resize()).observe(this.element);
+    this.applyTheme();
+  }
+
+  show(patch: Patch, method: Method): void {
+    this.points.show(patch.points, method);
+    this.planes.show(method);
+    this.lines.show(method.lines);
+    this.measure.clear();
+    this.findBox(patch, method);
+    this.look('oblique');
+  }
+
+  /** Another method of the same patch: the view stays. */
+  showMethod(patch: Patch, method: Method): void {
+    this.points.show(patch.points, method);
+    this.planes.show(method);
+    this.lines.show(method.lines);
+    this.redraw();
+  }
+
+  colourLinesBy(colouring: LineColouring): void {
+    this.lines.colourBy(colouring);
+    this.redraw();
+  }
+  setPlanesVisible(visible: boolean): void {
+    this.planes.setVisible(visible);
+    this.redraw();
+  }
+  setPointsVisible(visible: boolean): void {
+    this.points.object.visible = visible;
+    this.redraw();
+  }
+  exaggerateHeights(factor: number): void {
+    const base = this.box.min.z;
+    this.content.scale.z = factor;
+    this.content.position.z = base * (1 - factor);
+    this.content.updateMatrixWorld(true);
+    this.redraw();
+  }
+
+  select(line: number | null): void {
+    this.lines.select(line);
+    this.planes.highlight(line === null ? [] : this.lines.planesOf(line));
+    this.redraw();
+  }
+
+  /** Brings the line into the middle without turning the view. */
+  centreOn(line: number): void {
+    const middle = this.lines.middleOf(line);
+    if (!middle) return;
+    const target = this.content.localToWorld(middle);
+    this.camera.position.add(target.clone().sub(this.controls.target));
+    this.controls.target.copy(target);
+    this.controls.update();
+    this.redraw();
+  }
+
+  look(from: 'oblique' | 'top'): void {
+    const centre = this.content.localToWorld(this.box.getCenter(new Vector3()));
+    const size = this.box.getSize(new Vector3());
+    const extent = Math.max(size.x, size.y / Math.max(0.5, this.camera.aspect), 5);
+    const distance = (0.62 * extent) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.max(0.6, Math.min(1.4, this.camera.aspect));
+    const direction = from === 'top' ? new Vector3(0, -0.0001, 1) : new Vector3(-0.5, -1, 0.85).normalize();
+    this.controls.target.copy(centre);
+    this.camera.position.copy(centre).addScaledVector(direction, distance);
+    this.controls.update();
+    this.redraw();
+  }
+
+  applyTheme(): void {
+    this.scene.background = new Color(isDark() ? '#15181c' : '#fbfbfa');
+    this.points.applyTheme();
+    this.lines.applyTheme();
+    this.redraw();
+  }
+
+  /** Where a line is on the canvas, CSS pixels; for tests. */
+  screenPositionOf(line: number): [number, number] | null {
+    const middle = this.lines.middleOf(line);
+    return middle ? this.toScreen(middle) : null;
+  }
+
+  redraw(): void {
+    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
+  }
+
+  private render(): void {
+    this.frame = 0;
+    ++this.nFrames;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.element;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    [this.width, this.height] = [clientWidth, clientHeight];
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.lines.setResolution(clientWidth, clientHeight);
+    this.measure.setResolution(clientWidth, clientHeight);
+    this.render();
+  }
+
+  /** Of the points; without any, of the lines but the farthest. */
+  private findBox(patch: Patch, method: Method): void {
+    this.box.makeEmpty();
+    if (patch.points) {
+      const { low, step } = patch.points;
+      this.box.expandByPoint(new Vector3(...low));
+      this.box.expandByPoint(new Vector3(...(low.map((v, a) => v + 65535 * step[a]!) as Triple)));
+      return;
+    }
+    const axis = (a: number): number[] => method.lines.flatMap((l) => (l.start && l.end ? [l.start[a]!, l.end[a]!] : [])).sort((x, y) => x - y);
+    const range = [0, 1, 2].map((a) => { const v = axis(a); return [v[Math.floor(0.02 * v.length)] ?? 0, v[Math.floor(0.98 * (v.length - 1))] ?? 1] as const; });
+    this.box.expandByPoint(new Vector3(range[0]![0], range[1]![0], range[2]![0]));
+    this.box.expandByPoint(new Vector3(range[0]![1], range[1]![1], range[2]![1]));
+  }
+
+  private toScreen(x: Vector3): [number, number] | null {
+    const p = this.content.localToWorld(x.clone()).project(this.camera);
+    return p.z > 1 || p.z < -1 ? null : [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height];
+  }
+
+  private listenForClicks(canvas: HTMLCanvasElement): void {
+    let down: [number, number] | null = null;
+    canvas.addEventListener('pointerdown', (e) => { down = e.button === 0 ? [e.offsetX, e.offsetY] : null; });
+    canvas.addEventListener('pointerup', (e) => {
+      if (!down || Math.hypot(e.offsetX - down[0], e.offsetY - down[1]) > 4) return;
+      const at: [number, number] = [e.offsetX, e.offsetY];
+      const project = (x: Vector3): [number, number] | null => this.toScreen(x);
+      if (this.measure.isOn) {
+        const x = this.lines.pointNear(at, project) ?? this.points.pointNear(at, project);
+        if (x) this.measure.add(x);
+        this.redraw();
+      } else {
+        this.onPick(this.lines.nearest(at, project));
+      }
+    });
+  }
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { Line, Method, Patch, Report } from './data/schema';
+
+export interface Selection {
+  patch: number;
+  method: number;
+  line: number | null; // index in the method's lines
+  match: number | null; // under review
+}
+
+type Listener = (now: Selection, before: Selection) => void;
+
+/** What is selected, everywhere at once. */
+export class State {
+  private selection: Selection = { patch: 0, method: 0, line: null, match: null };
+  private readonly listeners: Listener[] = [];
+
+  constructor(readonly report: Report) {}
+
+  get now(): Selection {
+    return this.selection;
+  }
+  get patch(): Patch {
+    return this.report.patches[this.selection.patch]!;
+  }
+  get method(): Method {
+    return this.patch.methods[this.selection.method]!;
+  }
+  get line(): Line | null {
+    return this.selection.line === null ? null : (this.method.lines[this.selection.line] ?? null);
+  }
+
+  onChange(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  set(change: Partial<Selection>): void {
+    const before = this.selection;
+    const now = { ...before, ...change };
+    if ((Object.keys(now) as (keyof Selection)[]).every((key) => now[key] === before[key])) return;
+    this.selection = now;
+    for (const listener of this.listeners) listener(now, before);
+  }
+
+  choosePatch(patch: number): void {
+    const methods = this.report.patches[patch]!.methods;
+    const same = methods.findIndex((m) => m.name === this.method.name);
+    this.set({ patch, method: Math.max(0, same), line: null, match: null });
+  }
+
+  /** The other method's line of the same id stays selected. */
+  chooseMethod(method: number): void {
+    const id = this.line?.id;
+    const line = id === undefined ? -1 : this.patch.methods[method]!.lines.findIndex((l) => l.id === id);
+    this.set({ method, line: line < 0 ? null : line });
+  }
+
+  /** Line of the method that a left segment was made into. */
+  lineOfSegment(view: 0 | 1, segment: number): number | null {
+    const index = this.method.lines.findIndex((l) => (view === 0 ? l.left : l.right) === segment);
+    return index < 0 ? null : index;
+  }
+}

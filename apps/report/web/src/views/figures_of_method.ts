@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Statistics of one method on one patch: classes, accuracy statement, strata, calibration.
+import type { Accuracy, Calibration, Method, Stratum, Summary } from '../data/schema';
+import { h, table, type Column } from '../ui/dom';
+import { fixed, interval, metres, missing, percent, words } from '../ui/format';
+import { summaryColumns } from './head';
+
+interface Named<T> { name: string; value: T }
+const named = <T>(record: Record<string, T>): Named<T>[] => Object.entries(record).map(([name, value]) => ({ name, value }));
+
+function classTable(method: Method): HTMLElement {
+  const rows = named(method.summary).map(({ name, value }) => ({ ...value, class: name }));
+  return table<Summary & { class: string }>(
+    [{ title: 'class', cell: (r) => words(r.class) }, ...summaryColumns<Summary & { class: string }>()], rows, { id: 'statistics' });
+}
+
+function accuracyTable(method: Method): HTMLElement {
+  const columns: Column<Named<Accuracy>>[] = [
+    { title: 'class', cell: (r) => words(r.name) },
+    { title: 'n', number: true, cell: (r) => String(r.value.n) },
+    { title: 'observed', number: true, hint: 'RMS against the planes: what Table 2 holds', cell: (r) => metres(r.value.observed_m) },
+    { title: 'product', number: true, hint: 'against the true datum: with the error of the reference', cell: (r) => metres(r.value.product_m) },
+    { title: 'method only', number: true, hint: 'without the error of the reference', cell: (r) => r.value.n > 0 && r.value.method_only_m === null ? 'below reference noise' : metres(r.value.method_only_m) },
+    { title: 'sigma of the reference', number: true, cell: (r) => metres(r.value.sigma_ref_m) },
+    { title: 'flags', cell: (r) => r.value.flags.map(words).join(', ') || missing },
+  ];
+  return table(columns, named(method.accuracy), { id: 'accuracy' });
+}
+
+function calibrationText(c: Calibration): string {
+  if (c.nees_per_dof === null || c.bounds95 === null) return 'No line states its covariance.';
+  const verdict = c.nees_per_dof > c.bounds95[1] ? 'optimistic (sigmas too small)'
+    : c.nees_per_dof < c.bounds95[0] ? 'pessimistic (sigmas too large)' : 'right';
+  return `Predicted sigmas are ${verdict}: mean normalised squared error ${fixed(c.nees_per_dof, 2)} per degree of freedom `
+    + `(${fixed(c.bounds95[0], 2)} to ${fixed(c.bounds95[1], 2)} expected, n = ${c.n}); median z² ${fixed(c.median_z2, 3)} (0.455 expected); `
+    + `${percent(c.coverage_1_96)} % of |z| up to 1.96 (95 % expected); median sigma ${metres(c.median_sigma_m)} m.`;
+}
+
+function strataTable(by: string, strata: readonly Stratum[]): HTMLElement {
+  const columns: Column<Stratum>[] = [
+    { title: words(by), cell: (s) => s.stratum },
+    { title: 'n', number: true, cell: (s) => `${s.n_evaluated}/${s.n_lines}` },
+    { title: 'RMS', number: true, cell: (s) => metres(s.rms_m) },
+    { title: '95 % interval', number: true, cell: (s) => interval(s.ci95_m) },
+    { title: 'NMAD', number: true, cell: (s) => metres(s.nmad_m) },
+    { title: '95 %', number: true, cell: (s) => metres(s.q95_m) },
+    { title: 'NEES/dof', number: true, cell: (s) => fixed(s.calibration.nees_per_dof, 2) },
+  ];
+  return table(columns, strata);
+}
+
+export function figuresOfMethod(method: Method, note: string): HTMLElement[] {
+  const total = method.summary['total'];
+  return [
+    h('h3', {}, `Statistics: ${method.name}`),
+    classTable(method),
+    h('h3', {}, 'Accuracy statement'),
+    accuracyTable(method),
+    h('p', { class: 'caption' }, note, ' ', total
+      ? `In the style of ASPRS Edition 2: RMSE ${metres(method.accuracy['total']?.product_m)} m with the error of the reference included, from ${total.n_evaluated} lines`
+        + (total.n_evaluated < 30 ? ' (below the 30 that it asks for).' : '.') : ''),
+    h('p', { id: 'calibration' }, calibrationText(method.calibration)),
+    h('details', {}, h('summary', {}, 'Strata'), ...Object.entries(method.strata).map(([by, strata]) => strataTable(by, strata))),
+  ];
+}

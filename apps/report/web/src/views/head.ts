@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verdict and Tables 1 and 2.
+import type { Report, Summary, Table1Row, Table2Row } from '../data/schema';
+import { h, table, type Column } from '../ui/dom';
+import { excluded, fixed, interval, metres, missing, percent, words } from '../ui/format';
+
+const unique = (names: readonly string[]): string[] => [...new Set(names)];
+
+/** RMS over several patches: their sums of squares and counts add up. */
+function pooled(rows: readonly Table2Row[]): { rms_m: number | null; n: number; lines: number } {
+  let squares = 0;
+  let n = 0;
+  let lines = 0;
+  for (const row of rows) {
+    lines += row.n_lines;
+    if (row.rms_m === null) continue;
+    squares += row.rms_m ** 2 * row.n_evaluated;
+    n += row.n_evaluated;
+  }
+  return { rms_m: n > 0 ? Math.sqrt(squares / n) : null, n, lines };
+}
+
+function gatesText(report: Report): { text: string; state: string } {
+  if (!report.gates) return { text: 'No gates given.', state: 'none' };
+  const all = report.gates.gates.length;
+  const failed = report.gates.gates.filter((g) => g.verdict !== 'passed').length;
+  return report.gates.passed
+    ? { text: `Gates passed: all ${all} checks.`, state: 'passed' }
+    : { text: `Gates failed: ${failed} of ${all} checks.`, state: 'failed' };
+}
+
+export function verdict(report: Report): HTMLElement {
+  const gates = gatesText(report);
+  const methods = unique(report.table2.map((r) => r.method)).map((method) => {
+    const p = pooled(report.table2.filter((r) => r.method === method && r.class === 'total'));
+    return `${method} ${metres(p.rms_m)} m RMS (${p.n} of ${p.lines} lines evaluated)`;
+  });
+  const n = report.patches.length;
+  const where = n === 1 ? 'On one patch: ' : `Over ${n} patches: `;
+  return h('p', { id: 'verdict', class: `verdict ${gates.state}` }, h('strong', {}, gates.text), ' ', where, methods.join('; '), '.');
+}
+
+function gateTable(report: Report): HTMLElement | null {
+  if (!report.gates) return null;
+  const number = (value: number | null): string => fixed(value, 4);
+  return h('section', { id: 'gates' }, h('h2', {}, 'Gates'),
+    table([
+      { title: 'gate', cell: (g) => g.rule },
+      { title: 'patch', cell: (g) => g.patch },
+      { title: 'method', cell: (g) => g.method },
+      { title: 'value', number: true, cell: (g) => number(g.value) },
+      { title: 'limit', number: true, cell: (g) => number(g.limit) },
+      { title: 'baseline', number: true, cell: (g) => number(g.baseline) },
+      { title: 'n', number: true, cell: (g) => String(g.n) },
+      { title: 'verdict', cell: (g) => h('span', { class: `badge ${g.verdict}` }, g.verdict) },
+      { title: 'why', cell: (g) => g.explanation ?? '' },
+    ], report.gates.gates),
+    ...report.gates.warnings.map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)));
+}
+
+function table1(rows: readonly Table1Row[]): HTMLElement {
+  const withInterval = (share: number | null, ci: [number, number] | null): string =>
+    ci ? `${percent(share)} (${percent(ci[0])} – ${percent(ci[1])})` : percent(share);
+  const columns: Column<Table1Row>[] = [
+    { title: 'patch', cell: (r) => r.patch },
+    { title: 'matcher', cell: (r) => r.matcher },
+    { title: 'correct', number: true, cell: (r) => String(r.correct) },
+    { title: 'false', number: true, cell: (r) => String(r.false) },
+    { title: 'missed', number: true, cell: (r) => String(r.missed) },
+    { title: 'correctness %', number: true, cell: (r) => withInterval(r.correctness, r.correctness_ci95) },
+    { title: 'completeness %', number: true, cell: (r) => withInterval(r.completeness, r.completeness_ci95) },
+    { title: 'quality %', number: true, cell: (r) => withInterval(r.quality, r.quality_ci95) },
+    { title: 'not judged', number: true, hint: 'matches of lines that the reference does not hold', cell: (r) => String(r.unjudged) },
+  ];
+  return h('section', {}, h('h2', {}, 'Table 1. Matching'),
+    rows.length > 0 ? table(columns, rows, { id: 'table1' })
+      : h('p', { class: 'caption', id: 'table1-missing' }, 'No reference matches were given, so that matches are not judged. The review below judges them by eye.'),
+    rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals. Basis: number of matches.') : null);
+}
+
+/** The published form: a row per patch, methods side by side. */
+function table2(rows: readonly Table2Row[]): HTMLElement {
+  const methods = unique(rows.map((r) => r.method));
+  const order = ['not_aligned', 'aligned', 'total'];
+  const classes = unique(rows.map((r) => r.class)).sort((a, b) => order.indexOf(a) - order.indexOf(b));
+  const cell = (patch: string, method: string, c: string): HTMLElement => {
+    const s = rows.find((r) => r.patch === patch && r.method === method && r.class === c);
+    return h('td', { class: 'number' }, s ? metres(s.rms_m) : missing,
+      s ? h('small', {}, ` ${s.n_evaluated}/${s.n_lines}`) : null);
+  };
+  return h('div', { class: 'scroll' }, h('table', { id: 'table2' },
+    h('thead', {},
+      h('tr', {}, h('th', { rowspan: 2, scope: 'col' }, 'patch'),
+        ...methods.map((m) => h('th', { colspan: classes.length, scope: 'colgroup', class: 'group' }, m))),
+      h('tr', {}, ...methods.flatMap(() => classes.map((c) => h('th', { scope: 'col', class: 'number' }, words(c)))))),
+    h('tbody', {}, ...unique(rows.map((r) => r.patch)).map((patch) =>
+      h('tr', {}, h('th', { scope: 'row' }, patch),
+        ...methods.flatMap((m) => classes.map((c) => cell(patch, m, c))))))));
+}
+
+/** All figures of a cell, as in table2.md. */
+export function summaryColumns<Row extends Summary>(): Column<Row>[] {
+  const metre = (title: string, value: (s: Row) => number | null, hint?: string): Column<Row> =>
+    ({ title, number: true, cell: (s) => metres(value(s)), ...(hint ? { hint } : {}) });
+  return [
+    { title: 'n', number: true, hint: 'lines evaluated', cell: (s) => String(s.n_evaluated) },
+    { title: 'lines', number: true, cell: (s) => String(s.n_lines) },
+    { title: 'evaluated %', number: true, cell: (s) => percent(s.evaluated_share) },
+    metre('RMS', (s) => s.rms_m),
+    { title: '95 % interval', number: true, hint: 'clustered bootstrap', cell: (s) => interval(s.ci95_m) + (s.ci95_m && s.few_clusters ? ' (few clusters)' : '') },
+    metre('bias', (s) => s.mean_m, 'mean of the signed distances'),
+    metre('std', (s) => s.std_m),
+    metre('median', (s) => s.median_m),
+    metre('NMAD', (s) => s.nmad_m, 'of the signed distances'),
+    metre('68.3 %', (s) => s.q683_m),
+    metre('95 %', (s) => s.q95_m),
+    metre('max', (s) => s.max_m),
+    { title: 'gross %', number: true, hint: 'lines farther off than the gross limit', cell: (s) => percent(s.gross_share) },
+    { title: 'excluded', cell: (s) => excluded(s.n_excluded) },
+  ];
+}
+
+export function head(report: Report): HTMLElement[] {
+  const all: Column<Table2Row>[] = [
+    { title: 'patch', cell: (r) => r.patch },
+    { title: 'method', cell: (r) => r.method },
+    { title: 'class', cell: (r) => words(r.class) },
+    ...summaryColumns<Table2Row>(),
+  ];
+  return [
+    gateTable(report),
+    table1(report.table1),
+    h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'),
+      table2(report.table2),
+      h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note),
+      h('details', {}, h('summary', {}, 'All figures'),
+        table(all, report.table2, { id: 'table2-all' }),
+        h('p', { class: 'caption' }, 'Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of the mean absolute distances. The distance to one plane is blind to a shift within that plane.'))),
+  ].filter((e): e is HTMLElement => e !== null);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/report/write_report.h"
+
+#include "apps/common/output_folder.h"
+#include "apps/report/figures.h"
+#include "apps/report/page.h"
+#include "io/error.h"
+#include "io/png_writer.h"
+
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <functional>
+
+namespace ridgeline::apps {
+namespace {
+
+struct Figure {
+  std::string name;
+  std::function<cv::Mat()> draw;
+};
+
+std::vector<Figure> figures_of(const ReportPatch& patch, const ShownScene& scene) {
+  std::vector<Figure> figures;
+  if (patch.images && !patch.images->segments[0].empty()) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string& id = patch.patch->images[i].id;
+      figures.push_back({fmt::format("{}fig1.{}.png", patch.subfolder, id),
+                         [&patch, i] { return figure1(patch, i); }});
+      figures.push_back({fmt::format("{}fig7.{}.png", patch.subfolder, id),
+                         [&patch, i] { return figure7(patch, i); }});
+    }
+  }
+  for (std::size_t m = 0; m < patch.methods.size(); ++m) {
+    figures.push_back({fmt::format("{}fig8.{}.png", patch.subfolder, patch.methods[m].name),
+                       [&patch, &scene, m] { return figure8(patch, scene, m); }});
+  }
+  return figures;
+}
+
+std::string title_of(const ReportInput& input) {
+  std::string title = "Ridgeline report:";
+  for (std::size_t i = 0; i < input.patches.size(); ++i) {
+    title += (i == 0 ? " " : ", ") + input.patches[i].id;
+  }
+  return title;
+}
+
+}  // namespace
+
+void add_report_flag(CLI::App& app, bool& report) {
+  app.add_flag("!--no-report", report, "leave out report.html and the figures beside it");
+}
+
+std::string write_report(const std::string& folder,
+                         const std::optional<evaluate::GateReport>& gates) {
+  const ReportInput input = read_report_input(folder);
+  const OutputFolder out(folder, input.input_paths);
+  std::vector<ShownScene> scenes(input.patches.size());
+  tbb::parallel_for(std::size_t{0}, scenes.size(),
+                    [&](std::size_t i) { scenes[i] = shown_scene(input.patches[i]); });
+  std::vector<Figure> figures;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    for (Figure& figure : figures_of(input.patches[i], scenes[i])) {
+      figures.push_back(std::move(figure));
+    }
+  }
+  tbb::parallel_for(std::size_t{0}, figures.size(), [&](std::size_t i) {
+    io::write_png(out.path(figures[i].name), figures[i].draw());
+  });
+  // bytes that are not UTF-8 (file names, ids) become U+FFFD
+  const std::string data = report_json(input, scenes, gates)
+                               .dump(-1, ' ', false, evaluate::Json::error_handler_t::replace);
+  out.write("report.html", report_page(title_of(input), data));
+  return out.path("report.html");
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A page of a report in Debian's Chromium, with software WebGL and without a network.
+import { chromium } from 'playwright-core';
+import { pathToFileURL } from 'node:url';
+
+export const chromiumPath = '/usr/bin/chromium';
+
+export async function launch({ webgl = true } = {}) {
+  const gl = webgl
+    ? ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+    : ['--disable-gpu', '--disable-3d-apis'];
+  return chromium.launch({
+    executablePath: chromiumPath,
+    headless: true,
+    args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+      '--disable-component-update', '--disable-sync', ...gl],
+  });
+}
+
+/** Opens a report; `page.problems` collects console errors, exceptions and requests for anything else. */
+export async function open(context, file) {
+  const page = await context.newPage();
+  const problems = [];
+  page.on('console', (message) => { if (message.type() === 'error') problems.push(`console: ${message.text()}`); });
+  page.on('pageerror', (error) => problems.push(`exception: ${error.message}`));
+  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push(`request: ${request.url()}`); });
+  const start = performance.now();
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForSelector('html[data-ready]', { timeout: 15000 }).catch(() => { throw new Error(`not ready: ${problems.join('; ')}`); });
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return Object.assign(page, { problems, opened_s: (performance.now() - start) / 1000 });
+}
