@@ -10,14 +10,11 @@ namespace ridgeline::apps {
 /// Okabe and Ito's colours, which the colour-blind tell apart; the page uses the same (style.css,
 /// colours.ts). OpenCV's order: blue, green, red.
 namespace colour {
-inline const cv::Scalar kBlack(0, 0, 0);
-inline const cv::Scalar kOrange(0, 159, 230);
 inline const cv::Scalar kSkyBlue(233, 180, 86);
 inline const cv::Scalar kGreen(115, 158, 0);
 inline const cv::Scalar kYellow(66, 228, 240);
 inline const cv::Scalar kBlue(178, 114, 0);
 inline const cv::Scalar kVermillion(0, 94, 213);
-inline const cv::Scalar kPurple(167, 121, 204);
 inline const cv::Scalar kGrey(150, 150, 150);
 
 inline const cv::Scalar& kAligned = kVermillion;

@@ -65,13 +65,12 @@ const Segment2& segment_of(const ReportImages& images, std::size_t image, const 
 
 }  // namespace
 
-cv::Mat figure1(const ReportPatch& patch, std::size_t image) {
+cv::Mat figure1(const ReportPatch& patch) {
   constexpr double kAligned_rad = 10.0 * std::numbers::pi / 180.0;  // Ok et al. 2011, section 3
-  const auto cameras = patch_cameras(*patch.patch, patch.frame);
-  SegmentPicture picture(patch.images->images[image]);
-  for (const EdgeSegment& segment : patch.images->segments[image]) {
-    const bool is_aligned = epipolar_angle_rad(cameras[image], cameras[1 - image],
-                                               segment.line.segment) <= kAligned_rad;
+  const auto [base, other] = patch_cameras(*patch.patch, patch.frame);
+  SegmentPicture picture(patch.images->images[0]);
+  for (const EdgeSegment& segment : patch.images->segments[0]) {
+    const bool is_aligned = epipolar_angle_rad(base, other, segment.line.segment) <= kAligned_rad;
     picture.draw(segment.in_image, is_aligned ? colour::kAligned : colour::kNotAligned,
                  is_aligned ? kThick : kThin);
   }

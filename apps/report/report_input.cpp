@@ -116,6 +116,21 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
   patch.images = std::move(shown);
 }
 
+/// Of a cloud that may cover a town: what is near the lines. Nothing where there are no lines.
+std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
+  constexpr double kRadius_m = 10.0;
+  std::vector<Segment2> segments;
+  for (const ReportMethod& method : patch.methods) {
+    for (const auto& line : method.lines) {
+      if (!line || !all_finite(line->segment_in_world)) continue;
+      segments.push_back({patch.frame.local_from_world(line->segment_in_world.start).head<2>(),
+                          patch.frame.local_from_world(line->segment_in_world.end).head<2>()});
+    }
+  }
+  if (segments.empty()) return std::nullopt;
+  return io::PlanMask(segments, kRadius_m);
+}
+
 void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
                  const Json& run,
@@ -129,7 +144,11 @@ void read_points(const std::vector<std::string>& files,
   }
   options.exclude_withheld = echoed.value("exclude_withheld", true);
   options.last_returns = echoed.value("last_returns", false);
+  options.assume_crs.definition = echoed.value("assume_crs", "");
+  if (inputs.is_of_files()) options.near = mask_around_lines(patch);
   patch.cloud = io::read_cloud(files, options);
+  const std::vector<std::string>& warnings = patch.cloud->warnings;
+  patch.notes.insert(patch.notes.end(), warnings.begin(), warnings.end());
 }
 
 void read_true_errors(const RunInputs& inputs, const std::string& reference, ReportPatch& patch) {

@@ -10,6 +10,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -131,6 +132,32 @@ Json images_json(const ReportPatch& patch) {
           {"n_unmatched", patch.images->n_unmatched}};
 }
 
+/// Points per square metre where there are any, and the share of the square metres of their box that
+/// have none.
+struct Density {
+  double points_per_m2 = 0.0, no_data_share = 0.0;
+};
+
+Density density_of(const io::PointCloud& cloud,
+                   const Eigen::Vector3d& low,
+                   const Eigen::Vector3d& high) {
+  constexpr double kMostCells = 1e7;
+  const Eigen::Vector2d extent = (high - low).head<2>().cwiseMax(1.0);
+  const double cell_m = std::max(1.0, std::sqrt(extent.prod() / kMostCells));
+  const Eigen::Vector2i n = (extent / cell_m).array().ceil().cast<int>();
+  std::vector<char> occupied(static_cast<std::size_t>(n.x()) * static_cast<std::size_t>(n.y()), 0);
+  for (const io::CloudPoint& p : cloud.points) {
+    const int column = std::clamp(static_cast<int>((p.x - low.x()) / cell_m), 0, n.x() - 1);
+    const int row = std::clamp(static_cast<int>((p.y - low.y()) / cell_m), 0, n.y() - 1);
+    occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(n.x()) +
+             static_cast<std::size_t>(column)] = 1;
+  }
+  const auto n_occupied =
+      static_cast<double>(std::count(occupied.begin(), occupied.end(), char{1}));
+  return {static_cast<double>(cloud.points.size()) / (n_occupied * cell_m * cell_m),
+          1.0 - n_occupied / static_cast<double>(occupied.size())};
+}
+
 /// Positions in 65535 steps of the box of the points.
 Json points_json(const ReportPatch& patch, const ShownPoints& points) {
   if (!patch.cloud || points.x_in_local.empty()) return nullptr;
@@ -149,7 +176,11 @@ Json points_json(const ReportPatch& patch, const ShownPoints& points) {
       positions.push_back(static_cast<std::uint16_t>(std::lround((x[a] - low[a]) / step[a])));
     }
   }
-  return {{"n_all", points.n_all},
+  const Density density = density_of(*patch.cloud, low, high);
+  return {{"n_read", patch.cloud->n_read},
+          {"n_all", points.n_all},
+          {"per_m2", rounded(density.points_per_m2, 2)},
+          {"no_data_share", rounded(density.no_data_share, 4)},
           {"n_shown", points.x_in_local.size()},
           {"low", coordinates(low)},
           {"step", matrix_json(step)},
@@ -245,9 +276,12 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
 /// without times, so that equal runs give equal reports.
 Json run_json(const Json& run) {
   Json json = Json::object();
-  for (const char* key : {"command", "versions", "options", "cloud", "inputs", "warnings"}) {
+  for (const char* key : {"command", "versions", "options", "inputs"}) {
     if (run.contains(key)) json[key] = run[key];
   }
+  // a resumed run does not meet them again; those of the cloud come from reading it
+  if (json.value("command", "") == "evaluate")
+    json["warnings"] = run.value("warnings", Json::array());
   if (json.contains("inputs")) {
     for (Json& input : json["inputs"]) {
       input["path"] = std::filesystem::path(input.value("path", "")).filename().string();

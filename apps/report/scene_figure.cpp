@@ -106,7 +106,7 @@ void draw_points(const ShownPoints& points, const ShownPlanes& planes, SceneCanv
   for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = in_view(points.x_in_local[i]).z();
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
-  const int radius = points.x_in_local.size() > 60000 ? 1 : 2;
+  const int radius = points.x_in_local.size() > 60000 ? 1 : 3;
   for (const std::size_t i : order) {
     const Eigen::Vector2d x = scene.at(points.x_in_local[i]);
     const std::uint16_t plane = planes.plane_of_point[i];
@@ -144,7 +144,7 @@ cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t m
       if (!line || !all_finite(line->segment_in_world)) continue;
       draw_line({patch.frame.local_from_world(line->segment_in_world.start),
                  patch.frame.local_from_world(line->segment_in_world.end)},
-                aligned ? colour::kAligned : colour::kBlack, 3, scene);
+                aligned ? colour::kAligned : colour::kBlue, aligned ? 4 : 3, scene);
     }
   }
   return scene.canvas();

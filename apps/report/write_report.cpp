@@ -23,10 +23,9 @@ struct Figure {
 std::vector<Figure> figures_of(const ReportPatch& patch, const ShownScene& scene) {
   std::vector<Figure> figures;
   if (patch.images && !patch.images->segments[0].empty()) {
+    figures.push_back({patch.subfolder + "fig1.png", [&patch] { return figure1(patch); }});
     for (std::size_t i = 0; i < 2; ++i) {
       const std::string& id = patch.patch->images[i].id;
-      figures.push_back({fmt::format("{}fig1.{}.png", patch.subfolder, id),
-                         [&patch, i] { return figure1(patch, i); }});
       figures.push_back({fmt::format("{}fig7.{}.png", patch.subfolder, id),
                          [&patch, i] { return figure7(patch, i); }});
     }

@@ -13,7 +13,7 @@ namespace ridgeline::apps {
 /// `--no-report` of the commands that write results.
 void add_report_flag(CLI::App& app, bool& report);
 
-/// Writes report.html and the figures of each patch, fig1.IMAGE.png, fig7.IMAGE.png and
+/// Writes report.html and the figures of each patch, fig1.png, fig7.IMAGE.png and
 /// fig8.METHOD.png, into a folder of results. Nothing but the folder and the data that its run.json
 /// names is read, so that a report made later is the same. Returns the path of the report.
 /// Throws IoError as read_report_input(), and if a file cannot be written.

@@ -3,8 +3,9 @@
 import { build } from 'esbuild';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
-const here = import.meta.dirname;
+const here = fileURLToPath(new URL('.', import.meta.url));
 const out = process.argv[2] ?? join(here, '../dist');
 
 const common = { bundle: true, minify: true, legalComments: 'inline', logLevel: 'warning', absWorkingDir: here };

@@ -110,5 +110,31 @@ TEST(ScoreMatches, JudgesByAListOfTrueMatches) {
   EXPECT_EQ(counts(score_matches(matches, reference)), (Counts{1, 2, 2, 1}));
 }
 
+TEST(ScoreMatches, SaysWhatEachMatchIsAndWhichAreMissed) {
+  const MatchingScore s = score_matches(
+      std::vector{row(0, 0, 20), row(0, 30, 50), row(30, 0, 20), row(10, 0, 20)},
+      std::vector{row(0, 100, 120), row(10, 130, 150), row(30, 100, 120), row(10, 100, 120)},
+      std::vector<LineMatch>{{0, 0}, {1, 1}, {2, 2}}, kEdges);
+  EXPECT_EQ(s.verdicts,
+            (std::vector{MatchVerdict::kCorrect, MatchVerdict::kFalse, MatchVerdict::kUnjudged}));
+  ASSERT_EQ(s.missed.size(), 1U);
+  EXPECT_EQ(s.missed[0].left, 3);
+  EXPECT_EQ(s.missed[0].right, 3);
+  EXPECT_EQ(s.counts.n_missed, 1U);
+}
+
+TEST(ScoreMatches, TakesAMatchOfAWrongPairAsFalseAndSaysNothingElseOfIt) {
+  const std::vector<EdgeInBoth> reference = {{row(0, 0, 50), row(20, 100, 150), true}};
+  const auto score_pair = [&](const Segment2& left, const Segment2& right) {
+    return counts(score_matches(std::vector{left}, std::vector{right},
+                                std::vector<LineMatch>{{0, 0}}, reference));
+  };
+  EXPECT_EQ(score_pair(row(0, 0, 50), row(20, 100, 150)), (Counts{0, 1, 0, 0}));
+  EXPECT_EQ(score_pair(row(0, 0, 50), row(0, 100, 150)), (Counts{0, 0, 0, 1}));
+  EXPECT_EQ(counts(score_matches(std::vector{row(0, 0, 50)}, std::vector{row(20, 100, 150)}, {},
+                                 reference)),
+            (Counts{0, 0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace ridgeline::evaluate

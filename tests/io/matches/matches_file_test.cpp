@@ -92,5 +92,24 @@ TEST(ReadReferenceMatches, ReadsPairsOfIds) {
   EXPECT_EQ(std::get<std::vector<LineMatch>>(read).at(0).right, 6);
 }
 
+TEST(ReadReferenceMatches, ReadsTheVerdictsOfAReview) {
+  const TempFolder folder;
+  const std::string header =
+      "id,verdict,left_x1_px,left_y1_px,left_x2_px,left_y2_px,"
+      "right_x1_px,right_y1_px,right_x2_px,right_y2_px\n";
+  const std::string ends = ",1,2,3,4,5,6,7,8\n";
+  (void)folder.write("r.csv",
+                     header + "0-0,correct" + ends + "1-1,false" + ends + "2-2,missed" + ends);
+  const auto edges =
+      std::get<std::vector<ReferenceEdge>>(read_reference_matches(folder.file("r.csv")));
+  ASSERT_EQ(edges.size(), 3U);
+  EXPECT_FALSE(edges[0].is_wrong_pair);
+  EXPECT_TRUE(edges[1].is_wrong_pair);
+  EXPECT_FALSE(edges[2].is_wrong_pair);
+  (void)folder.write("r.csv", header + "0-0,maybe" + ends);
+  EXPECT_THAT(message_of([&] { (void)read_reference_matches(folder.file("r.csv")); }),
+              HasSubstr("r.csv:2: verdict 'maybe'; must be correct, missed or false"));
+}
+
 }  // namespace
 }  // namespace ridgeline::io

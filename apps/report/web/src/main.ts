@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { readReport } from './data/decode';
+import type { Patch } from './data/schema';
 import { Review } from './review/review';
 import { ReviewPanel } from './review/review_panel';
 import { ScenePanel } from './scene/scene_panel';
 import { State } from './state';
 import { append, button, h, replace, tabs } from './ui/dom';
+import { fixed, percent, words } from './ui/format';
 import { themeButton } from './ui/theme';
 import { Charts } from './views/charts';
 import { Details } from './views/details';
@@ -15,6 +17,17 @@ import { ImagePair } from './views/image_pair';
 import { LineTable } from './views/line_table';
 import { PatchImages } from './views/patch_images';
 import { provenance } from './views/provenance';
+
+/** Points and what became of the lines. */
+function factsOf(patch: Patch): string {
+  const { points } = patch;
+  const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m², ${percent(points.no_data_share)} % of the area without any. ` : '';
+  const unmatched = Object.entries(patch.images?.n_unmatched ?? {}).map(([reason, n]) => `${words(reason)} ${n}`);
+  return cloud + patch.methods.map((m) => {
+    const kinds = (kind: string): number => m.lines.filter((l) => l.kind === kind).length;
+    return `${m.name}: ${m.lines.length} lines, ${kinds('step')} steps, ${kinds('ridge')} ridges. `;
+  }).join('') + (unmatched.length > 0 ? `Left segments without a match: ${unmatched.join(', ')}.` : '');
+}
 
 class Page {
   private readonly review: Review;
@@ -51,8 +64,7 @@ class Page {
       verdict(report),
       ...head(report),
       h('section', { id: 'patch' }, this.patchHead,
-        h('div', { class: 'views' }, this.scene.element, h('div', {}, this.pair.element, this.reviewPanel.element)),
-        this.details.element,
+        h('div', { class: 'views' }, this.scene.element, h('div', {}, this.pair.element, this.reviewPanel.element, this.details.element)),
         new LineTable(this.state).element,
         this.charts.element, this.figures),
       provenance(report), this.help);
@@ -67,6 +79,7 @@ class Page {
     methods.element.id = 'methods';
     replace(this.patchHead, h('h2', {}, `Patch ${patch.id}`), patches.element, methods.element,
       h('p', { class: 'caption' }, `CRS ${patch.crs}; coordinates here are relative to ${patch.origin_m.join(', ')} m.`),
+      h('p', { class: 'caption', id: 'patch-facts' }, factsOf(patch)),
       ...patch.notes.map((note) => h('p', { class: 'message note' }, note)));
     const images = PatchImages.of(patch, () => { this.pair.draw(); });
     this.review.show(patch, images);

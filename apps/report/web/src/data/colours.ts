@@ -59,11 +59,6 @@ export function distanceColour(line: Line): string {
 }
 
 /** Planes, neighbours in the list far apart; the largest, mostly the ground, is grey. */
-const planePalette = ['#a89f94', '#56b4e9', '#e69f00', '#7fb84e', '#e0d447', '#4b8fd0', '#e07b6a', '#cc79a7'] as const;
+const planePalette = ['#b9b1a7', '#86c5ec', '#efb94d', '#9fcb7e', '#e6dc74', '#7faedb', '#eaa194', '#dca3c3'] as const;
 export const planeColour = (index: number): string => planePalette[index % planePalette.length]!;
-export const noPlaneColour = (): string => (isDark() ? '#4a4d52' : '#c9c9c9');
-
-export function rgb(hex: string): [number, number, number] {
-  const n = parseInt(hex.slice(1), 16);
-  return [n >> 16, (n >> 8) & 255, n & 255];
-}
+export const noPlaneColour = (): string => (isDark() ? '#8a8d92' : '#c9c9c9');

@@ -163,7 +163,10 @@ export interface Images {
 }
 
 export interface Points {
+  n_read: number;
   n_all: number;
+  per_m2: number;
+  no_data_share: number;
   n_shown: number;
   low: Triple;
   step: Triple;
@@ -202,7 +205,6 @@ export interface Report {
     command?: string;
     versions?: Record<string, string>;
     options?: Record<string, unknown>;
-    cloud?: Record<string, unknown>;
     inputs?: { role: string; path: string; bytes: number; sha256: string }[];
     warnings?: string[];
   };

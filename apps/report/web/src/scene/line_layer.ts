@@ -15,18 +15,24 @@ const colourOf: Record<LineColouring, (line: Line) => string> = {
   distance: distanceColour,
 };
 
+/** Lines lie in the points that they were judged by; the offset towards the eye keeps them visible. */
 function layer(width: number, dashed: boolean): LineSegments2 {
-  const material = new LineMaterial({ linewidth: width, vertexColors: true, dashed, dashSize: 0.6, gapSize: 0.4 });
+  const material = new LineMaterial({ linewidth: width, vertexColors: true, dashed, dashSize: 0.6, gapSize: 0.4,
+    polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -600 });
   const object = new LineSegments2(new LineSegmentsGeometry(), material);
   object.frustumCulled = false;
   return object;
 }
 
-/** Evaluated lines are solid, others dashed; the selected one is drawn over everything. */
+/** Evaluated lines are solid, others dashed; aligned ones are thicker, so that a print without colour
+ * tells them apart; the selected one is drawn over everything. */
 export class LineLayer {
   readonly object = new Group();
-  private readonly solid = layer(2.5, false);
-  private readonly dashed = layer(2, true);
+  private readonly parts: readonly { object: LineSegments2; has: (line: Line) => boolean }[] = [true, false].flatMap((aligned) =>
+    [true, false].map((evaluated) => ({
+      object: layer(aligned ? 4 : 2, !evaluated),
+      has: (line: Line) => (line.class === 'aligned') === aligned && (line.status === 'evaluated') === evaluated,
+    })));
   private readonly selected = layer(6, false);
   private lines: readonly Line[] = [];
   private colouring: LineColouring = 'class';
@@ -35,7 +41,7 @@ export class LineLayer {
   constructor() {
     this.selected.material.depthTest = false;
     this.selected.renderOrder = 2;
-    this.object.add(this.solid, this.dashed, this.selected);
+    this.object.add(...this.parts.map((part) => part.object), this.selected);
   }
 
   show(lines: readonly Line[]): void {
@@ -50,8 +56,7 @@ export class LineLayer {
   }
 
   applyTheme(): void {
-    this.fill(this.solid, this.lines.filter((l) => l.status === 'evaluated'), (l) => colourOf[this.colouring](l));
-    this.fill(this.dashed, this.lines.filter((l) => l.status !== 'evaluated'), (l) => colourOf[this.colouring](l));
+    for (const { object, has } of this.parts) this.fill(object, this.lines.filter(has), colourOf[this.colouring]);
   }
 
   select(line: number | null): void {
@@ -61,7 +66,7 @@ export class LineLayer {
   }
 
   setResolution(width: number, height: number): void {
-    for (const part of [this.solid, this.dashed, this.selected]) part.material.resolution.set(width, height);
+    for (const object of [...this.parts.map((part) => part.object), this.selected]) object.material.resolution.set(width, height);
   }
 
   planesOf(line: number): number[] {

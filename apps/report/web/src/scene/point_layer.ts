@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { BufferAttribute, BufferGeometry, Points, PointsMaterial, Vector3 } from 'three';
-import { noPlaneColour, planeColour, rgb } from '../data/colours';
+import { BufferAttribute, BufferGeometry, Color, Points, PointsMaterial, Vector3 } from 'three';
+import { isDark, noPlaneColour, planeColour } from '../data/colours';
 import { uint16 } from '../data/decode';
 import type { Method, Points as PointData } from '../data/schema';
 
 type Project = (x: Vector3) => [number, number] | null;
+
+type Bytes = [number, number, number];
+
+/** In the renderer's linear scale; dimmed on a dark background, so that lines stand out. */
+const bytesOf = (colour: string): Bytes => new Color(colour).multiplyScalar(isDark() ? 0.3 : 1).toArray().map((v) => Math.round(255 * v)) as Bytes;
 
 /** LIDAR points coloured by the plane that lines were judged by. */
 export class PointLayer {
@@ -38,12 +43,12 @@ export class PointLayer {
   applyTheme(): void {
     const n = this.planeOfPoint.length;
     const colours = new Uint8Array(4 * n).fill(255);
-    const none = rgb(noPlaneColour());
-    const palette = new Map<number, [number, number, number]>();
+    const none = bytesOf(noPlaneColour());
+    const palette = new Map<number, Bytes>();
     for (let i = 0; i < n; ++i) {
       const plane = this.planeOfPoint[i]!;
       let colour = plane === 0 ? none : palette.get(plane);
-      if (!colour) palette.set(plane, (colour = rgb(planeColour(plane - 1))));
+      if (!colour) palette.set(plane, (colour = bytesOf(planeColour(plane - 1))));
       colours.set(colour, 4 * i);
     }
     this.object.geometry.setAttribute('color', new BufferAttribute(colours, 4, true));

@@ -105,7 +105,7 @@ export class SceneView {
     const centre = this.content.localToWorld(this.box.getCenter(new Vector3()));
     const size = this.box.getSize(new Vector3());
     const extent = Math.max(size.x, size.y / Math.max(0.5, this.camera.aspect), 5);
-    const distance = (0.62 * extent) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.max(0.6, Math.min(1.4, this.camera.aspect));
+    const distance = (0.7 * extent) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.max(0.6, Math.min(1.4, this.camera.aspect));
     const direction = from === 'top' ? new Vector3(0, -0.0001, 1) : new Vector3(-0.5, -1, 0.85).normalize();
     this.controls.target.copy(centre);
     this.camera.position.copy(centre).addScaledVector(direction, distance);

@@ -48,6 +48,7 @@ export class ImagePair {
     append(this.element, h('h3', {}, 'Images'), this.controls, this.box, this.legend, this.note);
     state.onChange((now, before) => {
       if (now.match !== before.match) this.frameMatch();
+      if (now.match !== null && before.match === null) this.element.scrollIntoView({ block: 'start' });
       if (now.patch === before.patch) this.draw();
     });
     review.onChange(() => { this.updateLegend(); this.draw(); });

@@ -25,5 +25,5 @@ export function provenance(report: Report): HTMLElement {
         { title: 'SHA-256', cell: (i) => h('code', {}, i.sha256) },
       ], run.inputs ?? [], { id: 'inputs' })),
     h('details', {}, h('summary', {}, `Versions: ridgeline ${run.versions?.['ridgeline'] ?? ''} (${run.versions?.['git_hash'] ?? ''})`), pairs(run.versions ?? {}, 'versions')),
-    h('details', {}, h('summary', {}, 'Options'), pairs({ command: run.command ?? '', ...run.options }, 'options'), run.cloud ? pairs(run.cloud, 'cloud') : null));
+    h('details', {}, h('summary', {}, 'Options'), pairs({ command: run.command ?? '', ...run.options }, 'options')));
 }

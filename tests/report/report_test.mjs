@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report in a real browser: what it shows agrees with the files beside it, everything selects
+// everywhere, a review comes out as a reference that `run` takes, and nothing in the data is markup.
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open } from './browser.mjs';
+import { geoJson, freshWork, hostileId, hostileLines, hostilePatch, patchFile, readJson, ridgeline, samples, work } from './results.mjs';
+
+let browser;
+const report = (folder) => join(work, folder, 'report.html');
+const shot = (page, name) => page.screenshot({ path: join(work, 'screenshots', `${name}.png`) });
+const textOf = (page, selector) => page.locator(selector).allInnerTexts();
+const metres = (value) => (value === null ? '–' : value.toFixed(3).replace('-', '\u2212'));
+
+async function openReport(folder, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  return open(context, report(folder));
+}
+
+/** What is selected, and what the page can do for a test. */
+const selection = (page) => page.evaluate(() => globalThis.ridgeline.state.now);
+
+/** Where the 3D view is, scrolled into sight below the heading that stays on top. */
+async function sceneBox(page) {
+  await page.locator('#scene-panel').evaluate((e) => e.scrollIntoView({ block: 'start' }));
+  return page.locator('#scene canvas').boundingBox();
+}
+
+async function close(page) {
+  assert.deepEqual(page.problems, []);
+  await page.context().close();
+}
+
+async function downloadOf(page, action) {
+  const [download] = await Promise.all([page.waitForEvent('download'), action()]);
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+}
+
+before(async () => {
+  freshWork();
+  ridgeline('demo', '--out', join(work, 'demo'));
+  browser = await launch();
+});
+after(async () => browser?.close());
+
+test('three patches fit into 8 MB and open', async () => {
+  const bytes = statSync(report('demo')).size;
+  assert.ok(bytes < 8e6, `${bytes} bytes`);
+  const page = await openReport('demo');
+  console.log(`${(bytes / 1e6).toFixed(2)} MB, opened in ${page.opened_s.toFixed(2)} s`);
+  assert.ok(page.opened_s < 10, `${page.opened_s} s; 3 s on a machine that does nothing else`);
+  await shot(page, 'top');
+  await close(page);
+});
+
+test('tables hold the figures of the JSON files', async () => {
+  const page = await openReport('demo');
+  const table1 = await textOf(page, '#table1 tbody tr');
+  for (const [i, row] of readJson('demo', 'table1.json').rows.entries()) {
+    const cells = table1[i].split('\t');
+    assert.deepEqual(cells.slice(0, 5), [row.patch, row.matcher, String(row.correct), String(row.false), String(row.missed)]);
+    assert.ok(cells[7].startsWith((100 * row.quality).toFixed(1)), cells[7]);
+  }
+  const rows = readJson('demo', 'table2.json').rows;
+  const all = page.locator('#table2-all tbody tr');
+  assert.equal(await all.count(), rows.length);
+  for (const [i, row] of rows.entries()) {
+    const cells = await all.nth(i).locator('td').allTextContents();
+    assert.deepEqual(cells.slice(0, 7), [row.patch, row.method, row.class.replace('_', ' '), String(row.n_evaluated), String(row.n_lines),
+      (100 * row.evaluated_share).toFixed(1), metres(row.rms_m)]);
+  }
+  const published = await page.locator('#table2 tbody td').allTextContents();
+  assert.deepEqual(published, rows.map((r) => `${metres(r.rms_m)} ${r.n_evaluated}/${r.n_lines}`));
+  await close(page);
+});
+
+test('a row of the table selects the line everywhere, by mouse and by keys', async () => {
+  const page = await openReport('demo');
+  const lines = readJson('demo', '1', 'evaluation.direct.json').lines;
+  await page.locator('#line-table tbody tr[data-line="4"]').click();
+  assert.equal((await selection(page)).line, 4);
+  assert.match(await page.locator('#details h3').innerText(), new RegExp(`Line ${lines[4].id}$`));
+  assert.ok((await page.locator('#details').innerText()).includes(`${metres(lines[4].mean_distance_m)} m on average`));
+  assert.equal(await page.locator('#details .chips canvas').count(), 2);
+  assert.equal(await page.locator('#line-planes tbody tr').count(), lines[4].planes.length);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  assert.equal((await selection(page)).line, 6);
+  assert.equal(await page.locator('#line-table tr[aria-selected]').getAttribute('data-line'), '6');
+  await shot(page, 'selected');
+  await page.keyboard.press('Escape');
+  assert.equal((await selection(page)).line, null);
+  await close(page);
+});
+
+test('a click in 3D selects a line', async () => {
+  const page = await openReport('demo');
+  const box = await sceneBox(page);
+  await page.keyboard.press('t');
+  await page.waitForTimeout(300);
+  const lines = readJson('demo', '1', 'evaluation.direct.json').lines;
+  const longest = lines.map((line, i) => ({ i, length: line.length_m })).sort((a, b) => b.length - a.length).slice(0, 12);
+  let hit = 0;
+  for (const { i } of longest) {
+    const at = await page.evaluate((line) => globalThis.ridgeline.scene.screenPositionOf(line), i);
+    if (!at || at[0] < 5 || at[1] < 5 || at[0] > box.width - 5 || at[1] > box.height - 5) continue;
+    await page.mouse.click(box.x + at[0], box.y + at[1]);
+    if ((await selection(page)).line !== i) continue; // another one lies across it
+    ++hit;
+    assert.match(await page.locator('#details h3').innerText(), new RegExp(`Line ${lines[i].id}$`));
+  }
+  assert.ok(hit >= 6, `${hit} of the 12 longest lines were hit`);
+  await shot(page, 'top-view');
+  await close(page);
+});
+
+test('the 3D view shows points and lines and turns', async () => {
+  const page = await openReport('demo');
+  const colours = () => page.evaluate(() => {
+    const source = document.querySelector('#scene canvas');
+    const copy = Object.assign(document.createElement('canvas'), { width: 200, height: 150 });
+    const g = copy.getContext('2d');
+    g.drawImage(source, 0, 0, 200, 150);
+    const pixels = new Uint32Array(g.getImageData(0, 0, 200, 150).data.buffer);
+    return { n: new Set(pixels).size, sum: pixels.reduce((a, b) => (a * 31 + b) >>> 0, 7) };
+  });
+  const start = await colours();
+  assert.ok(start.n > 100, `${start.n} colours`);
+  const box = await sceneBox(page);
+  await page.mouse.move(box.x + 300, box.y + 250);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 420, box.y + 300, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForTimeout(200);
+  assert.notEqual((await colours()).sum, start.sum);
+  for (const colouring of ['status', 'distance']) {
+    await page.locator('#scene-panel select').selectOption(colouring);
+  }
+  await page.locator('#scene-panel input[type=range]').fill('3');
+  await page.getByRole('checkbox', { name: 'planes' }).check();
+  await page.waitForTimeout(200);
+  await shot(page, 'planes-and-heights');
+  await close(page);
+});
+
+test('measuring takes two clicks', async () => {
+  const page = await openReport('demo');
+  await page.locator('#measure').click();
+  const box = await sceneBox(page);
+  for (const x of [0.4, 0.6]) await page.mouse.click(box.x + x * box.width, box.y + 0.6 * box.height);
+  assert.match(await page.locator('#measured').innerText(), /^Distance \d+\.\d{3} m, in plan/);
+  assert.equal((await selection(page)).line, null);
+  await close(page);
+});
+
+test('the method switch changes lines, charts and figures, and keeps the line', async () => {
+  const page = await openReport('demo');
+  await page.locator('#line-table tbody tr[data-line="4"]').click();
+  const direct = await page.locator('#statistics').innerText();
+  await page.locator('#methods button').nth(1).click();
+  assert.equal((await selection(page)).method, 1);
+  const joint = readJson('demo', '1', 'evaluation.joint.json');
+  const aligned = page.locator('#statistics tbody tr').nth(1).locator('td');
+  assert.equal(await aligned.nth(4).innerText(), metres(joint.summary.aligned.rms_m));
+  assert.notEqual(await page.locator('#statistics').innerText(), direct);
+  assert.match(await page.locator('#details h3').innerText(), /Line 4$/);
+  assert.match(await page.locator('#charts h3').innerText(), /joint/);
+  assert.deepEqual(await page.locator('#charts figure').evaluateAll((all) => all.map((f) => f.id)),
+    ['chart-histogram', 'chart-cumulative', 'chart-qq', 'chart-angle', 'chart-truth', 'chart-chi-square']);
+  await page.keyboard.press('1');
+  assert.equal((await selection(page)).method, 0);
+  await page.locator('#charts').scrollIntoViewIfNeeded();
+  await shot(page, 'charts');
+  await close(page);
+});
+
+test('the table sorts, filters and exports', async () => {
+  const page = await openReport('demo');
+  const lines = readJson('demo', '1', 'evaluation.direct.json').lines;
+  const header = page.locator('#line-table th button[data-key="mean_distance_m"]');
+  await header.click();
+  await header.click();
+  assert.equal(await page.locator('#line-table th[aria-sort="descending"]').count(), 1);
+  const largest = Math.max(...lines.map((l) => l.mean_distance_m ?? -1));
+  assert.ok((await page.locator('#line-table tbody tr').first().innerText()).includes(metres(largest)));
+  await page.locator('#line-filter').fill('ridge');
+  const ridges = lines.filter((l) => l.kind === 'ridge' || l.flags.some((f) => f.includes('ridge')));
+  assert.equal(await page.locator('#line-table tbody tr').count(), ridges.length);
+  const csv = await downloadOf(page, () => page.locator('#export-lines').click());
+  assert.equal(csv.name, 'lines.1.direct.csv');
+  assert.equal(csv.text.trim().split('\n').length, ridges.length + 1);
+  assert.ok(csv.text.startsWith('id,class,status,kind,'));
+  await close(page);
+});
+
+test('a click on a segment in an image selects its line', async () => {
+  const page = await openReport('demo');
+  const { data, box } = await imageData(page, 0);
+  const match = data.matches[0];
+  await page.mouse.click(...onScreen(box, data.views[0], middle(data.views[0], match.left)));
+  const { line } = await selection(page);
+  assert.equal(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].left, line), match.left);
+  await close(page);
+});
+
+/** The images of the first patch and where the canvas of one of them is. */
+async function imageData(page, view) {
+  const canvas = page.locator(`#image-${view} canvas`);
+  await canvas.scrollIntoViewIfNeeded();
+  const data = await page.evaluate(() => globalThis.ridgeline.state.patch.images);
+  return { data, box: await canvas.boundingBox() };
+}
+
+function middle(view, segment) {
+  const values = new Float32Array(new Uint8Array(Buffer.from(view.segments, 'base64')).buffer).subarray(4 * segment, 4 * segment + 4);
+  return [(values[0] + values[2]) / 2, (values[1] + values[3]) / 2];
+}
+
+/** The canvas fits the whole image until it is zoomed. */
+function onScreen(box, view, [x, y]) {
+  const scale = Math.min((box.width - 2) / view.width_px, (box.height - 2) / view.height_px);
+  return [box.x + box.width / 2 + (x + 0.5 - view.width_px / 2) * scale, box.y + box.height / 2 + (y + 0.5 - view.height_px / 2) * scale];
+}
+
+test('a review is kept, and its export is a reference that run takes', async () => {
+  const page = await openReport('demo');
+  await page.locator('#review-start').click();
+  await page.keyboard.press('c');
+  await page.keyboard.press('f');
+  await page.keyboard.press('u');
+  await shot(page, 'review');
+  assert.match(await page.locator('#review-counts').innerText(), /^3 of \d+ matches judged: 1 correct, 1 false, 1 unsure; 0 missed/);
+  const judged = (await page.evaluate(() => globalThis.ridgeline.state.patch.images.matches)).slice(0, 2);
+
+  // a missed match, of two segments that no match has
+  const missed = await page.evaluate(() => {
+    const { matches, missed } = globalThis.ridgeline.state.patch.images;
+    return missed.find(([left, right]) => !matches.some((m) => m.left === left || m.right === right));
+  });
+  await page.getByRole('button', { name: 'Fit' }).click();
+  await page.keyboard.press('m');
+  for (const view of [0, 1]) {
+    const { data, box } = await imageData(page, view);
+    await page.mouse.click(...onScreen(box, data.views[view], middle(data.views[view], missed[view])));
+  }
+  assert.match(await page.locator('#review-counts').innerText(), /1 missed added/);
+
+  await page.reload();
+  await page.waitForSelector('html[data-ready]');
+  assert.match(await page.locator('#review-counts').innerText(), /^3 of \d+ matches judged: 1 correct, 1 false, 1 unsure; 1 missed/);
+  const csv = await downloadOf(page, () => page.locator('#review-export').click());
+  await close(page);
+  assert.equal(csv.name, 'reference_matches.csv');
+  const rows = csv.text.trim().split('\n');
+  assert.equal(rows[0], 'id,verdict,left_x1_px,left_y1_px,left_x2_px,left_y2_px,right_x1_px,right_y1_px,right_x2_px,right_y2_px');
+  assert.deepEqual(rows.slice(1, 3).map((r) => r.split(',').slice(0, 2)),
+    [[`${judged[0].left}-${judged[0].right}`, 'correct'], [`${judged[1].left}-${judged[1].right}`, 'false']]);
+  assert.equal(rows.length, 4);
+
+  const folder = join(work, 'reviewed');
+  mkdirSync(folder, { recursive: true });
+  const reference = join(folder, 'reference_matches.csv');
+  writeFileSync(reference, csv.text);
+  const patch = patchFile('reviewed/patch.yaml', (text) => text.replace(/reference_matches: .*/, `reference_matches: ${reference}`));
+  ridgeline('run', patch, '--out', join(folder, 'results'), '--no-report');
+  const [row] = readJson('reviewed', 'results', 'table1.json').rows;
+  assert.deepEqual([row.correct, row.false, row.missed], [1, 1, 1]);
+});
+
+test('light, dark and print', async () => {
+  const page = await openReport('demo', { colorScheme: 'dark' });
+  const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  assert.equal(await background(), 'rgb(21, 24, 28)');
+  await page.locator('#patch').evaluate((e) => e.scrollIntoView());
+  await page.waitForTimeout(200);
+  await shot(page, 'dark');
+  await page.locator('#theme').click();
+  assert.equal(await background(), 'rgb(251, 251, 250)');
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await background(), 'rgb(255, 255, 255)');
+  assert.ok(!(await page.locator('#export-lines').isVisible()));
+  await shot(page, 'print');
+  await close(page);
+});
+
+test('a report without lines', async () => {
+  ridgeline('evaluate', '--lines', geoJson('none.geojson', []), '--cloud', join(samples, '1/lidar.las'), '--out', join(work, 'no_lines'));
+  const page = await openReport('no_lines');
+  assert.equal(await page.locator('#line-table tbody tr').count(), 0);
+  assert.match(await page.locator('#charts').innerText(), /nothing to draw/);
+  assert.ok(!(await page.locator('body').innerText()).match(/NaN|undefined|null/));
+  await shot(page, 'no-lines');
+  await close(page);
+});
+
+test('a patch without LIDAR, and without reference matches', async () => {
+  const patch = patchFile('no_lidar.yaml', (text) => text.replace(/lidar:\n\s*- .*\n/, '').replace(/reference_matches: .*\n/, '').replace(/reference_lines: .*\n?/, ''));
+  ridgeline('run', patch, '--out', join(work, 'no_lidar'));
+  const page = await openReport('no_lidar');
+  assert.match(await page.locator('.note').innerText(), /no LIDAR/);
+  assert.ok(await page.locator('#table1-missing').isVisible());
+  await page.locator('#line-table tbody tr').first().click();
+  assert.match(await page.locator('#details').innerText(), /no lidar/);
+  assert.ok(!(await page.locator('body').innerText()).match(/NaN|undefined|null/));
+  await shot(page, 'no-lidar');
+  await close(page);
+});
+
+test('names with markup and quotes stay text', async () => {
+  const { lines, cloud } = hostileLines();
+  ridgeline('evaluate', '--lines', lines, '--cloud', cloud, '--out', join(work, 'hostile'));
+  const page = await openReport('hostile');
+  assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
+  const row = page.locator('#line-table tbody tr[data-line="0"]');
+  assert.equal(await row.locator('td').first().textContent(), hostileId);
+  await row.click();
+  assert.equal(await page.locator('#details h3').textContent(), `Line ${hostileId}`);
+  assert.ok((await page.locator('#inputs').textContent()).includes(`li<dar>'".las`));
+  assert.equal(await page.locator('img[src="x"]').count(), 0);
+  await close(page);
+
+  const patch = patchFile('hostile.yaml', (text) => text.replace('id: "1"', `id: ${JSON.stringify(hostilePatch)}`).replace('id: left', `id: 'le"ft<b>'`));
+  ridgeline('run', patch, '--out', join(work, 'hostile_patch'));
+  const second = await openReport('hostile_patch');
+  assert.equal(await second.evaluate(() => globalThis.hacked), undefined);
+  assert.ok((await second.locator('#patch h2').textContent()).includes(hostilePatch));
+  assert.equal(await second.title(), `Ridgeline report: ${hostilePatch}`);
+  await close(second);
+});
+
+test('without WebGL everything else is there', async () => {
+  const plain = await launch({ webgl: false });
+  const page = await open(await plain.newContext(), report('demo'));
+  assert.ok(await page.locator('#no-webgl').isVisible());
+  await page.locator('#line-table tbody tr').first().click();
+  assert.equal(await page.locator('#details .chips canvas').count(), 2);
+  assert.equal(await page.locator('#table2 tbody tr').count(), 3);
+  await shot(page, 'no-webgl');
+  await plain.close();
+});
+
+test('a report made later, when the data is gone, says what is missing', async () => {
+  const results = join(work, 'moved');
+  const patch = patchFile('moved.yaml', (text) => text);
+  ridgeline('run', patch, '--out', results, '--no-report');
+  renameSync(patch, `${patch}.gone`);
+  ridgeline('report', results);
+  const page = await openReport('moved');
+  assert.match((await textOf(page, '.note')).join(' '), /moved\.yaml: is no longer there/);
+  assert.ok((await page.locator('#line-table tbody tr').count()) > 100);
+  await close(page);
+});
+
+test('gates give the verdict', async () => {
+  const gates = join(work, 'gates.yaml');
+  writeFileSync(gates, 'gates:\n  - {class: total, metric: rms_m, max: 0.001}\n');
+  ridgeline('report', join(work, 'demo'), '--gates', gates);
+  const page = await openReport('demo');
+  assert.match(await page.locator('#verdict').innerText(), /^Gates failed: 6 of 6 checks/);
+  assert.equal(await page.locator('#gates tbody tr').count(), 6);
+  await close(page);
+});

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What ctest calls: node run.mjs RIDGELINE_BINARY SAMPLE_DATA WORK_DIR. Exit code 77 (skipped) where
+// Chromium or playwright-core is missing.
+import { existsSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const needs = [
+  ['/usr/bin/chromium', 'apt-get install --no-install-recommends chromium'],
+  [`${here}node_modules/playwright-core`, 'npm ci --prefix tests/report'],
+];
+for (const [file, remedy] of needs) {
+  if (existsSync(file)) continue;
+  console.log(`Skipped: ${file} is missing (${remedy})`);
+  process.exit(77);
+}
+const [binary, samples, work] = process.argv.slice(2);
+const result = spawnSync(process.execPath, ['--test', `${here}report_test.mjs`], {
+  stdio: 'inherit',
+  env: { ...process.env, RIDGELINE_BINARY: binary, RIDGELINE_SAMPLES: samples, RIDGELINE_WORK: work },
+});
+process.exit(result.status ?? 1);
