@@ -8,6 +8,9 @@ build_packages=(
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
+# for the tests of the report alone, which are skipped without; nodejs of any origin will do
+browser_packages=(chromium)
+command -v npm >/dev/null || browser_packages+=(nodejs npm)
 check_packages=(clang-format-14 clang-tidy-14)
 
 missing_packages() {
@@ -43,4 +46,14 @@ ensure_packages() {
       echo "Package $package cannot be installed: $(apt-cache policy "$package" | sed -n 3p)" >&2
   done
   return 1
+}
+
+# What the report's tests in the browser need, where it can be had.
+prepare_browser_tests() {
+  local modules=tests/report/node_modules/.package-lock.json
+  if ensure_packages "${browser_packages[@]}"; then
+    [ "$modules" -nt tests/report/package-lock.json ] && return 0
+    npm ci --prefix tests/report --ignore-scripts --silent && return 0
+  fi
+  echo "The report's tests in the browser will be skipped"
 }

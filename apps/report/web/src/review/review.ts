@@ -55,10 +55,11 @@ export class Review {
     return this.adding !== null;
   }
   get nJudged(): number {
-    return this.matches.filter((m) => this.stored.verdicts[keyOf(m)] !== undefined).length;
+    return Object.keys(this.stored.verdicts).length;
   }
   get hasBegun(): boolean {
-    return this.nJudged > 0 || this.stored.added.length > 0;
+    for (const _ in this.stored.verdicts) return true;
+    return this.stored.added.length > 0;
   }
 
   current(): Match | null {

@@ -11,6 +11,12 @@ type Bytes = [number, number, number];
 /** In the renderer's linear scale; dimmed on a dark background, so that lines stand out. */
 const bytesOf = (colour: string): Bytes => new Color(colour).multiplyScalar(isDark() ? 0.3 : 1).toArray().map((v) => Math.round(255 * v)) as Bytes;
 
+/** A permutation of 0 .. n-1 that spreads neighbours: any first part of it covers the whole. */
+function spread(n: number): (i: number) => number {
+  const step = [7919, 7907, 7901].find((prime) => n % prime !== 0) ?? 1;
+  return (i) => (i * step) % n;
+}
+
 /** LIDAR points coloured by the plane that lines were judged by. */
 export class PointLayer {
   readonly object = new Points(new BufferGeometry(), new PointsMaterial({ size: 3, sizeAttenuation: false, vertexColors: true }));
@@ -26,7 +32,8 @@ export class PointLayer {
       const n = this.positions.length / 3;
       // four values a point: graphics memory is read by words
       const padded = new Uint16Array(4 * n);
-      for (let i = 0; i < n; ++i) padded.set(this.positions.subarray(3 * i, 3 * i + 3), 4 * i);
+      const from = spread(n);
+      for (let i = 0; i < n; ++i) padded.set(this.positions.subarray(3 * from(i), 3 * from(i) + 3), 4 * i);
       this.object.geometry.dispose();
       this.object.geometry = new BufferGeometry();
       this.object.geometry.setAttribute('position', new BufferAttribute(padded, 4));
@@ -45,13 +52,19 @@ export class PointLayer {
     const colours = new Uint8Array(4 * n).fill(255);
     const none = bytesOf(noPlaneColour());
     const palette = new Map<number, Bytes>();
+    const from = spread(n);
     for (let i = 0; i < n; ++i) {
-      const plane = this.planeOfPoint[i]!;
+      const plane = this.planeOfPoint[from(i)]!;
       let colour = plane === 0 ? none : palette.get(plane);
       if (!colour) palette.set(plane, (colour = bytesOf(planeColour(plane - 1))));
       colours.set(colour, 4 * i);
     }
     this.object.geometry.setAttribute('color', new BufferAttribute(colours, 4, true));
+  }
+
+  /** Draws only this share of the points, evenly. */
+  thin(share: number): void {
+    this.object.geometry.setDrawRange(0, share < 1 ? Math.ceil((share * this.positions.length) / 3) : Infinity);
   }
 
   /** The point nearest to a place on the screen, within 8 pixels. */

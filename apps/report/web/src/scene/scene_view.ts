@@ -24,6 +24,9 @@ export class SceneView {
   readonly measure = new Measure();
   private readonly box = new Box3();
   private frame = 0;
+  private isMoving = false;
+  private lastFrame = 0;
+  private share = 1; // of the points drawn
   private width = 1;
   private height = 1;
   /** Frames drawn so far, for tests and measurements. */
@@ -42,6 +45,8 @@ export class SceneView {
     this.scene.add(this.content, new AmbientLight());
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.redraw());
+    this.controls.addEventListener('start', () => { this.isMoving = true; this.lastFrame = 0; });
+    this.controls.addEventListener('end', () => { this.isMoving = false; this.thin(1); this.redraw(); });
     this.listenForClicks(canvas);
     new ResizeObserver(() => this.resize()).observe(this.element);
     this.applyTheme();
@@ -130,9 +135,26 @@ export class SceneView {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
   }
 
+  private thin(share: number): void {
+    this.share = share;
+    this.points.thin(share);
+  }
+
+  /** While the view turns, points are thinned until 30 frames a second are reached. */
+  private keepFluent(): void {
+    const now = performance.now();
+    const took_ms = now - this.lastFrame;
+    if (this.lastFrame > 0 && took_ms < 1000) {
+      if (took_ms > 34) this.thin(Math.max(0.05, 0.6 * this.share));
+      else if (took_ms < 20) this.thin(Math.min(1, 1.1 * this.share));
+    }
+    this.lastFrame = now;
+  }
+
   private render(): void {
     this.frame = 0;
     ++this.nFrames;
+    if (this.isMoving) this.keepFluent();
     this.renderer.render(this.scene, this.camera);
   }
 

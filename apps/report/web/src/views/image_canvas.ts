@@ -17,6 +17,8 @@ export class ImageCanvas {
   private scale = 0; // screen pixels per image pixel; 0: fit
   private centre: Point2;
   private moved = false;
+  private width = 1; // of the canvas on the page; asking it for every segment would lay out the page anew
+  private height = 1;
 
   /** `paint` draws the overlay; `click` gets image coordinates and the reach of a click in them. */
   constructor(
@@ -34,7 +36,7 @@ export class ImageCanvas {
   }
 
   private fitScale(): number {
-    return Math.min(this.canvas.clientWidth / this.size[0], this.canvas.clientHeight / this.size[1]) || 1;
+    return Math.min(this.width / this.size[0], this.height / this.size[1]) || 1;
   }
   private get pxPerPixel(): number {
     return this.scale > 0 ? this.scale : this.fitScale();
@@ -42,11 +44,11 @@ export class ImageCanvas {
   /** Pixel (0, 0) is the centre of the first pixel. */
   private toScreen([x, y]: Point2): Point2 {
     const s = this.pxPerPixel;
-    return [(x + 0.5 - this.centre[0]) * s + this.canvas.clientWidth / 2, (y + 0.5 - this.centre[1]) * s + this.canvas.clientHeight / 2];
+    return [(x + 0.5 - this.centre[0]) * s + this.width / 2, (y + 0.5 - this.centre[1]) * s + this.height / 2];
   }
   private toImage([x, y]: Point2): Point2 {
     const s = this.pxPerPixel;
-    return [(x - this.canvas.clientWidth / 2) / s + this.centre[0] - 0.5, (y - this.canvas.clientHeight / 2) / s + this.centre[1] - 0.5];
+    return [(x - this.width / 2) / s + this.centre[0] - 0.5, (y - this.height / 2) / s + this.centre[1] - 0.5];
   }
 
   private listen(click: (x: Point2, reach_px: number) => void): void {
@@ -80,7 +82,7 @@ export class ImageCanvas {
     });
   }
 
-  private zoom(factor: number, at: Point2 = [this.canvas.clientWidth / 2, this.canvas.clientHeight / 2]): void {
+  private zoom(factor: number, at: Point2 = [this.width / 2, this.height / 2]): void {
     const before = this.toImage(at);
     this.scale = Math.min(40, Math.max(0.5 * this.fitScale(), this.pxPerPixel * factor));
     const after = this.toImage(at);
@@ -97,8 +99,9 @@ export class ImageCanvas {
   /** Shows a segment with its surroundings. */
   frame([x1, y1, x2, y2]: ImageSegment): void {
     const margin = 30;
+    [this.width, this.height] = [this.canvas.clientWidth, this.canvas.clientHeight];
     this.centre = [(x1 + x2) / 2 + 0.5, (y1 + y2) / 2 + 0.5];
-    const wanted = Math.min(this.canvas.clientWidth / (Math.abs(x2 - x1) + 2 * margin), this.canvas.clientHeight / (Math.abs(y2 - y1) + 2 * margin));
+    const wanted = Math.min(this.width / (Math.abs(x2 - x1) + 2 * margin), this.height / (Math.abs(y2 - y1) + 2 * margin));
     this.scale = Math.min(6, Math.max(this.fitScale(), wanted));
     this.draw();
   }
@@ -106,13 +109,14 @@ export class ImageCanvas {
   draw(): void {
     const c = this.canvas;
     const ratio = devicePixelRatio || 1;
-    const width = Math.round(c.clientWidth * ratio);
-    const height = Math.round(c.clientHeight * ratio);
+    [this.width, this.height] = [c.clientWidth, c.clientHeight];
+    const width = Math.round(this.width * ratio);
+    const height = Math.round(this.height * ratio);
     if (width === 0 || height === 0) return;
     if (c.width !== width || c.height !== height) [c.width, c.height] = [width, height];
     const s = this.pxPerPixel;
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.context.clearRect(0, 0, c.clientWidth, c.clientHeight);
+    this.context.clearRect(0, 0, this.width, this.height);
     this.context.imageSmoothingEnabled = s < 3;
     const [x, y] = this.toScreen([-0.5, -0.5]);
     if (this.picture.complete && this.picture.naturalWidth > 0) this.context.drawImage(this.picture, x, y, this.size[0] * s, this.size[1] * s);
