@@ -4,32 +4,32 @@
 // The assembler puts the committed bundle into the program as it is; no compiler reads it.
 asm(R"(
 .section .rodata
-.global ridgeline_front_end_script_begin, ridgeline_front_end_script_end
-.global ridgeline_front_end_style_begin, ridgeline_front_end_style_end
-ridgeline_front_end_script_begin:
+.global kRidgelineFrontEndScriptBegin, kRidgelineFrontEndScriptEnd
+.global kRidgelineFrontEndStyleBegin, kRidgelineFrontEndStyleEnd
+kRidgelineFrontEndScriptBegin:
 .incbin ")" RIDGELINE_FRONT_END R"(/report.js"
-ridgeline_front_end_script_end:
-ridgeline_front_end_style_begin:
+kRidgelineFrontEndScriptEnd:
+kRidgelineFrontEndStyleBegin:
 .incbin ")" RIDGELINE_FRONT_END R"(/report.css"
-ridgeline_front_end_style_end:
+kRidgelineFrontEndStyleEnd:
 .text
 )");
 
 extern "C" {
-extern const char ridgeline_front_end_script_begin[];
-extern const char ridgeline_front_end_script_end[];
-extern const char ridgeline_front_end_style_begin[];
-extern const char ridgeline_front_end_style_end[];
+extern const char kRidgelineFrontEndScriptBegin[];
+extern const char kRidgelineFrontEndScriptEnd[];
+extern const char kRidgelineFrontEndStyleBegin[];
+extern const char kRidgelineFrontEndStyleEnd[];
 }
 
 namespace ridgeline::apps {
 
 std::string_view front_end_script() {
-  return {ridgeline_front_end_script_begin, ridgeline_front_end_script_end};
+  return {kRidgelineFrontEndScriptBegin, kRidgelineFrontEndScriptEnd};
 }
 
 std::string_view front_end_style() {
-  return {ridgeline_front_end_style_begin, ridgeline_front_end_style_end};
+  return {kRidgelineFrontEndStyleBegin, kRidgelineFrontEndStyleEnd};
 }
 
 }  // namespace ridgeline::apps

@@ -17,11 +17,11 @@ inline const cv::Scalar kBlue(178, 114, 0);
 inline const cv::Scalar kVermillion(0, 94, 213);
 inline const cv::Scalar kGrey(150, 150, 150);
 
-inline const cv::Scalar& kAligned = kVermillion;
-inline const cv::Scalar& kNotAligned = kSkyBlue;
-inline const cv::Scalar& kCorrect = kGreen;
-inline const cv::Scalar& kFalse = kVermillion;
-inline const cv::Scalar& kMissed = kYellow;
+inline const cv::Scalar kAligned = kVermillion;
+inline const cv::Scalar kNotAligned = kSkyBlue;
+inline const cv::Scalar kCorrect = kGreen;
+inline const cv::Scalar kFalse = kVermillion;
+inline const cv::Scalar kMissed = kYellow;
 }  // namespace colour
 
 }  // namespace ridgeline::apps

@@ -249,6 +249,14 @@ std::vector<ReportPatch> read_patches(const fs::path& folder, const RunInputs& i
   return patches;
 }
 
+/// Without the folders of the data, which are the sender's own business.
+void shorten_paths(const std::vector<std::string>& paths, std::string& note) {
+  for (const std::string& path : paths) {
+    const std::size_t at = note.find(path);
+    if (at != std::string::npos) note.replace(at, path.size(), fs::path(path).filename().string());
+  }
+}
+
 }  // namespace
 
 ReportInput read_report_input(const std::string& folder) {
@@ -267,7 +275,10 @@ ReportInput read_report_input(const std::string& folder) {
     throw io::IoError(folder, "holds no evaluation.*.json; must be the --out of run or evaluate");
   }
   arrange_as_table2(path, input.patches);
-  for (ReportPatch& patch : input.patches) read_run_data(path, inputs, input.run, patch);
+  for (ReportPatch& patch : input.patches) {
+    read_run_data(path, inputs, input.run, patch);
+    for (std::string& note : patch.notes) shorten_paths(input.input_paths, note);
+  }
   return input;
 }
 

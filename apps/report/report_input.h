@@ -22,6 +22,7 @@
 namespace ridgeline::apps {
 
 /// One method (or line file) on one patch.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct ReportMethod {
   std::string name;
   evaluate::Json evaluation;  ///< as evaluation.METHOD.json holds it
@@ -52,6 +53,7 @@ struct ReportPatch {
 
 /// All that a report shows, as read from a folder of results and, by the paths that run.json
 /// records, from the data of the run.
+// NOLINTNEXTLINE(bugprone-exception-escape): as above
 struct ReportInput {
   evaluate::Json run;                    ///< run.json; an empty object if there is none
   evaluate::Json table1;                 ///< rows of Table 1; empty without reference matches

@@ -51,6 +51,20 @@ TEST(CompareWithReferences, ErrorIsTheMeanDistanceFromTheLineThatTheImagesShow) 
   EXPECT_EQ(found.classes[2].n_on_reference, 2U);
 }
 
+TEST(ReferenceErrors, BelongToTheLinesInTheirOrder) {
+  std::vector<JudgedLine> lines{reconstructed(moved(kRidge, {0, 0.5, 0}), kRidge, "aligned"),
+                                reconstructed(kEave, moved(kEave, {0, 0, 0.1}), "not_aligned"),
+                                reconstructed(kEave, kEave, "not_aligned")};
+  lines[2].reconstructed = false;
+  const auto errors_m =
+      reference_errors_m(lines, std::vector<ReferenceLine>{{kRidge, "ridge"}, {kEave, "eave"}});
+  ASSERT_EQ(errors_m.size(), 3U);
+  EXPECT_FALSE(errors_m[0].has_value());  // on no reference line
+  ASSERT_TRUE(errors_m[1].has_value());
+  EXPECT_NEAR(*errors_m[1], 0.1, kExact);
+  EXPECT_FALSE(errors_m[2].has_value());  // no geometry
+}
+
 TEST(CompareWithReferences, LineMetresOffIsStillComparedWithItsOwnReference) {
   const std::vector<JudgedLine> lines{reconstructed(kRidge, moved(kRidge, {0, 5, 30}), "aligned")};
   const ReferenceComparison found = compare_with_references(

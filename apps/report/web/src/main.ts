@@ -38,6 +38,7 @@ class Page {
   private readonly charts = new Charts();
   private readonly help = helpDialog();
   private readonly patchHead = h('div', { class: 'patch-head' });
+  private readonly patchFacts = h('div');
   private readonly figures = h('section', { id: 'figures' });
 
   constructor(private readonly state: State, root: HTMLElement) {
@@ -63,7 +64,7 @@ class Page {
         h('div', { class: 'controls' }, themeButton(applyTheme), button('Help (?)', () => this.help.showModal(), { id: 'help-button' }))),
       verdict(report),
       ...head(report),
-      h('section', { id: 'patch' }, this.patchHead,
+      h('section', { id: 'patch' }, this.patchHead, this.patchFacts,
         h('div', { class: 'views' }, this.scene.element, h('div', {}, this.pair.element, this.reviewPanel.element, this.details.element)),
         new LineTable(this.state).element,
         this.charts.element, this.figures),
@@ -78,8 +79,8 @@ class Page {
     patches.element.id = 'patches';
     methods.element.id = 'methods';
     replace(this.patchHead, h('h2', {}, `Patch ${patch.id}`), patches.element, methods.element,
-      h('p', { class: 'caption' }, `CRS ${patch.crs}; coordinates here are relative to ${patch.origin_m.join(', ')} m.`),
-      h('p', { class: 'caption', id: 'patch-facts' }, factsOf(patch)),
+      h('p', { class: 'caption' }, `CRS ${patch.crs}; coordinates here are relative to ${patch.origin_m.join(', ')} m.`));
+    replace(this.patchFacts, h('p', { class: 'caption', id: 'patch-facts' }, factsOf(patch)),
       ...patch.notes.map((note) => h('p', { class: 'message note' }, note)));
     const images = PatchImages.of(patch, () => { this.pair.draw(); });
     this.review.show(patch, images);

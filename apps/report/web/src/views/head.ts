@@ -33,7 +33,8 @@ export function verdict(report: Report): HTMLElement {
   const gates = gatesText(report);
   const methods = unique(report.table2.map((r) => r.method)).map((method) => {
     const p = pooled(report.table2.filter((r) => r.method === method && r.class === 'total'));
-    return `${method} ${metres(p.rms_m)} m RMS (${p.n} of ${p.lines} lines evaluated)`;
+    const rms = p.rms_m === null ? 'no RMS' : `${metres(p.rms_m)} m RMS`;
+    return `${method} ${rms} (${p.n} of ${p.lines} lines evaluated)`;
   });
   const n = report.patches.length;
   const where = n === 1 ? 'On one patch: ' : `Over ${n} patches: `;
@@ -58,7 +59,9 @@ function gateTable(report: Report): HTMLElement | null {
     ...report.gates.warnings.map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)));
 }
 
-function table1(rows: readonly Table1Row[]): HTMLElement {
+function table1(report: Report): HTMLElement {
+  const rows = report.table1;
+  const hasMatches = report.patches.some((p) => (p.images?.matches.length ?? 0) > 0);
   const withInterval = (share: number | null, ci: [number, number] | null): string =>
     ci ? `${percent(share)} (${percent(ci[0])} – ${percent(ci[1])})` : percent(share);
   const columns: Column<Table1Row>[] = [
@@ -74,7 +77,7 @@ function table1(rows: readonly Table1Row[]): HTMLElement {
   ];
   return h('section', {}, h('h2', {}, 'Table 1. Matching'),
     rows.length > 0 ? table(columns, rows, { id: 'table1' })
-      : h('p', { class: 'caption', id: 'table1-missing' }, 'No reference matches were given, so that matches are not judged. The review below judges them by eye.'),
+      : h('p', { class: 'caption', id: 'table1-missing' }, hasMatches ? 'No reference matches were given, so that matches are not judged. The review below judges them by eye.' : 'This run matched nothing.'),
     rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals. Basis: number of matches.') : null);
 }
 
@@ -129,7 +132,7 @@ export function head(report: Report): HTMLElement[] {
   ];
   return [
     gateTable(report),
-    table1(report.table1),
+    table1(report),
     h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'),
       table2(report.table2),
       h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note),

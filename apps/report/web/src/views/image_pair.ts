@@ -61,7 +61,7 @@ export class ImagePair {
       replace(this.controls);
       replace(this.legend);
       this.note.textContent = '';
-      replace(this.box, h('p', { class: 'caption' }, 'The images of this patch are not in the report; see the notes above.'));
+      replace(this.box, h('p', { class: 'caption' }, this.state.patch.notes.length > 0 ? 'The images of this patch are not in the report; see the notes above.' : 'This run had no images.'));
       return;
     }
     this.canvases = views.map((v) => {
