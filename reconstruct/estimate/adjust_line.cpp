@@ -41,19 +41,36 @@ struct NormalEquations {
     right -= information * c.transpose() * inverse * misclosure;
     omega += information * misclosure.dot(inverse * misclosure);
   }
+
+  /// L_h,z / |L_h| = 0.
+  void add_horizontal(const Vector6d& line, double sigma_slope) {
+    const double norm = line.head<3>().norm();
+    const double misclosure = line(2) / norm;
+    Vector6d c = Vector6d::Zero();
+    c.head<3>() = (Eigen::Vector3d::UnitZ() - misclosure * line.head<3>() / norm) / norm;
+    const double information = 1.0 / (sigma_slope * sigma_slope);
+    matrix += information * c * c.transpose();
+    right -= information * misclosure * c;
+    omega += information * misclosure * misclosure;
+  }
 };
 
-NormalEquations normal_equations(std::span<const UncertainPlane3> planes,
-                                 std::span<const PointOnLine> points,
-                                 const Vector6d& line,
-                                 int dominant) {
+/// What determines a line.
+struct Conditions {
+  std::span<const UncertainPlane3> planes;
+  std::span<const PointOnLine> points;
+  std::optional<double> sigma_slope;
+};
+
+NormalEquations normal_equations(const Conditions& conditions, const Vector6d& line, int dominant) {
   const RowPair in_plane = line_in_plane_rows(dominant);
   const RowPair on_line = point_on_line_rows(dominant);
   const Incidence plane{pi_matrix, in_plane, select_rows(gamma_matrix(line), in_plane)};
   const Incidence point{pi_bar_matrix, on_line, select_rows(gamma_bar_matrix(line), on_line)};
   NormalEquations n;
-  for (const UncertainPlane3& p : planes) n.add(plane, p, 1.0);
-  for (const PointOnLine& p : points) n.add(point, p.point, p.information);
+  for (const UncertainPlane3& p : conditions.planes) n.add(plane, p, 1.0);
+  for (const PointOnLine& p : conditions.points) n.add(point, p.point, p.information);
+  if (conditions.sigma_slope) n.add_horizontal(line, *conditions.sigma_slope);
   return n;
 }
 
@@ -117,27 +134,23 @@ struct Linearised {
   NormalEquations normal;
 };
 
-Linearised linearise(std::span<const UncertainPlane3> planes,
-                     std::span<const PointOnLine> points,
+Linearised linearise(const Conditions& conditions,
                      const Vector6d& line,
                      std::optional<int> previous_dominant) {
   const int dominant =
       previous_dominant ? keep_or_replace(*previous_dominant, line) : dominant_component(line);
-  return {line, dominant, normal_equations(planes, points, line, dominant)};
+  return {line, dominant, normal_equations(conditions, line, dominant)};
 }
 
 /// The step, halved until it does not increase omega: for nearly coincident planes the linear range
 /// is smaller than the standard deviation of the direction within them.
-Linearised descend(std::span<const UncertainPlane3> planes,
-                   std::span<const PointOnLine> points,
-                   const Linearised& from,
-                   const Vector6d& step) {
+Linearised descend(const Conditions& conditions, const Linearised& from, const Vector6d& step) {
   constexpr int kMaxHalvings = 10;
   constexpr double kRounding = 1e-9;  // of omega, whose unit is one standard deviation squared
   double factor = 1.0;
   for (int i = 0; i < kMaxHalvings; ++i, factor *= 0.5) {
-    Linearised to = linearise(
-        planes, points, project_to_pluecker_quadric(from.line + factor * step), from.dominant);
+    Linearised to = linearise(conditions, project_to_pluecker_quadric(from.line + factor * step),
+                              from.dominant);
     if (to.normal.omega <= from.normal.omega * (1.0 + kRounding) + kRounding) return to;
   }
   return from;
@@ -146,18 +159,20 @@ Linearised descend(std::span<const UncertainPlane3> planes,
 }  // namespace
 
 std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
-                                        std::span<const PointOnLine> points) {
+                                        std::span<const PointOnLine> points,
+                                        std::optional<double> sigma_slope) {
   constexpr int kMaxPasses = 20;
   // 0.01 would serve accuracy; this makes the result independent of the frame to the last digits
   constexpr double kConvergedSigma = 1e-6;
   if (planes.size() + points.size() < 2) return std::nullopt;
 
-  Linearised current = linearise(planes, points, start_line(planes, points), std::nullopt);
+  const Conditions conditions{planes, points, sigma_slope};
+  Linearised current = linearise(conditions, start_line(planes, points), std::nullopt);
   if (!current.line.allFinite()) return std::nullopt;
   AdjustedLine result;
   while (result.passes < kMaxPasses && !result.converged) {
     const Increment increment = solve(current.normal, current.line);
-    current = descend(planes, points, current, increment.step);
+    current = descend(conditions, current, increment.step);
     result.line.cov = increment.cov;
     result.full_rank = increment.full_rank;
     result.converged = increment.largest_in_sigma < kConvergedSigma;

@@ -40,17 +40,7 @@ double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
   return direction.dot(x - segment.start) / direction.squaredNorm();
 }
 
-/// In front of both cameras, within the heights and, if asked for, consistent with the epipolar
-/// geometry.
-bool plausible(const StereoLines& lines,
-               const EstimatedPoint& estimated,
-               const ReconstructOptions& options) {
-  const Eigen::Vector4d& x = estimated.point.mean;
-  for (const View& view : lines.stereo.views) {
-    if (!in_front(view, x)) return false;
-  }
-  const double height_m = lines.stereo.object.local_from_conditioned(x.hnormalized()).z();
-  if (height_m < options.lowest_height_m || height_m > options.highest_height_m) return false;
+bool passes_test(const EstimatedPoint& estimated, const ReconstructOptions& options) {
   return !options.point_test || estimated.omega <= options.max_point_omega;
 }
 
@@ -71,12 +61,25 @@ std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
       PointObservation{lines.stereo.views[0].image_from_object, x[0]},
       PointObservation{lines.stereo.views[1].image_from_object, x[1]}};
   const std::optional<EstimatedPoint> estimated = estimate_point(observations);
-  if (!estimated || !plausible(lines, *estimated, options)) return std::nullopt;
+  if (!estimated || !plausible(lines, estimated->point.mean, options) ||
+      !passes_test(*estimated, options)) {
+    return std::nullopt;
+  }
   const double parameter = parameter_along(own[0].segment, x[0].mean.hnormalized());
   return CandidatePoint{*estimated, {parameter, weight, estimated->omega, neighbour}};
 }
 
 }  // namespace
+
+bool plausible(const StereoLines& lines,
+               const Eigen::Vector4d& x,
+               const ReconstructOptions& options) {
+  for (const View& view : lines.stereo.views) {
+    if (!in_front(view, x)) return false;
+  }
+  const double height_m = lines.stereo.object.local_from_conditioned(x.hnormalized()).z();
+  return height_m >= options.lowest_height_m && height_m <= options.highest_height_m;
+}
 
 std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
                                              int line,

@@ -27,6 +27,11 @@ struct CandidatePoint {
   RankedPoint ranked;
 };
 
+/// Whether a point of the conditioned frame lies in front of both cameras and within the heights.
+bool plausible(const StereoLines& lines,
+               const Eigen::Vector4d& x,
+               const ReconstructOptions& options);
+
 /// The artificial points of a line: its intersections with each of the neighbours in both images
 /// and their points in object space (Ok et al. 2011, section 3.1). Left out are points of weight
 /// zero, undetermined, behind a camera, outside the range of heights or, with `point_test`, failing

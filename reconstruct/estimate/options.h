@@ -12,7 +12,7 @@ namespace ridgeline::reconstruct {
 enum class Method : std::uint8_t { kDirect, kJoint };
 const char* name(Method method);  ///< "direct" | "joint"
 
-/// The defaults are the method of Ok et al. 2011, section 3, as published.
+/// The method of Ok et al. 2011, section 3, with one addition, `consensus`; without it, as published.
 struct ReconstructOptions {
   Method method = Method::kJoint;
   /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
@@ -32,6 +32,20 @@ struct ReconstructOptions {
   /// the paper.
   bool point_test = false;
   double max_point_omega = 10.83;  ///< chi-square, 1 degree of freedom, 99.9 %
+  /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
+  /// the ends of both segments and horizontality tell. See agree_on_depth().
+  bool consensus = true;
+  double max_point_prior = 0.7;     ///< that two lines which cross in both images meet, at W = 1
+  double end_prior = 0.75;          ///< that the ends of both segments show the same point
+  double sigma_end_px = 1.5;        ///< along the line, if they do
+  double sigma_meeting_m = 0.1;     ///< distance of lines that meet
+  double horizontal_share = 0.9;    ///< of the aligned lines, before anything is known
+  double sigma_slope = 0.01;        ///< of lines that are built horizontal
+  double nearby_px = 100.0;         ///< from the line, in the base image, heights are compared
+  double sigma_height_m = 0.2;      ///< of lines at the same height
+  double max_nearby_sigma_m = 0.4;  ///< of the height of a line that others are compared with
+  /// Most that agreement with the line raises the odds of evidence by.
+  double agreement_gain = 2.0;
   /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth.
   double lowest_height_m = -1e5;
   double highest_height_m = 1e5;
@@ -55,9 +69,38 @@ struct ReconstructOptions {
         Field{"point_test", &O::point_test, false, true,
               "reject points that fail the test of their epipolar geometry"},
         Field{"max_point_omega", &O::max_point_omega, 0.0, 1e6, "limit of that test, chi-square"},
+        Field{"consensus", &O::consensus, false, true,
+              "use points that agree on the depth of their line; off: as published"},
+        Field{"max_point_prior", &O::max_point_prior, 0.01, 0.99,
+              "consensus: prior probability of the best point"},
+        Field{"end_prior", &O::end_prior, 0.01, 0.99,
+              "consensus: prior probability that segment ends correspond"},
+        Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
+              "consensus: scatter of corresponding segment ends along the line"},
+        Field{"sigma_meeting_m", &O::sigma_meeting_m, 0.0, 1e3,
+              "consensus: distance of lines that meet"},
+        Field{"horizontal_share", &O::horizontal_share, 0.0, 0.999,
+              "consensus: prior share of horizontal lines"},
+        Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
+              "consensus: scatter of the slope of horizontal lines"},
+        Field{"nearby_px", &O::nearby_px, 0.0, 1e4,
+              "consensus: heights of lines up to this distance are likely ones"},
+        Field{"sigma_height_m", &O::sigma_height_m, 1e-3, 1e3,
+              "consensus: scatter of lines at the same height"},
+        Field{"max_nearby_sigma_m", &O::max_nearby_sigma_m, 0.0, 1e3,
+              "consensus: sigma of the height of a line that others are compared with"},
+        Field{"agreement_gain", &O::agreement_gain, 1e-3, 1e6,
+              "consensus: most that agreement raises the odds of a point by"},
         Field{"lowest_height_m", &O::lowest_height_m, -1e5, 1e5, "lowest height of a point"},
         Field{"highest_height_m", &O::highest_height_m, -1e5, 1e5, "highest height of a point"}};
   }
 };
+
+/// Ok et al. 2011, section 3, to the letter: without `consensus`.
+inline ReconstructOptions published_options() {
+  ReconstructOptions options;
+  options.consensus = false;
+  return options;
+}
 
 }  // namespace ridgeline::reconstruct

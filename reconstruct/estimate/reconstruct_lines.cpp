@@ -2,8 +2,8 @@
 #include "reconstruct/estimate/reconstruct_lines.h"
 
 #include "reconstruct/estimate/adjust_line.h"
-#include "reconstruct/estimate/candidate_points.h"
 #include "reconstruct/estimate/endpoints.h"
+#include "reconstruct/estimate/line_support.h"
 #include "reconstruct/geometry/check.h"
 
 #include <tbb/parallel_for.h>
@@ -124,45 +124,73 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
           .region = region(ranked.parameter)};
 }
 
-std::vector<CandidatePoint> selected_points(const StereoLines& lines,
-                                            std::size_t line,
-                                            std::span<const int> neighbours,
-                                            const ReconstructOptions& options) {
-  const std::vector<CandidatePoint> candidates =
-      candidate_points(lines, static_cast<int>(line), neighbours, options);
-  std::vector<RankedPoint> ranked;
-  ranked.reserve(candidates.size());
-  for (const CandidatePoint& candidate : candidates) ranked.push_back(candidate.ranked);
-  std::vector<CandidatePoint> selected;
-  for (const std::size_t i : select_points(ranked, options)) selected.push_back(candidates[i]);
-  return selected;
-}
-
-Status joint_status(const AdjustedLine& adjusted, std::size_t num_points) {
+Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
-  return num_points == 1 ? Status::kOnePoint : Status::kJoint;
+  if (support.points.size() >= 2) return Status::kJoint;
+  if (support.sigma_slope) return Status::kHorizontal;
+  if (!support.ends.empty()) return Status::kSegmentEnds;
+  return Status::kOnePoint;
 }
 
-/// Takes the result of `direct` over and replaces it where there are points.
+/// An end of a line of known height, in the conditioned frames.
+struct KnownEnd {
+  Eigen::Vector2d x_in_left;
+  double height;
+};
+
+std::vector<KnownEnd> known_ends(const StereoLines& lines,
+                                 std::span<const ReconstructedLine> results,
+                                 const ReconstructOptions& options) {
+  const ObjectConditioning& object = lines.stereo.object;
+  std::vector<KnownEnd> ends;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ReconstructedLine& line = results[i];
+    if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
+    if (*line.direct_sigma_z_m > options.max_nearby_sigma_m) continue;
+    const Segment2& seen = lines.lines[i][0].segment;
+    const Segment3& in_local = *line.segment_in_local;
+    ends.push_back({seen.start, object.conditioned_from_local(in_local.start).z()});
+    ends.push_back({seen.end, object.conditioned_from_local(in_local.end).z()});
+  }
+  return ends;
+}
+
+std::vector<double> heights_near(const StereoLines& lines,
+                                 std::size_t line,
+                                 std::span<const KnownEnd> ends,
+                                 const ReconstructOptions& options) {
+  const double radius = options.nearby_px / lines.stereo.views[0].image.scale_px;
+  std::vector<double> heights;
+  for (const KnownEnd& end : ends) {
+    if (distance(lines.lines[line][0].segment, end.x_in_left) <= radius) {
+      heights.push_back(end.height);
+    }
+  }
+  return heights;
+}
+
+/// Takes the result of `direct` over and replaces it where there is anything to rest on.
 void reconstruct_joint(const StereoLines& lines,
                        std::size_t line,
                        std::span<const int> neighbours,
+                       std::span<const KnownEnd> ends,
                        const ReconstructOptions& options,
                        ReconstructedLine& result) {
-  const std::vector<CandidatePoint> selected = selected_points(lines, line, neighbours, options);
-  if (selected.empty()) {
+  const LineSupport support = line_support(lines, static_cast<int>(line), neighbours,
+                                           heights_near(lines, line, ends, options), options);
+  if (support.points.empty() && support.ends.empty()) {
     if (result.segment_in_local) result.status = Status::kNoPoints;
     return;
   }
-  std::vector<PointOnLine> points;
-  for (const CandidatePoint& p : selected) {
+  std::vector<PointOnLine> points = support.ends;
+  for (const CandidatePoint& p : support.points) {
     points.push_back({p.estimated.point, options.w_information ? p.ranked.weight : 1.0});
     result.points.push_back(used_point(p, lines.stereo.object));
   }
   const std::array<UncertainPlane3, 2> planes{lines.lines[line][0].plane,
                                               lines.lines[line][1].plane};
-  const auto adjusted = adjust_line(planes, points);
+  const auto adjusted = adjust_line(planes, points, support.sigma_slope);
   if (!adjusted || !assign(lines, line, adjusted->line, result)) {
     result.status = Status::kNoIntersection;
     result.segment_in_local.reset();
@@ -170,7 +198,7 @@ void reconstruct_joint(const StereoLines& lines,
     result.right_segment_in_local.reset();
     return;
   }
-  result.status = joint_status(*adjusted, points.size());
+  result.status = joint_status(*adjusted, support);
   result.omega = adjusted->omega;
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
@@ -191,6 +219,10 @@ const char* name(Status status) {
       return "joint";
     case Status::kOnePoint:
       return "one_point";
+    case Status::kSegmentEnds:
+      return "segment_ends";
+    case Status::kHorizontal:
+      return "horizontal";
     case Status::kNoPoints:
       return "no_points";
     case Status::kRankDeficient:
@@ -222,9 +254,13 @@ std::vector<ReconstructedLine> reconstruct_lines(
     result.match = matches[i];
     classify(lines, i, options, result);
     reconstruct_direct(lines, i, result);
-    if (options.method == Method::kJoint && result.line_class == LineClass::kAligned) {
-      reconstruct_joint(lines, i, neighbours[i], options, result);
-    }
+  });
+  if (options.method == Method::kDirect) return results;
+
+  const std::vector<KnownEnd> ends = known_ends(lines, results, options);
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    if (results[i].line_class != LineClass::kAligned) return;
+    reconstruct_joint(lines, i, neighbours[i], ends, options, results[i]);
   });
   return results;
 }

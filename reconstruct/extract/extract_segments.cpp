@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/extract/extract_segments.h"
 
+#include "reconstruct/extract/bends.h"
 #include "reconstruct/extract/colour_boosting.h"
 #include "reconstruct/extract/edge_chains.h"
 #include "reconstruct/extract/edge_detection.h"
@@ -60,6 +61,20 @@ double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
   return sum / std::sqrt(static_cast<double>(trace.size()));
 }
 
+/// The parts of a trace that are straight to a fraction of a pixel.
+std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptions& options) {
+  Points points;
+  points.reserve(trace.size());
+  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
+  const std::vector<std::size_t> borders = bends(points, options);
+  std::vector<EdgeTrace> parts;
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    parts.emplace_back(trace.begin() + static_cast<std::ptrdiff_t>(borders[i]),
+                       trace.begin() + static_cast<std::ptrdiff_t>(borders[i + 1]));
+  }
+  return parts;
+}
+
 /// One trace per edge.
 std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
                                        const GradientImage& image,
@@ -67,13 +82,15 @@ std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
   LineTracer tracer(image, options);
   std::vector<DetectedEdge> edges;
   for (const Points& piece : pieces) {
-    auto trace = tracer.trace(piece);
+    const auto trace = tracer.trace(piece);
     if (!trace) continue;
-    const Eigen::Vector2d chord = trace->back().position_px - trace->front().position_px;
-    if (chord.norm() < options.min_length_px) continue;
-    if (significance(*trace, image.noise) < options.min_significance) continue;
-    tracer.claim(*trace);
-    edges.push_back({std::move(*trace), std::nullopt});
+    for (EdgeTrace& part : straight_parts(*trace, options)) {
+      const Eigen::Vector2d chord = part.back().position_px - part.front().position_px;
+      if (chord.norm() < options.min_length_px) continue;
+      if (significance(part, image.noise) < options.min_significance) continue;
+      tracer.claim(part);
+      edges.push_back({std::move(part), std::nullopt});
+    }
   }
   return edges;
 }

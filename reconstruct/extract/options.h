@@ -27,6 +27,7 @@ struct ExtractOptions {
   double high_noise_factor = 2.0;    ///< of the strongest pixel of an edge
   double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
   double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
+  double min_bend_px = 0.12;         ///< an edge is cut where two lines fit better by this
   double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
@@ -57,6 +58,8 @@ struct ExtractOptions {
               "straightness: variance of the edge pixels across the line"},
         Field{"max_deviation_px", &O::max_deviation_px, 0.1, 100.0,
               "straightness: largest distance of an edge pixel from the line"},
+        Field{"min_bend_px", &O::min_bend_px, 0.0, 100.0,
+              "an edge is cut where two lines fit better than one by this, root mean square"},
         Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,
               "an edge that continues beyond a gap up to this is one segment"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"},

@@ -48,10 +48,35 @@ double distance_ratio(const MatchView& right,
   return next / std::max(supports[best].probability, 1e-12);
 }
 
+/// By left segment: how many of its partners have a mate that can be trusted, and could vote.
+std::vector<int> voters(std::span<const BasePair> pairs,
+                        const Supports& supports,
+                        const MatchOptions& options) {
+  const auto trusted = [&](int i) {
+    return !supports[i].empty() &&
+           supports[i][best_of(supports[i])].probability >= options.min_probability;
+  };
+  std::vector<int> count(supports.size(), 0);
+  for (const BasePair& pair : pairs) {
+    if (trusted(pair.second)) ++count[pair.first];
+    if (trusted(pair.first)) ++count[pair.second];
+  }
+  return count;
+}
+
+/// Whether too few of a line's pairs speak for its candidate; an isolated line is taken by its look,
+/// if that leaves no doubt.
+bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
+  constexpr int kIsolated = 1;
+  if (support.votes >= options.min_votes) return false;
+  return n_voters > kIsolated || support.probability < options.min_isolated_probability;
+}
+
 /// What becomes of a left segment before the others are asked.
 MatchOutcome prospect(const MatchView& right,
                       const std::vector<Candidate>& candidates,
                       const std::vector<Support>& supports,
+                      int n_voters,
                       const MatchOptions& options) {
   constexpr double kWeak = 0.2;  // of two equally weak candidates neither is right
   if (candidates.empty()) return MatchOutcome::kNoCandidate;
@@ -60,6 +85,7 @@ MatchOutcome prospect(const MatchView& right,
       distance_ratio(right, candidates, supports) > options.max_distance_ratio) {
     return MatchOutcome::kAmbiguous;
   }
+  if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;
   if (best.probability >= options.min_probability) return MatchOutcome::kLostVote;
   return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
 }
@@ -88,18 +114,21 @@ MatchResult final_choice(const MatchView& left,
                          const MatchView& right,
                          const std::vector<std::vector<Candidate>>& candidates,
                          const Supports& supports,
+                         std::span<const BasePair> pairs,
                          const MatchOptions& options) {
+  const std::vector<int> n_voters = voters(pairs, supports, options);
   MatchResult result;
   result.outcomes.resize(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    result.outcomes[i] = prospect(right, candidates[i], supports[i], options);
+    result.outcomes[i] = prospect(right, candidates[i], supports[i], n_voters[i], options);
   }
   std::map<int, std::vector<Choice>> takers;  // by right segment
   for (const Choice& choice : by_probability(supports)) {
     const Support& support = supports[choice.left][choice.candidate];
     MatchOutcome& outcome = result.outcomes[choice.left];
     if (support.probability < options.min_probability) break;
-    if (outcome != MatchOutcome::kLostVote) continue;  // matched or ambiguous
+    if (outcome != MatchOutcome::kLostVote) continue;  // matched, ambiguous or without pairs
+    if (lacks_votes(support, n_voters[choice.left], options)) continue;
     const Candidate& candidate = candidates[choice.left][choice.candidate];
     std::vector<Choice>& others = takers[candidate.right];
     const bool free = std::all_of(others.begin(), others.end(), [&](const Choice& other) {

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/match/base_pairs.h"
 #include "reconstruct/match/match_pairwise.h"
 #include "reconstruct/match/similarity_voting.h"
+
+#include <span>
+#include <vector>
 
 namespace ridgeline::reconstruct {
 
 /// The last step of the matching: left segments take their most probable mate, in order of
 /// probability, if it reaches min_probability, its next rival does not come closer than
 /// max_distance_ratio and no other edge has taken it. A mate may serve several fragments of one left
-/// edge, each with a part of its own; fragments of one right edge are no rivals.
+/// edge, each with a part of its own; fragments of one right edge are no rivals. A line whose
+/// partners in the base pairs are matched needs min_votes of them; an isolated one its look alone.
 MatchResult final_choice(const MatchView& left,
                          const MatchView& right,
                          const std::vector<std::vector<Candidate>>& candidates,
                          const Supports& supports,
+                         std::span<const BasePair> pairs,
                          const MatchOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -63,7 +63,7 @@ MatchResult match_pairwise(const MatchView& left,
   const std::vector<PairMatch> pair_matches = all_pair_matches(scene, pairs);
   const Supports supports =
       similarity_votes(left, right, candidates, pair_matches, gsd_m(left, search));
-  return final_choice(left, right, candidates, supports, options);
+  return final_choice(left, right, candidates, supports, pairs, options);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -24,8 +24,10 @@ struct MatchOptions {
   double max_pair_turn_deg = 15.0;   ///< difference of the angle enclosed by a pair
   double max_pair_epipolar_px = 5.0;
 
-  double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best rival
-  double min_probability = 0.5;     ///< of a match against its rivals, to be kept
+  double max_distance_ratio = 0.8;         ///< of the probabilities of the next and the best rival
+  double min_probability = 0.5;            ///< of a match against its rivals, to be kept
+  double min_votes = 0.5;                  ///< of its pairs, if its partners are matched
+  double min_isolated_probability = 0.98;  ///< without such partners, where only its look tells
 
   static constexpr auto fields() {
     using O = MatchOptions;
@@ -54,7 +56,11 @@ struct MatchOptions {
         Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,
               "next to best mate of a line, by probability; above it the line is ambiguous"},
         Field{"min_probability", &O::min_probability, 0.0, 1.0,
-              "smallest probability of a match that is kept"}};
+              "smallest probability of a match that is kept"},
+        Field{"min_votes", &O::min_votes, 0.0, 100.0,
+              "least votes from pairs of a match whose partners are matched"},
+        Field{"min_isolated_probability", &O::min_isolated_probability, 0.0, 1.0,
+              "smallest probability of a match without matched partners"}};
   }
 };
 

@@ -53,7 +53,7 @@ TEST_P(OnePoint, IsNoWorseThanDirectInAnyQuantile) {
   // a matter of a few lines.
   const std::vector<double> shares{0.25, 0.5, 0.683, 0.9, 0.95};
   test::Random random(151);
-  ReconstructOptions joint;
+  ReconstructOptions joint = published_options();
   joint.line_covariance = GetParam();
   ReconstructOptions direct = joint;
   direct.method = Method::kDirect;
@@ -81,7 +81,7 @@ TEST_P(OnePoint, NeverStatesLessPrecisionThanDirect) {
   // Without errors both are the same line, and a point adds to its normal equations.
   constexpr double kRounding = 1e-6;
   test::Random random(152);
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.line_covariance = GetParam();
   int compared = 0;
   for (int trial = 0; trial < 1000; ++trial) {

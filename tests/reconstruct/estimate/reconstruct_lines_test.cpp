@@ -36,7 +36,7 @@ SegmentSpec line_at(double theta_deg) {
 const std::vector<NeighbourSpec> kThreeNeighbours{{0.05, 80}, {0.5, -60}, {0.95, 110}};
 
 ReconstructOptions direct_options() {
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.method = Method::kDirect;
   return options;
 }
@@ -87,7 +87,7 @@ TEST(ReconstructLines, LabelsTheClassByTheSmallerAngle) {
 
 TEST(ReconstructLines, TheThresholdAngleIsStillAligned) {
   LineGroup group = make_group(line_at(20.0), kThreeNeighbours);
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   const double angle_rad = group.reconstruct(options)[0].epipolar_angle_rad;
   options.max_aligned_angle_deg = angle_rad * 180.0 / std::numbers::pi;
   EXPECT_EQ(group.reconstruct(options)[0].line_class, LineClass::kAligned);
@@ -186,7 +186,7 @@ TEST(ReconstructLines, WeighsPointsByTheMeasuresOfBothImages) {
       std::abs(in_right.dot(crossing[1])) / in_right.head<2>().norm()};
   ASSERT_GT(epipolar_px[0], 0.5);
 
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   EXPECT_NEAR(group.reconstruct(options)[0].points.at(0).weight,
               std::exp(-std::min(distance_px[0], distance_px[1]) / 10.0 -
                        std::min(epipolar_px[0], epipolar_px[1]) / 4.0),
@@ -220,7 +220,7 @@ TEST(ReconstructLines, DirectHeightErrorGrowsWithTheInverseSineOfTheAngle) {
   // 2 sqrt(2) sigma_q / sin(theta) GSD / (B/H), with sigma_phi = sqrt(12) sigma_q / length: sigma_q
   // 0.1 px gives 0.12 m at 45 degrees, 0.50 m at 10 degrees and 1.0 m at 5 degrees
   const test::Noise noise{.q_px = 0.1, .phi_rad = 0.1 * 3.4641 / 100.0, .e_px = 1e-6};
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.line_covariance = LineCovariance::kCentroid;
   for (const auto& [theta_deg, sigma_m] :
        {std::pair(45.0, 0.12), std::pair(10.0, 0.50), std::pair(5.0, 1.0), std::pair(1.0, 5.0)}) {
@@ -255,7 +255,7 @@ TEST(ReconstructLines, JointIsOptimisticBecauseItsPointsReuseTheLine) {
   // The published method treats planes and points as uncorrelated though the points lie on the same
   // image lines. The normalised squared error across the line would be 4; measured: 7.8.
   constexpr int kTrials = 600;
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.line_covariance = LineCovariance::kCentroid;
   test::Random random(136);
   double sum = 0.0;
@@ -283,7 +283,7 @@ TEST(ReconstructLines, ScalesPointsByTheirWeightOnRequest) {
   test::Random random(135);
   const LineGroup group =
       make_group(line_at(3.0), {{0.05, 80, 3, 10}, {0.5, -60, 3, 20}, {0.95, 110}}, {}, &random);
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   const ReconstructedLine selected = group.reconstruct(options)[0];
   options.w_information = true;
   const ReconstructedLine scaled = group.reconstruct(options)[0];
@@ -295,7 +295,7 @@ TEST(ReconstructLines, ScalesPointsByTheirWeightOnRequest) {
 
 TEST(ReconstructLines, DiscardsPointsOutsideTheRangeOfHeights) {
   const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);  // heights 3 to 4 m
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.lowest_height_m = 3.3;
   EXPECT_EQ(group.reconstruct(options)[0].points.size(), 2);
   options.highest_height_m = 3.7;
@@ -308,7 +308,7 @@ TEST(ReconstructLines, DiscardsPointsThatMissTheEpipolarGeometryOnRequest) {
                              &group.segments[1][2].centroid_px}) {
     x->x() += 60.0;  // the mate of neighbour 2 is another line: false incidence
   }
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.sigma_epipolar_px = 100.0;  // let the weight pass it
   EXPECT_EQ(group.reconstruct(options)[0].points.size(), 3);
   options.point_test = true;
@@ -332,7 +332,8 @@ TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
 
 TEST(ReconstructLines, RejectsWrongInput) {
   const LineGroup good = make_group(line_at(4.0), kThreeNeighbours);
-  const auto rejected = [](const LineGroup& group, const ReconstructOptions& options = {}) {
+  const auto rejected = [](const LineGroup& group,
+                           const ReconstructOptions& options = published_options()) {
     try {
       static_cast<void>(group.reconstruct(options));
     } catch (const std::invalid_argument& error) {
@@ -355,7 +356,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
   group = good;
   group.segments.pop_back();
   EXPECT_EQ(rejected(group), "reconstruct_lines: images = 1, must be 2");
-  ReconstructOptions options;
+  ReconstructOptions options = published_options();
   options.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");

@@ -125,7 +125,8 @@ TEST_F(SimilarityVotes, FinalChoiceGivesAMateToTheMoreProbableEdgeAndSaysWhyToTh
   Supports supports(2, std::vector<Support>(1));
   supports[0][0].probability = 0.6;
   supports[1][0].probability = 0.7;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {});
+  for (std::vector<Support>& of_line : supports) of_line[0].votes = 1.0;
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
   ASSERT_EQ(result.matches.size(), 1U);
   EXPECT_EQ(result.matches[0].match.left, 1);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kLostVote);
@@ -144,10 +145,33 @@ TEST_F(SimilarityVotes, FinalChoiceTellsWeakFromAmbiguousCandidates) {
   supports[0][1].probability = 0.28;
   supports[1][0].probability = 0.01;
   supports[1][0].n_pairs = 1;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {});
+  for (std::vector<Support>& of_line : supports) of_line[0].votes = 1.0;
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
   EXPECT_TRUE(result.matches.empty());
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kAmbiguous);
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kLowScore);
+}
+
+TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor) {
+  constexpr double kApart_px = 500.0;
+  for (int i = 0; i < 3; ++i) {
+    const Segment2 segment{{kApart_px * i, 0.0}, {kApart_px * i, 40.0}};
+    add_left(segment);
+    add_right(segment);
+    add_candidate(i, i, 0.9);
+  }
+  Supports supports(3, std::vector<Support>(1));
+  for (std::vector<Support>& of_line : supports) of_line[0].probability = 0.9;
+  supports[1][0].votes = 1.0;
+  supports[2][0].votes = 1.0;
+  const std::vector<BasePair> pairs{{0, 1}, {0, 2}, {1, 2}};
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, pairs, {});
+  EXPECT_EQ(result.matches.size(), 2U);
+  EXPECT_EQ(result.outcomes[0], MatchOutcome::kNoPair);
+  // without partners its look decides, and has to be better
+  EXPECT_EQ(final_choice(left_, right_, candidates_, supports, {}, {}).matches.size(), 2U);
+  supports[0][0].probability = 0.99;
+  EXPECT_EQ(final_choice(left_, right_, candidates_, supports, {}, {}).matches.size(), 3U);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct LineGroup {
   std::vector<PairConnection> connections;
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
-      const reconstruct::ReconstructOptions& options = {}) const {
+      const reconstruct::ReconstructOptions& options = reconstruct::published_options()) const {
     return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections, options);
   }
 };

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/candidate_points.h"
+#include "reconstruct/estimate/options.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A point that a line may pass through, in the conditioned object frame.
+struct DepthEvidence {
+  Eigen::Vector3d x;
+  Eigen::Matrix3d cov;
+  double parameter = 0.0;  ///< along the base segment, 0 at its start and 1 at its end
+  double prior = 0.5;      ///< probability that it is on the line, before the others are heard
+};
+
+/// The depths along a line that its evidence agrees on.
+struct DepthConsensus {
+  std::vector<bool> supports;  ///< by evidence: within chance of the line
+  bool horizontal = false;     ///< within the scatter of lines that are built horizontal
+};
+
+/// An artificial point of an aligned line proves nothing by itself: where the line is parallel to
+/// the epipolar lines, every crossing of it in both images passes the epipolar test, whether the
+/// lines meet in space or not (system.md 8). Points that agree do prove something. This finds the
+/// line in the base segment's projection plane that explains most: hypotheses are the lines through
+/// any two pieces of evidence and the horizontal one through each; their score is the sum of
+///
+///     log(1 - prior + prior * gain * b(distance / its sigma))         per evidence,
+///     log(h * b(slope / sigma_slope) + (1 - h) * b(slope / 0.6))      h the share of horizontal lines,
+///     log(0.05 + 0.95 max_k b((Z - Z_k) / sigma_height))              for the height Z of each end,
+///     -chi^2 / 2                                                      of the other image's misclosure
+///
+/// with b(z) = exp(-z^2 / 2).
+///
+/// The gain is small, so that it is not the number of points that decides: false ones agree as well,
+/// those of an eave with the ground lines that it hides are all on the ground. Z_k are the heights of
+/// the lines nearby: eaves, ridges and streets come at few heights.
+///
+/// @param heights_nearby  Z_k in the conditioned frame; without any that term is left out
+/// Empty without evidence. Ties go to the earlier hypothesis.
+std::optional<DepthConsensus> agree_on_depth(const StereoLines& lines,
+                                             int line,
+                                             std::span<const DepthEvidence> evidence,
+                                             std::span<const double> heights_nearby,
+                                             const ReconstructOptions& options);
+
+}  // namespace ridgeline::reconstruct

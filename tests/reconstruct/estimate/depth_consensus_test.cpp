@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Aligned lines whose neighbours do not all meet them, as eaves over the ground.
+#include "reconstruct/estimate/depth_consensus.h"
+
+#include "tests/reconstruct/support/line_group.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using test::kDegree;
+using test::LineGroup;
+using test::make_group;
+using test::NeighbourSpec;
+using test::SegmentSpec;
+
+constexpr double kHeightM = 6.0;
+constexpr double kRecoveredM = 1e-6;
+constexpr double kAssumedM = 1e-3;  // horizontality is weighted, not forced
+
+const test::StereoScene kScene;
+
+/// A horizontal line of 100 px at this angle to the epipolar direction.
+SegmentSpec eave(double theta_deg) {
+  return {kScene.left_centre(), theta_deg * kDegree, 100.0, kHeightM, kHeightM};
+}
+
+/// Lets the line at the parameter seem to meet a line of the ground, which it hides from there on.
+void add_ground_line(LineGroup& group, double parameter, double angle_deg) {
+  const Segment3 line = group.truth[0];
+  const Eigen::Vector2d x = project(group.scene.cameras[0], point_at(line, parameter));
+  const Eigen::Vector2d direction =
+      Eigen::Rotation2Dd(angle_deg * kDegree) * group.scene.epipolar_direction(x);
+  const Segment3 ground{group.scene.at_height(x, 0.0),
+                        group.scene.at_height(x + 60.0 * direction, 0.0)};
+  const int i = static_cast<int>(group.truth.size());
+  group.truth.push_back(ground);
+  const std::array<Segment2, 2> images = group.scene.images(ground);
+  for (std::size_t j = 0; j < 2; ++j) group.segments[j].push_back(test::exact(images[j], {}));
+  group.matches.push_back({i, i});
+  group.connections.push_back({0, i});
+}
+
+double worst_error_m(const LineGroup& group, const ReconstructedLine& line) {
+  return std::max((line.segment_in_local->start - group.truth[0].start).norm(),
+                  (line.segment_in_local->end - group.truth[0].end).norm());
+}
+
+TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
+  LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
+  add_ground_line(group, 0.5, 70.0);
+  // as published all three regions give a point, and the false one bends the line
+  EXPECT_GT(worst_error_m(group, group.reconstruct(published_options())[0]), 1.0);
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kJoint);
+  EXPECT_EQ(line.points.size(), 2U);
+  EXPECT_LT(worst_error_m(group, line), kRecoveredM);
+}
+
+TEST(DepthConsensus, IsNotOutvotedByPointsOfOneFalseSurface) {
+  LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
+  for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_LT(worst_error_m(group, line), kRecoveredM);
+}
+
+TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
+  const LineGroup group = make_group(eave(0.5), {{0.0, 80}});
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kHorizontal);
+  EXPECT_EQ(line.points.size(), 1U);
+  EXPECT_LT(worst_error_m(group, line), kAssumedM);
+}
+
+TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
+  SegmentSpec verge = eave(0.5);
+  verge.end_z_m = kHeightM + 4.0;
+  const LineGroup group = make_group(verge, {{0.0, 80}, {1.0, 110}});
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kJoint);
+  EXPECT_LT(worst_error_m(group, line), kRecoveredM);
+}
+
+TEST(DepthConsensus, TakesALineWithoutPointsFromItsEnds) {
+  const LineGroup group = make_group(eave(0.5), {});
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kHorizontal);
+  EXPECT_TRUE(line.points.empty());
+  EXPECT_LT(worst_error_m(group, line), kAssumedM);
+}
+
+TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
+  const Segment3 line = make_segment(kScene, eave(0.5));
+  const std::array<Segment2, 2> images = kScene.images(line);
+  StereoLines lines;
+  lines.stereo = condition(kScene.cameras, {std::span(&images[0], 1), std::span(&images[1], 1)});
+  std::array<ObservedLine, 2>& observed = lines.lines.emplace_back();
+  for (std::size_t j = 0; j < 2; ++j) {
+    observed[j] = observe(lines.stereo.views[j], test::exact(images[j], {}), LineCovariance::kEq1);
+  }
+  const ObjectConditioning& object = lines.stereo.object;
+  const auto evidence_at = [&](double parameter, double z_m) {
+    const Eigen::Vector2d x = images[0].start + parameter * (images[0].end - images[0].start);
+    const double sigma = 0.05 / object.scale_m;
+    return DepthEvidence{object.conditioned_from_local(kScene.at_height(x, z_m)),
+                         sigma * sigma * Eigen::Matrix3d::Identity(), parameter, 0.5};
+  };
+  const std::vector<DepthEvidence> evidence{evidence_at(0.1, kHeightM), evidence_at(0.2, 0.0)};
+  for (const std::size_t right : {0U, 1U}) {
+    const std::vector<double> nearby{evidence[right].x.z()};
+    const auto consensus = agree_on_depth(lines, 0, evidence, nearby, {});
+    ASSERT_TRUE(consensus);
+    EXPECT_TRUE(consensus->horizontal);
+    EXPECT_TRUE(consensus->supports[right]);
+    EXPECT_FALSE(consensus->supports[1 - right]);
+  }
+  EXPECT_FALSE(agree_on_depth(lines, 0, {}, {}, {}));
+}
+
+TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
+  const LineGroup group = make_group(eave(30.0), {{0.0, 80}, {1.0, 110}});
+  const ReconstructedLine published = group.reconstruct(published_options())[0];
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kDirect);
+  EXPECT_EQ(line.segment_in_local->start, published.segment_in_local->start);
+  EXPECT_EQ(line.segment_in_local->end, published.segment_in_local->end);
+}
+
+TEST(DepthConsensus, NeverLosesALineThatDirectHas) {
+  test::Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const LineGroup group = make_group(eave(0.3 + 0.04 * i), {}, {}, &random);
+    EXPECT_TRUE(group.reconstruct(ReconstructOptions{})[0].segment_in_local) << i;
+  }
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
