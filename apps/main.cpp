@@ -34,8 +34,7 @@ constexpr std::array kCommands{
     Command{"extract", "line segments of an image with their uncertainty", add_extract},
     Command{"match", "line matches between the two images of a patch", add_match},
     Command{"reconstruct", "3D lines of the matched segments of a patch", add_reconstruct},
-    Command{"simulate", "a synthetic village: LIDAR, true lines, lines of known quality",
-            add_simulate},
+    Command{"simulate", "a synthetic village: images, LIDAR, true lines", add_simulate},
     Command{"info", "what a cloud, line or patch file holds", add_info},
 };
 

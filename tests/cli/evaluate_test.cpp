@@ -44,7 +44,7 @@ TEST_F(Evaluate, WritesTheFilesOfTheContract) {
 
 TEST_F(Evaluate, LeavesNoTemporaryFile) {
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "out").exit_code, 0);
-  const std::set<std::string> known{".json", ".csv", ".md", ".tex", ".html"};
+  const std::set<std::string> known{".json", ".csv", ".md", ".tex", ".html", ".png"};
   for (const std::string& name : names_in(path("out"))) {
     EXPECT_TRUE(known.contains(std::filesystem::path(name).extension())) << name;
   }
