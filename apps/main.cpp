@@ -60,7 +60,7 @@ void add_global_options(CLI::App& app, GlobalOptions& options) {
   app.set_version_flag("--version", version_text);
   app.add_option("--jobs", options.jobs, "threads; 0: all. Results do not depend on it")
       ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+      ->option_text("N=0");
   app.add_flag("--quiet", options.quiet, "only errors on stderr");
   app.add_option("--log-level", options.log_level, "of the log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
