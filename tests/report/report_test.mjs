@@ -165,6 +165,9 @@ test('the method switch changes lines, charts and figures, and keeps the line', 
   const aligned = page.locator('#statistics tbody tr').nth(1).locator('td');
   assert.equal(await aligned.nth(4).innerText(), metres(joint.summary.aligned.rms_m));
   assert.notEqual(await page.locator('#statistics').innerText(), direct);
+  const common = readFileSync(join(work, 'demo', 'table2.common.csv'), 'utf8').split('\n').filter((row) => /^1,(direct|joint),total,/.test(row)).map((row) => row.split(','));
+  const paired = await page.locator('.paired').innerText();
+  for (const row of common) assert.ok(paired.includes(`${row[1]} ${row[5]} m`), `${paired}: ${row}`);
   assert.match(await page.locator('#details h3').innerText(), /Line 4$/);
   assert.match(await page.locator('#charts h3').innerText(), /joint/);
   assert.deepEqual(await page.locator('#charts figure').evaluateAll((all) => all.map((f) => f.id)),

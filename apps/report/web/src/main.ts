@@ -98,7 +98,7 @@ class Page {
 
   private showFigures(): void {
     this.charts.show(this.state.method);
-    replace(this.figures, ...figuresOfMethod(this.state.method, this.state.report.note));
+    replace(this.figures, ...figuresOfMethod(this.state.method, this.state.patch, this.state.report.note));
   }
 
   private onKey(event: KeyboardEvent): void {

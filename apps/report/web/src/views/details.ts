@@ -15,9 +15,11 @@ function facts(line: Line): HTMLElement {
     ['status', words(line.status) + (line.reason ? `: ${line.reason}` : '')],
     ['kind', line.kind ?? missing],
     ['length', `${fixed(line.length_m, 2)} m`],
-    ['distance', `${metres(line.mean_distance_m)} m on average, ${metres(line.max_distance_m)} m at most, signed ${metres(line.signed_mean_m)} m`],
-    ['sigma', `line ${metres(line.sigma_line_m)} m, plane ${metres(line.sigma_plane_m)} m, z ${fixed(line.z, 2)}`],
   ];
+  if (line.mean_distance_m !== null) {
+    rows.push(['distance', `${metres(line.mean_distance_m)} m on average, ${metres(line.max_distance_m)} m at most, signed ${metres(line.signed_mean_m)} m`],
+      ['sigma', `line ${metres(line.sigma_line_m)} m, plane ${metres(line.sigma_plane_m)} m, z ${fixed(line.z, 2)}`]);
+  }
   if (typeof line.true_error_m === 'number') rows.push(['true error', `${metres(line.true_error_m)} m`]);
   if (line.construction) rows.push(['made by', words(line.construction) + (line.n_points ? ` with ${line.n_points} artificial points` : '')]);
   if (line.flags.length > 0) rows.push(['flags', line.flags.map(words).join(', ')]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Statistics of one method on one patch: classes, accuracy statement, strata, calibration.
-import type { Accuracy, Calibration, Method, Stratum, Summary } from '../data/schema';
+import type { Accuracy, Calibration, Method, Patch, Stratum, Summary } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { fixed, interval, metres, missing, percent, words } from '../ui/format';
 import { summaryColumns } from './head';
@@ -49,11 +49,28 @@ function strataTable(by: string, strata: readonly Stratum[]): HTMLElement {
   return table(columns, strata);
 }
 
-export function figuresOfMethod(method: Method, note: string): HTMLElement[] {
+/** The lines that both methods have evaluated: there alone do their figures compare. */
+function pairedText(method: Method, other: Method): string {
+  const distances = new Map(other.lines.map((l) => [l.id, l.mean_distance_m]));
+  const pairs = method.lines.flatMap((l) => {
+    const d = distances.get(l.id);
+    return l.mean_distance_m !== null && typeof d === 'number' ? [[l.mean_distance_m, d] as const] : [];
+  });
+  if (pairs.length === 0) return `No line was evaluated both by ${method.name} and by ${other.name}.`;
+  const rms = (side: 0 | 1): number => Math.sqrt(pairs.reduce((sum, p) => sum + p[side] ** 2, 0) / pairs.length);
+  const same_m = 0.001;
+  const better = pairs.filter(([a, b]) => a < b - same_m).length;
+  const worse = pairs.filter(([a, b]) => a > b + same_m).length;
+  return `On the ${pairs.length} lines that both have evaluated: ${method.name} ${metres(rms(0))} m, ${other.name} ${metres(rms(1))} m RMS; `
+    + `${method.name} is closer for ${better} lines, farther for ${worse}, within 1 mm for ${pairs.length - better - worse}.`;
+}
+
+export function figuresOfMethod(method: Method, patch: Patch, note: string): HTMLElement[] {
   const total = method.summary['total'];
   return [
     h('h3', {}, `Statistics: ${method.name}`),
     classTable(method),
+    ...patch.methods.filter((m) => m !== method).map((other) => h('p', { class: 'paired' }, pairedText(method, other))),
     h('h3', {}, 'Accuracy statement'),
     accuracyTable(method),
     h('p', { class: 'caption' }, note, ' ', total
