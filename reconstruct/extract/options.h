@@ -27,7 +27,7 @@ struct ExtractOptions {
   double high_noise_factor = 2.0;    ///< of the strongest pixel of an edge
   double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
   double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
-  double min_bend_px = 0.12;         ///< an edge is cut where two lines fit better by this
+  double min_bend_px = 0.2;          ///< an edge is cut where two lines fit better by this
   double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short

