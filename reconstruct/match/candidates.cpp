@@ -79,9 +79,13 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
 
 bool admissible(const EpipolarOverlap& overlap,
                 const SearchedSegment& searched,
+                double gsd_m,
                 const std::array<double, 2>& heights_m,
                 const MatchOptions& options) {
   const double tolerance_m = kHeightTolerance_px / searched.px_per_m;
+  const double run_m = gsd_m * overlap.share_of_left() * length(searched.segment);
+  const double rise_m = std::abs(overlap.height_m[1] - overlap.height_m[0]);
+  if (rise_m > std::tan(options.max_slope_deg * kRadPerDeg) * run_m + tolerance_m) return false;
   for (const double z : overlap.height_m) {
     if (!(z >= heights_m[0] - tolerance_m && z <= heights_m[1] + tolerance_m)) return false;
   }
@@ -105,7 +109,8 @@ std::optional<Candidate> candidate(const Search& search,
   const std::optional<EpipolarOverlap> overlap =
       aligned ? best_aligned_overlap(search, searched, transfer, left, right)
               : epipolar_overlap(searched, b);
-  if (!overlap || !admissible(*overlap, searched, search.stereo.height_range_m, options)) {
+  if (!overlap ||
+      !admissible(*overlap, searched, transfer.gsd_m, search.stereo.height_range_m, options)) {
     return std::nullopt;
   }
   const EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);

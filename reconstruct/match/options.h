@@ -11,7 +11,8 @@ namespace ridgeline::reconstruct {
 struct MatchOptions {
   /// Below this angle to the epipolar line end points are not transferred by geometry.
   double min_epipolar_angle_deg = 5.0;
-  double max_turn_deg = 35.0;  ///< a steep line of a roof turns by up to 20 degrees between views
+  double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
+  double max_slope_deg = 50.0;  ///< of a roof; where it implies more, a match is wrong
   double epipolar_tolerance_px = 2.0;  ///< of near-aligned segments to each other's epipolar band
   double min_overlap = 0.3;            ///< of the shorter segment, in the epipolar overlap
   int max_candidates = 8;              ///< per segment, by the look of the single line
@@ -36,6 +37,8 @@ struct MatchOptions {
               "below this angle to the epipolar line the look decides what corresponds"},
         Field{"max_turn_deg", &O::max_turn_deg, 0.0, 90.0,
               "largest difference of direction of two matched segments"},
+        Field{"max_slope_deg", &O::max_slope_deg, 0.0, 89.9,
+              "largest slope of a line in object space; 89.9 for edges of walls too"},
         Field{"epipolar_tolerance_px", &O::epipolar_tolerance_px, 0.0, 100.0,
               "of near-aligned segments to each other's epipolar band"},
         Field{"min_overlap", &O::min_overlap, 0.0, 1.0,
