@@ -10,11 +10,11 @@
 namespace ridgeline::evaluate {
 namespace {
 
-using Figure = std::optional<double> (*)(const Summary&);
+using FigureOf = std::optional<double> (*)(const Summary&);
 
 struct AccuracyMetric {
   std::string_view name;
-  Figure figure;
+  FigureOf figure;
 };
 
 constexpr std::array kAccuracyMetrics{

@@ -2,6 +2,7 @@
 #include "evaluate/judge/edge_decision.h"
 
 #include "evaluate/judge/image_evidence.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 
 namespace ridgeline::evaluate {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// Gradient (dz/dx, dz/dy) of a plane that is not vertical.
 Eigen::Vector2d gradient(const Plane3& plane) {

@@ -66,7 +66,7 @@ Record parse_indices(const std::vector<std::string_view>& words,
   return record;
 }
 
-ObjFile parse(const std::string& path, std::string_view content) {
+ObjFile parse_obj(const std::string& path, std::string_view content) {
   ObjFile obj;
   for (const LogicalRow& row : logical_rows(content)) {
     const std::vector<std::string_view> words = words_of(row.text);
@@ -171,7 +171,7 @@ void append_polylines(const Vertices& vertices,
 }  // namespace
 
 LineSet read_obj(const std::string& path, std::string_view content, bool vertex_pairs) {
-  const ObjFile obj = parse(path, content);
+  const ObjFile obj = parse_obj(path, content);
   LineSet set;
   set.format = "OBJ";
   if (vertex_pairs) {

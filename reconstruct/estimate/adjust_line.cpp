@@ -22,7 +22,7 @@ struct Incidence {
 };
 
 /// Sums over the conditions, S = G cov_e G'.
-struct NormalEquations {
+struct LineEquations {
   Matrix6d matrix = Matrix6d::Zero();  ///< sum p C' S^-1 C
   Vector6d right = Vector6d::Zero();   ///< -sum p C' S^-1 (C M)
   double omega = 0.0;                  ///< sum p (C M)' S^-1 (C M)
@@ -56,18 +56,18 @@ struct NormalEquations {
 };
 
 /// What determines a line.
-struct Conditions {
+struct LineConditions {
   std::span<const UncertainPlane3> planes;
   std::span<const PointOnLine> points;
   std::optional<double> sigma_slope;
 };
 
-NormalEquations normal_equations(const Conditions& conditions, const Vector6d& line, int dominant) {
+LineEquations line_equations(const LineConditions& conditions, const Vector6d& line, int dominant) {
   const RowPair in_plane = line_in_plane_rows(dominant);
   const RowPair on_line = point_on_line_rows(dominant);
   const Incidence plane{pi_matrix, in_plane, select_rows(gamma_matrix(line), in_plane)};
   const Incidence point{pi_bar_matrix, on_line, select_rows(gamma_bar_matrix(line), on_line)};
-  NormalEquations n;
+  LineEquations n;
   for (const UncertainPlane3& p : conditions.planes) n.add(plane, p, 1.0);
   for (const PointOnLine& p : conditions.points) n.add(point, p.point, p.information);
   if (conditions.sigma_slope) n.add_horizontal(line, *conditions.sigma_slope);
@@ -83,7 +83,7 @@ struct Increment {
   bool full_rank;
 };
 
-Increment solve(const NormalEquations& n, const Vector6d& line) {
+Increment solve(const LineEquations& n, const Vector6d& line) {
   constexpr double kSmallestPivot = 1e-12;  // of the block scaled by its mean diagonal element
   const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(line);
   const Eigen::Matrix4d matrix = basis.transpose() * n.matrix * basis;
@@ -131,20 +131,20 @@ int keep_or_replace(int dominant, const Vector6d& line) {
 struct Linearised {
   Vector6d line;
   int dominant;
-  NormalEquations normal;
+  LineEquations normal;
 };
 
-Linearised linearise(const Conditions& conditions,
+Linearised linearise(const LineConditions& conditions,
                      const Vector6d& line,
                      std::optional<int> previous_dominant) {
   const int dominant =
       previous_dominant ? keep_or_replace(*previous_dominant, line) : dominant_component(line);
-  return {line, dominant, normal_equations(conditions, line, dominant)};
+  return {line, dominant, line_equations(conditions, line, dominant)};
 }
 
 /// The step, halved until it does not increase omega: for nearly coincident planes the linear range
 /// is smaller than the standard deviation of the direction within them.
-Linearised descend(const Conditions& conditions, const Linearised& from, const Vector6d& step) {
+Linearised descend(const LineConditions& conditions, const Linearised& from, const Vector6d& step) {
   constexpr int kMaxHalvings = 10;
   constexpr double kRounding = 1e-9;  // of omega, whose unit is one standard deviation squared
   double factor = 1.0;
@@ -166,7 +166,7 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
   constexpr double kConvergedSigma = 1e-6;
   if (planes.size() + points.size() < 2) return std::nullopt;
 
-  const Conditions conditions{planes, points, sigma_slope};
+  const LineConditions conditions{planes, points, sigma_slope};
   Linearised current = linearise(conditions, start_line(planes, points), std::nullopt);
   if (!current.line.allFinite()) return std::nullopt;
   AdjustedLine result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/candidates.h"
 
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/match/segment_index.h"
 
 #include <tbb/parallel_for.h>
@@ -11,7 +12,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kRadPerDeg = M_PI / 180.0;
 /// The range of heights is widened by this, for what noise does to a height at its border.
 constexpr double kHeightTolerance_px = 2.0;
 constexpr double kParallaxStep_px = 1.0;  // of the search along near-aligned lines

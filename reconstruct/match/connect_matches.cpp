@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/connect_matches.h"
 
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/match/base_pairs.h"
 #include "reconstruct/match/epipolar_transfer.h"
 
@@ -14,7 +15,6 @@ bool meet_in_both(const std::array<Segment2, 2>& a,
                   const std::array<Segment2, 2>& b,
                   const Eigen::Matrix3d& right_from_left,
                   const MatchOptions& options) {
-  constexpr double kRadPerDeg = M_PI / 180.0;
   std::array<Eigen::Vector2d, 2> x;
   std::array<double, 2> angle_rad{};
   for (const int image : {0, 1}) {

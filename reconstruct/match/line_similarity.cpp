@@ -9,7 +9,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kColourScale = 0.05;    // of the range of grey values
+constexpr double kFlankScale = 0.05;     // of the range of grey values
 constexpr double kEndScale_px = 3.0;     // end points along a line are this uncertain
 constexpr double kHalfLength_px = 30.0;  // overlap at which kLength is 1/2
 
@@ -44,7 +44,7 @@ LineMeasures line_measures(const EdgeSegment& left,
   for (const int side : {0, 1}) {
     const auto& seen = look.sides[side];
     ncc[side] = seen ? std::max(0.0, seen->ncc) : kUndecided;
-    colour[side] = seen ? std::exp(-seen->colour_difference / kColourScale) : kUndecided;
+    colour[side] = seen ? std::exp(-seen->colour_difference / kFlankScale) : kUndecided;
   }
   m.values[LineMeasures::kBetterSide] = std::max(ncc[0], ncc[1]);
   m.values[LineMeasures::kOtherSide] = std::min(ncc[0], ncc[1]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/pair_similarity.h"
 
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/match/constraints.h"
 #include "reconstruct/match/pair_patch.h"
 
@@ -10,7 +11,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kRadPerDeg = M_PI / 180.0;
 constexpr std::size_t kMostPerPair = 5;
 /// Longest side of the patch that a pair spans: near the corner the surface is a plane.
 constexpr double kLongestSide_px = 32.0;

@@ -2,9 +2,10 @@
 // From rendered images to Tables 1 and 2 on villages that no weight was fitted to: the figures that
 // the README states. Seeds 1 to 8 are for calibration.
 //
-// The limits keep what is reached (measured: correctness 98.7 %, completeness 97.3 %, quality 96.1 %;
-// 59 % of the roof lines). What is aimed at is more: 99, 97 and 96 %; 85 % of the roof lines;
-// not_aligned lines to 0.06 m; `joint` aligned lines to 0.15 m with less than 1 % gross errors.
+// The limits keep what is reached (measured: correctness 98.4 %, completeness 97.1 %, quality 95.7 %;
+// 67 % of the roof lines; not_aligned lines to 0.13 m, `joint` aligned lines to 0.35 m with 1.3 % gross
+// errors). What is aimed at is more: 99, 97 and 96 %; 85 % of the roof lines; not_aligned lines to
+// 0.06 m; `joint` aligned lines to 0.15 m with less than 1 % gross errors.
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -137,8 +138,8 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   }
   EXPECT_LE(truth["joint not_aligned"].rms(), 0.20);
   EXPECT_LE(truth["joint not_aligned"].gross_share(), 0.01);
-  EXPECT_LE(truth["joint aligned"].gross_share(), 0.75 * truth["direct aligned"].gross_share());
-  EXPECT_LE(truth["joint aligned"].rms(), 0.75 * truth["direct aligned"].rms());
+  EXPECT_LE(truth["joint aligned"].gross_share(), 0.03);
+  EXPECT_LE(truth["joint aligned"].rms(), 0.6);
 
   double n_true = 0.0, n_found = 0.0;
   for (const Row& row : table("reference_completeness.csv")) {
@@ -149,7 +150,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
     n_found += number(row, "n_reconstructed");
   }
   std::cout << "roof lines reconstructed: " << n_found << " of " << n_true << "\n";
-  EXPECT_GE(n_found / n_true, 0.55);
+  EXPECT_GE(n_found / n_true, 0.63);
 }
 
 }  // namespace
