@@ -11,8 +11,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Evidence closer together along the segment than this share of it fixes no direction.
-constexpr double kSmallestBase = 0.2;
 /// Within this many standard deviations evidence supports a line.
 constexpr double kSupportSigma = 3.0;
 
@@ -101,8 +99,9 @@ class Scorer {
     constexpr double kElsewhere = 0.05;  // of ends that are at the height of no line nearby
     if (heights_nearby_.empty()) return 0.0;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const double other : heights_nearby_)
+    for (const double other : heights_nearby_) {
       nearest = std::min(nearest, std::abs(other - height));
+    }
     return std::log(kElsewhere +
                     (1.0 - kElsewhere) * bell(unit_m_ * nearest / options_.sigma_height_m));
   }

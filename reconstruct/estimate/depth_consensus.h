@@ -12,6 +12,9 @@
 
 namespace ridgeline::reconstruct {
 
+/// Points closer together along the segment than this share of it fix no direction.
+inline constexpr double kSmallestBase = 0.2;
+
 /// A point that a line may pass through, in the conditioned object frame.
 struct DepthEvidence {
   Eigen::Vector3d x;

@@ -3,6 +3,8 @@
 
 #include "reconstruct/estimate/depth_consensus.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,17 +36,40 @@ UncertainPoint2 end_in_image(const ObservedLine& observed,
   return spherically_normalised(point);
 }
 
+/// What the left camera sees at a pixel on the level of the patch's centre, seen by the right one.
+Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_left) {
+  const ProjectionMatrix& left = stereo.views[0].image_from_object;
+  Eigen::Matrix3d image_from_level;  // of (X, Y, 1)
+  image_from_level << left.col(0), left.col(1), left.col(3);
+  const Eigen::Vector3d x = image_from_level.inverse() * x_in_left.homogeneous();
+  return (stereo.views[1].image_from_object * Eigen::Vector4d(x.x(), x.y(), 0.0, x.z()))
+      .hnormalized();
+}
+
+/// Whether the right segment runs the other way than the left one, by whatever rule the segments
+/// were directed.
+bool runs_back(const StereoLines& lines, int line) {
+  const std::array<ObservedLine, 2>& observed = lines.lines[static_cast<std::size_t>(line)];
+  const Segment2& left = observed[0].segment;
+  const Segment2& right = observed[1].segment;
+  const Eigen::Vector2d expected =
+      on_level(lines.stereo, left.end) - on_level(lines.stereo, left.start);
+  return expected.dot(right.end - right.start) < 0.0;
+}
+
 /// The point that the starts (0) or the ends (1) of both segments show; empty if none before the
 /// cameras and within the heights.
 std::optional<UncertainPoint3> end_in_object(const StereoLines& lines,
                                              int line,
                                              int which,
                                              const ReconstructOptions& options) {
+  const bool back = runs_back(lines, line);
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const View& view = lines.stereo.views[j];
     const ObservedLine& observed = lines.lines[static_cast<std::size_t>(line)][j];
-    const Eigen::Vector2d& end = which == 0 ? observed.segment.start : observed.segment.end;
+    const bool at_start = (which == 0) != (back && j == 1);
+    const Eigen::Vector2d& end = at_start ? observed.segment.start : observed.segment.end;
     observations.push_back(
         {view.image_from_object,
          end_in_image(observed, end, options.sigma_end_px / view.image.scale_px)});
@@ -59,7 +84,15 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
   return {point.mean.hnormalized(), jacobian * point.cov * jacobian.transpose(), parameter, prior};
 }
 
-bool fix_direction(std::span<const CandidatePoint> points) { return points.size() >= 2; }
+/// Whether the points are far enough apart, as a share of the segment.
+bool fix_direction(std::span<const CandidatePoint> points) {
+  if (points.empty()) return false;
+  const auto [low, high] = std::minmax_element(
+      points.begin(), points.end(), [](const CandidatePoint& a, const CandidatePoint& b) {
+        return a.ranked.parameter < b.ranked.parameter;
+      });
+  return high->ranked.parameter - low->ranked.parameter >= kSmallestBase;
+}
 
 }  // namespace
 

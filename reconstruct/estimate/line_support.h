@@ -15,7 +15,7 @@ namespace ridgeline::reconstruct {
 /// What an aligned line rests on beside its two projection planes.
 struct LineSupport {
   std::vector<CandidatePoint> points;  ///< artificial points, one per region at most
-  std::vector<PointOnLine> ends;       ///< of the segments, where fewer than two points are left
+  std::vector<PointOnLine> ends;       ///< of the segments, where the points fix no direction
   std::optional<double> sigma_slope;   ///< taken as horizontal; under the same condition
 };
 

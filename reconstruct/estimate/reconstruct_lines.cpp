@@ -127,10 +127,9 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
 Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
-  if (support.points.size() >= 2) return Status::kJoint;
   if (support.sigma_slope) return Status::kHorizontal;
   if (!support.ends.empty()) return Status::kSegmentEnds;
-  return Status::kOnePoint;
+  return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
 
 /// An end of a line of known height, in the conditioned frames.

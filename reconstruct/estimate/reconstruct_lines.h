@@ -28,8 +28,8 @@ enum class Status : std::uint8_t {
   kDirect,          ///< intersection of the projection planes
   kJoint,           ///< planes and two or three artificial points
   kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
-  kSegmentEnds,     ///< fewer than two points, and ends of both segments taken as the same
-  kHorizontal,      ///< fewer than two points, and the line taken as horizontal
+  kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
+  kHorizontal,      ///< points fix no direction; the line taken as horizontal
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`
   kRankDeficient,   ///< planes and points leave a direction free: one of many lines, no covariance
   kNotConverged,    ///< the adjustment still moved after its last pass; its last line

@@ -82,6 +82,24 @@ TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
 }
 
+TEST(DepthConsensus, DoesNotTakeTwoPointsInOnePlaceForADirection) {
+  // in two regions, but only a tenth of the segment apart
+  const LineGroup group = make_group(eave(0.5), {{0.28, 80}, {0.38, 110}});
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.points.size(), 2U);
+  EXPECT_EQ(line.status, Status::kHorizontal);
+}
+
+TEST(DepthConsensus, DoesNotDependOnTheDirectionOfTheSegments) {
+  LineGroup group = make_group(eave(0.5), {});
+  const ReconstructedLine expected = group.reconstruct(ReconstructOptions{})[0];
+  Segment2& right = group.segments[1][0].segment;
+  std::swap(right.start, right.end);
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, expected.status);
+  EXPECT_LT(worst_error_m(group, line), kAssumedM);
+}
+
 TEST(DepthConsensus, TakesALineWithoutPointsFromItsEnds) {
   const LineGroup group = make_group(eave(0.5), {});
   const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
