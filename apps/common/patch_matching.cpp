@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/patch_matching.h"
 
+#include "io/error.h"
 #include "io/matches_file.h"
+
+#include <fmt/core.h>
 
 #include <variant>
 
@@ -24,7 +27,26 @@ std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceE
   return result;
 }
 
+void check_id(const std::string& file,
+              const char* column,
+              int id,
+              const std::vector<EdgeSegment>& segments) {
+  if (id >= 0 && static_cast<std::size_t>(id) < segments.size()) return;
+  throw io::IoError(file,
+                    fmt::format("{} = {}, must be in 0..{}: the image has {} segments", column, id,
+                                static_cast<std::ptrdiff_t>(segments.size()) - 1, segments.size()));
+}
+
 }  // namespace
+
+void check_segment_ids(const std::string& file,
+                       std::span<const LineMatch> matches,
+                       const std::array<std::vector<EdgeSegment>, 2>& segments) {
+  for (const LineMatch& match : matches) {
+    check_id(file, "left_id", match.left, segments[0]);
+    check_id(file, "right_id", match.right, segments[1]);
+  }
+}
 
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
@@ -33,6 +55,7 @@ std::optional<evaluate::MatchingScore> score_patch_matches(
   if (!patch.reference_matches) return std::nullopt;
   const io::ReferenceMatches reference = io::read_reference_matches(*patch.reference_matches);
   if (const auto* pairs = std::get_if<std::vector<LineMatch>>(&reference)) {
+    check_segment_ids(*patch.reference_matches, *pairs, segments);
     return evaluate::score_matches(matches, *pairs);
   }
   return evaluate::score_matches(

@@ -9,12 +9,18 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ridgeline::apps {
 
+/// Throws IoError naming `file` for a match of a segment that there is not.
+void check_segment_ids(const std::string& file,
+                       std::span<const LineMatch> matches,
+                       const std::array<std::vector<EdgeSegment>, 2>& segments);
+
 /// The matches of a patch against its reference matches; nothing if it has none. Throws IoError for
-/// a reference file's fault.
+/// a reference file's fault, among them a pair of ids that are not those of segments.
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,

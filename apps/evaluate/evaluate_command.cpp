@@ -189,6 +189,7 @@ nlohmann::ordered_json echo_arguments(const EvaluateArguments& a) {
   json["last_returns"] = a.last_returns;
   json["bounds"] = a.bounds;
   json["assume_crs"] = a.assume_crs;
+  json["vertex_pairs"] = a.vertex_pairs;
   json["sample_consensus"] = a.sample_consensus;
   json["judge"] = echo(a.judge);
   json["gross_m"] = a.summary.gross_m;
@@ -236,7 +237,10 @@ int run_evaluate(const EvaluateArguments& arguments) {
   out.write("run.json", record.to_json());
   spdlog::info("local origin {:.0f} {:.0f} {:.0f} m; results in {}", judged.frame.origin_m.x(),
                judged.frame.origin_m.y(), judged.frame.origin_m.z(), arguments.out);
-  if (arguments.report) spdlog::info("report in {}", write_report(arguments.out));
+  if (arguments.report) {
+    const std::optional<std::string> report = write_report_of_run(arguments.out);
+    if (report) spdlog::info("report in {}", *report);
+  }
   return kDone;
 }
 

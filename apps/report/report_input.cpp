@@ -3,8 +3,9 @@
 
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
-#include "apps/common/result_folder_reader.h"
 #include "apps/evaluate/judge_files.h"
+#include "apps/report/evaluated_patches.h"
+#include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
 #include "evaluate/statistics/reference_errors.h"
 #include "io/cloud/read_cloud.h"
@@ -12,77 +13,14 @@
 #include "io/error.h"
 #include "io/lines/read_lines.h"
 #include "io/segments_file.h"
-#include "io/text_file.h"
 
 #include <fmt/core.h>
-
-#include <algorithm>
-#include <unordered_map>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
 using evaluate::Json;
-
-Json read_object(const fs::path& file) {
-  Json json = Json::parse(io::read_text_file(file.string()), nullptr, false);
-  if (!json.is_object()) throw io::IoError(file.string(), "is no JSON object");
-  return json;
-}
-
-/// Runs `read`; a file's fault becomes a note: the rest of the report does not depend on it.
-template <typename Read>
-void read_or_note(ReportPatch& patch, const char* what, const Read& read) {
-  try {
-    read();
-  } catch (const io::IoError& error) {
-    patch.notes.push_back(fmt::format("{}: {}", what, error.what()));
-  } catch (const std::invalid_argument& error) {
-    patch.notes.push_back(fmt::format("{}: {}", what, error.what()));
-  }
-}
-
-std::vector<std::optional<io::Line>> in_order_of(const Json& judged, io::LineSet set) {
-  std::unordered_map<std::string, std::size_t> index;
-  for (std::size_t i = 0; i < set.lines.size(); ++i) index.try_emplace(set.lines[i].id, i);
-  std::vector<std::optional<io::Line>> lines(judged.size());
-  for (std::size_t i = 0; i < judged.size(); ++i) {
-    // the file's own order, which ids that occur twice need; else by id
-    const std::string id = judged[i].at("id").get<std::string>();
-    const auto found = index.find(id);
-    if (i < set.lines.size() && set.lines[i].id == id) {
-      lines[i] = set.lines[i];
-    } else if (found != index.end()) {
-      lines[i] = set.lines[found->second];
-    }
-  }
-  return lines;
-}
-
-ReportMethod read_method(const fs::path& file, const RunInputs& inputs, ReportPatch& patch) {
-  ReportMethod method;
-  method.evaluation = read_object(file);
-  try {
-    method.name = method.evaluation.at("method").get<std::string>();
-    const Json& judged = method.evaluation.at("lines");
-    method.lines.resize(judged.size());
-    read_or_note(patch, "lines are not drawn", [&] {
-      fs::path lines = file.parent_path() / fmt::format("lines.{}.geojson", method.name);
-      if (!fs::exists(lines)) lines = inputs.lines_of(method.name);
-      if (lines.empty()) throw io::IoError(file.string(), "the file of its lines is not known");
-      method.lines = in_order_of(judged, io::read_lines(inputs.unchanged(lines.string())));
-    });
-  } catch (const Json::exception& error) {
-    throw io::IoError(file.string(), std::string("is no evaluation: ") + error.what());
-  }
-  return method;
-}
-
-LocalFrame frame_of(const Json& evaluation) {
-  const auto o = evaluation.at("origin_m").get<std::array<double, 3>>();
-  return {{o[0], o[1], o[2]}};
-}
 
 std::vector<LineMatch> line_matches(const std::vector<io::MatchRow>& rows) {
   std::vector<LineMatch> matches;
@@ -104,7 +42,9 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
     for (std::size_t i = 0; i < 2; ++i) {
       shown.segments[i] = io::read_segments(segments(i).string());
     }
-    shown.matches = io::read_matches((folder / "matches.csv").string());
+    const std::string matches = (folder / "matches.csv").string();
+    shown.matches = io::read_matches(matches);
+    check_segment_ids(matches, line_matches(shown.matches), shown.segments);
   }
   if (fs::exists(folder / "unmatched.csv")) {
     const io::CsvTable table((folder / "unmatched.csv").string());
@@ -203,58 +143,22 @@ void read_run_data(const fs::path& folder,
   }
 }
 
-/// Patches and methods in the order of Table 2, which is that of the run; what an earlier run with
-/// other methods left in the folder is not in it and goes.
-void arrange_as_table2(const fs::path& folder, std::vector<ReportPatch>& patches) {
-  if (!fs::exists(folder / "table2.json")) return;
-  std::map<std::string, std::size_t> rank;
-  for (const Json& row : read_object(folder / "table2.json").value("rows", Json::array())) {
-    rank.try_emplace(row.value("patch", ""), rank.size());
-    rank.try_emplace(row.value("patch", "") + "\n" + row.value("method", ""), rank.size());
+/// Of all that a text of the report may name.
+PathShortener path_shortener(const std::string& folder,
+                             const RunInputs& inputs,
+                             const std::vector<ReportPatch>& patches) {
+  std::vector<std::string> paths = inputs.all_paths();
+  for (const std::string& path : inputs.given_paths()) paths.push_back(path);
+  paths.push_back(folder);
+  paths.push_back((fs::path(folder) / "run.json").string());
+  for (const ReportPatch& patch : patches) {
+    if (!patch.patch) continue;
+    for (const io::PatchImage& image : patch.patch->images) paths.push_back(image.path);
+    paths.insert(paths.end(), patch.patch->lidar.begin(), patch.patch->lidar.end());
+    if (patch.patch->reference_matches) paths.push_back(*patch.patch->reference_matches);
+    if (patch.patch->reference_lines) paths.push_back(*patch.patch->reference_lines);
   }
-  const auto place = [&rank](const std::string& key) {
-    const auto found = rank.find(key);
-    return found == rank.end() ? rank.size() : found->second;
-  };
-  std::stable_sort(patches.begin(), patches.end(),
-                   [&](const auto& a, const auto& b) { return place(a.id) < place(b.id); });
-  for (ReportPatch& patch : patches) {
-    std::erase_if(patch.methods, [&](const ReportMethod& method) {
-      return !rank.contains(patch.id + "\n" + method.name);
-    });
-    std::stable_sort(patch.methods.begin(), patch.methods.end(), [&](const auto& a, const auto& b) {
-      return place(patch.id + "\n" + a.name) < place(patch.id + "\n" + b.name);
-    });
-  }
-  std::erase_if(patches, [](const ReportPatch& patch) { return patch.methods.empty(); });
-}
-
-std::vector<ReportPatch> read_patches(const fs::path& folder, const RunInputs& inputs) {
-  std::vector<ReportPatch> patches;
-  for (const fs::path& file : evaluation_files(folder)) {
-    const std::string subfolder =
-        fs::equivalent(file.parent_path(), folder) ? "" : file.parent_path().filename() / "";
-    if (patches.empty() || patches.back().subfolder != subfolder) {
-      patches.emplace_back().subfolder = subfolder;
-    }
-    ReportPatch& patch = patches.back();
-    patch.methods.push_back(read_method(file, inputs, patch));
-    try {
-      patch.id = patch.methods.back().evaluation.at("patch").get<std::string>();
-      patch.frame = frame_of(patch.methods.back().evaluation);
-    } catch (const Json::exception& error) {
-      throw io::IoError(file.string(), std::string("is no evaluation: ") + error.what());
-    }
-  }
-  return patches;
-}
-
-/// Without the folders of the data, which are the sender's own business.
-void shorten_paths(const std::vector<std::string>& paths, std::string& note) {
-  for (const std::string& path : paths) {
-    const std::size_t at = note.find(path);
-    if (at != std::string::npos) note.replace(at, path.size(), fs::path(path).filename().string());
-  }
+  return PathShortener(paths);
 }
 
 }  // namespace
@@ -263,21 +167,20 @@ ReportInput read_report_input(const std::string& folder) {
   if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");
   ReportInput input;
   const fs::path path(folder);
-  input.run = fs::exists(path / "run.json") ? read_object(path / "run.json") : Json::object();
+  input.run = fs::exists(path / "run.json") ? read_json_object(path / "run.json") : Json::object();
   const RunInputs inputs(input.run, (path / "run.json").string());
   input.input_paths = inputs.all_paths();
   input.table1 = Json::array();
-  if (fs::exists(path / "table1.json")) {
-    input.table1 = read_object(path / "table1.json").value("rows", Json::array());
+  // in the folder of an evaluation of files it is an earlier run's
+  if (!inputs.is_of_files() && fs::exists(path / "table1.json")) {
+    input.table1 = read_json_object(path / "table1.json").value("rows", Json::array());
   }
-  input.patches = read_patches(path, inputs);
-  if (input.patches.empty()) {
-    throw io::IoError(folder, "holds no evaluation.*.json; must be the --out of run or evaluate");
-  }
-  arrange_as_table2(path, input.patches);
+  input.patches = read_evaluated_patches(path, inputs);
+  for (ReportPatch& patch : input.patches) read_run_data(path, inputs, input.run, patch);
+  const PathShortener shortener = path_shortener(folder, inputs, input.patches);
+  shortener.shorten(input.run);
   for (ReportPatch& patch : input.patches) {
-    read_run_data(path, inputs, input.run, patch);
-    for (std::string& note : patch.notes) shorten_paths(input.input_paths, note);
+    for (std::string& note : patch.notes) shortener.shorten(note);
   }
   return input;
 }

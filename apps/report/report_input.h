@@ -55,8 +55,8 @@ struct ReportPatch {
 /// records, from the data of the run.
 // NOLINTNEXTLINE(bugprone-exception-escape): as above
 struct ReportInput {
-  evaluate::Json run;                    ///< run.json; an empty object if there is none
-  evaluate::Json table1;                 ///< rows of Table 1; empty without reference matches
+  evaluate::Json run;     ///< run.json without folders; an empty object if there is none
+  evaluate::Json table1;  ///< rows of Table 1; empty without reference matches
   std::vector<std::string> input_paths;  ///< of the run, never to be written over
   std::vector<ReportPatch> patches;
 };

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 RunInputs::RunInputs(const evaluate::Json& run, const std::string& file) {
   try {
     is_of_files_ = run.value("command", "") == "evaluate";
+    options_ = run.value("options", evaluate::Json::object());
     for (const evaluate::Json& input : run.value("inputs", evaluate::Json::array())) {
       inputs_.push_back({input.at("role").get<std::string>(), input.at("path").get<std::string>(),
                          input.at("bytes").get<std::uint64_t>()});
@@ -39,37 +40,56 @@ std::vector<std::string> RunInputs::all_paths() const {
   return paths;
 }
 
+std::vector<std::string> RunInputs::given_paths() const {
+  std::vector<std::string> paths;
+  for (const char* key : {"lines", "cloud"}) {
+    for (const evaluate::Json& path : options_.value(key, evaluate::Json::array())) {
+      paths.push_back(path.get<std::string>());
+    }
+  }
+  paths.push_back(options_.value("patch", ""));
+  return paths;
+}
+
 std::string RunInputs::unchanged(const std::string& path) const {
   if (!fs::exists(path)) throw io::IoError(path, "is no longer there");
-  const auto input =
-      std::find_if(inputs_.begin(), inputs_.end(), [&](const Input& i) { return i.path == path; });
-  if (input == inputs_.end() || !fs::is_regular_file(path)) return path;
-  const std::uintmax_t bytes = fs::file_size(path);
-  if (bytes != input->bytes) {
-    throw io::IoError(
-        path, fmt::format("has changed since the run: {} bytes, it had {}", bytes, input->bytes));
+  const bool is_folder = fs::is_directory(path);
+  for (const Input& input : inputs_) {
+    // a folder was recorded file by file
+    const bool is_meant = is_folder ? fs::path(input.path).parent_path() / "" == fs::path(path) / ""
+                                    : input.path == path;
+    if (is_meant) refuse_changed(input);
   }
   return path;
 }
 
+void RunInputs::refuse_changed(const Input& input) {
+  if (!fs::exists(input.path)) throw io::IoError(input.path, "is no longer there");
+  if (!fs::is_regular_file(input.path)) return;
+  const std::uintmax_t bytes = fs::file_size(input.path);
+  if (bytes == input.bytes) return;
+  throw io::IoError(input.path, fmt::format("has changed since the run: {} bytes, it had {}", bytes,
+                                            input.bytes));
+}
+
 std::string RunInputs::lines_of(const std::string& method) const {
-  for (const Input& input : inputs_) {
-    if (input.role == "lines" && stem_of(input.path) == method) return input.path;
+  for (const evaluate::Json& path : options_.value("lines", evaluate::Json::array())) {
+    if (stem_of(path.get<std::string>()) == method) return path.get<std::string>();
   }
   return {};
 }
 
 std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
-  std::string gone;
+  std::optional<io::IoError> first_error;  // of another patch, unless the one wanted is not found
   for (const std::string& path : paths("patch")) {
-    if (!fs::exists(path)) {
-      gone = path;
-      continue;
+    try {
+      io::PatchFile patch = io::read_patch(unchanged(path));
+      if (patch.id == id) return patch;
+    } catch (const io::IoError& error) {
+      if (!first_error) first_error = error;
     }
-    io::PatchFile patch = io::read_patch(unchanged(path));
-    if (patch.id == id) return patch;
   }
-  if (!gone.empty()) throw io::IoError(gone, "is no longer there");
+  if (first_error) throw io::IoError(*first_error);
   return std::nullopt;
 }
 

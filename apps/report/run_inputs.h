@@ -21,14 +21,18 @@ class RunInputs {
   [[nodiscard]] bool is_of_files() const { return is_of_files_; }
   [[nodiscard]] std::vector<std::string> paths(const std::string& role) const;
   [[nodiscard]] std::vector<std::string> all_paths() const;
+  /// Files, folders and patterns as they stood on the command line.
+  [[nodiscard]] std::vector<std::string> given_paths() const;
 
   /// `path`, if the run did not read it or its size is as it was then. Throws IoError if it is gone
-  /// or has changed: what the figures were made from must be what is shown beside them.
+  /// or has changed: what the figures were made from must be what is shown beside them. Of a folder
+  /// its recorded files count.
   [[nodiscard]] std::string unchanged(const std::string& path) const;
 
-  /// The line file whose name gives the method's; empty if there is none.
+  /// The line file (or folder) given to `evaluate` whose name gives the method's; empty if none.
   [[nodiscard]] std::string lines_of(const std::string& method) const;
-  /// The run's patch of this id. Throws IoError if its file is gone or has changed.
+  /// The run's patch of this id. Throws IoError if it is not found and a patch file is gone or has
+  /// changed.
   [[nodiscard]] std::optional<io::PatchFile> patch(const std::string& id) const;
   [[nodiscard]] std::optional<std::string> reference_lines(
       const std::optional<io::PatchFile>& patch) const;
@@ -38,7 +42,10 @@ class RunInputs {
     std::string role, path;
     std::uint64_t bytes = 0;
   };
+  static void refuse_changed(const Input& input);
+
   std::vector<Input> inputs_;
+  evaluate::Json options_;
   bool is_of_files_ = false;
 };
 

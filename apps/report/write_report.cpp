@@ -8,6 +8,7 @@
 #include "io/png_writer.h"
 
 #include <fmt/core.h>
+#include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
 #include <functional>
@@ -72,6 +73,15 @@ std::string write_report(const std::string& folder,
                                .dump(-1, ' ', false, evaluate::Json::error_handler_t::replace);
   out.write("report.html", report_page(title_of(input), data));
   return out.path("report.html");
+}
+
+std::optional<std::string> write_report_of_run(const std::string& folder) {
+  try {
+    return write_report(folder);
+  } catch (const std::exception& error) {
+    spdlog::warn("the results are complete, but their report is not written: {}", error.what());
+    return std::nullopt;
+  }
 }
 
 }  // namespace ridgeline::apps

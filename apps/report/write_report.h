@@ -20,4 +20,8 @@ void add_report_flag(CLI::App& app, bool& report);
 std::string write_report(const std::string& folder,
                          const std::optional<evaluate::GateReport>& gates = std::nullopt);
 
+/// As write_report(), after a run: its results are complete and stand whatever becomes of the
+/// report, so that a fault of it is a warning. Nothing then.
+std::optional<std::string> write_report_of_run(const std::string& folder);
+
 }  // namespace ridgeline::apps

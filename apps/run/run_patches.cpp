@@ -127,7 +127,10 @@ void run_patches(const std::string& command,
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   fmt::print("\nResults: {}\n", results.string());
-  if (options.report) fmt::print("Report: {}\n", write_report(results.string()));
+  if (options.report) {
+    const std::optional<std::string> report = write_report_of_run(results.string());
+    if (report) fmt::print("Report: {}\n", *report);
+  }
 }
 
 }  // namespace ridgeline::apps

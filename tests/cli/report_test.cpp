@@ -78,8 +78,98 @@ TEST_F(Report, MadeLaterHasTheSameBytes) {
 }
 
 TEST_F(Report, HoldsNoFoldersOfTheSender) {
-  run_patch();
-  EXPECT_THAT(data_of("out/report.html")["run"].dump(), Not(HasSubstr(path("patch").string())));
+  const std::string folder = path("").string();
+  std::vector<std::string> arguments{"evaluate"};
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"--lines", "patch/lines.good.geojson"},
+      {"--cloud", "patch/lidar.las"},
+      {"--patch", "patch/patch.yaml"},
+      {"--out", "judged"}};
+  for (const auto& [flag, file] : files) {
+    arguments.push_back(flag);
+    arguments.push_back(path(file).string());
+  }
+  arguments.emplace_back("--no-report");
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  fs::remove(path("patch/lidar.las"));
+  fs::remove(path("patch/left.tif"));
+  ASSERT_EQ(run({"report", path("judged").string()}).exit_code, 0);
+  const nlohmann::json data = data_of("judged/report.html");
+  EXPECT_EQ(data["run"]["options"]["lines"].at(0), "lines.good.geojson");
+  EXPECT_THAT(data["patches"][0]["notes"].dump(), HasSubstr("lidar.las: is no longer there"));
+  EXPECT_THAT(data.dump(), Not(HasSubstr(folder)));
+}
+
+TEST_F(Report, ShowsTheLastEvaluationOnly) {
+  ASSERT_EQ(evaluate("scene/lines.poor.geojson", "judged").exit_code, 0);
+  fs::copy(path("scene/lidar.las"), path("scene/town.las"));
+  ASSERT_EQ(run({"evaluate", "--lines", "scene/lines.good.geojson", "--cloud", "scene/town.las",
+                 "--out", "judged", "--no-report"})
+                .exit_code,
+            0);
+  write(path("judged/evaluation.old.json"), "cut sho");
+  write(path("judged/table1.json"), R"({"rows": [{"patch": "1"}]})");
+  const ProgramResult result = run({"report", "judged"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json data = data_of("judged/report.html");
+  ASSERT_EQ(data["patches"].size(), 1U);
+  EXPECT_EQ(data["patches"][0]["id"], "town");
+  ASSERT_EQ(data["patches"][0]["methods"].size(), 1U);
+  EXPECT_EQ(data["patches"][0]["methods"][0]["name"], "lines.good");
+  EXPECT_TRUE(data["table1"].empty());
+}
+
+TEST_F(Report, OfARunIsNotDisturbedByAnEvaluationInItsPatch) {
+  run_patch({"--no-report"});
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "out/1", {"--no-report"}).exit_code, 0);
+  const ProgramResult result = run({"report", "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json data = data_of("out/report.html");
+  ASSERT_EQ(data["patches"].size(), 1U);
+  EXPECT_EQ(data["patches"][0]["id"], "1");
+  EXPECT_EQ(data["patches"][0]["methods"].size(), 2U);
+  EXPECT_FALSE(data["patches"][0]["images"].is_null());
+}
+
+TEST_F(Report, OfJudgedFilesDrawsTheFilesGiven) {
+  fs::create_directories(path("judged"));
+  fs::copy(path("scene/lines.poor.geojson"), path("judged/lines.lines.good.geojson"));
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "judged").exit_code, 0);
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "fresh").exit_code, 0);
+  EXPECT_EQ(data_of("judged/report.html")["patches"], data_of("fresh/report.html")["patches"]);
+}
+
+TEST_F(Report, WithoutAReportTheResultsOfARunStand) {
+  fs::create_directories(path("out/report.html/in_the_way"));
+  const ProgramResult result =
+      run({"run", "patch/patch.yaml", "--out", "out", "--methods", "direct"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("their report is not written"));
+  EXPECT_THAT(names_in(path("out")), IsSupersetOf({"run.json", "table2.md"}));
+  EXPECT_REFUSED(run({"report", "out"}), HasSubstr("report.html"));
+}
+
+TEST_F(Report, PairsOfNoSegmentAreAFaultOfTheReference) {
+  write(path("patch/matches.csv"), "left_id,right_id\n0,0\n5000,0\n");
+  EXPECT_REFUSED(run({"run", "patch/patch.yaml", "--out", "out"}),
+                 AllOf(HasSubstr("matches.csv"), HasSubstr("left_id = 5000, must be in 0..")));
+}
+
+TEST_F(Report, AnotherPatchFilesChangeHidesNothing) {
+  fs::copy(path("patch"), path("other"));
+  std::string yaml = read(path("other/patch.yaml"));
+  yaml.replace(yaml.find("\"1\""), 3, "\"2\"");
+  write(path("other/patch.yaml"), yaml);
+  ASSERT_EQ(run({"run", "patch/patch.yaml", "other/patch.yaml", "--out", "out", "--methods",
+                 "direct", "--no-report"})
+                .exit_code,
+            0);
+  write(path("patch/patch.yaml"), "id: changed");
+  ASSERT_EQ(run({"report", "out"}).exit_code, 0);
+  const nlohmann::json patches = data_of("out/report.html")["patches"];
+  EXPECT_THAT(patches.at(0)["notes"].dump(), HasSubstr("has changed since the run"));
+  EXPECT_FALSE(patches.at(1)["images"].is_null());
+  EXPECT_TRUE(patches.at(1)["notes"].empty()) << patches.at(1)["notes"];
 }
 
 TEST_F(Report, CanBeLeftOut) {

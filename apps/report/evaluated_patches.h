@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/report/report_input.h"
+#include "apps/report/run_inputs.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// Runs `read`; a fault, whatever it is, becomes a note: the rest of the report does not depend on
+/// it.
+template <typename Read>
+void read_or_note(ReportPatch& patch, const char* what, const Read& read) {
+  try {
+    read();
+  } catch (const std::exception& error) {
+    patch.notes.push_back(fmt::format("{}: {}", what, error.what()));
+  }
+}
+
+/// Throws IoError for a file that is no JSON object.
+evaluate::Json read_json_object(const std::filesystem::path& file);
+
+/// The patches and methods of the folder's table2.json in its order, with their lines. Evaluations
+/// that the table does not name are those of earlier runs into the folder and are not read; without
+/// a table all are. Throws IoError for an evaluation that is none and if there is none at all.
+std::vector<ReportPatch> read_evaluated_patches(const std::filesystem::path& folder,
+                                                const RunInputs& inputs);
+
+}  // namespace ridgeline::apps
