@@ -87,6 +87,13 @@ std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& re
 
 }  // namespace
 
+io::LineSet in_metres(io::LineSet set) {
+  const io::CrsFacts crs = io::describe(set.crs);
+  for (io::Line& line : set.lines) line.segment_in_world = metric_segment(line, crs);
+  set.crs = {};
+  return set;
+}
+
 std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
                                         const LocalFrame& frame,
                                         const std::optional<io::PatchFile>& patch) {

@@ -15,6 +15,9 @@
 
 namespace ridgeline::apps {
 
+/// The lines with their coordinates in metres; without the CRS, whose units have been applied.
+io::LineSet in_metres(io::LineSet set);
+
 /// The lines of a file in metres of the local frame. The patch's cameras class those without a
 /// class; lines that state their image segments take these along as evidence.
 std::vector<evaluate::JudgedLine> judged_lines_of(const io::LineSet& set,

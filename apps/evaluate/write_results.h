@@ -11,11 +11,12 @@
 
 namespace ridgeline::apps {
 
-/// Names of all files that an evaluation of the line files can write, to be checked before it.
+/// Names of the files that an evaluation of the line files can write before its report, to be
+/// checked before it.
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths);
 
-/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line) and accuracy.METHOD.md (the labelled accuracy
-/// numbers and the strata) of each evaluation, below `subfolder` ("" or "PATCH/").
+/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line) and accuracy.METHOD.md (the
+/// labelled accuracy numbers and the strata) of each evaluation, below `subfolder` ("" or "PATCH/").
 void write_evaluations(std::span<const evaluate::Evaluation> evaluations,
                        const OutputFolder& out,
                        const std::string& subfolder);

@@ -2,6 +2,7 @@
 #include "apps/report/evaluated_patches.h"
 
 #include "apps/common/result_folder_reader.h"
+#include "apps/evaluate/judged_lines.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
 #include "io/text_file.h"
@@ -113,7 +114,8 @@ void read_lines_of(const fs::path& file,
   }
   method.lines.resize(ids.size());
   read_or_note(patch, "lines are not drawn", [&] {
-    method.lines = in_order_of(ids, io::read_lines(line_file(file, method.name, inputs)));
+    method.lines = in_order_of(ids, in_metres(io::read_lines(line_file(file, method.name, inputs),
+                                                             inputs.lines_options())));
   });
 }
 

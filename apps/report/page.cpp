@@ -36,7 +36,7 @@ std::string report_page(std::string_view title, std::string_view data) {
   page += front_end_style();
   page +=
       "</style>\n</head>\n<body>\n<noscript>This report is drawn by a script inside this file; "
-      "please allow it. The same figures stand in table1.md and table2.md beside it."
+      "please allow it. The tables beside it, table2.md first, hold the same figures."
       "</noscript>\n<div id=\"app\"></div>\n"
       "<script type=\"application/json\" id=\"report-data\">";
   page += script_safe(data);

@@ -16,6 +16,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
@@ -71,29 +74,53 @@ std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   return io::PlanMask(segments, kRadius_m);
 }
 
+/// Where most of the lines lie, in plan: a few may lie far off.
+std::optional<Eigen::AlignedBox3d> box_of_lines(const ReportPatch& patch) {
+  constexpr double kMargin_m = 20.0;
+  constexpr double kShareCut = 0.01;
+  std::array<std::vector<double>, 2> coordinates;
+  for (const ReportMethod& method : patch.methods) {
+    for (const auto& line : method.lines) {
+      if (!line || !all_finite(line->segment_in_world)) continue;
+      for (const Eigen::Vector3d& x : {line->segment_in_world.start, line->segment_in_world.end}) {
+        coordinates[0].push_back(x.x());
+        coordinates[1].push_back(x.y());
+      }
+    }
+  }
+  if (coordinates[0].empty()) return std::nullopt;
+  Eigen::AlignedBox3d box(Eigen::Vector3d::Constant(-HUGE_VAL),
+                          Eigen::Vector3d::Constant(HUGE_VAL));
+  for (std::size_t a = 0; a < 2; ++a) {
+    std::vector<double>& values = coordinates[a];
+    std::sort(values.begin(), values.end());
+    const auto cut = static_cast<std::size_t>(kShareCut * static_cast<double>(values.size()));
+    box.min()[static_cast<Eigen::Index>(a)] = values[cut] - kMargin_m;
+    box.max()[static_cast<Eigen::Index>(a)] = values[values.size() - 1 - cut] + kMargin_m;
+  }
+  return box;
+}
+
+/// A cloud may cover a town: only what is around the lines is kept, and of that what is shown.
 void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
-                 const Json& run,
                  ReportPatch& patch) {
   for (const std::string& file : io::expand_patterns(files)) (void)inputs.unchanged(file);
-  io::ReadOptions options;
+  io::ReadOptions options = inputs.cloud_options();
   options.frame = patch.frame;
-  const Json echoed = run.value("options", Json::object());
-  if (echoed.contains("classes") && !echoed["classes"].empty()) {
-    options.classes = echoed["classes"].get<std::set<std::uint8_t>>();
+  if (inputs.is_of_files()) {
+    options.near = mask_around_lines(patch);
+  } else {
+    options.bounds_in_world = box_of_lines(patch);
   }
-  options.exclude_withheld = echoed.value("exclude_withheld", true);
-  options.last_returns = echoed.value("last_returns", false);
-  options.assume_crs.definition = echoed.value("assume_crs", "");
-  if (inputs.is_of_files()) options.near = mask_around_lines(patch);
-  patch.cloud = io::read_cloud(files, options);
-  const std::vector<std::string>& warnings = patch.cloud->warnings;
-  patch.notes.insert(patch.notes.end(), warnings.begin(), warnings.end());
+  const io::PointCloud cloud = io::read_cloud(files, options);
+  patch.cloud = shown_cloud(cloud, options.near.has_value());
+  patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }
 
 void read_true_errors(const RunInputs& inputs, const std::string& reference, ReportPatch& patch) {
-  const auto references =
-      reference_lines_of(io::read_lines(inputs.unchanged(reference)), patch.frame);
+  const auto references = reference_lines_of(
+      io::read_lines(inputs.unchanged(reference), inputs.lines_options()), patch.frame);
   for (ReportMethod& method : patch.methods) {
     io::LineSet set;
     std::vector<std::size_t> index;
@@ -110,10 +137,7 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
 }
 
 /// The data of the run, by the paths that it recorded.
-void read_run_data(const fs::path& folder,
-                   const RunInputs& inputs,
-                   const Json& run,
-                   ReportPatch& patch) {
+void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch& patch) {
   read_or_note(patch, "images and cameras are not shown", [&] {
     patch.patch = inputs.patch(patch.id);
     if (patch.patch && patch.patch->images.size() >= 2) {
@@ -123,10 +147,11 @@ void read_run_data(const fs::path& folder,
   const std::vector<std::string> clouds =
       inputs.is_of_files() || !patch.patch ? inputs.paths("cloud") : patch.patch->lidar;
   read_or_note(patch, "points are not shown", [&] {
+    patch.judge = inputs.judge_options();
     if (clouds.empty()) {
       patch.notes.emplace_back("no LIDAR: lines are shown, but not judged");
     } else if (inputs.is_of_files() || patch.patch) {
-      read_points(clouds, inputs, run, patch);
+      read_points(clouds, inputs, patch);
     }
   });
   if (patch.images && patch.patch->reference_matches) {
@@ -176,7 +201,7 @@ ReportInput read_report_input(const std::string& folder) {
     input.table1 = read_json_object(path / "table1.json").value("rows", Json::array());
   }
   input.patches = read_evaluated_patches(path, inputs);
-  for (ReportPatch& patch : input.patches) read_run_data(path, inputs, input.run, patch);
+  for (ReportPatch& patch : input.patches) read_run_data(path, inputs, patch);
   const PathShortener shortener = path_shortener(folder, inputs, input.patches);
   shortener.shorten(input.run);
   for (ReportPatch& patch : input.patches) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/report/shown_cloud.h"
+#include "evaluate/judge/options.h"
 #include "evaluate/matching/match_scoring.h"
 #include "evaluate/tables/summary_json.h"
-#include "io/cloud/point_cloud.h"
 #include "io/lines/line_set.h"
 #include "io/matches_file.h"
 #include "io/patch.h"
@@ -26,7 +27,8 @@ namespace ridgeline::apps {
 struct ReportMethod {
   std::string name;
   evaluate::Json evaluation;  ///< as evaluation.METHOD.json holds it
-  /// The judged lines, by the index in `evaluation`; nothing for a line whose file is gone.
+  /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
+  /// gone.
   std::vector<std::optional<io::Line>> lines;
   std::vector<std::optional<double>> true_errors_m;  ///< of each line; empty without true lines
 };
@@ -47,7 +49,8 @@ struct ReportPatch {
   std::vector<ReportMethod> methods;
   std::optional<io::PatchFile> patch;
   std::optional<ReportImages> images;
-  std::optional<io::PointCloud> cloud;
+  ShownCloud cloud;
+  evaluate::JudgeOptions judge;    ///< the widths of its fits
   std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each
 };
 
@@ -60,9 +63,6 @@ struct ReportInput {
   std::vector<std::string> input_paths;  ///< of the run, never to be written over
   std::vector<ReportPatch> patches;
 };
-
-/// Points that a report shows; more are thinned.
-inline constexpr std::size_t kMaxReportPoints = 200000;
 
 /// Reads what `run`, `demo` or `evaluate` left in the folder. Data that is no longer where it was,
 /// or not the same size, is left out with a note. Throws IoError for a folder without evaluations

@@ -132,35 +132,9 @@ Json images_json(const ReportPatch& patch) {
           {"n_unmatched", patch.images->n_unmatched}};
 }
 
-/// Points per square metre where there are any, and the share of the square metres of their box that
-/// have none.
-struct Density {
-  double points_per_m2 = 0.0, no_data_share = 0.0;
-};
-
-Density density_of(const io::PointCloud& cloud,
-                   const Eigen::Vector3d& low,
-                   const Eigen::Vector3d& high) {
-  constexpr double kMostCells = 1e7;
-  const Eigen::Vector2d extent = (high - low).head<2>().cwiseMax(1.0);
-  const double cell_m = std::max(1.0, std::sqrt(extent.prod() / kMostCells));
-  const Eigen::Vector2i n = (extent / cell_m).array().ceil().cast<int>();
-  std::vector<char> occupied(static_cast<std::size_t>(n.x()) * static_cast<std::size_t>(n.y()), 0);
-  for (const io::CloudPoint& p : cloud.points) {
-    const int column = std::clamp(static_cast<int>((p.x - low.x()) / cell_m), 0, n.x() - 1);
-    const int row = std::clamp(static_cast<int>((p.y - low.y()) / cell_m), 0, n.y() - 1);
-    occupied[static_cast<std::size_t>(row) * static_cast<std::size_t>(n.x()) +
-             static_cast<std::size_t>(column)] = 1;
-  }
-  const auto n_occupied =
-      static_cast<double>(std::count(occupied.begin(), occupied.end(), char{1}));
-  return {static_cast<double>(cloud.points.size()) / (n_occupied * cell_m * cell_m),
-          1.0 - n_occupied / static_cast<double>(occupied.size())};
-}
-
 /// Positions in 65535 steps of the box of the points.
-Json points_json(const ReportPatch& patch, const ShownPoints& points) {
-  if (!patch.cloud || points.x_in_local.empty()) return nullptr;
+Json points_json(const ShownCloud& points) {
+  if (points.x_in_local.empty()) return nullptr;
   Eigen::Vector3d low = points.x_in_local.front();
   Eigen::Vector3d high = low;
   for (const Eigen::Vector3d& x : points.x_in_local) {
@@ -176,11 +150,11 @@ Json points_json(const ReportPatch& patch, const ShownPoints& points) {
       positions.push_back(static_cast<std::uint16_t>(std::lround((x[a] - low[a]) / step[a])));
     }
   }
-  const Density density = density_of(*patch.cloud, low, high);
-  return {{"n_read", patch.cloud->n_read},
+  return {{"n_read", points.n_read},
           {"n_all", points.n_all},
-          {"per_m2", rounded(density.points_per_m2, 2)},
-          {"no_data_share", rounded(density.no_data_share, 4)},
+          {"per_m2", rounded(points.points_per_m2, 2)},
+          {"no_data_share",
+           points.no_data_share ? Json(rounded(*points.no_data_share, 4)) : Json(nullptr)},
           {"n_shown", points.x_in_local.size()},
           {"low", coordinates(low)},
           {"step", matrix_json(step)},
@@ -261,14 +235,14 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
   }
   std::string crs = "unknown";
   if (patch.patch) crs = io::describe(patch.patch->crs).name;
-  if (crs == "unknown" && patch.cloud) crs = io::describe(patch.cloud->crs).name;
+  if (crs == "unknown" && !patch.cloud.crs.empty()) crs = patch.cloud.crs;
   return {{"id", patch.id},
           {"folder", patch.subfolder},
           {"crs", crs},
           {"origin_m", coordinates(patch.frame.origin_m)},
           {"notes", patch.notes},
           {"images", images_json(patch)},
-          {"points", points_json(patch, scene.points)},
+          {"points", points_json(patch.cloud)},
           {"methods", std::move(methods)}};
 }
 
@@ -309,9 +283,8 @@ Json table2_json(const ReportInput& input) {
 
 ShownScene shown_scene(const ReportPatch& patch) {
   ShownScene scene;
-  if (patch.cloud) scene.points = shown_points(*patch.cloud);
   for (const ReportMethod& method : patch.methods) {
-    scene.methods.push_back(shown_planes(method, patch.frame, scene.points));
+    scene.methods.push_back(shown_planes(patch, method));
   }
   return scene;
 }

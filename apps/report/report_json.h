@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/report/report_input.h"
-#include "apps/report/shown_points.h"
+#include "apps/report/shown_planes.h"
 #include "evaluate/gates/gate.h"
 
 #include <optional>
@@ -10,9 +10,8 @@
 
 namespace ridgeline::apps {
 
-/// What a patch shows in 3D: its points, and per method the planes of the lines.
+/// What a patch shows in 3D beside its points: per method the planes of the lines.
 struct ShownScene {
-  ShownPoints points;
   std::vector<ShownPlanes> methods;
 };
 

@@ -6,7 +6,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace ridgeline::apps {
@@ -100,6 +101,37 @@ std::optional<std::string> RunInputs::reference_lines(
     return given.empty() ? std::nullopt : std::optional(given.front());
   }
   return patch ? patch->reference_lines : std::nullopt;
+}
+
+io::ReadLinesOptions RunInputs::lines_options() const {
+  io::ReadLinesOptions options;
+  options.assume_crs.definition = options_.value("assume_crs", "");
+  options.vertex_pairs = options_.value("vertex_pairs", false);
+  return options;
+}
+
+io::ReadOptions RunInputs::cloud_options() const {
+  io::ReadOptions options;
+  if (options_.contains("classes") && !options_["classes"].empty()) {
+    options.classes = options_["classes"].get<std::set<std::uint8_t>>();
+  }
+  options.exclude_withheld = options_.value("exclude_withheld", true);
+  options.last_returns = options_.value("last_returns", false);
+  options.assume_crs.definition = options_.value("assume_crs", "");
+  if (options_.contains("bounds") && !options_["bounds"].empty()) {
+    const auto b = options_["bounds"].get<std::array<double, 4>>();
+    options.bounds_in_world = Eigen::AlignedBox3d(Eigen::Vector3d(b[0], b[1], -HUGE_VAL),
+                                                  Eigen::Vector3d(b[2], b[3], HUGE_VAL));
+  }
+  return options;
+}
+
+evaluate::JudgeOptions RunInputs::judge_options() const {
+  evaluate::JudgeOptions options;
+  const evaluate::Json echoed = options_.value("judge", evaluate::Json::object());
+  options.fit_half_width_m = echoed.value("fit_half_width_m", options.fit_half_width_m);
+  options.inlier_distance_m = echoed.value("inlier_distance_m", options.inlier_distance_m);
+  return options;
 }
 
 }  // namespace ridgeline::apps

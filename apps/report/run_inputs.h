@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/judge/options.h"
 #include "evaluate/tables/summary_json.h"
+#include "io/cloud/read_cloud.h"
+#include "io/lines/read_lines.h"
 #include "io/patch.h"
 
 #include <cstdint>
@@ -36,6 +39,12 @@ class RunInputs {
   [[nodiscard]] std::optional<io::PatchFile> patch(const std::string& id) const;
   [[nodiscard]] std::optional<std::string> reference_lines(
       const std::optional<io::PatchFile>& patch) const;
+
+  /// As the run had them; only what is echoed in its record.
+  [[nodiscard]] io::ReadLinesOptions lines_options() const;
+  [[nodiscard]] io::ReadOptions cloud_options() const;
+  /// The widths that planes are fitted with; defaults for the rest.
+  [[nodiscard]] evaluate::JudgeOptions judge_options() const;
 
  private:
   struct Input {

@@ -49,7 +49,7 @@ std::vector<Segment3> segments_of(const ReportMethod& method, const LocalFrame& 
 /// Scene -> canvas.
 class SceneCanvas {
  public:
-  SceneCanvas(const ShownPoints& points, const std::vector<Segment3>& segments) {
+  SceneCanvas(const ShownCloud& points, const std::vector<Segment3>& segments) {
     std::vector<double> right;
     std::vector<double> down;
     const auto add = [&](const Eigen::Vector3d& x) {
@@ -98,7 +98,7 @@ cv::Vec3b plane_colour(std::uint16_t plane) {
 }
 
 /// Far points first.
-void draw_points(const ShownPoints& points, const ShownPlanes& planes, SceneCanvas& scene) {
+void draw_points(const ShownCloud& points, const ShownPlanes& planes, SceneCanvas& scene) {
   const cv::Vec3b none(225, 225, 225);
   std::vector<double> depth(points.x_in_local.size());
   std::vector<std::size_t> order(points.x_in_local.size());
@@ -134,8 +134,8 @@ void draw_line(const Segment3& segment, const cv::Scalar& colour, int width, Sce
 
 cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t method) {
   const ReportMethod& lines = patch.methods[method];
-  SceneCanvas scene(shown.points, segments_of(lines, patch.frame));
-  draw_points(shown.points, shown.methods[method], scene);
+  SceneCanvas scene(patch.cloud, segments_of(lines, patch.frame));
+  draw_points(patch.cloud, shown.methods[method], scene);
   const evaluate::Json& judged = lines.evaluation.at("lines");
   for (const bool aligned : {false, true}) {
     for (std::size_t i = 0; i < lines.lines.size(); ++i) {

@@ -139,6 +139,26 @@ TEST_F(Report, OfJudgedFilesDrawsTheFilesGiven) {
   EXPECT_EQ(data_of("judged/report.html")["patches"], data_of("fresh/report.html")["patches"]);
 }
 
+TEST_F(Report, LinesInFeetStandAmongThePoints) {
+  const ProgramResult result =
+      evaluate("scene/truth.geojson", "judged", {"--assume-crs", "EPSG:2263"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json patch = data_of("judged/report.html")["patches"].at(0);
+  ASSERT_FALSE(patch["points"].is_null()) << patch["notes"];
+  const nlohmann::json& lines = patch["methods"].at(0)["lines"];
+  ASSERT_FALSE(lines.empty());
+  for (const auto& line : lines) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double low_m = patch["points"]["low"][axis];
+      const double step_m = patch["points"]["step"][axis];
+      EXPECT_GT(line["start"][axis], low_m - 10.0);
+      EXPECT_LT(line["start"][axis], low_m + 65535 * step_m + 10.0);
+    }
+  }
+  // of the surroundings of lines no share is that of the area
+  EXPECT_TRUE(patch["points"]["no_data_share"].is_null());
+}
+
 TEST_F(Report, WithoutAReportTheResultsOfARunStand) {
   fs::create_directories(path("out/report.html/in_the_way"));
   const ProgramResult result =

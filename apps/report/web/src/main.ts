@@ -21,7 +21,7 @@ import { provenance } from './views/provenance';
 /** Points and what became of the lines. */
 function factsOf(patch: Patch): string {
   const { points } = patch;
-  const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m², ${percent(points.no_data_share)} % of the area without any. ` : '';
+  const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m²${points.no_data_share === null ? '' : `, ${percent(points.no_data_share)} % of the area without any`}. ` : '';
   const unmatched = Object.entries(patch.images?.n_unmatched ?? {}).map(([reason, n]) => `${words(reason)} ${n}`);
   return cloud + patch.methods.map((m) => {
     const kinds = (kind: string): number => m.lines.filter((l) => l.kind === kind).length;

@@ -166,7 +166,8 @@ export interface Points {
   n_read: number;
   n_all: number;
   per_m2: number;
-  no_data_share: number;
+  /** Null where only the surroundings of lines were read. */
+  no_data_share: number | null;
   n_shown: number;
   low: Triple;
   step: Triple;

@@ -137,12 +137,20 @@ export class Review {
     this.changed();
   }
 
+  get nAdded(): number {
+    return this.stored.added.length;
+  }
+
+  /** As `run` counts: a left segment with a false match is false, not missed as well. */
   counts(): { correct: number; false: number; unsure: number; missed: number } {
-    const n = { correct: 0, false: 0, unsure: 0, missed: this.stored.added.length };
+    const n = { correct: 0, false: 0, unsure: 0, missed: 0 };
+    const isFalse = new Set<number>();
     for (const match of this.matches) {
       const verdict = this.eyeVerdict(match);
       if (verdict) ++n[verdict];
+      if (verdict === 'false') isFalse.add(match.left);
     }
+    n.missed = this.stored.added.filter(([left]) => !isFalse.has(left)).length;
     return n;
   }
 

@@ -48,7 +48,7 @@ export class ReviewPanel {
       button('False (f)', () => review.judge('false'), { class: 'false' }),
       button('Unsure (u)', () => review.judge('unsure'), { class: 'unsure' }),
       button(review.isAdding ? 'Click both segments …' : 'Add missed (m)', () => review.toggleAdding(), { 'aria-pressed': String(review.isAdding), id: 'review-add' }),
-      ...(review.counts().missed > 0 ? [button('Remove last added', () => review.removeLastAdded())] : []),
+      ...(review.nAdded > 0 ? [button('Remove last added', () => review.removeLastAdded())] : []),
     ];
   }
 

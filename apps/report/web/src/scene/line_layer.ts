@@ -7,7 +7,8 @@ import { classColour, distanceColour, okabeIto, statusColour } from '../data/col
 import type { Line } from '../data/schema';
 
 export type LineColouring = 'class' | 'status' | 'distance';
-type Project = (x: Vector3) => [number, number] | null;
+/** Place on the screen and depth. */
+type Project = (x: Vector3) => [number, number, number] | null;
 
 const colourOf: Record<LineColouring, (line: Line) => string> = {
   class: (line) => classColour(line.class),

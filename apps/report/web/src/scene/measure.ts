@@ -23,12 +23,12 @@ export class Measure {
   turn(on: boolean): void {
     this.isOn = on;
     this.clear();
-    this.onChange(on ? 'Click two lines or points.' : '');
   }
 
   clear(): void {
     this.ends = [];
     this.line.visible = false;
+    this.onChange(this.isOn ? 'Click two lines or points.' : '');
   }
 
   add(x: Vector3): void {

@@ -4,7 +4,8 @@ import { isDark, noPlaneColour, planeColour } from '../data/colours';
 import { uint16 } from '../data/decode';
 import type { Method, Points as PointData } from '../data/schema';
 
-type Project = (x: Vector3) => [number, number] | null;
+/** Place on the screen and depth. */
+type Project = (x: Vector3) => [number, number, number] | null;
 
 type Bytes = [number, number, number];
 
@@ -67,18 +68,18 @@ export class PointLayer {
     this.object.geometry.setDrawRange(0, share < 1 ? Math.ceil((share * this.positions.length) / 3) : Infinity);
   }
 
-  /** The point nearest to a place on the screen, within 8 pixels. */
+  /** Of the points shown within 8 pixels of a place on the screen the nearest to the eye. */
   pointNear(at: [number, number], project: Project): Vector3 | null {
     const { source } = this;
-    if (!source) return null;
-    let best = 8;
+    if (!source || !this.object.visible) return null;
+    const reach_px = 8;
+    let best = Infinity;
     let found: Vector3 | null = null;
     const x = new Vector3();
     for (let i = 0; i < this.positions.length / 3; ++i) {
       x.set(...([0, 1, 2].map((a) => source.low[a]! + this.positions[3 * i + a]! * source.step[a]!) as [number, number, number]));
       const p = project(x);
-      const d = p ? Math.hypot(p[0] - at[0], p[1] - at[1]) : Infinity;
-      if (d < best) [best, found] = [d, x.clone()];
+      if (p && p[2] < best && Math.hypot(p[0] - at[0], p[1] - at[1]) < reach_px) [best, found] = [p[2], x.clone()];
     }
     return found;
   }

@@ -128,7 +128,8 @@ export class SceneView {
   /** Where a line is on the canvas, CSS pixels; for tests. */
   screenPositionOf(line: number): [number, number] | null {
     const middle = this.lines.middleOf(line);
-    return middle ? this.toScreen(middle) : null;
+    const at = middle && this.toScreen(middle);
+    return at ? [at[0], at[1]] : null;
   }
 
   redraw(): void {
@@ -185,9 +186,10 @@ export class SceneView {
     this.box.expandByPoint(new Vector3(range[0]![1], range[1]![1], range[2]![1]));
   }
 
-  private toScreen(x: Vector3): [number, number] | null {
+  /** Pixels and depth. */
+  private toScreen(x: Vector3): [number, number, number] | null {
     const p = this.content.localToWorld(x.clone()).project(this.camera);
-    return p.z > 1 || p.z < -1 ? null : [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height];
+    return p.z > 1 || p.z < -1 ? null : [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height, p.z];
   }
 
   private listenForClicks(canvas: HTMLCanvasElement): void {
@@ -196,7 +198,7 @@ export class SceneView {
     canvas.addEventListener('pointerup', (e) => {
       if (!down || Math.hypot(e.offsetX - down[0], e.offsetY - down[1]) > 4) return;
       const at: [number, number] = [e.offsetX, e.offsetY];
-      const project = (x: Vector3): [number, number] | null => this.toScreen(x);
+      const project = (x: Vector3): [number, number, number] | null => this.toScreen(x);
       if (this.measure.isOn) {
         const x = this.lines.pointNear(at, project) ?? this.points.pointNear(at, project);
         if (x) this.measure.add(x);

@@ -77,7 +77,7 @@ function table1(report: Report): HTMLElement {
   ];
   return h('section', {}, h('h2', {}, 'Table 1. Matching'),
     rows.length > 0 ? table(columns, rows, { id: 'table1' })
-      : h('p', { class: 'caption', id: 'table1-missing' }, hasMatches ? 'No reference matches were given, so that matches are not judged. The review below judges them by eye.' : 'This run matched nothing.'),
+      : h('p', { class: 'caption', id: 'table1-missing' }, hasMatches ? 'No reference matches were given, so that matches are not judged. The review below judges them by eye.' : 'Nothing was matched here: the lines were made elsewhere, or images and matches could not be read.'),
     rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals. Basis: number of matches.') : null);
 }
 

@@ -74,7 +74,7 @@ export class LineTable {
     });
     state.onChange((now, before) => {
       if (now.patch !== before.patch || now.method !== before.method) this.rebuild();
-      else if (now.line !== before.line) this.mark(true);
+      else if (now.line !== before.line) this.reveal();
     });
     this.rebuild();
   }
@@ -148,6 +148,16 @@ export class LineTable {
 
   private rowOf(line: number | null): HTMLElement | null {
     return line === null ? null : this.body.querySelector<HTMLElement>(`tr[data-line="${line}"]`);
+  }
+
+  /** A line beyond the rows shown brings the rest of them. */
+  private reveal(): void {
+    const { line } = this.state.now;
+    if (line !== null && !this.rowOf(line) && this.filtered().includes(line)) {
+      this.limit = Infinity;
+      this.render();
+    }
+    this.mark(true);
   }
 
   private mark(scroll: boolean): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/report/shown_points.h"
+#include "apps/report/shown_planes.h"
 
 #include "evaluate/judge/options.h"
 #include "evaluate/judge/point_grid.h"
@@ -62,30 +62,19 @@ std::vector<Eigen::Vector3d> outline_of(const Plane3& plane,
   if (hull.size() < 3) return outline;
   for (const cv::Point2f& p : hull) {
     const Eigen::Vector2d x(p.x, p.y);
-    outline.emplace_back(x.x(), x.y(), height_at(plane, x));
+    const double height_m = height_at(plane, x);
+    if (!std::isfinite(height_m)) return {};  // a vertical plane has no hull in plan
+    outline.emplace_back(x.x(), x.y(), height_m);
   }
   return outline;
 }
 
 }  // namespace
 
-ShownPoints shown_points(const io::PointCloud& cloud) {
-  ShownPoints shown;
-  shown.n_all = cloud.points.size();
-  const std::size_t step =
-      std::max<std::size_t>(1, (shown.n_all + kMaxReportPoints - 1) / kMaxReportPoints);
-  shown.x_in_local.reserve(shown.n_all / step + 1);
-  for (std::size_t i = 0; i < shown.n_all; i += step) {
-    const io::CloudPoint& p = cloud.points[i];
-    shown.x_in_local.emplace_back(p.x, p.y, p.z);
-  }
-  return shown;
-}
-
-ShownPlanes shown_planes(const ReportMethod& method,
-                         const LocalFrame& frame,
-                         const ShownPoints& points) {
-  const evaluate::JudgeOptions widths;
+ShownPlanes shown_planes(const ReportPatch& patch, const ReportMethod& method) {
+  const evaluate::JudgeOptions& widths = patch.judge;
+  const LocalFrame& frame = patch.frame;
+  const ShownCloud& points = patch.cloud;
   const Json& lines = method.evaluation.at("lines");
   ShownPlanes shown;
   shown.planes = planes_of(lines, frame);
@@ -106,6 +95,7 @@ ShownPlanes shown_planes(const ReportMethod& method,
       const Plane3 plane = plane_in_local(json, frame);
       const std::uint16_t number = index[json.at("id").get<std::uint64_t>()];
       grid.visit_near(plan(line), widths.fit_half_width_m, [&](const auto& point) {
+        if (distance(plan(line), point.x.template head<2>()) > widths.fit_half_width_m) return;
         const double distance_m = plane.absDistance(point.x);
         if (distance_m > nearest_m[point.index]) return;
         nearest_m[point.index] = distance_m;

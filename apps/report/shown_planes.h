@@ -11,14 +11,6 @@
 
 namespace ridgeline::apps {
 
-/// The points of a patch that a report shows: every k-th, so that at most kMaxReportPoints stay.
-struct ShownPoints {
-  std::size_t n_all = 0;
-  std::vector<Eigen::Vector3d> x_in_local;
-};
-
-ShownPoints shown_points(const io::PointCloud& cloud);
-
 /// A plane that lines of a method were judged by.
 struct ShownPlane {
   std::uint64_t id = 0;                         ///< as in the evaluation
@@ -35,10 +27,9 @@ struct ShownPlanes {
   std::vector<std::uint16_t> plane_of_point;
 };
 
-/// Points within 4 m of a line in plan and 0.1 m of one of its planes belong to that plane (the
-/// widths that the judge fits with), to the nearest if there are several.
-ShownPlanes shown_planes(const ReportMethod& method,
-                         const LocalFrame& frame,
-                         const ShownPoints& points);
+/// Points of the patch's cloud within the judge's width of fitting (by default 4 m) of a line in
+/// plan and its inlier distance (0.1 m) of one of the line's planes belong to that plane, to the
+/// nearest if there are several.
+ShownPlanes shown_planes(const ReportPatch& patch, const ReportMethod& method);
 
 }  // namespace ridgeline::apps
