@@ -169,6 +169,22 @@ TEST_F(Report, WithoutAReportTheResultsOfARunStand) {
   EXPECT_REFUSED(run({"report", "out"}), HasSubstr("report.html"));
 }
 
+TEST_F(Report, OfAnEarlierRunDoesNotStayBesideNewResults) {
+  const std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out",
+                                           "out", "--methods",        "direct"};
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  ASSERT_TRUE(fs::exists(path("out/report.html")));
+  for (const fs::directory_entry& entry : fs::directory_iterator(path("out"))) {
+    if (!entry.is_directory()) continue;
+    fs::remove(entry.path() / "fig1.png");
+    fs::create_directories(entry.path() / "fig1.png" / "in_the_way");
+  }
+  const ProgramResult again = run(arguments);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("their report is not written"));
+  EXPECT_FALSE(fs::exists(path("out/report.html")));
+}
+
 TEST_F(Report, PairsOfNoSegmentAreAFaultOfTheReference) {
   write(path("patch/matches.csv"), "left_id,right_id\n0,0\n5000,0\n");
   EXPECT_REFUSED(run({"run", "patch/patch.yaml", "--out", "out"}),

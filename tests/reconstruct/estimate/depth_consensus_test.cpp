@@ -136,6 +136,26 @@ TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
   EXPECT_FALSE(agree_on_depth(lines, 0, {}, {}, {}));
 }
 
+TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
+  constexpr double kOtherM = 3.0;  // height that the ends of both images would show
+  LineGroup group = make_group(eave(0.5), {});
+  const Eigen::Vector2d end = group.segments[0][0].segment.end;
+  group.segments[1][0].segment.end =
+      project(group.scene.cameras[1], group.scene.at_height(end, kOtherM));
+  for (const double height_m : {kHeightM, kOtherM}) {
+    LineGroup with = group;
+    const Eigen::Vector2d beside = kScene.left_centre() + Eigen::Vector2d(0.0, 40.0);
+    const Segment3 nearby{kScene.at_height(beside, height_m),
+                          kScene.at_height(beside + Eigen::Vector2d(0.0, 60.0), height_m)};
+    const std::array<Segment2, 2> images = kScene.images(nearby);
+    for (std::size_t j = 0; j < 2; ++j) with.segments[j].push_back(test::exact(images[j], {}));
+    with.matches.push_back({1, 1});  // not connected: it meets nothing
+    const ReconstructedLine line = with.reconstruct(ReconstructOptions{})[0];
+    EXPECT_NEAR(line.segment_in_local->start.z(), height_m, 0.1) << height_m;
+    EXPECT_NEAR(line.segment_in_local->end.z(), height_m, 0.1) << height_m;
+  }
+}
+
 TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
   const LineGroup group = make_group(eave(30.0), {{0.0, 80}, {1.0, 110}});
   const ReconstructedLine published = group.reconstruct(published_options())[0];

@@ -47,6 +47,17 @@ TEST(MatchPairwise, FindsAnIsolatedLineByItsLook) {
   EXPECT_EQ(result.matches[0].votes, 0.0);
 }
 
+TEST(MatchPairwise, HasNoCandidateThatWouldBeSteeperThanARoof) {
+  PaintedPair pair({kHigh});
+  const double z = kHigh.height_m;
+  const double rise_m = 0.8 * (kHigh.north - kHigh.south);  // 39 degrees
+  pair.add_line({{kHigh.east, kHigh.south, z}, {kHigh.east, kHigh.north, z + rise_m}});
+  EXPECT_NE(match(pair).outcomes.at(0), MatchOutcome::kNoCandidate);
+  MatchOptions flat;
+  flat.max_slope_deg = 20.0;
+  EXPECT_EQ(match(pair, flat).outcomes.at(0), MatchOutcome::kNoCandidate);
+}
+
 TEST(MatchPairwise, LeavesALineWithoutMateAloneAndSaysWhy) {
   PaintedPair pair = two_roofs();
   pair.add_segment(0, {{-2.0, 8.0, 0.0}, {-2.0, 12.0, 0.0}});  // in the left image only
