@@ -8,6 +8,7 @@
 #include "reconstruct/extract/edge_segments.h"
 #include "reconstruct/extract/line_tracer.h"
 #include "reconstruct/extract/opencv_detectors.h"
+#include "reconstruct/extract/separate_edges.h"
 #include "reconstruct/extract/straight_pieces.h"
 #include "reconstruct/geometry/check.h"
 
@@ -69,6 +70,9 @@ std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptio
   const std::vector<std::size_t> borders = bends(points, options);
   std::vector<EdgeTrace> parts;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    const std::span<const Eigen::Vector2d> part =
+        std::span(points).subspan(borders[i], borders[i + 1] - borders[i]);
+    if (principal_axes(part).lambda_min > options.max_lambda_min_px2) continue;
     parts.emplace_back(trace.begin() + static_cast<std::ptrdiff_t>(borders[i]),
                        trace.begin() + static_cast<std::ptrdiff_t>(borders[i + 1]));
   }
@@ -98,7 +102,9 @@ std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
 std::vector<DetectedEdge> our_edges(const cv::Mat& image, const ExtractOptions& options) {
   const cv::Mat colours = options.colour_boosting ? colour_boosted(image) : image;
   const GradientImage gradient = gradient_image(colours, options);
-  return traced_edges(detected_pieces(colours, gradient.noise, options), gradient, options);
+  std::vector<DetectedEdge> edges =
+      traced_edges(detected_pieces(colours, gradient.noise, options), gradient, options);
+  return options.separate_edges ? separate_edges(std::move(edges), image) : edges;
 }
 
 /// The segments of another detector and the edges beside them, from which their uncertainty comes.

@@ -159,8 +159,6 @@ std::optional<EdgeTrace> LineTracer::trace(std::span<const Eigen::Vector2d> poin
   const auto [low, high] = std::minmax({found.front().step, found.back().step});
   found = samples_between(line, low, high);
   if (found.size() < 3) return std::nullopt;
-  const PrincipalAxes axes = principal_axes(positions(found));
-  if (axes.lambda_min > options_.max_lambda_min_px2) return std::nullopt;
   return found;
 }
 

@@ -30,6 +30,7 @@ struct ExtractOptions {
   double min_bend_px = 0.2;          ///< an edge is cut where two lines fit better by this
   double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
+  bool separate_edges = true;  ///< resolve edges that blur into one
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
   /// edge must be strong, a faint one long. Chance alignments in texture are neither.
   double min_significance = 10.0;
@@ -63,6 +64,8 @@ struct ExtractOptions {
         Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,
               "an edge that continues beyond a gap up to this is one segment"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"},
+        Field{"separate_edges", &O::separate_edges, false, true,
+              "resolve two edges within about two pixels that blur into one"},
         Field{"min_significance", &O::min_significance, 0.0, 1e6,
               "strength over noise times the root of the edge pixels; weaker ones are dropped"},
         Field{"systematic_across_px", &O::systematic_across_px, 0.0, 10.0,

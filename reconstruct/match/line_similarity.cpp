@@ -9,9 +9,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kFlankScale = 0.05;     // of the range of grey values
-constexpr double kEndScale_px = 3.0;     // end points along a line are this uncertain
-constexpr double kHalfLength_px = 30.0;  // overlap at which kLength is 1/2
+constexpr double kFlankScale = 0.05;  // of the range of grey values
+constexpr double kEndScale_px = 3.0;  // end points along a line are this uncertain
 
 /// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
 double ends_agreement(const EdgeSegment& left,
@@ -55,16 +54,14 @@ LineMeasures line_measures(const EdgeSegment& left,
   m.values[LineMeasures::kProfile] = std::max(0.0, look.profile_ncc.value_or(kUndecided));
   m.values[LineMeasures::kOverlap] = std::max(overlap.share_of_left(), overlap.share_of_right());
   m.values[LineMeasures::kExtent] = std::min(overlap.share_of_left(), overlap.share_of_right());
-  const double length_px = overlap.share_of_left() * length(left.line.segment);
   m.values[LineMeasures::kEnds] = ends_agreement(left, right, overlap);
-  m.values[LineMeasures::kLength] = length_px / (length_px + kHalfLength_px);
   return m;
 }
 
 double line_similarity(const LineMeasures& measures) {
   static constexpr std::array<double, LineMeasures::kCount> kWeights = {
-      1.24, 3.15, 4.02, 1.45, 0.82, 0.27, 3.09, 0.62, 4.47, 1.35};
-  constexpr double kBias = -11.6;
+      1.52, 3.10, 2.79, 1.29, 0.59, 1.84, 4.15, 0.45, 4.10};
+  constexpr double kBias = -11.7;
   double sum = kBias;
   for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];
   return 1.0 / (1.0 + std::exp(-sum));

@@ -21,7 +21,6 @@ struct LineMeasures {
     kOverlap,   ///< share of the shorter segment in the epipolar overlap
     kExtent,    ///< share of the longer one
     kEnds,      ///< how close both ends come to their mates
-    kLength,    ///< of the overlap: long ones do not fit by chance
     kCount
   };
   std::array<double, kCount> values{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/match_pairwise.h"
 
+#include "reconstruct/match/close_lines.h"
 #include "reconstruct/match/final_choice.h"
 #include "reconstruct/match/similarity_voting.h"
 
@@ -54,8 +55,9 @@ MatchResult match_pairwise(const MatchView& left,
   check_images(left, right);
   const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
   const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
-  const std::vector<std::vector<Candidate>> candidates =
+  std::vector<std::vector<Candidate>> candidates =
       match_candidates(left, right, search, radiometry, options);
+  keep_order_of_close_lines(left, right, search, candidates);
   const std::vector<BasePair> pairs = base_pairs(segments_of(left), options);
   const PairScene scene{
       left,       right,  search, {ImageSampler(left.image), ImageSampler(right.image), radiometry},
