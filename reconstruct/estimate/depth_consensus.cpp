@@ -71,6 +71,15 @@ class Scorer {
             std::hypot(unit_m_ * std::sqrt(across.dot(e.cov * across)), options_.sigma_meeting_m)};
   }
 
+  /// Largest difference of the heights at the ends of the segment.
+  [[nodiscard]] double apart_m(const Hypothesis& a, const Hypothesis& b) const {
+    double most = 0.0;
+    for (const Eigen::Vector4d& plane : end_planes_) {
+      most = std::max(most, std::abs(height(a, plane) - height(b, plane)));
+    }
+    return unit_m_ * most;
+  }
+
   [[nodiscard]] double score(const Hypothesis& h) const {
     double sum = log_slope_prior(slope(h.direction));
     for (const Eigen::Vector4d& plane : end_planes_) sum += log_height_prior(height(h, plane));
@@ -151,22 +160,27 @@ std::optional<DepthConsensus> agree_on_depth(const StereoLines& lines,
                                              std::span<const DepthEvidence> evidence,
                                              std::span<const double> heights_nearby,
                                              const ReconstructOptions& options) {
+  constexpr double kAnother_m = 1.0;
   const Scorer scorer(lines, line, evidence, heights_nearby, options);
-  std::optional<Hypothesis> best;
-  double best_score = -std::numeric_limits<double>::infinity();
-  for (const Hypothesis& h : hypotheses(scorer, evidence)) {
-    const double score = scorer.score(h);
-    if (!(score > best_score)) continue;
-    best_score = score;
-    best = h;
-  }
-  if (!best) return std::nullopt;
+  const std::vector<Hypothesis> all = hypotheses(scorer, evidence);
+  if (all.empty()) return std::nullopt;
+  std::vector<double> scores;
+  scores.reserve(all.size());
+  for (const Hypothesis& h : all) scores.push_back(scorer.score(h));
+  const auto at = std::max_element(scores.begin(), scores.end()) - scores.begin();
+  const Hypothesis& best = all[static_cast<std::size_t>(at)];
+  const double best_score = scores[static_cast<std::size_t>(at)];
+
   DepthConsensus consensus;
   for (const DepthEvidence& e : evidence) {
-    const auto [distance_m, sigma_m] = scorer.misfit(*best, e);
+    const auto [distance_m, sigma_m] = scorer.misfit(best, e);
     consensus.supports.push_back(std::abs(distance_m) <= kSupportSigma * sigma_m);
   }
-  consensus.horizontal = slope(best->direction) <= kSupportSigma * options.sigma_slope;
+  consensus.horizontal = slope(best.direction) <= kSupportSigma * options.sigma_slope;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (scorer.apart_m(all[i], best) <= kAnother_m) continue;
+    consensus.margin = std::min(consensus.margin, best_score - scores[i]);
+  }
   return consensus;
 }
 

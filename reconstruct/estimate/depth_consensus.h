@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,6 +28,9 @@ struct DepthEvidence {
 struct DepthConsensus {
   std::vector<bool> supports;  ///< by evidence: within chance of the line
   bool horizontal = false;     ///< within the scatter of lines that are built horizontal
+  /// How much the score of the best line that is quite another one, over a metre away at an end, is
+  /// below; infinity without any.
+  double margin = std::numeric_limits<double>::infinity();
 };
 
 /// An artificial point of an aligned line proves nothing by itself: where the line is parallel to

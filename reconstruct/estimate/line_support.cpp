@@ -127,12 +127,14 @@ LineSupport line_support(const StereoLines& lines,
     if (consensus->supports[i]) agreeing.push_back(heard[i]);
   }
   LineSupport support;
+  support.ambiguous = consensus->margin < options.min_depth_margin;
   support.points = best_of_regions(agreeing, options);
-  if (fix_direction(support.points)) return support;
+  if (consensus->horizontal) support.sigma_slope = options.sigma_slope;
+  support.points_fix_direction = fix_direction(support.points);
+  if (support.points_fix_direction) return support;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (consensus->supports[heard.size() + i]) support.ends.push_back({ends[i]});
   }
-  if (consensus->horizontal) support.sigma_slope = options.sigma_slope;
   return support;
 }
 

@@ -16,7 +16,9 @@ namespace ridgeline::reconstruct {
 struct LineSupport {
   std::vector<CandidatePoint> points;  ///< artificial points, one per region at most
   std::vector<PointOnLine> ends;       ///< of the segments, where the points fix no direction
-  std::optional<double> sigma_slope;   ///< taken as horizontal; under the same condition
+  std::optional<double> sigma_slope;   ///< taken as horizontal, as the consensus is
+  bool points_fix_direction = false;   ///< they are far enough apart
+  bool ambiguous = false;              ///< another depth explains the line about as well
 };
 
 /// The points of highest weight in each region (Ok et al. 2011, section 3.1); with

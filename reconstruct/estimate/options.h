@@ -46,6 +46,8 @@ struct ReconstructOptions {
   double max_nearby_sigma_m = 0.4;  ///< of the height of a line that others are compared with
   /// Most that agreement with the line raises the odds of evidence by.
   double agreement_gain = 2.0;
+  /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
+  double min_depth_margin = 1.0;
   /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth.
   double lowest_height_m = -1e5;
   double highest_height_m = 1e5;
@@ -91,6 +93,8 @@ struct ReconstructOptions {
               "consensus: sigma of the height of a line that others are compared with"},
         Field{"agreement_gain", &O::agreement_gain, 1e-3, 1e6,
               "consensus: most that agreement raises the odds of a point by"},
+        Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
+              "consensus: a line is ambiguous if another depth comes closer; log of the odds"},
         Field{"lowest_height_m", &O::lowest_height_m, -1e5, 1e5, "lowest height of a point"},
         Field{"highest_height_m", &O::highest_height_m, -1e5, 1e5, "highest height of a point"}};
   }

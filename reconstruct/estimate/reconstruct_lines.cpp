@@ -127,7 +127,7 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
 Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
-  if (support.sigma_slope) return Status::kHorizontal;
+  if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
   if (!support.ends.empty()) return Status::kSegmentEnds;
   return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
@@ -169,6 +169,13 @@ std::vector<double> heights_near(const StereoLines& lines,
   return heights;
 }
 
+void give_up(Status why, ReconstructedLine& result) {
+  result.status = why;
+  result.segment_in_local.reset();
+  result.covariance_m2.reset();
+  result.right_segment_in_local.reset();
+}
+
 /// Takes the result of `direct` over and replaces it where there is anything to rest on.
 void reconstruct_joint(const StereoLines& lines,
                        std::size_t line,
@@ -178,6 +185,7 @@ void reconstruct_joint(const StereoLines& lines,
                        ReconstructedLine& result) {
   const LineSupport support = line_support(lines, static_cast<int>(line), neighbours,
                                            heights_near(lines, line, ends, options), options);
+  if (support.ambiguous) return give_up(Status::kAmbiguous, result);
   if (support.points.empty() && support.ends.empty()) {
     if (result.segment_in_local) result.status = Status::kNoPoints;
     return;
@@ -191,11 +199,7 @@ void reconstruct_joint(const StereoLines& lines,
                                               lines.lines[line][1].plane};
   const auto adjusted = adjust_line(planes, points, support.sigma_slope);
   if (!adjusted || !assign(lines, line, adjusted->line, result)) {
-    result.status = Status::kNoIntersection;
-    result.segment_in_local.reset();
-    result.covariance_m2.reset();
-    result.right_segment_in_local.reset();
-    return;
+    return give_up(Status::kNoIntersection, result);
   }
   result.status = joint_status(*adjusted, support);
   result.omega = adjusted->omega;
@@ -228,6 +232,8 @@ const char* name(Status status) {
       return "rank_deficient";
     case Status::kNotConverged:
       return "not_converged";
+    case Status::kAmbiguous:
+      return "ambiguous";
     case Status::kNoIntersection:
       return "no_intersection";
   }

@@ -26,13 +26,14 @@ const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 /// How a line came about.
 enum class Status : std::uint8_t {
   kDirect,          ///< intersection of the projection planes
-  kJoint,           ///< planes and two or three artificial points
+  kJoint,           ///< planes and two or three points; horizontality too where these agree on it
   kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
   kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
   kHorizontal,      ///< points fix no direction; the line taken as horizontal
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`
   kRankDeficient,   ///< planes and points leave a direction free: one of many lines, no covariance
   kNotConverged,    ///< the adjustment still moved after its last pass; its last line
+  kAmbiguous,       ///< two depths explain the line about as well: no segment
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
 };
 const char* name(Status status);  ///< "direct", "one_point", ... as in the files

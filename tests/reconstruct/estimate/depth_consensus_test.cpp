@@ -61,8 +61,20 @@ TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
 TEST(DepthConsensus, IsNotOutvotedByPointsOfOneFalseSurface) {
   LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
   for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  ReconstructOptions decide;
+  decide.min_depth_margin = 0.0;
+  const ReconstructedLine line = group.reconstruct(decide)[0];
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
+}
+
+TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
+  LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
+  for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kAmbiguous);
+  EXPECT_FALSE(line.segment_in_local);
+  EXPECT_FALSE(line.covariance_m2);
+  EXPECT_FALSE(line.right_segment_in_local);
 }
 
 TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
@@ -165,11 +177,13 @@ TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
   EXPECT_EQ(line.segment_in_local->end, published.segment_in_local->end);
 }
 
-TEST(DepthConsensus, NeverLosesALineThatDirectHas) {
+TEST(DepthConsensus, NeverLosesALineThatDirectHasUnlessItIsAmbiguous) {
   test::Random random(7);
+  ReconstructOptions decide;
+  decide.min_depth_margin = 0.0;
   for (int i = 0; i < 200; ++i) {
     const LineGroup group = make_group(eave(0.3 + 0.04 * i), {}, {}, &random);
-    EXPECT_TRUE(group.reconstruct(ReconstructOptions{})[0].segment_in_local) << i;
+    EXPECT_TRUE(group.reconstruct(decide)[0].segment_in_local) << i;
   }
 }
 
