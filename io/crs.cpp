@@ -222,6 +222,12 @@ void compare_vertical(PJ_CONTEXT* context,
 
 }  // namespace
 
+bool is_wkt(const Crs& crs) {
+  const Context context = make_context();
+  return Object(proj_create_from_wkt(context.get(), crs.definition.c_str(), nullptr, nullptr,
+                                     nullptr)) != nullptr;
+}
+
 CrsFacts describe(const Crs& crs) {
   const Context context = make_context();
   return facts_of(context.get(), split(context.get(), crs));
