@@ -4,7 +4,9 @@ set(io_cloud_sources
   sha256.cpp
   cloud/binary_table.cpp
   cloud/block_reader.cpp
+  cloud/cloud_checks.cpp
   cloud/cloud_facts.cpp
+  cloud/cloud_files.cpp
   cloud/cloud_origin.cpp
   cloud/common_crs.cpp
   cloud/expand_patterns.cpp
@@ -38,7 +40,9 @@ set(io_cloud_headers
   cloud/binary_table.h
   cloud/block_reader.h
   cloud/bytes.h
+  cloud/cloud_checks.h
   cloud/cloud_facts.h
+  cloud/cloud_files.h
   cloud/cloud_origin.h
   cloud/cloud_source.h
   cloud/common_crs.h
