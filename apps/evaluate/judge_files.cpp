@@ -40,9 +40,9 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
 }
 
 void refuse_mismatch(const io::LineSet& set,
-                     const io::PointCloud& cloud,
+                     const io::Crs& cloud_crs,
                      std::vector<std::string>& warnings) {
-  const io::CrsAgreement agreement = io::compare(set.crs, cloud.crs);
+  const io::CrsAgreement agreement = io::compare(set.crs, cloud_crs);
   if (!agreement.compatible) {
     throw io::IoError(set.path,
                       fmt::format("lines and cloud do not match: {}; transform one of them, or "
@@ -70,7 +70,6 @@ Eigen::AlignedBox3d bounds_of(const io::LineSet& set) {
 
 void refuse_foreign_frame(const Evaluation& evaluation,
                           const io::LineSet& set,
-                          const io::Crs& cloud_crs,
                           io::CloudFiles& cloud,
                           const JudgeFilesOptions& options) {
   const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
@@ -84,7 +83,7 @@ void refuse_foreign_frame(const Evaluation& evaluation,
       set.path, fmt::format("lines and cloud are not in the same frame: {}; lines [{}] {}; "
                             "cloud [{}] {}",
                             check.reason, io::describe(set.crs).name, bounds_text(bounds_of(set)),
-                            io::describe(cloud_crs).name, bounds_text(cloud_box)));
+                            io::describe(cloud.crs()).name, bounds_text(cloud_box)));
 }
 
 nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
@@ -146,6 +145,7 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   judged.frame = cloud.frame();
   LineSets lines;
   for (const io::LineSet& set : judged.line_sets) {
+    refuse_mismatch(set, cloud.crs(), judged.warnings);
     lines.push_back(judged_lines_of(set, judged.frame, options.patch));
   }
   record.end_stage("read_lines");
@@ -157,24 +157,23 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   record.end_stage("judge");
 
   refuse_empty(facts, options);
-  judged.warnings = facts.warnings;
+  judged.warnings.insert(judged.warnings.begin(), facts.warnings.begin(), facts.warnings.end());
   judged.unread_clouds = cloud.unread_paths();
   for (const io::LineSet& set : judged.line_sets) {
     for (const std::string& warning : set.warnings) {
       judged.warnings.push_back(set.path + ": " + warning);
     }
-    refuse_mismatch(set, facts, judged.warnings);
   }
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   if (options.reference_lines) {
     const io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
-    refuse_mismatch(set, facts, judged.warnings);
+    refuse_mismatch(set, cloud.crs(), judged.warnings);
     references = reference_lines_of(set, judged.frame);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.evaluations.push_back(
         evaluation_of(judged.line_sets[i], std::move(batches.results[i]), judged.frame, options));
-    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], facts.crs, cloud, options);
+    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud, options);
     judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
   }
   record.end_stage("statistics");

@@ -30,6 +30,8 @@ class CloudFiles {
   /// The options' frame, else by the origin rule of suggest_frame().
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
 
+  [[nodiscard]] const Crs& crs() const { return crs_; }
+
   /// The points that the options keep, and of these those in the mask, if there is one. What is said
   /// of read_cloud() holds.
   PointCloud read(std::optional<PlanMask> near);

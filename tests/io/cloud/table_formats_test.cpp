@@ -120,6 +120,7 @@ TEST(ReadPcd, NamesWhatIsWrong) {
            Case{replaced(good, "SIZE 8 8", "SIZE 8"), "SIZE has 4 entries; 5 are needed"},
            Case{replaced(good, "FIELDS x", "FIELDS w"), "has no column x"},
            Case{replaced(good, "COUNT 1", "COUNT 9999999"), "at most"},
+           Case{replaced(good, "COUNT 1 1", "COUNT 600000 600000"), "at most 1048576 numbers"},
            Case{replaced(good, "DATA binary\n", ""), "the header does not end"},
            Case{pcd_header("binary_compressed") + "1234", "ends before the sizes"},
            Case{pcd_header("binary_compressed") + bytes_of(99U) + bytes_of(31U) + "x",
