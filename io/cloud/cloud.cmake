@@ -23,6 +23,7 @@ set(io_cloud_sources
   cloud/mapped_file.cpp
   cloud/occupied_cells.cpp
   cloud/open_cloud.cpp
+  cloud/page_advice.cpp
   cloud/pcd_source.cpp
   cloud/plan_mask.cpp
   cloud/ply_header.cpp
@@ -59,6 +60,7 @@ set(io_cloud_headers
   cloud/lzf.h
   cloud/mapped_file.h
   cloud/occupied_cells.h
+  cloud/page_advice.h
   cloud/pcd_source.h
   cloud/plan_mask.h
   cloud/ply_header.h

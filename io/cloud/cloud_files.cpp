@@ -5,10 +5,12 @@
 #include "io/cloud/cloud_checks.h"
 #include "io/cloud/cloud_origin.h"
 #include "io/cloud/common_crs.h"
+#include "io/cloud/page_advice.h"
 #include "io/error.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +135,10 @@ void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, Po
   }
   try {
     cloud.points.reserve(expected);
+    // Large pages spare a page fault for every 128 points.
+    advise_whole_pages(
+        {reinterpret_cast<const std::byte*>(cloud.points.data()), expected * sizeof(CloudPoint)},
+        MADV_HUGEPAGE);
   } catch (const std::bad_alloc&) {
     throw IoError(path, fmt::format("{} points to keep take {} bytes; that memory is not to be had",
                                     expected, expected * sizeof(CloudPoint)));

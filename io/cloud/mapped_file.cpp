@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/mapped_file.h"
 
+#include "io/cloud/page_advice.h"
 #include "io/error.h"
 
 #include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>
 #include <sys/mman.h>
-#include <unistd.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
@@ -40,12 +39,7 @@ MappedFile::MappedFile(const std::string& path) : mapping_(std::make_unique<Mapp
 }
 
 void MappedFile::release(std::span<const std::byte> part) {
-  static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto begin = reinterpret_cast<std::uintptr_t>(part.data());
-  const std::uintptr_t first = (begin + page - 1) / page * page;
-  const std::uintptr_t last = (begin + part.size()) / page * page;
-  // A mere hint: whether it is taken changes no byte.
-  if (first < last) (void)madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+  advise_whole_pages(part, MADV_DONTNEED);
 }
 
 MappedFile::~MappedFile() = default;
