@@ -7,7 +7,10 @@
 #include <proj.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <string>
 #include <string_view>
 
 namespace ridgeline::io {
@@ -220,11 +223,48 @@ void compare_vertical(PJ_CONTEXT* context,
       {b_facts.vertical_name, b_facts.vertical_unit_name, b_facts.vertical_unit_m});
 }
 
+/// What was found for the latest definitions: the tiles of a survey state one and the same, and PROJ
+/// takes tens of milliseconds to read it.
+template <typename Value>
+class Memo {
+ public:
+  /// The value for a definition; `find` gives it the first time, and is asked again if it throws.
+  template <typename Find>
+  Value get(const std::string& definition, const Find& find) {
+    constexpr std::size_t kMost = 64;
+    {
+      const std::scoped_lock lock(mutex_);
+      if (const auto known = values_.find(definition); known != values_.end()) return known->second;
+    }
+    Value value = find();
+    const std::scoped_lock lock(mutex_);
+    if (values_.size() >= kMost) values_.clear();
+    values_.emplace(definition, value);
+    return value;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, Value> values_;
+};
+
 }  // namespace
 
+bool is_wkt(const Crs& crs) {
+  static Memo<bool> memo;
+  return memo.get(crs.definition, [&] {
+    const Context context = make_context();
+    return Object(proj_create_from_wkt(context.get(), crs.definition.c_str(), nullptr, nullptr,
+                                       nullptr)) != nullptr;
+  });
+}
+
 CrsFacts describe(const Crs& crs) {
-  const Context context = make_context();
-  return facts_of(context.get(), split(context.get(), crs));
+  static Memo<CrsFacts> memo;
+  return memo.get(crs.definition, [&] {
+    const Context context = make_context();
+    return facts_of(context.get(), split(context.get(), crs));
+  });
 }
 
 std::string to_wkt(const Crs& crs) {

@@ -24,6 +24,10 @@ struct CrsFacts {
   std::string vertical_unit_name = "metre";
 };
 
+/// Whether PROJ reads the definition as WKT, of any dialect. What is no WKT, describe() takes for a
+/// name and has PROJ search its data base for one that is like it, which may take seconds.
+bool is_wkt(const Crs& crs);
+
 /// Throws std::invalid_argument if PROJ cannot read the definition. An unknown CRS: metres assumed.
 CrsFacts describe(const Crs& crs);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <new>
 #include <stdexcept>
@@ -42,7 +43,13 @@ std::string Sha256::hex_digest() {
 std::string sha256_of_file(const std::string& path) {
   const MappedFile file(path);
   Sha256 hash;
-  hash.update(file.bytes());
+  constexpr std::size_t kPart = std::size_t{16} << 20U;
+  const std::span<const std::byte> bytes = file.bytes();
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kPart) {
+    const auto part = bytes.subspan(begin, std::min(kPart, bytes.size() - begin));
+    hash.update(part);
+    MappedFile::release(part);
+  }
   return hash.hex_digest();
 }
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace ridgeline::apps {
 namespace {
@@ -29,6 +30,8 @@ struct EvaluateArguments {
   std::string assume_crs;
   std::string sample_consensus = "msac";
   std::uint64_t max_points = 0, max_memory_mib = 0;
+  std::uint64_t cloud_memory_mib = JudgeFilesOptions{}.cloud_memory_mib;
+  double max_resolution_m = 0.0;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
 };
@@ -76,6 +79,16 @@ void add_cloud_filters(CLI::App& app, EvaluateArguments& a) {
       ->capture_default_str()
       ->group(group);
   app.add_option("--max-memory-mib", a.max_memory_mib, "for the points kept; 0: no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--cloud-memory-mib", a.cloud_memory_mib,
+                 "for points held at a time; beyond, lines are judged in batches of neighbours")
+      ->check(CLI::Range(1, 1048576))
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--max-resolution", a.max_resolution_m,
+                 "quick look: of COPC only the levels down to this point distance, m; 0: all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->group(group);
@@ -150,6 +163,7 @@ io::ReadOptions read_options(const EvaluateArguments& a) {
   options.max_memory_bytes = a.max_memory_mib << 20U;
   options.strict = a.strict;
   options.salvage = a.salvage;
+  options.max_resolution_m = a.max_resolution_m;
   return options;
 }
 
@@ -169,6 +183,7 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   }
   if (options.patch_name.empty()) options.patch_name = stem_of(options.cloud_paths.front());
   options.cloud = read_options(a);
+  options.cloud_memory_mib = a.cloud_memory_mib;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.judge = a.judge;
@@ -188,6 +203,7 @@ nlohmann::ordered_json echo_arguments(const EvaluateArguments& a) {
   json["exclude_withheld"] = a.exclude_withheld;
   json["last_returns"] = a.last_returns;
   json["bounds"] = a.bounds;
+  json["max_resolution_m"] = a.max_resolution_m;
   json["assume_crs"] = a.assume_crs;
   json["vertex_pairs"] = a.vertex_pairs;
   json["sample_consensus"] = a.sample_consensus;
@@ -228,7 +244,11 @@ int run_evaluate(const EvaluateArguments& arguments) {
   const JudgedFiles judged = judge_files(options, record);
   for (const std::string& warning : judged.warnings) spdlog::warn("{}", warning);
   record.add_warnings(judged.warnings);
-  for (const Input& input : inputs) record.add_input(input.role, input.path);
+  const std::set<std::string> unread(judged.unread_clouds.begin(), judged.unread_clouds.end());
+  for (const Input& input : inputs) {
+    if (unread.contains(input.path)) continue;
+    record.add_input(input.role, input.path);
+  }
   record.end_stage("hash_inputs");
   write_evaluations(judged.evaluations, out, "");
   write_truth(judged.truth, out);

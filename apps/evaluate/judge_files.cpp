@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/evaluate/judge_files.h"
 
+#include "apps/evaluate/judge_batches.h"
 #include "apps/evaluate/judged_lines.h"
-#include "evaluate/judge/image_evidence.h"
-#include "evaluate/judge/judge_lines.h"
 #include "evaluate/statistics/frame_check.h"
 #include "io/error.h"
 
@@ -12,7 +11,6 @@
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -41,31 +39,10 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
   return sets;
 }
 
-/// The surroundings of all lines: nothing else of the cloud is kept.
-io::PlanMask mask_around(const std::vector<std::vector<JudgedLine>>& lines,
-                         const evaluate::JudgeOptions& options) {
-  constexpr double kSweep_m = 1.0;
-  std::vector<Segment2> footprints;
-  for (const auto& set : lines) {
-    for (const JudgedLine& line : set) {
-      if (line.images) {
-        for (const Segment2& seen : evaluate::plan_sweep(*line.images, kSweep_m)) {
-          footprints.push_back(seen);
-        }
-      }
-      if (all_finite(line.segment)) footprints.push_back(plan(line.segment));
-    }
-  }
-  // the corner of the zone that a line's planes are fitted in
-  const double widest =
-      std::max(options.fit_half_width_m, options.corridor_half_width_m + options.corridor_end_m);
-  return {footprints, std::numbers::sqrt2 * widest};
-}
-
 void refuse_mismatch(const io::LineSet& set,
-                     const io::PointCloud& cloud,
+                     const io::Crs& cloud_crs,
                      std::vector<std::string>& warnings) {
-  const io::CrsAgreement agreement = io::compare(set.crs, cloud.crs);
+  const io::CrsAgreement agreement = io::compare(set.crs, cloud_crs);
   if (!agreement.compatible) {
     throw io::IoError(set.path,
                       fmt::format("lines and cloud do not match: {}; transform one of them, or "
@@ -91,23 +68,13 @@ Eigen::AlignedBox3d bounds_of(const io::LineSet& set) {
   return box;
 }
 
-/// All points of the cloud, for a message: the judged ones are only those near the lines.
-Eigen::AlignedBox3d bounds_of_cloud(const JudgeFilesOptions& options) {
-  const io::PointCloud cloud = io::read_cloud(options.cloud_paths, options.cloud);
-  Eigen::AlignedBox3d box;
-  for (const io::CloudPoint& p : cloud.points) {
-    box.extend(cloud.frame.world_from_local({p.x, p.y, p.z}));
-  }
-  return box;
-}
-
 void refuse_foreign_frame(const Evaluation& evaluation,
                           const io::LineSet& set,
-                          const io::PointCloud& cloud,
+                          io::CloudFiles& cloud,
                           const JudgeFilesOptions& options) {
   const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
   if (check.same_frame) return;
-  const Eigen::AlignedBox3d cloud_box = bounds_of_cloud(options);
+  const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
   if (cloud_box.isEmpty()) {
     throw io::IoError(options.cloud_paths.front(),
                       "no point lies within --bounds; must be given in the cloud's CRS");
@@ -116,16 +83,19 @@ void refuse_foreign_frame(const Evaluation& evaluation,
       set.path, fmt::format("lines and cloud are not in the same frame: {}; lines [{}] {}; "
                             "cloud [{}] {}",
                             check.reason, io::describe(set.crs).name, bounds_text(bounds_of(set)),
-                            io::describe(cloud.crs).name, bounds_text(cloud_box)));
+                            io::describe(cloud.crs()).name, bounds_text(cloud_box)));
 }
 
-nlohmann::ordered_json cloud_facts(const io::PointCloud& cloud) {
+nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
+  const io::PointCloud& cloud = readings.cloud;
   nlohmann::ordered_json json;
   json["crs"] = io::describe(cloud.crs).name;
   json["horizontal_unit_m"] = cloud.horizontal_unit_m;
   json["vertical_unit_m"] = cloud.vertical_unit_m;
+  json["n_batches"] = readings.n_batches;
+  json["n_files_unread"] = files.unread_paths().size();
   json["n_read"] = cloud.n_read;
-  json["n_kept"] = cloud.points.size();
+  json["n_kept"] = readings.n_kept;
   json["n_dropped_class"] = cloud.n_dropped_class;
   json["n_dropped_withheld"] = cloud.n_dropped_withheld;
   json["n_dropped_return"] = cloud.n_dropped_return;
@@ -148,27 +118,17 @@ void refuse_empty(const io::PointCloud& cloud, const JudgeFilesOptions& options)
                                 cloud.n_dropped_return, cloud.n_dropped_non_finite));
 }
 
-evaluate::PointGrid grid_of(io::PointCloud& cloud) {
-  const auto position = [&](std::size_t i) {
-    const io::CloudPoint& p = cloud.points[i];
-    return Eigen::Vector3d(p.x, p.y, p.z);
-  };
-  evaluate::PointGrid grid = evaluate::PointGrid::build(cloud.points.size(), position);
-  cloud.points = {};  // the grid holds them now
-  return grid;
-}
-
-Evaluation judge_set(const io::LineSet& set,
-                     const std::vector<JudgedLine>& lines,
-                     const evaluate::PointGrid& grid,
-                     const LocalFrame& frame,
-                     const JudgeFilesOptions& options) {
+Evaluation evaluation_of(const io::LineSet& set,
+                         std::vector<evaluate::JudgedResult> results,
+                         const LocalFrame& frame,
+                         const JudgeFilesOptions& options) {
   Evaluation evaluation;
   evaluation.patch = options.patch_name;
   evaluation.method = stem_of(set.path);
   evaluation.origin_m = frame.origin_m;
   evaluation.options = options.summary;
-  for (auto& result : evaluate::judge_lines(grid, lines, options.judge)) {
+  evaluation.lines.reserve(results.size());
+  for (evaluate::JudgedResult& result : results) {
     evaluation.lines.push_back(std::move(result.evaluation));
   }
   return evaluate::with_summaries(std::move(evaluation));
@@ -181,43 +141,42 @@ std::string stem_of(const std::string& path) { return std::filesystem::path(path
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   JudgedFiles judged;
   judged.line_sets = read_line_files(options);
-  judged.frame = options.cloud.frame ? *options.cloud.frame
-                                     : io::suggest_frame(options.cloud_paths, options.cloud);
-  std::vector<std::vector<JudgedLine>> lines;
+  io::CloudFiles cloud(options.cloud_paths, options.cloud);
+  judged.frame = cloud.frame();
+  LineSets lines;
   for (const io::LineSet& set : judged.line_sets) {
+    refuse_mismatch(set, cloud.crs(), judged.warnings);
     lines.push_back(judged_lines_of(set, judged.frame, options.patch));
   }
   record.end_stage("read_lines");
 
-  io::ReadOptions cloud_options = options.cloud;
-  cloud_options.frame = judged.frame;
-  cloud_options.near = mask_around(lines, options.judge);
-  io::PointCloud cloud = io::read_cloud(options.cloud_paths, cloud_options);
-  record.set("cloud", cloud_facts(cloud));
-  record.end_stage("read_cloud");
+  JudgedBatches batches =
+      judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U);
+  const io::PointCloud& facts = batches.readings.cloud;
+  record.set("cloud", cloud_facts(batches.readings, cloud));
+  record.end_stage("judge");
 
-  refuse_empty(cloud, options);
-  judged.warnings = cloud.warnings;
+  refuse_empty(facts, options);
+  judged.warnings.insert(judged.warnings.begin(), facts.warnings.begin(), facts.warnings.end());
+  judged.unread_clouds = cloud.unread_paths();
   for (const io::LineSet& set : judged.line_sets) {
     for (const std::string& warning : set.warnings) {
       judged.warnings.push_back(set.path + ": " + warning);
     }
-    refuse_mismatch(set, cloud, judged.warnings);
   }
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   if (options.reference_lines) {
     const io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
-    refuse_mismatch(set, cloud, judged.warnings);
+    refuse_mismatch(set, cloud.crs(), judged.warnings);
     references = reference_lines_of(set, judged.frame);
   }
-  const evaluate::PointGrid grid = grid_of(cloud);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.evaluations.push_back(
-        judge_set(judged.line_sets[i], lines[i], grid, judged.frame, options));
+        evaluation_of(judged.line_sets[i], std::move(batches.results[i]), judged.frame, options));
     refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud, options);
     judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
   }
-  record.end_stage("judge");
+  record.end_stage("statistics");
   return judged;
 }
 

@@ -9,6 +9,7 @@
 #include "io/lines/read_lines.h"
 #include "io/patch.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct JudgeFilesOptions {
   io::ReadLinesOptions lines;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
+  /// For points held at one time, see judge_in_batches(). Enough for about 5.6 million.
+  std::uint64_t cloud_memory_mib = 512;
 };
 
 struct JudgedFiles {
@@ -33,6 +36,7 @@ struct JudgedFiles {
   std::vector<evaluate::Evaluation> evaluations;  ///< one per line file; method: the file's stem
   std::vector<TruthRows> truth;                   ///< one per evaluation
   std::vector<std::string> warnings;
+  std::vector<std::string> unread_clouds;  ///< files of which no line is near
 };
 
 /// Files -> judged lines: lines, the points near them, one local frame for all, the judge, the

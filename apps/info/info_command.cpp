@@ -46,8 +46,8 @@ void print_counts(const char* label, const std::map<std::uint8_t, std::uint64_t>
   fmt::print("\n");
 }
 
-void print_cloud(const std::string& path) {
-  const io::CloudFacts facts = io::cloud_facts(path);
+void print_cloud(const std::string& path, double max_resolution_m) {
+  const io::CloudFacts facts = io::cloud_facts(path, {.max_resolution_m = max_resolution_m});
   fmt::print("{}: {}\n  points      {}\n", path, facts.format, facts.n_points);
   if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
   print_bounds(facts.bounds);
@@ -111,32 +111,43 @@ bool is_line_ply(const std::string& path) {
 }
 
 /// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter.
-void print_text_file(const std::string& path) {
+void print_text_file(const std::string& path, double max_resolution_m) {
   try {
     print_lines(path);
   } catch (const io::IoError&) {
-    print_cloud(path);
+    print_cloud(path, max_resolution_m);
   }
 }
 
-void print_facts(const std::string& path) {
+void print_facts(const std::string& path, double max_resolution_m) {
   const std::string extension = lower_extension(path);
   if (extension == ".yaml" || extension == ".yml") return print_patch(path);
   if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz") {
-    return print_cloud(path);
+    return print_cloud(path, max_resolution_m);
   }
-  if (extension == ".ply" && !is_line_ply(path)) return print_cloud(path);
-  if (extension == ".txt") return print_text_file(path);
+  if (extension == ".ply" && !is_line_ply(path)) return print_cloud(path, max_resolution_m);
+  if (extension == ".txt") return print_text_file(path, max_resolution_m);
   print_lines(path);
 }
 
 }  // namespace
 
 Run add_info(CLI::App& subcommand) {
-  auto files = std::make_shared<std::vector<std::string>>();
-  subcommand.add_option("files", *files, "clouds, line files, patch files")->required();
-  return [files] {
-    for (const std::string& file : *files) print_facts(file);
+  struct Arguments {
+    std::vector<std::string> files;
+    double max_resolution_m = 0.0;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  subcommand.add_option("files", arguments->files, "clouds, line files, patch files")->required();
+  subcommand
+      .add_option("--max-resolution", arguments->max_resolution_m,
+                  "quick look: of COPC only the levels down to this point distance, m; 0: all")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  return [arguments] {
+    for (const std::string& file : arguments->files) {
+      print_facts(file, arguments->max_resolution_m);
+    }
     return static_cast<int>(kDone);
   };
 }

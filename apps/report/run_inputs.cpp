@@ -118,6 +118,7 @@ io::ReadOptions RunInputs::cloud_options() const {
   options.exclude_withheld = options_.value("exclude_withheld", true);
   options.last_returns = options_.value("last_returns", false);
   options.assume_crs.definition = options_.value("assume_crs", "");
+  options.max_resolution_m = options_.value("max_resolution_m", 0.0);
   if (options_.contains("bounds") && !options_["bounds"].empty()) {
     const auto b = options_["bounds"].get<std::array<double, 4>>();
     options.bounds_in_world = Eigen::AlignedBox3d(Eigen::Vector3d(b[0], b[1], -HUGE_VAL),

@@ -76,11 +76,11 @@ bool same_plane(const CandidatePlane& a, const CandidatePlane& b) {
   auto ia = a.inliers.begin();
   auto ib = b.inliers.begin();
   while (ia != a.inliers.end() && ib != b.inliers.end()) {
-    if (ia->index == ib->index) {
+    if (ia->rank == ib->rank) {
       ++shared;
       ++ia;
       ++ib;
-    } else if (ia->index < ib->index) {
+    } else if (ia->rank < ib->rank) {
       ++ia;
     } else {
       ++ib;
@@ -147,7 +147,7 @@ std::vector<FoundPlane> planes_beside(std::span<const ZonePoint> zone,
 /// Adds a plane, or puts it in the place of a smaller part of the same plane.
 void unite(CandidatePlane plane, std::vector<CandidatePlane>& candidates) {
   std::sort(plane.inliers.begin(), plane.inliers.end(),
-            [](const ZonePoint& a, const ZonePoint& b) { return a.index < b.index; });
+            [](const ZonePoint& a, const ZonePoint& b) { return a.rank < b.rank; });
   const auto same = std::find_if(candidates.begin(), candidates.end(),
                                  [&](const auto& other) { return same_plane(plane, other); });
   if (same == candidates.end()) {

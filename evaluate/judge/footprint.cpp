@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/footprint.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace ridgeline::evaluate {
 
@@ -25,6 +27,11 @@ std::vector<ZonePoint> points_beside(const PointGrid& grid,
     if (std::abs(t) > half_width_m || s < -end_m || s > footprint.length_m + end_m) return;
     points.push_back({point.x, s, t, point.index});
   });
+  std::sort(points.begin(), points.end(), [](const ZonePoint& a, const ZonePoint& b) {
+    return std::tuple(a.x.x(), a.x.y(), a.x.z(), a.index) <
+           std::tuple(b.x.x(), b.x.y(), b.x.z(), b.index);
+  });
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].rank = static_cast<std::uint32_t>(i);
   return points;
 }
 

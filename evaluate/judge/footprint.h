@@ -31,12 +31,14 @@ Footprint footprint_of(const Segment3& segment);
 /// A LIDAR point beside a line.
 struct ZonePoint {
   Eigen::Vector3d x;
-  double s, t;          ///< in the footprint's axes, m
-  std::uint32_t index;  ///< in the input cloud
+  double s, t;             ///< in the footprint's axes, m
+  std::uint32_t index;     ///< in the input cloud
+  std::uint32_t rank = 0;  ///< in the zone
 };
 
 /// All points with |t| <= half_width and -end <= s <= length + end, whatever their height: a line
-/// that is metres off in height meets the same points.
+/// that is metres off in height meets the same points. In the order of x, then y, then z: the same
+/// points give the same zone however they are spread over files and in whatever order they come.
 std::vector<ZonePoint> points_beside(const PointGrid& grid,
                                      const Footprint& footprint,
                                      double half_width_m,

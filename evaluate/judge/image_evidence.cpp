@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -49,15 +50,18 @@ std::vector<Eigen::Vector3d> points_below(const PointGrid& grid,
                                           double radius_m) {
   const double low = images.height_range_m[0];
   const double high = images.height_range_m[1];
+  // A ray's place at a height is up to half a spacing from the next segment of the sweep.
+  const double reach_m = 1.5 * radius_m;
   const std::vector<Segment2> sweep = plan_sweep(images, radius_m);
   std::vector<PointGrid::Point> found;
   for (const Segment2& segment : sweep) {
-    grid.visit_near(segment, radius_m, [&](const PointGrid::Point& p) {
+    grid.visit_near(segment, reach_m, [&](const PointGrid::Point& p) {
       if (p.x.z() >= low && p.x.z() <= high) found.push_back(p);
     });
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return std::pair(-a.x.z(), a.index) < std::pair(-b.x.z(), b.index);
+    return std::tuple(-a.x.z(), a.x.x(), a.x.y(), a.index) <
+           std::tuple(-b.x.z(), b.x.x(), b.x.y(), b.index);
   });
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -151,6 +152,21 @@ std::vector<std::uint32_t> sorted_indices(std::span<const ZonePoint> points) {
   return indices;
 }
 
+std::vector<std::uint64_t> position_keys(std::span<const ZonePoint> points) {
+  constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15ULL;
+  std::vector<std::uint64_t> keys;
+  keys.reserve(points.size());
+  for (const ZonePoint& p : points) {
+    std::uint64_t key = 0;
+    for (const double coordinate : {p.x.x(), p.x.y(), p.x.z()}) {
+      key = (key ^ std::bit_cast<std::uint64_t>(coordinate)) * kMultiplier;
+      key ^= key >> 29U;
+    }
+    keys.push_back(key);
+  }
+  return keys;
+}
+
 /// Where the edge lies in plan: by its image segment on the LIDAR surface, so that all methods meet
 /// the same points; by the line itself where there is no image or the ray meets no surface.
 Footprint footprint_of_edge(const PointGrid& grid, const JudgedLine& line) {
@@ -171,7 +187,7 @@ LineEvaluation undecided(const JudgedLine& line) {
 JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
   e.status = status;
   e.reason = std::move(reason);
-  return {std::move(e), {}};
+  return {std::move(e), {}, {}};
 }
 
 }  // namespace
@@ -209,6 +225,7 @@ JudgedResult judge_line(const PointGrid& grid,
   for (const std::size_t i : decision.planes) {
     e.planes.push_back(judging_plane(candidates[i], footprint, line.segment));
     result.inliers.push_back(sorted_indices(candidates[i].inliers));
+    result.inlier_keys.push_back(position_keys(candidates[i].inliers));
   }
   e.status = Status::kEvaluated;
   e.kind = decision.kind;

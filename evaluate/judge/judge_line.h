@@ -14,6 +14,8 @@ namespace ridgeline::evaluate {
 struct JudgedResult {
   LineEvaluation evaluation;
   std::vector<std::vector<std::uint32_t>> inliers;  ///< per plane, indices into the cloud, sorted
+  /// The same points by a hash of their position, which tells them in any part of a cloud.
+  std::vector<std::vector<std::uint64_t>> inlier_keys;
 };
 
 /// The method (Ok et al. 2011, section 4; system.md 13) for one line:

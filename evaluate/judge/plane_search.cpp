@@ -39,7 +39,7 @@ void shuffle(std::vector<ZonePoint>& points, std::uint64_t key) {
 /// PROSAC tries the first points first: those nearest to the line are the likeliest to matter.
 void sort_by_distance(std::vector<ZonePoint>& points) {
   std::sort(points.begin(), points.end(), [](const ZonePoint& a, const ZonePoint& b) {
-    return std::pair(std::abs(a.t), a.index) < std::pair(std::abs(b.t), b.index);
+    return std::pair(std::abs(a.t), a.rank) < std::pair(std::abs(b.t), b.rank);
   });
 }
 

@@ -22,6 +22,18 @@ class BinaryTableSource : public CloudSource {
     return (info().n_points + kBlockSize - 1) / kBlockSize;
   }
 
+  [[nodiscard]] bool is_light() const override {
+    return std::holds_alternative<MappedFile>(table_.storage);
+  }
+
+  void release_blocks(std::size_t first, std::size_t count) const override {
+    if (!is_light()) return;
+    const std::size_t row_size = table_.columns.front().stride;  // the file's rows, one by one
+    const std::size_t begin = std::min(first * kBlockSize * row_size, table_.bytes.size());
+    const std::size_t size = std::min(count * kBlockSize * row_size, table_.bytes.size() - begin);
+    MappedFile::release(table_.bytes.subspan(begin, size));
+  }
+
   void decode_block(std::size_t block,
                     const LocalFromFile& local_from_file,
                     std::vector<CloudPoint>& points) const override {

@@ -100,8 +100,9 @@ void add(const ReadSummary& part, ReadSummary& sum) {
   sum.drops.outside += part.drops.outside;
 }
 
-/// Calls `visit(block)` for every block in file order, decoding some ahead in parallel. A fault is
-/// held back until its turn, so that the first one in the file is reported whatever the timing.
+/// Calls `visit(block)` for every block in file order, decoding some ahead in parallel, until it
+/// answers false. A fault is held back until its turn, so that the first one in the file is reported
+/// whatever the timing.
 template <typename Visit>
 void for_each_block(const CloudSource& source,
                     const LocalFromFile& local_from_file,
@@ -124,8 +125,9 @@ void for_each_block(const CloudSource& source,
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (wave[i].error) std::rethrow_exception(wave[i].error);
-      visit(std::as_const(wave[i]));
+      if (!visit(std::as_const(wave[i]))) return;
     }
+    source.release_blocks(first, count);
   }
 }
 
@@ -134,11 +136,13 @@ void for_each_block(const CloudSource& source,
 ReadSummary append_points(const CloudSource& source,
                           const LocalFromFile& local_from_file,
                           const PointFilter& filter,
-                          std::vector<CloudPoint>& points) {
+                          std::vector<CloudPoint>& points,
+                          std::uint64_t max_points) {
   ReadSummary sum;
   for_each_block(source, local_from_file, filter, [&](const Block& block) {
     add(block.summary, sum);
     points.insert(points.end(), block.points.begin(), block.points.end());
+    return points.size() <= max_points;
   });
   return sum;
 }
@@ -147,9 +151,22 @@ std::uint64_t count_kept(const CloudSource& source,
                          const LocalFromFile& local_from_file,
                          const PointFilter& filter) {
   std::uint64_t count = 0;
-  for_each_block(source, local_from_file, filter,
-                 [&](const Block& block) { count += block.points.size(); });
+  for_each_block(source, local_from_file, filter, [&](const Block& block) {
+    count += block.points.size();
+    return true;
+  });
   return count;
+}
+
+Eigen::AlignedBox3d kept_extent(const CloudSource& source,
+                                const LocalFromFile& local_from_file,
+                                const PointFilter& filter) {
+  Eigen::AlignedBox3d extent;
+  for_each_block(source, local_from_file, filter, [&](const Block& block) {
+    extent.extend(extent_of(block.points));
+    return true;
+  });
+  return extent;
 }
 
 }  // namespace ridgeline::io

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace ridgeline::io {
@@ -18,16 +19,23 @@ struct ReadSummary {
   bool has_whole_extent = true;         ///< false if blocks outside the region were passed over
 };
 
-/// Appends the kept points of a source, in file order; blocks are decoded in parallel.
+/// Appends the kept points of a source, in file order; blocks are decoded in parallel. Ends early,
+/// within a few blocks, once there are more than `max_points`.
 /// Throws IoError for a damaged block (the first in file order) or a coordinate beyond 1e8 m.
 ReadSummary append_points(const CloudSource& source,
                           const LocalFromFile& local_from_file,
                           const PointFilter& filter,
-                          std::vector<CloudPoint>& points);
+                          std::vector<CloudPoint>& points,
+                          std::uint64_t max_points = std::numeric_limits<std::uint64_t>::max());
 
 /// How many points append_points() would append.
 std::uint64_t count_kept(const CloudSource& source,
                          const LocalFromFile& local_from_file,
                          const PointFilter& filter);
+
+/// The box of these points, local metres; empty without any.
+Eigen::AlignedBox3d kept_extent(const CloudSource& source,
+                                const LocalFromFile& local_from_file,
+                                const PointFilter& filter);
 
 }  // namespace ridgeline::io

@@ -4,7 +4,9 @@ set(io_cloud_sources
   sha256.cpp
   cloud/binary_table.cpp
   cloud/block_reader.cpp
+  cloud/cloud_checks.cpp
   cloud/cloud_facts.cpp
+  cloud/cloud_files.cpp
   cloud/cloud_origin.cpp
   cloud/common_crs.cpp
   cloud/expand_patterns.cpp
@@ -21,6 +23,7 @@ set(io_cloud_sources
   cloud/mapped_file.cpp
   cloud/occupied_cells.cpp
   cloud/open_cloud.cpp
+  cloud/page_advice.cpp
   cloud/pcd_source.cpp
   cloud/plan_mask.cpp
   cloud/ply_header.cpp
@@ -38,7 +41,9 @@ set(io_cloud_headers
   cloud/binary_table.h
   cloud/block_reader.h
   cloud/bytes.h
+  cloud/cloud_checks.h
   cloud/cloud_facts.h
+  cloud/cloud_files.h
   cloud/cloud_origin.h
   cloud/cloud_source.h
   cloud/common_crs.h
@@ -55,6 +60,7 @@ set(io_cloud_headers
   cloud/lzf.h
   cloud/mapped_file.h
   cloud/occupied_cells.h
+  cloud/page_advice.h
   cloud/pcd_source.h
   cloud/plan_mask.h
   cloud/ply_header.h

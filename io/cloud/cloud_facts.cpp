@@ -61,6 +61,7 @@ Census count_points(const CloudSource& source) {
     for (std::size_t block = range.begin(); block != range.end(); ++block) {
       source.decode_block(block, {}, points);  // file units
       for (const CloudPoint& point : points) census.add(point, unit_m);
+      source.release_blocks(block, 1);
     }
     return census;
   };
@@ -82,8 +83,8 @@ std::map<std::uint8_t, std::uint64_t> present(const std::array<std::uint64_t, 25
 
 }  // namespace
 
-CloudFacts cloud_facts(const std::string& path) {
-  const std::unique_ptr<CloudSource> source = open_cloud(path);
+CloudFacts cloud_facts(const std::string& path, const OpenCloudOptions& options) {
+  const std::unique_ptr<CloudSource> source = open_cloud(path, options);
   const CloudFileInfo& info = source->info();
   const Census census = count_points(*source);
   CloudFacts facts{.path = path,

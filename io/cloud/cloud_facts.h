@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/cloud/cloud_source.h"
 #include "io/crs.h"
 
 #include <Eigen/Geometry>
@@ -35,6 +36,6 @@ struct CloudFacts {
 /// Reads the whole file, block by block. Unlike read_cloud() it describes files that cannot be
 /// evaluated too: degrees, coordinates beyond any map.
 /// Throws IoError if the file cannot be read.
-CloudFacts cloud_facts(const std::string& path);
+CloudFacts cloud_facts(const std::string& path, const OpenCloudOptions& options = {});
 
 }  // namespace ridgeline::io

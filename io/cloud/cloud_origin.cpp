@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace ridgeline::io {
@@ -42,6 +41,8 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
+}  // namespace
+
 std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vector3d& unit_m) {
   std::array<std::vector<double>, 3> coordinates = sample(source, unit_m);
   if (coordinates[0].empty()) return std::nullopt;
@@ -52,16 +53,6 @@ std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vect
     frame.origin_m[axis] = kOriginGridM * std::round(centre / kOriginGridM) + 0.0;
   }
   return frame;
-}
-
-}  // namespace
-
-LocalFrame cloud_origin(std::span<const std::unique_ptr<CloudSource>> sources,
-                        std::span<const Eigen::Vector3d> unit_m) {
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    if (const std::optional<LocalFrame> frame = origin_of(*sources[i], unit_m[i])) return *frame;
-  }
-  return {};
 }
 
 }  // namespace ridgeline::io

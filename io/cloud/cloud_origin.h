@@ -6,14 +6,12 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-#include <span>
+#include <optional>
 
 namespace ridgeline::io {
 
-/// The frame of a run: the median position, rounded to 100 m by axis, of blocks spread over the
-/// first source that has finite points; zero if none has. `unit_m` holds the units of each source.
-LocalFrame cloud_origin(std::span<const std::unique_ptr<CloudSource>> sources,
-                        std::span<const Eigen::Vector3d> unit_m);
+/// The origin by one file: the median position, rounded to 100 m by axis, of blocks spread over it;
+/// none if it has no finite points. `unit_m`: metres per coordinate unit.
+std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vector3d& unit_m);
 
 }  // namespace ridgeline::io

@@ -61,6 +61,13 @@ class CloudSource {
     return std::nullopt;
   }
 
+  /// Whether an open source holds no points, so that thousands can be open, and decodes any block
+  /// without those before it.
+  [[nodiscard]] virtual bool is_light() const { return true; }
+
+  /// Says that these blocks are not needed for now, so that a mapped file's pages do not pile up.
+  virtual void release_blocks(std::size_t /*first*/, std::size_t /*count*/) const {}
+
   /// Replaces `points` by all points of a block, in file order.
   /// Throws IoError if the block is damaged.
   virtual void decode_block(std::size_t block,

@@ -16,15 +16,14 @@ namespace {
                             name));
 }
 
-CommonCrs assumed(std::span<const std::unique_ptr<CloudSource>> sources, const Crs& crs) {
+CommonCrs assumed(std::span<const CloudFileInfo> files, const Crs& crs) {
   const CrsFacts facts = describe(crs);
-  if (facts.is_geographic) refuse_degrees(sources.front()->info().path, facts.name);
+  if (facts.is_geographic) refuse_degrees(files.front().path, facts.name);
   CommonCrs common;
   common.crs = crs;
-  common.unit_m.assign(sources.size(),
+  common.unit_m.assign(files.size(),
                        {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m});
-  for (const auto& source : sources) {
-    const CloudFileInfo& info = source->info();
+  for (const CloudFileInfo& info : files) {
     if (!info.crs.known() || compare(info.crs, crs).compatible) continue;
     common.warnings.push_back(fmt::format("{}: assumed \"{}\" overrides the file's \"{}\"",
                                           info.path, facts.name, describe(info.crs).name));
@@ -32,9 +31,9 @@ CommonCrs assumed(std::span<const std::unique_ptr<CloudSource>> sources, const C
   return common;
 }
 
-const CloudFileInfo* first_known(std::span<const std::unique_ptr<CloudSource>> sources) {
-  for (const auto& source : sources) {
-    if (source->info().crs.known()) return &source->info();
+const CloudFileInfo* first_known(std::span<const CloudFileInfo> files) {
+  for (const CloudFileInfo& info : files) {
+    if (info.crs.known()) return &info;
   }
   return nullptr;
 }
@@ -42,7 +41,9 @@ const CloudFileInfo* first_known(std::span<const std::unique_ptr<CloudSource>> s
 void check_agreement(const CloudFileInfo& info,
                      const CloudFileInfo& reference,
                      std::vector<std::string>& warnings) {
-  const CrsAgreement agreement = compare(reference.crs, info.crs);
+  // Tiles of one survey state one text; PROJ takes milliseconds for a comparison.
+  const bool same_text = reference.crs.definition == info.crs.definition;
+  const CrsAgreement agreement = same_text ? CrsAgreement{} : compare(reference.crs, info.crs);
   if (!agreement.compatible) {
     throw IoError(info.path,
                   fmt::format("does not fit to {}: {}", reference.path, agreement.reason));
@@ -60,26 +61,25 @@ void check_agreement(const CloudFileInfo& info,
 
 }  // namespace
 
-CommonCrs find_common_crs(std::span<const std::unique_ptr<CloudSource>> sources,
-                          const Crs& assume_crs) {
-  if (assume_crs.known()) return assumed(sources, assume_crs);
+CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assume_crs) {
+  if (assume_crs.known()) return assumed(files, assume_crs);
   CommonCrs common;
-  const CloudFileInfo* const reference = first_known(sources);
+  const CloudFileInfo* const reference = first_known(files);
   if (reference == nullptr) {
-    for (const auto& source : sources) {
-      common.unit_m.push_back(source->info().unit_m);
+    for (const CloudFileInfo& info : files) {
+      common.unit_m.push_back(info.unit_m);
       common.warnings.push_back(fmt::format(
           "{}: states no reference system; its coordinate unit is taken as {} m (--assume-crs "
           "declares one)",
-          source->info().path, source->info().unit_m.x()));
+          info.path, info.unit_m.x()));
     }
     return common;
   }
   if (reference->is_geographic) refuse_degrees(reference->path, describe(reference->crs).name);
   common.crs = reference->crs;
-  common.unit_m.assign(sources.size(), reference->unit_m);
-  for (const auto& source : sources) {
-    if (&source->info() != reference) check_agreement(source->info(), *reference, common.warnings);
+  common.unit_m.assign(files.size(), reference->unit_m);
+  for (const CloudFileInfo& info : files) {
+    if (&info != reference) check_agreement(info, *reference, common.warnings);
   }
   return common;
 }

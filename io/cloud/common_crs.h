@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,7 +22,6 @@ struct CommonCrs {
 /// `assume_crs`, if known, stands for every file's own. A file that states none is taken to share
 /// that of the others, with a warning.
 /// Throws IoError naming both files and systems if two differ, or for degrees.
-CommonCrs find_common_crs(std::span<const std::unique_ptr<CloudSource>> sources,
-                          const Crs& assume_crs);
+CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assume_crs);
 
 }  // namespace ridgeline::io

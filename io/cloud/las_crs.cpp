@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::uint16_t kWktRecord = 2112;
 constexpr std::uint16_t kGeoTiffRecord = 34735;
+constexpr std::uint64_t kLongestWkt = 1U << 20U;  // bytes; an EVLR may claim the rest of the file
 
 std::optional<std::string> read_wkt(std::span<const std::byte> file, const LasHeader& header) {
   for (const char* const user : {"LASF_Projection", "liblas"}) {
     const std::optional<LasVlr> record = find_vlr(header, user, kWktRecord);
-    if (!record) continue;
+    if (!record || record->data_size > kLongestWkt) continue;
     std::string text = load_text(file.subspan(record->data_offset, record->data_size));
     if (text.find_first_not_of(" \t\r\n") != std::string::npos) return text;
   }
@@ -31,14 +32,15 @@ std::optional<std::string> read_wkt(std::span<const std::byte> file, const LasHe
 Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   Crs crs{wkt};
   try {
-    describe(crs);
-    return crs;
+    if (is_wkt(crs)) {
+      describe(crs);
+      return crs;
+    }
   } catch (const std::invalid_argument&) {
-    warnings.push_back(
-        fmt::format("WKT record of {} bytes is no reference system that PROJ reads; it is ignored",
-                    wkt.size()));
-    return {};
   }
+  warnings.push_back(fmt::format(
+      "WKT record of {} bytes is no reference system that PROJ reads; it is ignored", wkt.size()));
+  return {};
 }
 
 void apply_stated_unit(

@@ -29,15 +29,24 @@ class LasSource : public CloudSource {
   void decode_block(std::size_t block,
                     const LocalFromFile& local_from_file,
                     std::vector<CloudPoint>& points) const override {
-    const std::uint64_t first = block * kBlockSize;
-    points.resize(std::min<std::uint64_t>(kBlockSize, header_.n_points - first));
-    const std::span<const std::byte> records =
-        file_.bytes().subspan(header_.point_offset + first * header_.record_length,
-                              points.size() * header_.record_length);
+    const std::span<const std::byte> records = records_of(block, 1);
+    points.resize(records.size() / header_.record_length);
     decode_las_records(records, header_, local_from_file, points);
   }
 
+  void release_blocks(std::size_t first, std::size_t count) const override {
+    MappedFile::release(records_of(first, count));
+  }
+
  private:
+  [[nodiscard]] std::span<const std::byte> records_of(std::size_t block, std::size_t count) const {
+    const std::uint64_t first = block * kBlockSize;
+    const std::uint64_t n_records =
+        std::min<std::uint64_t>(count * kBlockSize, header_.n_points - first);
+    return file_.bytes().subspan(header_.point_offset + first * header_.record_length,
+                                 n_records * header_.record_length);
+  }
+
   static constexpr std::size_t kBlockSize = 16384;  // 512 KiB decoded: stays in a core's cache
 
   MappedFile file_;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/mapped_file.h"
 
+#include "io/cloud/page_advice.h"
 #include "io/error.h"
 
 #include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>
+#include <sys/mman.h>
 
 #include <filesystem>
 #include <system_error>
@@ -34,6 +36,10 @@ MappedFile::MappedFile(const std::string& path) : mapping_(std::make_unique<Mapp
   }
   bytes_ = {static_cast<const std::byte*>(mapping_->region.get_address()),
             mapping_->region.get_size()};
+}
+
+void MappedFile::release(std::span<const std::byte> part) {
+  advise_whole_pages(part, MADV_DONTNEED);
 }
 
 MappedFile::~MappedFile() = default;

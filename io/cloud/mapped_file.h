@@ -22,6 +22,10 @@ class MappedFile {
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
+  /// Says that the whole pages of a part of bytes() are not needed for now: they no longer count as
+  /// this program's memory, and come back from the page cache or the disk when they are read.
+  static void release(std::span<const std::byte> part);
+
  private:
   struct Mapping;
   std::unique_ptr<Mapping> mapping_;

@@ -86,7 +86,8 @@ class PcdEntries {
 };
 
 std::vector<PcdField> read_fields(const PcdEntries& entries, const HeaderLines& lines) {
-  constexpr std::uint64_t kMostNumbers = 1U << 20U;  // a point; keeps sums of sizes small
+  constexpr std::uint64_t kMostNumbers = 1U << 20U;  // a point, as each takes memory of ours
+  std::uint64_t n_numbers = 0;
   const Words& names = entries.words("FIELDS", 0);
   const Words& sizes = entries.words("SIZE", names.size());
   const Words& types = entries.words("TYPE", names.size());
@@ -104,10 +105,11 @@ std::vector<PcdField> read_fields(const PcdEntries& entries, const HeaderLines& 
     if (entries.has("COUNT")) {
       field.count = lines.parse_count(entries.words("COUNT", names.size())[i], "COUNT");
     }
-    if (field.count > kMostNumbers) {
-      lines.fail(fmt::format("field {} has COUNT {}; must be at most {}", names[i], field.count,
-                             kMostNumbers));
+    if (field.count > kMostNumbers - n_numbers) {
+      lines.fail(fmt::format("field {} has COUNT {}; a point must have at most {} numbers",
+                             names[i], field.count, kMostNumbers));
     }
+    n_numbers += field.count;
     fields.push_back(std::move(field));
   }
   return fields;

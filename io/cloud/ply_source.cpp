@@ -106,7 +106,13 @@ std::unique_ptr<CloudSource> open_ascii(MappedFile file,
                   .offset = header.data_offset,
                   .first_line = header.data_line + 1,
                   .items = {}};
-  for (const PlyElement& element : before) table.n_skipped_rows += element.count;
+  for (const PlyElement& element : before) {
+    if (element.count > table.file.bytes().size()) {
+      throw IoError(info.path, fmt::format("claims {} rows of element {} in {} bytes",
+                                           element.count, element.name, table.file.bytes().size()));
+    }
+    table.n_skipped_rows += element.count;
+  }
   for (const PlyProperty& property : vertex.properties) {
     const auto attribute = attribute_of_column(property.name);
     if (attribute && *attribute <= PointAttribute::kZ && property.type == ScalarType::kFloat32) {

@@ -76,12 +76,15 @@ class TextTableSource : public CloudSource {
 
   [[nodiscard]] std::size_t n_blocks() const override { return index_.starts.size() - 1; }
 
+  void release_blocks(std::size_t first, std::size_t count) const override {
+    MappedFile::release(bytes_of(first, count));
+  }
+
   void decode_block(std::size_t block,
                     const LocalFromFile& local_from_file,
                     std::vector<CloudPoint>& points) const override {
     const BlockStart& start = index_.starts[block];
-    const auto bytes =
-        table_.file.bytes().subspan(start.offset, index_.starts[block + 1].offset - start.offset);
+    const auto bytes = bytes_of(block, 1);
     std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     points.clear();
     for (std::uint64_t line_number = start.line; !rest.empty(); ++line_number) {
@@ -91,6 +94,11 @@ class TextTableSource : public CloudSource {
   }
 
  private:
+  [[nodiscard]] std::span<const std::byte> bytes_of(std::size_t block, std::size_t count) const {
+    const std::size_t begin = index_.starts[block].offset;
+    return table_.file.bytes().subspan(begin, index_.starts[block + count].offset - begin);
+  }
+
   [[nodiscard]] CloudPoint parse_row(std::string_view line,
                                      std::uint64_t line_number,
                                      const LocalFromFile& local_from_file) const {

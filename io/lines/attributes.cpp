@@ -2,6 +2,7 @@
 #include "io/lines/attributes.h"
 
 #include "io/error.h"
+#include "io/lines/json_text.h"
 #include "io/lines/text.h"
 
 #include <fmt/format.h>
@@ -40,7 +41,9 @@ bool is_empty(const json& value) {
 /// A value that may be wrapped in text.
 json unwrapped(const json& value) {
   if (!value.is_string()) return value;
-  const json inner = json::parse(value.get_ref<const std::string&>(), nullptr, false);
+  const std::string& text = value.get_ref<const std::string&>();
+  if (!is_shallow_json(text)) return value;
+  const json inner = json::parse(text, nullptr, false);
   return inner.is_discarded() ? value : inner;
 }
 
@@ -48,7 +51,7 @@ json unwrapped(const json& value) {
                          std::string_view name,
                          const json& value,
                          std::string_view rule) {
-  throw IoError(where, fmt::format("{} = {}; must be {}", name, value.dump().substr(0, 60), rule));
+  throw IoError(where, fmt::format("{} = {}; must be {}", name, excerpt(value), rule));
 }
 
 double number_of(const json& value, std::string_view name, const std::string& where) {
@@ -138,7 +141,7 @@ std::string segment_text(const Segment2& segment_px) {
 std::string text_of(const json& value) {
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_number_float()) return value.dump();
+  if (!value.is_number_float()) return json_text(value);
   const double number = value.get<double>();
   const bool integer = std::floor(number) == number && std::abs(number) < 1e15;
   return integer ? fmt::format("{:.0f}", number) : fmt::format("{}", number);

@@ -120,13 +120,17 @@ std::vector<Vertices> parts_of_wkt(const std::string& text, const std::string& w
 }
 
 /// Splits "SRID=25832;LINESTRING ..." (EWKT) and keeps the CRS.
-std::string without_srid(std::string_view text, Crs& crs) {
+std::string without_srid(std::string_view text, Crs& crs, const std::string& where) {
   const std::size_t end = text.find(';');
   if (!lower_case(text.substr(0, 5)).starts_with("srid=") || end == std::string_view::npos) {
     return std::string(text);
   }
   const std::string_view code = text.substr(5, end - 5);
-  if (code != "0") crs.definition = "EPSG:" + std::string(code);
+  const std::optional<long> number = to_integer(code);
+  if (!number || *number < 0) {
+    throw IoError(where, fmt::format("SRID '{}'; must be a code of EPSG", code.substr(0, 40)));
+  }
+  if (*number != 0) crs.definition = "EPSG:" + std::string(code);
   return std::string(text.substr(end + 1));
 }
 
@@ -154,8 +158,9 @@ LineSet read_csv(const std::string& path, std::string_view content) {
                                        columns.names.size()));
     }
     append_feature(line_from_properties(properties_of(fields, columns), where),
-                   columns.wkt ? parts_of_wkt(without_srid(fields[*columns.wkt], set.crs), where)
-                               : parts_of_coordinates(fields, columns, where),
+                   columns.wkt
+                       ? parts_of_wkt(without_srid(fields[*columns.wkt], set.crs, where), where)
+                       : parts_of_coordinates(fields, columns, where),
                    bare ? i : i - 1, set);
   }
   return set;
@@ -166,8 +171,8 @@ LineSet read_wkt(const std::string& path, std::string_view content) {
   set.format = "WKT";
   std::size_t number = 0;
   for (const TextRow& row : rows_of(content)) {
-    append_feature({}, parts_of_wkt(without_srid(row.text, set.crs), place(path, row.number)),
-                   number++, set);
+    const std::string where = place(path, row.number);
+    append_feature({}, parts_of_wkt(without_srid(row.text, set.crs, where), where), number++, set);
   }
   return set;
 }

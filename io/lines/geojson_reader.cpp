@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
 #include "io/lines/attributes.h"
+#include "io/lines/json_text.h"
 #include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 
@@ -17,6 +18,9 @@ using nlohmann::json;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 json parse(const std::string& path, std::string_view content) {
+  if (!is_shallow_json(content)) {
+    throw IoError(path, "is no GeoJSON: its arrays and objects lie too deep within each other");
+  }
   try {
     return json::parse(content);
   } catch (const json::exception& error) {
@@ -111,14 +115,14 @@ class GeoJsonReader {
   /// JSON has no NaN: tools write null, which is kept as one. A missing z is one as well.
   static Eigen::Vector3d vertex_of(const json& position, const std::string& where) {
     if (!position.is_array() || position.size() < 2) {
-      throw IoError(where, "position " + position.dump().substr(0, 60) + "; must be [x, y, z]");
+      throw IoError(where, "position " + excerpt(position) + "; must be [x, y, z]");
     }
     Eigen::Vector3d vertex(kNaN, kNaN, kNaN);
     for (int axis = 0; axis < 3 && axis < static_cast<int>(position.size()); ++axis) {
       const json& value = position[static_cast<std::size_t>(axis)];
       if (value.is_null()) continue;
       if (!value.is_number()) {
-        throw IoError(where, "coordinate " + value.dump().substr(0, 60) + " is no number");
+        throw IoError(where, "coordinate " + excerpt(value) + " is no number");
       }
       vertex[axis] = value.get<double>();
     }

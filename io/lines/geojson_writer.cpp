@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/attributes.h"
+#include "io/lines/json_text.h"
 #include "io/lines/ogr_support.h"
 #include "io/lines/writers.h"
 
@@ -9,10 +10,6 @@
 
 namespace ridgeline::io {
 namespace {
-
-std::string json_text(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 /// JSON has no NaN; null is what read_geojson() takes back as one.
 std::string coordinate(double value) {

@@ -6,7 +6,10 @@
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <stdexcept>
 
 namespace ridgeline::io {
 namespace {
@@ -71,12 +74,27 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   throw IoError(path, "extension '" + extension + "'; lines are read from " + kKnownExtensions);
 }
 
+/// A reference system that PROJ cannot read is the file's fault, not the caller's.
+void check_stated_crs(const LineSet& set) {
+  try {
+    (void)describe(set.crs);
+  } catch (const std::invalid_argument& error) {
+    throw IoError(set.path, fmt::format("its reference system cannot be used: {}; give it by "
+                                        "--assume-crs",
+                                        error.what()));
+  }
+}
+
 }  // namespace
 
 LineSet read_lines(const std::string& path, const ReadLinesOptions& options) {
   LineSet set = read_any(path, options);
   set.path = path;
-  if (options.assume_crs.known()) set.crs = options.assume_crs;
+  if (options.assume_crs.known()) {
+    set.crs = options.assume_crs;
+  } else {
+    check_stated_crs(set);
+  }
   refuse_degrees(set);
   add_coordinate_warnings(set);
   return set;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as one chunk of every point format; the first byte chooses format and item version.
+// Any bytes as one chunk of every point format; the first byte chooses the items of a record and
+// their version.
 #include "io/cloud/laz/codec_error.h"
 #include "io/cloud/laz/record_decoder.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,37 +13,43 @@ namespace {
 
 using namespace ridgeline::io::laz;
 
-LaszipRecord pointwise_record(std::uint16_t version) {
+// Which items a record has, and how they are coded; bits of the first byte.
+constexpr unsigned kLayered = 0x01, kNewer = 0x02, kTime = 0x04, kColour = 0x08, kInfrared = 0x10,
+                   kWave = 0x20, kExtra = 0x40;
+
+LaszipRecord pointwise_record(unsigned choice) {
+  const std::uint16_t version = (choice & kNewer) != 0 ? 2 : 1;
   LaszipRecord laszip;
-  laszip.items = {{ItemType::kPoint10, 20, version},
-                  {ItemType::kGpsTime11, 8, version},
-                  {ItemType::kRgb12, 6, version},
-                  {ItemType::kWavePacket13, 29, 1},
-                  {ItemType::kByte, 3, version}};
+  laszip.items = {{ItemType::kPoint10, 20, version}};
+  if ((choice & kTime) != 0) laszip.items.push_back({ItemType::kGpsTime11, 8, version});
+  if ((choice & kColour) != 0) laszip.items.push_back({ItemType::kRgb12, 6, version});
+  if ((choice & kWave) != 0) laszip.items.push_back({ItemType::kWavePacket13, 29, 1});
+  if ((choice & kExtra) != 0) laszip.items.push_back({ItemType::kByte, 3, version});
   return laszip;
 }
 
-LaszipRecord layered_record(std::uint16_t version, bool has_infrared) {
+LaszipRecord layered_record(unsigned choice) {
+  const std::uint16_t version = (choice & kNewer) != 0 ? 4 : 3;
   LaszipRecord laszip;
   laszip.compressor = Compressor::kLayered;
-  laszip.items = {
-      {ItemType::kPoint14, 30, version},
-      has_infrared ? Item{ItemType::kRgbNir14, 8, version} : Item{ItemType::kRgb14, 6, version},
-      {ItemType::kWavePacket14, 29, version},
-      {ItemType::kByte14, 3, version}};
+  laszip.items = {{ItemType::kPoint14, 30, version}};
+  if ((choice & kInfrared) != 0) {
+    laszip.items.push_back({ItemType::kRgbNir14, 8, version});
+  } else if ((choice & kColour) != 0) {
+    laszip.items.push_back({ItemType::kRgb14, 6, version});
+  }
+  if ((choice & kWave) != 0) laszip.items.push_back({ItemType::kWavePacket14, 29, version});
+  if ((choice & kExtra) != 0) laszip.items.push_back({ItemType::kByte14, 3, version});
   return laszip;
 }
-
-const std::array<LaszipRecord, 6> kRecords{pointwise_record(1),      pointwise_record(2),
-                                           layered_record(3, false), layered_record(4, false),
-                                           layered_record(3, true),  layered_record(4, true)};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr int kMaxPoints = 5'000;  // a stream of repetitions is small and long at once
   if (size == 0) return 0;
-  LaszipRecord laszip = kRecords[data[0] % kRecords.size()];
+  LaszipRecord laszip =
+      (data[0] & kLayered) != 0 ? layered_record(data[0]) : pointwise_record(data[0]);
   for (const Item& item : laszip.items) {
     laszip.record_length = static_cast<std::uint16_t>(laszip.record_length + item.size);
   }

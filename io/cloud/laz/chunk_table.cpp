@@ -59,6 +59,10 @@ void check_size(const Chunk& chunk, std::size_t index, std::uint64_t end, const 
                                  chunk.n_points, header.n_points - chunk.first_record,
                                  header.n_points));
   }
+  if (!may_hold(chunk.n_bytes, chunk.n_points)) {
+    throw CodecError(fmt::format("chunk {} is said to hold {} points; its {} bytes cannot", index,
+                                 chunk.n_points, chunk.n_bytes));
+  }
   if (chunk.n_points > kMaxChunkPoints ||
       std::uint64_t{chunk.n_points} * header.record_length > kMaxChunkBytes) {
     throw CodecError(

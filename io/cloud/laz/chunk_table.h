@@ -27,6 +27,13 @@ inline constexpr std::size_t kChunkTableOffsetSize = 8;
 inline constexpr std::uint32_t kMaxChunkPoints = 2'000'000;
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;  // of its decoded records
 
+/// Whether so many bytes can hold so many records. Even a record that repeats its predecessor takes a
+/// share of a bit: with all models at their most skewed, about 1000 records fit a byte.
+inline bool may_hold(std::uint64_t n_bytes, std::uint64_t n_records) {
+  constexpr std::uint64_t kMaxRecordsPerByte = 4096;
+  return n_records / kMaxRecordsPerByte <= n_bytes;
+}
+
 /// Reads the table at the end of a chunked file. The chunks cover all points of the header, lie one
 /// behind the other inside the file, and none is larger than the limits above.
 /// Throws CodecError with the reason if there is no such table.

@@ -58,9 +58,11 @@ CopcNode read_node(const std::byte* entry, std::uint64_t file_size) {
   return node;
 }
 
-// Every page is read once, so a hierarchy that refers to itself comes to an end.
+// Every page is read once, and all pages together are no longer than the file, so a hierarchy that
+// refers to itself, or whose pages lie within each other, comes to an end.
 std::vector<CopcNode> read_pages(std::span<const std::byte> file, Page root) {
   std::vector<CopcNode> nodes;
+  std::uint64_t n_left = file.size();
   std::vector<Page> pages{root};
   std::set<std::uint64_t> seen{root.offset};
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -69,6 +71,8 @@ std::vector<CopcNode> read_pages(std::span<const std::byte> file, Page root) {
       throw CodecError(fmt::format("COPC page at byte {} is said to have {} bytes of {}", offset,
                                    n_bytes, file.size()));
     }
+    if (n_bytes > n_left) throw CodecError("COPC pages overlap");
+    n_left -= n_bytes;
     for (std::uint64_t at = offset; at < offset + n_bytes; at += kEntrySize) {
       const CopcNode node = read_node(&file[at], file.size());
       if (node.n_points > 0) nodes.push_back(node);
@@ -76,7 +80,6 @@ std::vector<CopcNode> read_pages(std::span<const std::byte> file, Page root) {
         pages.push_back({node.offset, load<std::uint32_t>(&file[at + 24])});
       }
     }
-    if (nodes.size() > file.size() / kEntrySize) throw CodecError("COPC pages overlap");
   }
   return nodes;
 }

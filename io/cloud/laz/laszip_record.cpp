@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t kFixedSize = 34;
 constexpr std::size_t kItemSize = 6;
+// Each extra byte has models of its own, about 1.5 KiB; files in use have some ten of them.
+constexpr std::uint16_t kMostExtraBytes = 8192;
 
 struct ItemRule {
   ItemType type;
@@ -54,6 +56,10 @@ Item read_item(const std::byte* entry, std::size_t index, const std::string& pat
   if (item.size == 0 || (rule->size != 0 && item.size != rule->size)) {
     throw IoError(path, fmt::format("LASzip item {} has size {}; must be {}", rule->name, item.size,
                                     rule->size == 0 ? "above 0" : std::to_string(rule->size)));
+  }
+  if (rule->size == 0 && item.size > kMostExtraBytes) {
+    throw IoError(path, fmt::format("LASzip item {} has size {}; at most {} extra bytes are read",
+                                    rule->name, item.size, kMostExtraBytes));
   }
   if (item.version < rule->min_version || item.version > rule->max_version) {
     throw IoError(

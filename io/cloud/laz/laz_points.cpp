@@ -17,11 +17,9 @@ namespace {
 
 constexpr std::size_t kPortion = 1024;  // records decoded at once, some ten KiB
 
-// Even a record that repeats its predecessor takes a share of a bit: with all models at their most
-// skewed, about 1000 records fit a byte. A wild count is refused before anything depends on it.
+// A wild count is refused before anything depends on it.
 void check_count(std::uint64_t n_points, std::uint64_t n_bytes, const std::string& path) {
-  constexpr std::uint64_t kMaxRecordsPerByte = 4096;
-  if (n_points / kMaxRecordsPerByte > n_bytes) {
+  if (!may_hold(n_bytes, n_points)) {
     throw IoError(path,
                   fmt::format("header says {} points; {} bytes of compressed data cannot hold "
                               "as many",

@@ -50,6 +50,19 @@ class LazSource final : public CloudSource {
     return BlockExtent{.box_in_file = *box, .n_points = records_.n_points(index)};
   }
 
+  /// Without a table of chunks the points come in one stream, of which decoded parts are kept.
+  [[nodiscard]] bool is_light() const override {
+    return !records_.chunks().empty() || blocks_.empty();
+  }
+
+  void release_blocks(std::size_t first, std::size_t count) const override {
+    if (!is_light()) return;
+    for (const LazBlock& block : std::span(blocks_).subspan(first, count)) {
+      const laz::Chunk& chunk = records_.chunks()[block.index];
+      MappedFile::release(file_.bytes().subspan(chunk.offset, chunk.n_bytes));
+    }
+  }
+
   void decode_block(std::size_t block,
                     const LocalFromFile& local_from_file,
                     std::vector<CloudPoint>& points) const override {

@@ -88,6 +88,13 @@ TEST(ReadLasCrs, DamagedRecordsLeaveItUnknownWithAWarning) {
   }
 }
 
+TEST(ReadLasCrs, ANameIsNoWkt) {
+  // PROJ would search its data base for what is like it, for seconds.
+  const LasCrs result = crs_of(LasBytes(2, 0).add_vlr(kProjection, 2112, "COMPD_CSPROJCS[\"x\"]"));
+  EXPECT_FALSE(result.crs.known());
+  EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("no reference system that PROJ reads")));
+}
+
 TEST(ReadLasCrs, NewFormatsWithKeysOnlyAreWarnedOf) {
   const LasCrs result =
       crs_of(LasBytes(4, 6).add_vlr(kProjection, 34735, geotiff_directory({{3072, 25832}})));

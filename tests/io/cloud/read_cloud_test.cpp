@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/read_cloud.h"
 
+#include "io/cloud/cloud_files.h"
 #include "io/cloud/las_writer.h"
 #include "tests/io/cloud/las_bytes.h"
 #include "tests/io/lines/temp_folder.h"
@@ -262,6 +263,58 @@ TEST_F(ReadCloud, WarnsOfWrongHeaderBoundsAndNeverUsesThem) {
   EXPECT_EQ(cloud.points.size(), 1U);
   EXPECT_THAT(cloud.warnings, Contains(AllOf(HasSubstr("header bounds are wrong"),
                                              HasSubstr("the points span x 1000.07"))));
+}
+
+/// A square of points 1 m apart at a place.
+std::vector<CloudPoint> square_at(double x, double y) {
+  std::vector<CloudPoint> points;
+  for (int i = 0; i < 100; ++i) points.push_back(point_at(x + i % 10, y + i / 10, 5.0));
+  return points;
+}
+
+ReadOptions in_frame_of_zeros() {
+  ReadOptions options;
+  options.frame = LocalFrame{};
+  return options;
+}
+
+TEST_F(ReadCloud, PassesOverFilesFarFromTheLinesWhoseHeaderIsRight) {
+  const std::string near = write("near.las", square_at(0.0, 0.0));
+  const std::string far = write("far.las", square_at(500.0, 0.0));
+  CloudFiles files({near, far}, in_frame_of_zeros());
+  EXPECT_THAT(files.unread_paths(), ElementsAre(near, far));
+  const Segment2 line{{2.0, 2.0}, {6.0, 6.0}};
+  const PointCloud cloud = files.read(PlanMask(std::span(&line, 1), 50.0));
+  EXPECT_EQ(cloud.points.size(), 100U);
+  EXPECT_EQ(cloud.n_read, 200U);
+  EXPECT_EQ(cloud.n_dropped_bounds, 100U);
+  EXPECT_THAT(files.unread_paths(), ElementsAre(far));
+}
+
+TEST_F(ReadCloud, ReadsAFileWhoseHeaderWronglyPlacesItFarAway) {
+  LasBytes las(2, 0);
+  for (std::int32_t i = 0; i < 10; ++i) las.add_point({100 * i, 0, 0});  // from (1000, 2000) on
+  const std::array<double, 6> bounds{9100.0, 9000.0, 9100.0, 9000.0, 10.0, 0.0};
+  for (std::size_t i = 0; i < bounds.size(); ++i) las.set(179 + 8 * i, bounds[i]);
+  const std::string path = folder_.write("a.las", las.bytes());
+  CloudFiles files({path}, in_frame_of_zeros());
+  const Segment2 line{{1000.0, 2000.0}, {1010.0, 2000.0}};
+  EXPECT_EQ(files.read(PlanMask(std::span(&line, 1), 5.0)).points.size(), 10U);
+}
+
+TEST_F(ReadCloud, GivesNothingWhereMorePointsAreKeptThanFit) {
+  CloudFiles files({write("a.las", square_at(0.0, 0.0)), write("b.las", square_at(20.0, 0.0))}, {});
+  EXPECT_FALSE(files.read_at_most(std::nullopt, 199));
+  const auto cloud = files.read_at_most(std::nullopt, 200);
+  ASSERT_TRUE(cloud);
+  EXPECT_EQ(cloud->points.size(), 200U);
+}
+
+TEST_F(ReadCloud, TellsTheExtentOfTheKeptPoints) {
+  CloudFiles files({write("a.las", square_at(3.0, 4.0), {513000.0, 5403000.0, 200.0})}, {});
+  const Eigen::AlignedBox3d box = files.extent_in_world();
+  EXPECT_TRUE(box.min().isApprox(Eigen::Vector3d(513003.0, 5403004.0, 205.0), 1e-12));
+  EXPECT_TRUE(box.max().isApprox(Eigen::Vector3d(513012.0, 5403013.0, 205.0), 1e-12));
 }
 
 TEST_F(ReadCloud, RefusesCoordinatesBeyondAnyMap) {

@@ -85,6 +85,7 @@ void IntegerCompressor::encode(ArithmeticEncoder& encoder,
   const std::int64_t difference = static_cast<std::int32_t>(wrapped) >> unused_bits;
   const std::int64_t magnitude = difference <= 0 ? -difference : difference - 1;
   const auto k = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
+  last_bit_count_ = k;
   encoder.encode_symbol(bit_count_models_[context], k);
   if (k == 0) {
     encoder.encode_bit(zero_or_one_model_, difference == 1);

@@ -37,8 +37,12 @@ class IntegerCompressor {
               std::int32_t value,
               unsigned context = 0);
 
+  /// As IntegerDecompressor's.
+  [[nodiscard]] unsigned last_bit_count() const { return last_bit_count_; }
+
  private:
   unsigned num_bits_;
+  unsigned last_bit_count_ = 0;
   std::vector<SymbolModel> bit_count_models_;
   std::vector<SymbolModel> high_bits_models_;
   BitModel zero_or_one_model_;

@@ -4,12 +4,15 @@
 #include "io/cloud/bytes.h"
 #include "io/cloud/laz/codec_error.h"
 #include "io/cloud/laz/laz_points.h"
+#include "tests/io/laz/copc_builder.h"
 #include "tests/io/laz/laz_builder.h"
 #include "tests/io/laz/laz_samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <random>
 #include <set>
 
 namespace ridgeline::io::laz {
@@ -107,6 +110,61 @@ TEST(ReadCopcHierarchy, RefusesDamage) {
     EXPECT_THAT([&] { read_copc_hierarchy(damaged, header); },
                 ThrowsMessage<CodecError>(HasSubstr(message)));
   }
+}
+
+std::vector<CopcPoint> random_points(std::size_t n) {
+  std::mt19937 rng(5);
+  std::vector<CopcPoint> points(n);
+  for (CopcPoint& point : points) {
+    for (std::int32_t& x : point.x) x = static_cast<std::int32_t>(rng() % 100000);
+    point.classification = static_cast<std::uint8_t>(rng() % 20);
+  }
+  return points;
+}
+
+TEST(CopcBuilder, WritesFilesWithEveryPointOnceInTheCubeOfItsNode) {
+  const std::vector<CopcPoint> points = random_points(5000);
+  const FileBytes file = CopcBuilder{.n_levels = 4, .entries_per_page = 10}.build(points);
+  const LasHeader header = parse_las_header(file, "test.laz");
+  const auto hierarchy = read_copc_hierarchy(file, header);
+  ASSERT_TRUE(hierarchy);
+  using Stored = std::array<std::int32_t, 4>;
+  std::multiset<Stored> expected;
+  for (const CopcPoint& p : points) expected.insert({p.x[0], p.x[1], p.x[2], p.classification});
+  const LazPoints records(file, header, "test.laz");
+  std::multiset<Stored> found;
+  for (std::size_t block = 0; block < records.n_blocks(); ++block) {
+    const auto node =
+        std::ranges::find(hierarchy->nodes, records.chunks()[block].offset, &CopcNode::offset);
+    ASSERT_NE(node, hierarchy->nodes.end());
+    const Eigen::AlignedBox3d cube = node_cube(*hierarchy, *node);
+    records.decode(block, RecordParts::kAll, [&](std::span<const std::byte> bytes, std::size_t) {
+      for (std::size_t at = 0; at < bytes.size(); at += header.record_length) {
+        const Stored p{load<std::int32_t>(&bytes[at]), load<std::int32_t>(&bytes[at + 4]),
+                       load<std::int32_t>(&bytes[at + 8]), load<std::uint8_t>(&bytes[at + 16])};
+        found.insert(p);
+        EXPECT_LE(cube.exteriorDistance(0.01 * Eigen::Vector3d(p[0], p[1], p[2])), 0.01);
+      }
+    });
+  }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(ReadCopcHierarchy, RefusesPagesWithinEachOther) {
+  // Each entry of the root names a page of its own that begins a byte further: read one by one, the
+  // pages would be as many times the file as there are entries.
+  FileBytes file = CopcBuilder{.n_levels = 4}.build(random_points(2000));
+  const LasHeader header = parse_las_header(file, "test.laz");
+  const std::size_t info = find_vlr(header, "copc", 1)->data_offset;
+  const auto page = load<std::uint64_t>(&file[info + 40]);
+  const auto page_bytes = load<std::uint64_t>(&file[info + 48]);
+  for (std::uint64_t entry = page; entry < page + page_bytes; entry += 32) {
+    put(file, entry + 16, page + (entry - page) / 32 * 32);
+    put(file, entry + 24, static_cast<std::uint32_t>(page_bytes - (entry - page)));
+    put(file, entry + 28, -1);
+  }
+  EXPECT_THAT([&] { read_copc_hierarchy(file, header); },
+              ThrowsMessage<CodecError>(HasSubstr("overlap")));
 }
 
 TEST(ReadCopcHierarchy, EndsForAPageThatRefersToItself) {

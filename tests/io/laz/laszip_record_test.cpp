@@ -50,6 +50,10 @@ TEST(ReadLaszipRecord, RefusesWhatItDoesNotKnowByName) {
                 },
                 "LASzip item BYTE has size 0; must be above 0"},
            Case{[](LazBuilder& b) {
+                  b.items.push_back({ItemType::kByte, 8193, 2});
+                },
+                "LASzip item BYTE has size 8193; at most 8192 extra bytes"},
+           Case{[](LazBuilder& b) {
                   b.items.push_back({ItemType::kRgb12, 6, 2});
                 },
                 "LASzip items are POINT10 RGB12 (26 bytes); they must make up records of point "

@@ -11,12 +11,6 @@ namespace {
 constexpr std::size_t kHeaderSize = 227;  // LAS 1.2
 constexpr std::size_t kVlrHeaderSize = 54;
 
-template <typename T>
-void append(FileBytes& file, T value) {
-  const auto* const bytes = reinterpret_cast<const std::byte*>(&value);
-  file.insert(file.end(), bytes, bytes + sizeof(T));
-}
-
 void put_text(FileBytes& file, std::size_t offset, std::string_view text) {
   for (const char letter : text) file[offset++] = static_cast<std::byte>(letter);
 }
@@ -34,27 +28,6 @@ FileBytes header(std::uint32_t n_points, std::size_t laszip_size) {
   put(file, 107, n_points);
   for (const std::size_t axis : {0U, 1U, 2U}) put(file, 131 + 8 * axis, 0.01);
   return file;
-}
-
-FileBytes table(const LazBuilder& builder) {
-  ArithmeticEncoder encoder;
-  IntegerCompressor numbers(32, 2);
-  std::int32_t last_points = 0;
-  std::int32_t last_bytes = 0;
-  for (const auto& [bytes, n_points] : builder.chunks) {
-    if (builder.chunk_size == LaszipRecord::kVariableChunkSize) {
-      numbers.encode(encoder, last_points, static_cast<std::int32_t>(n_points), 0);
-      last_points = static_cast<std::int32_t>(n_points);
-    }
-    numbers.encode(encoder, last_bytes, static_cast<std::int32_t>(bytes.size()), 1);
-    last_bytes = static_cast<std::int32_t>(bytes.size());
-  }
-  FileBytes table;
-  append(table, std::uint32_t{0});
-  append(table, static_cast<std::uint32_t>(builder.chunks.size()));
-  const std::vector<std::byte> entries = encoder.finish();
-  table.insert(table.end(), entries.begin(), entries.end());
-  return table;
 }
 
 void append_laszip_record(FileBytes& file, const LazBuilder& builder) {
@@ -79,6 +52,27 @@ void append_laszip_record(FileBytes& file, const LazBuilder& builder) {
 }
 
 }  // namespace
+
+FileBytes encode_chunk_table(std::span<const ChunkSize> chunks, bool has_variable_chunks) {
+  ArithmeticEncoder encoder;
+  IntegerCompressor numbers(32, 2);
+  std::int32_t last_points = 0;
+  std::int32_t last_bytes = 0;
+  for (const auto& [n_points, n_bytes] : chunks) {
+    if (has_variable_chunks) {
+      numbers.encode(encoder, last_points, static_cast<std::int32_t>(n_points), 0);
+      last_points = static_cast<std::int32_t>(n_points);
+    }
+    numbers.encode(encoder, last_bytes, static_cast<std::int32_t>(n_bytes), 1);
+    last_bytes = static_cast<std::int32_t>(n_bytes);
+  }
+  FileBytes table;
+  append(table, std::uint32_t{0});
+  append(table, static_cast<std::uint32_t>(chunks.size()));
+  const std::vector<std::byte> entries = encoder.finish();
+  table.insert(table.end(), entries.begin(), entries.end());
+  return table;
+}
 
 void LazBuilder::add_single_point(std::int32_t x, std::int32_t y, std::int32_t z) {
   FileBytes bytes;
@@ -105,7 +99,12 @@ FileBytes LazBuilder::build() const {
     return file;
   }
   if (table == Table::kZero) return file;
-  const FileBytes entries = ridgeline::io::laz::table(*this);
+  std::vector<ChunkSize> sizes;
+  for (const BuiltChunk& chunk : chunks) {
+    sizes.push_back({chunk.n_points, static_cast<std::uint32_t>(chunk.bytes.size())});
+  }
+  const FileBytes entries =
+      encode_chunk_table(sizes, chunk_size == LaszipRecord::kVariableChunkSize);
   file.insert(file.end(), entries.begin(), entries.end());
   if (table == Table::kAtEndOfFile) append(file, table_offset);
   put(file, point_offset, table == Table::kAtEndOfFile ? std::int64_t{-1} : table_offset);

@@ -6,11 +6,26 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ridgeline::io::laz {
 
 using FileBytes = std::vector<std::byte>;
+
+struct ChunkSize {
+  std::uint32_t n_points, n_bytes;
+};
+
+/// The table behind the chunks, with the numbers of points of chunks of varying size.
+FileBytes encode_chunk_table(std::span<const ChunkSize> chunks, bool has_variable_chunks);
+
+/// Appends a little-endian value.
+template <typename T>
+void append(FileBytes& file, T value) {
+  const auto* const bytes = reinterpret_cast<const std::byte*>(&value);
+  file.insert(file.end(), bytes, bytes + sizeof(T));
+}
 
 /// Small LAZ files for tests: point format 0, every chunk given by its bytes.
 struct LazBuilder {

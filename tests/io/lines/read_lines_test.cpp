@@ -163,6 +163,19 @@ TEST(ReadGeoJson, SaysWhatIsWrong) {
               HasSubstr("position [3]; must be [x, y, z]"));
 }
 
+TEST(ReadGeoJson, RefusesArraysTooDeepForARecursion) {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string(deep)))),
+              HasSubstr("too deep"));
+  EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2,covariance\n1,2,3,4,5,6,\"" + deep + "\"\n"),
+              HasSubstr("must be a number"));
+}
+
+TEST(ReadCsv, NamesAnAttributeOfBytesThatAreNoText) {
+  EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2,n_points\n1,2,3,4,5,6,\xFF\xFE\n"),
+              HasSubstr("a.csv:2: n_points"));
+}
+
 TEST(ReadLines, RefusesLinesWithoutHeights) {
   EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string("[[1,2],[9,2]]")))),
               HasSubstr("the lines have no z; 3D lines are needed"));
@@ -242,6 +255,13 @@ TEST(ReadWkt, TakesOneGeometryARowAndTheSrid) {
   EXPECT_THAT(ids(set), ElementsAre("0", "1.0", "1.1"));
   EXPECT_EQ(set.crs.definition, "EPSG:25832");
   EXPECT_EQ(set.format, "WKT");
+}
+
+TEST(ReadWkt, RefusesASridThatIsNoCodeNamingTheRow) {
+  EXPECT_THAT(error_of("a.wkt", "SRID=58x;LINESTRING Z (1 2 3, 4 5 6)\n"),
+              HasSubstr("a.wkt:1: SRID '58x'"));
+  EXPECT_THAT(error_of("a.wkt", "SRID=99999;LINESTRING Z (1 2 3, 4 5 6)\n"),
+              HasSubstr("a.wkt: its reference system cannot be used"));
 }
 
 }  // namespace

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/judge_batches.h"
+
+#include "evaluate/judge/batch_judge.h"
+#include "evaluate/judge/image_evidence.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::JudgedLine;
+
+/// A point as it is read, in the grid, and its share of the grid's cells while that is built.
+constexpr std::uint64_t kBytesPerPoint =
+    sizeof(io::CloudPoint) + sizeof(evaluate::PointGrid::Point) + 32;
+
+struct LineRef {
+  std::size_t set, line;
+};
+using Batch = std::vector<LineRef>;
+
+/// The surroundings of lines: nothing else of the cloud is kept.
+class Surroundings {
+ public:
+  explicit Surroundings(const evaluate::JudgeOptions& options)
+      // the corner of the zone that a line's planes are fitted in
+      : radius_m_(std::numbers::sqrt2 *
+                  std::max(options.fit_half_width_m,
+                           options.corridor_half_width_m + options.corridor_end_m)) {}
+
+  void add(const JudgedLine& line) {
+    constexpr double kSweep_m = 1.0;
+    if (line.images) {
+      for (const Segment2& seen : evaluate::plan_sweep(*line.images, kSweep_m)) {
+        footprints_.push_back(seen);
+      }
+      reach_m_ = 0.5 * kSweep_m;
+    }
+    if (all_finite(line.segment)) footprints_.push_back(plan(line.segment));
+  }
+
+  [[nodiscard]] io::PlanMask mask() const { return {footprints_, radius_m_ + reach_m_}; }
+
+ private:
+  double radius_m_;
+  double reach_m_ = 0.0;  ///< an edge seen in an image may lie between two segments of its sweep
+  std::vector<Segment2> footprints_;
+};
+
+evaluate::PointGrid grid_of(io::PointCloud& cloud) {
+  const auto position = [&](std::size_t i) {
+    const io::CloudPoint& p = cloud.points[i];
+    return Eigen::Vector3d(p.x, p.y, p.z);
+  };
+  evaluate::PointGrid grid = evaluate::PointGrid::build(cloud.points.size(), position);
+  cloud.points = {};  // the grid holds them now
+  return grid;
+}
+
+class BatchedJudge {
+ public:
+  BatchedJudge(io::CloudFiles& cloud,
+               const LineSets& lines,
+               const evaluate::JudgeOptions& options,
+               std::uint64_t max_points)
+      : cloud_(cloud), lines_(lines), options_(options), max_points_(max_points) {
+    judges_.reserve(lines.size());
+    for (const auto& set : lines) judges_.emplace_back(set, options);
+  }
+
+  /// The lines of the batch, or of its halves one after the other.
+  void judge(Batch batch) {
+    Surroundings surroundings(options_);
+    for (const LineRef& ref : batch) surroundings.add(lines_[ref.set][ref.line]);
+    std::optional<io::PointCloud> near = cloud_.read_at_most(surroundings.mask(), max_points_);
+    if (!near && batch.size() > 1) {
+      const auto [first, second] = halves(std::move(batch));
+      judge(first);
+      judge(second);
+      return;
+    }
+    if (!near) near = read_beyond_limit(batch, surroundings);
+    note(*near);
+    const evaluate::PointGrid grid = grid_of(*near);
+    for (std::size_t set = 0; set < judges_.size(); ++set) {
+      std::vector<std::size_t> numbers;
+      for (const LineRef& ref : batch) {
+        if (ref.set == set) numbers.push_back(ref.line);
+      }
+      judges_[set].judge(grid, numbers);
+    }
+  }
+
+  JudgedBatches take() {
+    JudgedBatches judged{.results = {}, .readings = std::move(readings_)};
+    judged.results.reserve(judges_.size());
+    for (evaluate::BatchJudge& judge : judges_) judged.results.push_back(judge.take_results());
+    return judged;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector2d middle(const LineRef& ref) const {
+    const Segment3& segment = lines_[ref.set][ref.line].segment;
+    return all_finite(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
+  }
+
+  /// By the median across the longer side of the box around the lines' midpoints.
+  [[nodiscard]] std::pair<Batch, Batch> halves(Batch batch) const {
+    Eigen::AlignedBox2d box;
+    for (const LineRef& ref : batch) box.extend(middle(ref));
+    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    const auto half = batch.begin() + static_cast<std::ptrdiff_t>(batch.size() / 2);
+    const auto place = [&](const LineRef& ref) {
+      return std::tuple(middle(ref)[axis], ref.set, ref.line);
+    };
+    std::nth_element(batch.begin(), half, batch.end(),
+                     [&](const LineRef& a, const LineRef& b) { return place(a) < place(b); });
+    return {Batch(batch.begin(), half), Batch(half, batch.end())};
+  }
+
+  io::PointCloud read_beyond_limit(const Batch& batch, const Surroundings& surroundings) {
+    io::PointCloud near = cloud_.read(surroundings.mask());
+    near.warnings.push_back(
+        fmt::format("line {}: the {} points near it take {} MiB, more than --cloud-memory-mib",
+                    lines_[batch.front().set][batch.front().line].id, near.points.size(),
+                    near.points.size() * kBytesPerPoint >> 20U));
+    return near;
+  }
+
+  void note(const io::PointCloud& near) {
+    io::PointCloud& sum = readings_.cloud;
+    ++readings_.n_batches;
+    readings_.n_kept += near.points.size();
+    sum.frame = near.frame;
+    sum.crs = near.crs;
+    sum.horizontal_unit_m = near.horizontal_unit_m;
+    sum.vertical_unit_m = near.vertical_unit_m;
+    for (const auto count :
+         {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
+          &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
+          &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
+      sum.*count += near.*count;
+    }
+    for (const std::string& warning : near.warnings) {
+      if (std::ranges::find(sum.warnings, warning) == sum.warnings.end()) {
+        sum.warnings.push_back(warning);
+      }
+    }
+  }
+
+  io::CloudFiles& cloud_;
+  const LineSets& lines_;
+  const evaluate::JudgeOptions& options_;
+  std::uint64_t max_points_;
+  std::vector<evaluate::BatchJudge> judges_;
+  CloudReadings readings_;
+};
+
+}  // namespace
+
+JudgedBatches judge_in_batches(io::CloudFiles& cloud,
+                               const LineSets& lines,
+                               const evaluate::JudgeOptions& options,
+                               std::uint64_t max_memory_bytes) {
+  Batch all;
+  for (std::size_t set = 0; set < lines.size(); ++set) {
+    for (std::size_t line = 0; line < lines[set].size(); ++line) all.push_back({set, line});
+  }
+  BatchedJudge judge(cloud, lines, options, max_memory_bytes / kBytesPerPoint);
+  judge.judge(std::move(all));
+  return judge.take();
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/judge_line.h"
+#include "evaluate/judge/options.h"
+#include "io/cloud/cloud_files.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+using LineSets = std::vector<std::vector<evaluate::JudgedLine>>;
+
+/// What the readings of a cloud gave, summed over them: a point near the lines of two batches counts
+/// twice.
+struct CloudReadings {
+  std::size_t n_batches = 0;
+  std::uint64_t n_kept = 0;
+  io::PointCloud cloud;  ///< without points: reference system, units, counts, warnings
+};
+
+struct JudgedBatches {
+  std::vector<std::vector<evaluate::JudgedResult>> results;  ///< by set, by line
+  CloudReadings readings;
+};
+
+/// Judges every line by the points near it. If these need more memory than `max_memory_bytes` for all
+/// lines together, the lines are judged in batches of neighbours, halved until their points fit, and
+/// the cloud's files are read for each; the results are the same, bit by bit. The surroundings of a
+/// single line are read whatever they need, with a warning if that is more.
+/// Throws IoError as read_cloud().
+JudgedBatches judge_in_batches(io::CloudFiles& cloud,
+                               const LineSets& lines,
+                               const evaluate::JudgeOptions& options,
+                               std::uint64_t max_memory_bytes);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/batch_judge.h"
+
+#include <pcl/console/print.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// PCL prints every degenerate sample to stderr; silenced while lines are judged.
+class QuietPcl {
+ public:
+  QuietPcl() : level_(pcl::console::getVerbosityLevel()) {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  }
+  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
+  QuietPcl(const QuietPcl&) = delete;
+  QuietPcl& operator=(const QuietPcl&) = delete;
+
+ private:
+  pcl::console::VERBOSITY_LEVEL level_;
+};
+
+std::vector<char> repeated_ids(std::span<const JudgedLine> lines) {
+  std::unordered_set<std::string> seen;
+  std::vector<char> repeated(lines.size(), 0);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    repeated[i] = seen.insert(lines[i].id).second ? 0 : 1;
+  }
+  return repeated;
+}
+
+JudgedResult duplicate(const JudgedLine& line) {
+  JudgedResult result;
+  result.evaluation.id = line.id;
+  result.evaluation.line_class = line.line_class;
+  result.evaluation.building = line.building;
+  result.evaluation.epipolar_angle_deg = line.epipolar_angle_deg;
+  result.evaluation.status = Status::kDuplicateId;
+  result.evaluation.reason = "an earlier line has the same id";
+  if (all_finite(line.segment)) result.evaluation.length_m = length(line.segment);
+  return result;
+}
+
+/// The label that most of a plane's points carry already, if they are a good part of them.
+std::uint64_t common_label(const std::vector<std::uint64_t>& inliers,
+                           const std::unordered_map<std::uint64_t, std::uint64_t>& labels) {
+  constexpr double kShared = 0.3;  // neighbouring facets share only the points at their edge
+  std::unordered_map<std::uint64_t, std::size_t> votes;
+  for (const std::uint64_t key : inliers) {
+    const auto label = labels.find(key);
+    if (label != labels.end()) ++votes[label->second];
+  }
+  std::uint64_t best = 0;
+  std::size_t most = 0;
+  for (const auto& [label, count] : votes) {
+    if (count > most || (count == most && label < best)) {
+      best = label;
+      most = count;
+    }
+  }
+  return static_cast<double>(most) >= kShared * static_cast<double>(inliers.size()) ? best : 0;
+}
+
+/// One id for planes fitted to the same points, in the order of the lines.
+void identify_planes(std::vector<JudgedResult>& results) {
+  std::unordered_map<std::uint64_t, std::uint64_t> labels;
+  std::uint64_t next = 1;
+  for (JudgedResult& result : results) {
+    for (std::size_t p = 0; p < result.inlier_keys.size(); ++p) {
+      std::uint64_t label = common_label(result.inlier_keys[p], labels);
+      if (label == 0) label = next++;
+      for (const std::uint64_t key : result.inlier_keys[p]) labels.try_emplace(key, label);
+      result.evaluation.planes[p].id = label;
+    }
+  }
+}
+
+}  // namespace
+
+BatchJudge::BatchJudge(std::span<const JudgedLine> lines, const JudgeOptions& options)
+    : lines_(lines), options_(options), repeated_(repeated_ids(lines)), results_(lines.size()) {
+  validate(options);
+}
+
+void BatchJudge::judge(const PointGrid& grid, std::span<const std::size_t> batch) {
+  const QuietPcl quiet;
+  tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t k) {
+    const std::size_t i = batch[k];
+    results_[i] = repeated_[i] != 0 ? duplicate(lines_[i]) : judge_line(grid, lines_[i], options_);
+  });
+}
+
+std::vector<JudgedResult> BatchJudge::take_results() {
+  identify_planes(results_);
+  return std::move(results_);
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/cloud_files.h"
+
+#include "io/cloud/block_reader.h"
+#include "io/cloud/cloud_checks.h"
+#include "io/cloud/cloud_origin.h"
+#include "io/cloud/common_crs.h"
+#include "io/cloud/page_advice.h"
+#include "io/error.h"
+#include "reconstruct/geometry/check.h"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace ridgeline::io {
+
+namespace {
+
+constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+void check_options(const std::vector<std::string>& paths, const ReadOptions& options) {
+  check(!paths.empty(), "read_cloud: no file given, must be at least one");
+  check(!options.bounds_in_world || !options.bounds_in_world->isEmpty(),
+        "read_cloud: bounds_in_world is empty, must have min <= max");
+  check(options.max_resolution_m >= 0.0 && std::isfinite(options.max_resolution_m),
+        "read_cloud: max_resolution_m = ", options.max_resolution_m, ", must be 0 or above");
+}
+
+std::uint64_t point_limit(const ReadOptions& options) {
+  return std::min(
+      options.max_points == 0 ? kNoLimit : options.max_points,
+      options.max_memory_bytes == 0 ? kNoLimit : options.max_memory_bytes / sizeof(CloudPoint));
+}
+
+void add_drops(const DropCounts& counts, PointCloud& cloud) {
+  cloud.n_dropped_non_finite += counts.non_finite;
+  cloud.n_dropped_withheld += counts.withheld;
+  cloud.n_dropped_class += counts.classification;
+  cloud.n_dropped_return += counts.not_last_return;
+  cloud.n_dropped_bounds += counts.outside;
+}
+
+}  // namespace
+
+CloudFiles::CloudFiles(const std::vector<std::string>& paths_or_patterns,
+                       const ReadOptions& options)
+    : options_(options) {
+  const std::vector<std::string> paths = expand_patterns(paths_or_patterns);
+  check_options(paths, options);
+  std::vector<CloudFileInfo> infos;
+  for (const std::string& path : paths) {
+    File& file = files_.emplace_back();
+    file.info.path = path;
+    file.info = open(file).info();
+    close_if_heavy(file);
+    infos.push_back(file.info);
+  }
+  CommonCrs common = find_common_crs(infos, options.assume_crs);
+  crs_ = std::move(common.crs);
+  warnings_ = std::move(common.warnings);
+  for (std::size_t i = 0; i < files_.size(); ++i) files_[i].unit_m = common.unit_m[i];
+  find_frame();
+}
+
+CloudFiles::~CloudFiles() = default;
+
+void CloudFiles::find_frame() {
+  if (options_.frame) {
+    frame_ = *options_.frame;
+    return;
+  }
+  for (File& file : files_) {
+    const std::optional<LocalFrame> frame = origin_of(open(file), file.unit_m);
+    close_if_heavy(file);
+    if (!frame) continue;
+    frame_ = *frame;
+    return;
+  }
+}
+
+CloudSource& CloudFiles::open(File& file) const {
+  if (!file.source) {
+    file.source = open_cloud(file.info.path, {.salvage = options_.salvage,
+                                              .max_resolution_m = options_.max_resolution_m});
+  }
+  return *file.source;
+}
+
+void CloudFiles::close_if_heavy(File& file) {
+  if (file.source && !file.source->is_light()) file.source.reset();
+}
+
+LocalFromFile CloudFiles::local_from(const File& file) const {
+  return {file.unit_m, frame_.origin_m};
+}
+
+bool CloudFiles::is_passed_over(File& file, const PointFilter& filter) const {
+  const auto is_outside = [&](const Eigen::AlignedBox3d& box_in_file) {
+    const auto [unit_m, origin_m] = local_from(file);
+    return filter.excludes({unit_m.cwiseProduct(box_in_file.min()) - origin_m,
+                            unit_m.cwiseProduct(box_in_file.max()) - origin_m});
+  };
+  if (!file.info.stated_bounds || !is_outside(*file.info.stated_bounds)) return false;
+  if (!std::exchange(file.is_checked, true)) file.confirmed_bounds = confirmed_bounds(open(file));
+  return file.confirmed_bounds && is_outside(*file.confirmed_bounds);
+}
+
+/// Reserves once, so that growth never holds the points twice. Pages of a reserve that stay unused
+/// cost no memory, so a bound is good enough for small clouds; large ones are counted first.
+void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, PointCloud& cloud) {
+  constexpr std::uint64_t kBoundIsGoodEnough = 1U << 25U;  // points; 1 GiB of address space
+  const std::uint64_t limit = point_limit(options_);
+  std::uint64_t expected = 0;
+  for (const File& file : files_) expected += file.info.n_points;
+  expected = std::min(expected, max_points);
+  if (expected > std::min(limit, kBoundIsGoodEnough)) {
+    expected = 0;
+    for (File& file : files_) {
+      if (is_passed_over(file, filter)) continue;
+      expected += count_kept(open(file), local_from(file), filter);
+      close_if_heavy(file);
+    }
+  }
+  const std::string& path = files_.front().info.path;
+  if (expected > limit) {
+    throw IoError(path, fmt::format("{} points to keep of {} file(s) take {} bytes; allowed are {} "
+                                    "points (max_points, max_memory)",
+                                    expected, files_.size(), expected * sizeof(CloudPoint), limit));
+  }
+  try {
+    cloud.points.reserve(expected);
+    // Large pages spare a page fault for every 128 points.
+    advise_whole_pages(
+        {reinterpret_cast<const std::byte*>(cloud.points.data()), expected * sizeof(CloudPoint)},
+        MADV_HUGEPAGE);
+  } catch (const std::bad_alloc&) {
+    throw IoError(path, fmt::format("{} points to keep take {} bytes; that memory is not to be had",
+                                    expected, expected * sizeof(CloudPoint)));
+  }
+}
+
+/// False if there are more points than allowed.
+bool CloudFiles::append(File& file,
+                        const PointFilter& filter,
+                        std::uint64_t max_points,
+                        PointCloud& cloud) {
+  const CloudFileInfo& info = file.info;
+  const auto warn = [&](const std::string& text) {
+    cloud.warnings.push_back(info.path + ": " + text);
+  };
+  for (const std::string& warning : info.warnings) warn(warning);
+  if (is_passed_over(file, filter)) {
+    cloud.n_read += info.n_points;
+    cloud.n_dropped_bounds += info.n_points;
+    return true;
+  }
+  file.is_read = true;
+  const ReadSummary summary =
+      append_points(open(file), local_from(file), filter, cloud.points, max_points);
+  close_if_heavy(file);
+  if (cloud.points.size() > max_points) return false;
+  cloud.n_read += summary.n_read;
+  add_drops(summary.drops, cloud);
+  if (info.n_points == 0) warn("has no points");
+  if (summary.has_whole_extent) {
+    if (const auto text = wrong_bounds(info, file.unit_m, summary.extent_in_world)) warn(*text);
+  }
+  if (const auto text = float_damage(info, summary.extent_in_world, options_)) {
+    if (options_.strict) throw IoError(info.path, *text);
+    warn(*text);
+  }
+  return true;
+}
+
+std::optional<PointCloud> CloudFiles::read_files(std::optional<PlanMask> near,
+                                                 std::uint64_t max_points) {
+  options_.near = std::move(near);
+  const PointFilter filter(options_, frame_);
+  PointCloud cloud{.frame = frame_, .crs = crs_, .points = {}, .warnings = warnings_};
+  cloud.horizontal_unit_m = files_.front().unit_m.x();
+  cloud.vertical_unit_m = files_.front().unit_m.z();
+  reserve(filter, max_points, cloud);
+  for (File& file : files_) {
+    if (!append(file, filter, max_points, cloud)) return std::nullopt;
+  }
+  return cloud;
+}
+
+PointCloud CloudFiles::read(std::optional<PlanMask> near) {
+  return *read_files(std::move(near), kNoLimit);
+}
+
+std::optional<PointCloud> CloudFiles::read_at_most(std::optional<PlanMask> near,
+                                                   std::uint64_t max_points) {
+  return read_files(std::move(near), max_points);
+}
+
+std::vector<std::string> CloudFiles::unread_paths() const {
+  std::vector<std::string> paths;
+  for (const File& file : files_) {
+    if (!file.is_read) paths.push_back(file.info.path);
+  }
+  return paths;
+}
+
+Eigen::AlignedBox3d CloudFiles::extent_in_world() {
+  options_.near.reset();
+  const PointFilter filter(options_, frame_);
+  Eigen::AlignedBox3d extent;
+  for (File& file : files_) {
+    const Eigen::AlignedBox3d box = kept_extent(open(file), local_from(file), filter);
+    if (!box.isEmpty()) extent.extend(box.translated(frame_.origin_m));
+    close_if_heavy(file);
+  }
+  return extent;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_source.h"
+#include "io/cloud/point_filter.h"
+#include "io/cloud/read_cloud.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// The files of one cloud. Headers are read once, points as often as they are asked for, e.g. around
+/// some lines after others. A file is passed over where its header's bounds show that it has no
+/// wanted point; as headers are often wrong, they count only if the points of the file's first and
+/// last block confirm them.
+class CloudFiles {
+ public:
+  /// Opens every file. `options.near` has no meaning here: it is given with each reading.
+  /// Throws as read_cloud().
+  CloudFiles(const std::vector<std::string>& paths_or_patterns, const ReadOptions& options);
+  ~CloudFiles();
+
+  /// The options' frame, else by the origin rule of suggest_frame().
+  [[nodiscard]] const LocalFrame& frame() const { return frame_; }
+
+  [[nodiscard]] const Crs& crs() const { return crs_; }
+
+  /// The points that the options keep, and of these those in the mask, if there is one. What is said
+  /// of read_cloud() holds.
+  PointCloud read(std::optional<PlanMask> near);
+
+  /// read(), or nothing if there are more than `max_points`; that is found out without holding more
+  /// than these and a few blocks.
+  std::optional<PointCloud> read_at_most(std::optional<PlanMask> near, std::uint64_t max_points);
+
+  /// The files that every reading has passed over so far.
+  [[nodiscard]] std::vector<std::string> unread_paths() const;
+
+  /// The box of the points that the options keep, metres; empty without any. Reads all files.
+  [[nodiscard]] Eigen::AlignedBox3d extent_in_world();
+
+ private:
+  struct File {
+    CloudFileInfo info;
+    Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
+    std::unique_ptr<CloudSource> source;  ///< none while closed
+    bool is_read = false;
+    bool is_checked = false;
+    std::optional<Eigen::AlignedBox3d> confirmed_bounds;  ///< file units; set if checked and right
+  };
+
+  void find_frame();
+  CloudSource& open(File& file) const;
+  static void close_if_heavy(File& file);
+  [[nodiscard]] LocalFromFile local_from(const File& file) const;
+  bool is_passed_over(File& file, const PointFilter& filter) const;
+  void reserve(const PointFilter& filter, std::uint64_t max_points, PointCloud& cloud);
+  bool append(File& file, const PointFilter& filter, std::uint64_t max_points, PointCloud& cloud);
+  std::optional<PointCloud> read_files(std::optional<PlanMask> near, std::uint64_t max_points);
+
+  ReadOptions options_;
+  LocalFrame frame_;
+  Crs crs_;
+  std::vector<std::string> warnings_;
+  std::vector<File> files_;
+};
+
+}  // namespace ridgeline::io
