@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -37,6 +38,23 @@ void print_summary(const PatchViews& patch, const PatchMatches& result) {
   }
 }
 
+/// As Chio and Wang 2000 count: by the first two processes, then with the looser ones.
+void print_processes(const reconstruct::ChioResult& result,
+                     const reconstruct::ChioOptions& options) {
+  const auto count = [&](auto holds) {
+    return std::count_if(result.lines.begin(), result.lines.end(),
+                         [&](const reconstruct::ChioLine& line) { return holds(line.acquired); });
+  };
+  using reconstruct::Acquired;
+  fmt::print("lines of chio by process:\n");
+  fmt::print("  1 and 2              {}\n",
+             count([](const Acquired& a) { return a.process <= 2; }));
+  fmt::print("  then 3 and 4         {}\n",
+             count([](const Acquired& a) { return a.process > 2 && !a.relaxed; }));
+  fmt::print("  relaxed to {:<5} m   {}\n", options.relaxed_height_difference_m,
+             count([](const Acquired& a) { return a.relaxed; }));
+}
+
 int run_match(MatchArguments a) {
   a.matching.matchers = matchers_named(a.matchers);
   validate_matching(a.matching);
@@ -52,6 +70,7 @@ int run_match(MatchArguments a) {
     io::write_png(a.overlay, match_overlay(patch.views[0], patch.views[1], result.used().rows));
   }
   print_summary(patch, result);
+  if (result.chio) print_processes(*result.chio, a.matching.chio);
   return kDone;
 }
 

@@ -20,6 +20,7 @@ struct Acquired {
   int neighbour = -1;
   double height_m = 0.0;
   double limit_m = 0.0;
+  bool relaxed = false;  ///< by the relaxed limit
 };
 
 /// The left segments and what they have acquired so far.

@@ -16,6 +16,7 @@ namespace {
 
 /// Noise is allowed for up to this many standard deviations.
 constexpr double kNoiseFactor = 3.0;
+constexpr int kAllCandidates = 100;  // in place of those that look best
 
 /// One left segment on its way through the screening.
 struct Screened {
@@ -185,6 +186,7 @@ std::vector<CoreCandidates> core_candidates(const MatchView& left,
   const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
   MatchOptions wide = match_options;
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
+  if (options.paper) wide.max_candidates = kAllCandidates;
   const std::vector<std::vector<Candidate>> found =
       match_candidates(left, right, search, radiometry, wide);
   const Scene scene{left, right, search, radiometry, options};

@@ -15,6 +15,8 @@ namespace {
 constexpr double kPaperGsd_m = 0.24;
 constexpr double kSigmas = 2.0;  // by which the difference of two heights may be off
 
+enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
+
 /// A right junction that may show that of a left structure.
 struct Correspondence {
   int structure = 0;         ///< of the right image
@@ -42,9 +44,8 @@ class Iteration {
     for (const Structure& structure : structures_) first_and_second(structure);
     const Neighbourhood adjacent = adjacent_segments(left_segments_, structures_);
     const Neighbourhood near = segments_in_range(left_segments_, candidates_, options_.range_m);
-    for (const double limit_m :
-         {options_.height_difference_m, options_.relaxed_height_difference_m}) {
-      while (until_nothing_changes(3, adjacent, limit_m) + until_nothing_changes(4, near, limit_m) >
+    for (const HeightLimit limit : {HeightLimit::kClose, HeightLimit::kRelaxed}) {
+      while (until_nothing_changes(3, adjacent, limit) + until_nothing_changes(4, near, limit) >
              0) {
       }
     }
@@ -52,9 +53,10 @@ class Iteration {
   }
 
  private:
-  [[nodiscard]] double limit_m(int left, double paper_limit_m) const {
-    return options_.scale_heights ? paper_limit_m * candidates_[left].gsd_m / kPaperGsd_m
-                                  : paper_limit_m;
+  [[nodiscard]] double limit_m(int left, HeightLimit limit) const {
+    const double paper_m = limit == HeightLimit::kClose ? options_.height_difference_m
+                                                        : options_.relaxed_height_difference_m;
+    return options_.scale_heights ? paper_m * candidates_[left].gsd_m / kPaperGsd_m : paper_m;
   }
 
   /// Height of a candidate's line at a point of the left image beside it.
@@ -77,37 +79,37 @@ class Iteration {
   [[nodiscard]] bool is_near(int left,
                              const CoreCandidate& candidate,
                              const Neighbour& neighbour,
-                             double paper_limit_m) const {
+                             HeightLimit limit) const {
     const CoreCandidate& mate = acquisition_.mate(neighbour.left);
-    const double limit = limit_m(left, paper_limit_m);
+    const double most_m = limit_m(left, limit);
     if (options_.paper) {
-      return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= limit;
+      return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= most_m;
     }
     const double noise_m =
         kSigmas * std::hypot(candidate.chain.height_sigma_m, mate.chain.height_sigma_m);
     if (neighbour.junction_px) {
       return std::abs(height_at(left, candidate, *neighbour.junction_px) - height_of(neighbour)) <=
-             limit + noise_m;
+             most_m + noise_m;
     }
     const auto [low_a, high_a] =
         std::minmax(candidate.overlap.height_m[0], candidate.overlap.height_m[1]);
     const auto [low_b, high_b] = std::minmax(mate.overlap.height_m[0], mate.overlap.height_m[1]);
-    return std::max(low_a, low_b) - std::min(high_a, high_b) <= limit + noise_m;
+    return std::max(low_a, low_b) - std::min(high_a, high_b) <= most_m + noise_m;
   }
 
   /// Tries a segment under the height of one neighbour and, if given, in one right structure.
   bool acquire_beside(int process,
                       int left,
                       const Neighbour& neighbour,
-                      double paper_limit_m,
+                      HeightLimit limit,
                       const Structure* right_structure) {
     const auto choice = acquisition_.choose(left, [&](const CoreCandidate& c) {
       return (!right_structure || has_member(*right_structure, c.right)) &&
-             is_near(left, c, neighbour, paper_limit_m);
+             is_near(left, c, neighbour, limit);
     });
     if (!choice) return false;
     acquisition_.acquire(left, {*choice, process, neighbour.left, height_of(neighbour),
-                                limit_m(left, paper_limit_m)});
+                                limit_m(left, limit), limit == HeightLimit::kRelaxed});
     return true;
   }
 
@@ -199,13 +201,12 @@ class Iteration {
     if (first == members.end()) return;
     for (const int m : structure.members) {
       if (acquisition_.is_matched(m)) continue;
-      acquire_beside(2, m, {*first, structure.junction_px, 0.0}, options_.height_difference_m,
-                     &right);
+      acquire_beside(2, m, {*first, structure.junction_px, 0.0}, HeightLimit::kClose, &right);
     }
   }
 
   /// Passes over all unmatched segments until one finds nothing; how many were found.
-  int until_nothing_changes(int process, const Neighbourhood& neighbourhood, double paper_limit_m) {
+  int until_nothing_changes(int process, const Neighbourhood& neighbourhood, HeightLimit limit) {
     int n_found = 0;
     for (int n_before = -1; n_before != n_found;) {
       n_before = n_found;
@@ -214,7 +215,7 @@ class Iteration {
         if (acquisition_.is_matched(left)) continue;
         for (const Neighbour& neighbour : neighbourhood[i]) {
           if (!acquisition_.is_matched(neighbour.left)) continue;
-          if (acquire_beside(process, left, neighbour, paper_limit_m, nullptr)) {
+          if (acquire_beside(process, left, neighbour, limit, nullptr)) {
             ++n_found;
             break;
           }
