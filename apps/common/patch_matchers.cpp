@@ -13,6 +13,9 @@ namespace {
 
 using reconstruct::MatchSource;
 
+/// The matcher of what height propagation adds to `pairwise`.
+constexpr const char* kByHeight = "pairwise_height";
+
 template <typename Outcome>
 std::vector<std::string> reasons_of(const std::vector<Outcome>& outcomes) {
   std::vector<std::string> reasons;
@@ -28,6 +31,28 @@ std::vector<io::MatchRow> rows_of(const std::vector<ScoredMatch>& matches, Match
   return rows;
 }
 
+/// The matches of `pairwise`, and those that the height of these makes possible.
+MatchList pairwise_list(const reconstruct::MatchView& left,
+                        const reconstruct::MatchView& right,
+                        const std::array<double, 2>& height_range_in_local_m,
+                        const MatchingOptions& options) {
+  const reconstruct::MatchResult found =
+      reconstruct::match_pairwise(left, right, height_range_in_local_m, options.pairwise);
+  MatchList list{name(Matcher::kPairwise), rows_of(found.matches, Matcher::kPairwise),
+                 reasons_of(found.outcomes)};
+  if (!options.propagate_heights) return list;
+  const reconstruct::ChioResult more = reconstruct::propagate_heights(
+      left, right, height_range_in_local_m, found.matches, options.chio, options.pairwise);
+  for (const reconstruct::ChioLine& line : more.lines) {
+    list.rows.push_back({line.scored, kByHeight});
+    list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
+  }
+  std::sort(list.rows.begin(), list.rows.end(), [](const io::MatchRow& a, const io::MatchRow& b) {
+    return a.scored.match.left < b.scored.match.left;
+  });
+  return list;
+}
+
 std::vector<ScoredMatch> scored_matches(const MatchList& list) {
   std::vector<ScoredMatch> matches;
   matches.reserve(list.rows.size());
@@ -35,17 +60,29 @@ std::vector<ScoredMatch> scored_matches(const MatchList& list) {
   return matches;
 }
 
+/// Without the lines that only the loosest constraints gave: within range of another and within the
+/// relaxed limit of its height.
+std::vector<ScoredMatch> well_constrained(const reconstruct::ChioResult& chio) {
+  constexpr int kLastProcess = 4;
+  std::vector<ScoredMatch> matches;
+  for (const reconstruct::ChioLine& line : chio.lines) {
+    if (line.acquired.relaxed && line.acquired.process == kLastProcess) continue;
+    matches.push_back(line.scored);
+  }
+  return matches;
+}
+
 /// A match that both have found is of "pairwise+chio".
 MatchList combined(const std::vector<EdgeSegment>& left,
                    const MatchList& first,
-                   const MatchList& second) {
+                   const reconstruct::ChioResult& chio) {
+  const std::string second = name(Matcher::kChio);
   MatchList both{kBothMatchers, {}, first.reasons};
   for (const reconstruct::CombinedMatch& match :
-       reconstruct::combine_matches(left, scored_matches(first), scored_matches(second))) {
-    const std::string matcher = match.source == MatchSource::kFirst ? first.name
-                                : match.source == MatchSource::kSecond
-                                    ? second.name
-                                    : first.name + "+" + second.name;
+       reconstruct::combine_matches(left, scored_matches(first), well_constrained(chio))) {
+    const std::string matcher = match.source == MatchSource::kFirst    ? first.name
+                                : match.source == MatchSource::kSecond ? second
+                                                                       : first.name + "+" + second;
     both.rows.push_back({match.scored, matcher});
     both.reasons[static_cast<std::size_t>(match.scored.match.left)] = "matched";
   }
@@ -56,10 +93,13 @@ MatchList combined(const std::vector<EdgeSegment>& left,
 
 const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pairwise" : "chio"; }
 
-void add_matcher_option(CLI::App& app, std::vector<std::string>& names) {
+void add_matcher_options(CLI::App& app, std::vector<std::string>& names, MatchingOptions& options) {
   app.add_option("--matcher", names, "of the line segments: pairwise, chio, or both: pairwise,chio")
       ->delimiter(',')
       ->check(CLI::IsMember({"pairwise", "chio"}))
+      ->capture_default_str();
+  app.add_option("--propagate-heights", options.propagate_heights,
+                 "lines that pairwise leaves unmatched may take the height of matched neighbours")
       ->capture_default_str();
 }
 
@@ -85,10 +125,7 @@ PatchMatches match_views(const reconstruct::MatchView& left,
   PatchMatches result;
   for (const Matcher matcher : options.matchers) {
     if (matcher == Matcher::kPairwise) {
-      const reconstruct::MatchResult found =
-          reconstruct::match_pairwise(left, right, height_range_in_local_m, options.pairwise);
-      result.lists.push_back(
-          {name(matcher), rows_of(found.matches, matcher), reasons_of(found.outcomes)});
+      result.lists.push_back(pairwise_list(left, right, height_range_in_local_m, options));
     } else {
       result.chio = reconstruct::chio_match(left, right, height_range_in_local_m, options.chio,
                                             options.pairwise);
@@ -97,7 +134,7 @@ PatchMatches match_views(const reconstruct::MatchView& left,
     }
   }
   if (result.lists.size() == 2) {
-    result.lists.push_back(combined(left.segments, result.lists[0], result.lists[1]));
+    result.lists.push_back(combined(left.segments, result.lists[0], *result.chio));
   }
   return result;
 }

@@ -25,10 +25,13 @@ struct MatchingOptions {
   std::vector<Matcher> matchers{Matcher::kPairwise};  ///< each once
   reconstruct::MatchOptions pairwise;
   reconstruct::ChioOptions chio;
+  /// Lines that `pairwise` left unmatched may take the height of matched neighbours
+  /// (reconstruct::propagate_heights()).
+  bool propagate_heights = false;
 };
 
-/// `--matcher`: one or both, separated by a comma.
-void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
+/// `--matcher`: one or both, separated by a comma; `--propagate-heights`.
+void add_matcher_options(CLI::App& app, std::vector<std::string>& names, MatchingOptions& options);
 /// In the order of the enum, each once; CLI::IsMember has checked the names.
 std::vector<Matcher> matchers_named(const std::vector<std::string>& names);
 /// Throws std::invalid_argument for values out of range.

@@ -84,7 +84,7 @@ Run add_match(CLI::App& subcommand) {
                   "CSV: left_id,right_id,score,votes,matcher; ids count the segments of each image")
       ->required();
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
-  add_matcher_option(subcommand, a->matchers);
+  add_matcher_options(subcommand, a->matchers, a->matching);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");
   add_flags(subcommand, a->matching.pairwise, "Matching");

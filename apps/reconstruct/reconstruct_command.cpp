@@ -113,7 +113,7 @@ Run add_reconstruct(CLI::App& subcommand) {
       ->check(CLI::IsMember(line_format_names()))
       ->capture_default_str();
   add_flags(subcommand, a->extract, "Extract", "extract_");
-  add_matcher_option(subcommand, a->matchers);
+  add_matcher_options(subcommand, a->matchers, a->matching);
   add_flags(subcommand, a->matching.pairwise, "Match", "match_");
   add_flags(subcommand, a->matching.chio, "Chio", "chio_");
   add_flags(subcommand, a->reconstruct, "Reconstruct");

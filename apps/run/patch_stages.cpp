@@ -23,7 +23,23 @@ std::vector<LineMatch> read_line_matches(const std::string& path) {
 }
 
 /// Of one of several matchers.
-std::string list_file(const std::string& matcher) { return fmt::format("matches.{}.csv", matcher); }
+std::string list_file(const char* stem, const std::string& matcher) {
+  return fmt::format("{}.{}.csv", stem, matcher);
+}
+
+/// left_id,right_id,verdict: correct, false and unjudged matches, then the missed ones.
+std::string verdicts_csv(const std::vector<LineMatch>& matches,
+                         const evaluate::MatchingScore& score) {
+  std::string text = "left_id,right_id,verdict\n";
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    text += fmt::format("{},{},{}\n", matches[i].left, matches[i].right,
+                        evaluate::name(score.verdicts[i]));
+  }
+  for (const LineMatch& missed : score.missed) {
+    text += fmt::format("{},{},missed\n", missed.left, missed.right);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -51,8 +67,8 @@ std::vector<std::string> PatchStages::match_files() const {
   for (const Matcher matcher : matchers) {
     if (matcher == Matcher::kChio) files.emplace_back("chio.csv");
     if (matchers.size() == 1) continue;
-    files.push_back(list_file(name(matcher)));
-    files.push_back(fmt::format("unmatched.{}.csv", name(matcher)));
+    files.push_back(list_file("matches", name(matcher)));
+    files.push_back(list_file("unmatched", name(matcher)));
   }
   return files;
 }
@@ -101,8 +117,8 @@ void PatchStages::match() {
   if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, frame_));
   for (std::size_t i = 0; i + 1 < result.lists.size(); ++i) {
     const MatchList& list = result.lists[i];
-    io::write_matches(path(list_file(list.name)), list.rows);
-    io::write_file(path(fmt::format("unmatched.{}.csv", list.name)), unmatched_csv(list));
+    io::write_matches(path(list_file("matches", list.name)), list.rows);
+    io::write_file(path(list_file("unmatched", list.name)), unmatched_csv(list));
   }
 }
 
@@ -128,10 +144,14 @@ std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
   const std::array<std::vector<EdgeSegment>, 2> extracted = segments();
   const std::vector<std::string> names = list_names();
   for (const std::string& matcher : names) {
-    const std::string file = matcher == names.back() ? kMatches : list_file(matcher);
-    const std::optional<evaluate::MatchingScore> score =
-        score_patch_matches(patch_, extracted, read_line_matches(path(file)));
-    if (score) rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});
+    const bool is_used = matcher == names.back();
+    const std::vector<LineMatch> matches =
+        read_line_matches(path(is_used ? kMatches : list_file("matches", matcher)));
+    const auto score = score_patch_matches(patch_, extracted, matches);
+    if (!score) continue;
+    rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});
+    io::write_file(path(is_used ? "verdicts.csv" : list_file("verdicts", matcher)),
+                   verdicts_csv(matches, *score));
   }
   return rows;
 }

@@ -32,7 +32,8 @@ class PatchStages {
   void extract();
   void match();
   void reconstruct(reconstruct::Method method) const;
-  /// Rows of Table 1, one per matcher and one of both, if the patch has reference matches.
+  /// Rows of Table 1, one per matcher and one of both, if the patch has reference
+  /// matches; verdicts.csv has what each of them is.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
 
  private:

@@ -23,7 +23,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->delimiter(',')
       ->check(CLI::IsMember({"direct", "joint"}))
       ->capture_default_str();
-  add_matcher_option(app, flags.matchers);
+  add_matcher_options(app, flags.matchers, flags.options.matching);
   app.add_option("--detector", flags.detector, "of the line segments")
       ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
       ->capture_default_str();

@@ -45,9 +45,12 @@ const CoreCandidate& Acquisition::mate(int left) const {
 
 bool Acquisition::is_free(int left, const CoreCandidate& candidate) const {
   const std::vector<int>& takers = takers_[candidate.right];
+  const Segment2& segment = left_.segments[left].line.segment;
   return std::all_of(takers.begin(), takers.end(), [&](int other) {
-    return may_share_mate(left_.segments[left].line.segment, candidate.overlap,
-                          left_.segments[other].line.segment, mate(other).overlap);
+    const Segment2& taker = left_.segments[other].line.segment;
+    return is_matched(other)
+               ? may_share_mate(segment, candidate.overlap, taker, mate(other).overlap)
+               : are_fragments(segment, taker);
   });
 }
 
@@ -64,7 +67,7 @@ bool Acquisition::has_rival(int left, const CoreCandidate& best, const Allowed& 
 bool Acquisition::is_wanted_more(int left, const CoreCandidate& best) const {
   const std::vector<int>& wanters = wanters_[best.right];
   return std::any_of(wanters.begin(), wanters.end(), [&](int other) {
-    if (other == left || is_matched(other)) return false;
+    if (other == left || !is_open(other)) return false;
     const CoreCandidate* theirs = candidate_of(candidates_[other], best.right);
     return best.similarity < options_.max_similarity_ratio * theirs->similarity &&
            !may_share_mate(left_.segments[left].line.segment, best.overlap,
@@ -78,6 +81,10 @@ std::optional<int> Acquisition::choose(int left, const Allowed& allowed) {
                                  [&](const CoreCandidate& c) { return c.may_begin && allowed(c); });
   if (best == list.end()) {
     if (!list.empty() && list.front().may_begin) outcomes_[left] = ChioOutcome::kHeight;
+    return std::nullopt;
+  }
+  if (!options_.paper && best->similarity < options_.min_similarity) {
+    outcomes_[left] = ChioOutcome::kLowScore;
     return std::nullopt;
   }
   if (!is_free(left, *best)) {
@@ -95,6 +102,14 @@ void Acquisition::acquire(int left, const Acquired& acquired) {
   acquired_[left] = acquired;
   outcomes_[left] = ChioOutcome::kMatched;
   takers_[mate(left).right].push_back(left);
+}
+
+void Acquisition::accept(const LineMatch& match) {
+  outcomes_[match.left] = ChioOutcome::kMatched;
+  takers_[match.right].push_back(match.left);
+  const auto& list = candidates_[match.left].list;
+  const CoreCandidate* mate = candidate_of(candidates_[match.left], match.right);
+  if (mate) acquired_[match.left] = Acquired{.candidate = static_cast<int>(mate - list.data())};
 }
 
 }  // namespace ridgeline::reconstruct

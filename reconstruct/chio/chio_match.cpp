@@ -30,6 +30,36 @@ ChioLine line_of(int left_id,
   return line;
 }
 
+ChioResult run(const MatchView& left,
+               const MatchView& right,
+               const std::array<double, 2>& height_range_in_local_m,
+               std::span<const ScoredMatch> given,
+               const ChioOptions& options,
+               const MatchOptions& match_options) {
+  validate(options);
+  validate(match_options);
+  check_images(left, right);
+  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
+  const std::vector<CoreCandidates> candidates =
+      core_candidates(left, right, search, options, match_options);
+  ProcessedSegments processed = four_processes(left, right, search, candidates, options, given);
+
+  ChioResult result;
+  result.outcomes = std::move(processed.outcomes);
+  std::vector<int> acquired;
+  for (std::size_t i = 0; i < processed.acquired.size(); ++i) {
+    const auto& found = processed.acquired[i];
+    if (found && found->process > 0) acquired.push_back(static_cast<int>(i));
+  }
+  result.lines.resize(acquired.size());
+  tbb::parallel_for(std::size_t{0}, acquired.size(), [&](std::size_t k) {
+    const int i = acquired[k];
+    result.lines[k] =
+        line_of(i, *processed.acquired[i], candidates[i], left, right, search, options);
+  });
+  return result;
+}
+
 }  // namespace
 
 ChioResult chio_match(const MatchView& left,
@@ -37,27 +67,17 @@ ChioResult chio_match(const MatchView& left,
                       const std::array<double, 2>& height_range_in_local_m,
                       const ChioOptions& options,
                       const MatchOptions& match_options) {
-  validate(options);
-  validate(match_options);
-  check_images(left, right);
-  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
-  const std::vector<CoreCandidates> candidates =
-      core_candidates(left, right, search, options, match_options);
-  ProcessedSegments processed = four_processes(left, right, search, candidates, options);
+  return run(left, right, height_range_in_local_m, {}, options, match_options);
+}
 
-  ChioResult result;
-  result.outcomes = std::move(processed.outcomes);
-  std::vector<int> matched;
-  for (std::size_t i = 0; i < processed.acquired.size(); ++i) {
-    if (processed.acquired[i]) matched.push_back(static_cast<int>(i));
-  }
-  result.lines.resize(matched.size());
-  tbb::parallel_for(std::size_t{0}, matched.size(), [&](std::size_t k) {
-    const int i = matched[k];
-    result.lines[k] =
-        line_of(i, *processed.acquired[i], candidates[i], left, right, search, options);
-  });
-  return result;
+ChioResult propagate_heights(const MatchView& left,
+                             const MatchView& right,
+                             const std::array<double, 2>& height_range_in_local_m,
+                             std::span<const ScoredMatch> given,
+                             const ChioOptions& options,
+                             const MatchOptions& match_options) {
+  if (given.empty()) return {{}, std::vector<ChioOutcome>(left.segments.size())};
+  return run(left, right, height_range_in_local_m, given, options, match_options);
 }
 
 std::vector<ScoredMatch> matches_of(const ChioResult& result) {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -40,6 +41,16 @@ ChioResult chio_match(const MatchView& left,
                       const std::array<double, 2>& height_range_in_local_m,
                       const ChioOptions& options = {},
                       const MatchOptions& match_options = {});
+
+/// What the third and the fourth process find beside the matches of another matcher: lines at the
+/// height of matched lines of the same structures, and of such nearby. A match that Core itself would
+/// not make lends no height.
+ChioResult propagate_heights(const MatchView& left,
+                             const MatchView& right,
+                             const std::array<double, 2>& height_range_in_local_m,
+                             std::span<const ScoredMatch> given,
+                             const ChioOptions& options = {},
+                             const MatchOptions& match_options = {});
 
 /// The matches of the lines.
 std::vector<ScoredMatch> matches_of(const ChioResult& result);

@@ -96,9 +96,6 @@ ChioOutcome screening(const Scene& scene,
       std::max(options.max_rate_sigma, noise * expected_rate_sigma(chain, gsd_m, options))) {
     return ChioOutcome::kUneven;
   }
-  if (!options.paper && candidate.similarity < options.min_similarity) {
-    return ChioOutcome::kLowScore;
-  }
   return ChioOutcome::kMatched;
 }
 

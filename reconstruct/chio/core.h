@@ -17,16 +17,16 @@ namespace ridgeline::reconstruct {
 /// order.
 enum class ChioOutcome : std::uint8_t {
   kMatched,
-  kEpipolarDegenerate,  ///< it runs along the epipolar line
   kNoCandidate,         ///< no right segment in its epipolar band
+  kEpipolarDegenerate,  ///< it runs along the epipolar line
   kFewPieces,           ///< too few reliable edge pieces
   kAzimuth,             ///< directions differ
   kFlank,               ///< grey values beside the edge differ
   kSteep,               ///< the height changes at more than the largest rate
   kUneven,              ///< the rates of its pieces scatter
-  kLowScore,            ///< it does not look like its candidates
   kOutOfReach,          ///< no matched line is near
   kHeight,              ///< no candidate is near the height of a matched line
+  kLowScore,            ///< it does not look like its best candidate
   kAmbiguous,           ///< two candidates are about as good
   kLostToOther,         ///< its candidate belongs to another left segment
 };

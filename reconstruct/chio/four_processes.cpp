@@ -42,17 +42,27 @@ class Iteration {
 
   ProcessedSegments run() {
     for (const Structure& structure : structures_) first_and_second(structure);
-    const Neighbourhood adjacent = adjacent_segments(left_segments_, structures_);
-    const Neighbourhood near = segments_in_range(left_segments_, candidates_, options_.range_m);
-    for (const HeightLimit limit : {HeightLimit::kClose, HeightLimit::kRelaxed}) {
-      while (until_nothing_changes(3, adjacent, limit) + until_nothing_changes(4, near, limit) >
-             0) {
-      }
-    }
+    third_and_fourth({HeightLimit::kClose, HeightLimit::kRelaxed});
+    return {acquisition_.acquired(), acquisition_.outcomes()};
+  }
+
+  ProcessedSegments run_beside(std::span<const ScoredMatch> given) {
+    for (const ScoredMatch& scored : given) acquisition_.accept(scored.match);
+    third_and_fourth({HeightLimit::kClose});
     return {acquisition_.acquired(), acquisition_.outcomes()};
   }
 
  private:
+  void third_and_fourth(std::initializer_list<HeightLimit> limits) {
+    const Neighbourhood adjacent = adjacent_segments(left_segments_, structures_);
+    const Neighbourhood near = segments_in_range(left_segments_, candidates_, options_.range_m);
+    for (const HeightLimit limit : limits) {
+      while (until_nothing_changes(3, adjacent, limit) + until_nothing_changes(4, near, limit) >
+             0) {
+      }
+    }
+  }
+
   [[nodiscard]] double limit_m(int left, HeightLimit limit) const {
     const double paper_m = limit == HeightLimit::kClose ? options_.height_difference_m
                                                         : options_.relaxed_height_difference_m;
@@ -212,7 +222,7 @@ class Iteration {
       n_before = n_found;
       for (std::size_t i = 0; i < neighbourhood.size(); ++i) {
         const int left = static_cast<int>(i);
-        if (acquisition_.is_matched(left)) continue;
+        if (!acquisition_.is_open(left)) continue;
         for (const Neighbour& neighbour : neighbourhood[i]) {
           if (!acquisition_.is_matched(neighbour.left)) continue;
           if (acquire_beside(process, left, neighbour, limit, nullptr)) {
@@ -240,8 +250,10 @@ ProcessedSegments four_processes(const MatchView& left,
                                  const MatchView& right,
                                  const StereoSearch& search,
                                  const std::vector<CoreCandidates>& candidates,
-                                 const ChioOptions& options) {
-  return Iteration(left, right, search, candidates, options).run();
+                                 const ChioOptions& options,
+                                 std::span<const ScoredMatch> given) {
+  Iteration iteration(left, right, search, candidates, options);
+  return given.empty() ? iteration.run() : iteration.run_beside(given);
 }
 
 }  // namespace ridgeline::reconstruct

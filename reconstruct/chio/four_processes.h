@@ -8,6 +8,7 @@
 #include "reconstruct/match/match_view.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -29,10 +30,14 @@ struct ProcessedSegments {
 /// process, those of Core never change. By paper heights are the averages of lines; else they are
 /// compared at the junction, and in process 4 as the gap between the heights of two lines, and the
 /// limits are widened by twice the standard deviation of the difference.
+///
+/// Matches of another matcher may stand in place of the first two processes, `given`; then what 3 and
+/// 4 find beside them by the close limit is all.
 ProcessedSegments four_processes(const MatchView& left,
                                  const MatchView& right,
                                  const StereoSearch& search,
                                  const std::vector<CoreCandidates>& candidates,
-                                 const ChioOptions& options);
+                                 const ChioOptions& options,
+                                 std::span<const ScoredMatch> given = {});
 
 }  // namespace ridgeline::reconstruct
