@@ -41,8 +41,10 @@ MatchList pairwise_list(const reconstruct::MatchView& left,
   MatchList list{name(Matcher::kPairwise), rows_of(found.matches, Matcher::kPairwise),
                  reasons_of(found.outcomes)};
   if (!options.propagate_heights) return list;
+  reconstruct::ChioOptions propagation = options.chio;
+  propagation.range_m = options.propagate_range_m;
   const reconstruct::ChioResult more = reconstruct::propagate_heights(
-      left, right, height_range_in_local_m, found.matches, options.chio, options.pairwise);
+      left, right, height_range_in_local_m, found.matches, propagation, options.pairwise);
   for (const reconstruct::ChioLine& line : more.lines) {
     list.rows.push_back({line.scored, kByHeight});
     list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
@@ -60,31 +62,18 @@ std::vector<ScoredMatch> scored_matches(const MatchList& list) {
   return matches;
 }
 
-/// Without the lines that only the loosest constraints gave: within range of another and within the
-/// relaxed limit of its height.
-std::vector<ScoredMatch> well_constrained(const reconstruct::ChioResult& chio) {
-  constexpr int kLastProcess = 4;
-  std::vector<ScoredMatch> matches;
-  for (const reconstruct::ChioLine& line : chio.lines) {
-    if (line.acquired.relaxed && line.acquired.process == kLastProcess) continue;
-    matches.push_back(line.scored);
-  }
-  return matches;
-}
-
 /// A match that both have found is of "pairwise+chio".
 MatchList combined(const std::vector<EdgeSegment>& left,
-                   const MatchList& first,
+                   const MatchList& pairwise,
                    const reconstruct::ChioResult& chio) {
-  const std::string second = name(Matcher::kChio);
-  MatchList both{kBothMatchers, {}, first.reasons};
+  MatchList both{kBothMatchers, {}, pairwise.reasons};
   for (const reconstruct::CombinedMatch& match :
-       reconstruct::combine_matches(left, scored_matches(first), well_constrained(chio))) {
-    const std::string matcher = match.source == MatchSource::kFirst    ? first.name
-                                : match.source == MatchSource::kSecond ? second
-                                                                       : first.name + "+" + second;
-    both.rows.push_back({match.scored, matcher});
-    both.reasons[static_cast<std::size_t>(match.scored.match.left)] = "matched";
+       reconstruct::combine_matches(left, scored_matches(pairwise), chio.lines)) {
+    const auto left_id = static_cast<std::size_t>(match.scored.match.left);
+    both.rows.push_back({match.scored, match.source == MatchSource::kPairwise ? "pairwise"
+                                       : match.source == MatchSource::kChio   ? "chio"
+                                                                              : "pairwise+chio"});
+    both.reasons[left_id] = "matched";
   }
   return both;
 }
@@ -98,8 +87,13 @@ void add_matcher_options(CLI::App& app, std::vector<std::string>& names, Matchin
       ->delimiter(',')
       ->check(CLI::IsMember({"pairwise", "chio"}))
       ->capture_default_str();
-  app.add_option("--propagate-heights", options.propagate_heights,
-                 "lines that pairwise leaves unmatched may take the height of matched neighbours")
+  app.add_option(
+         "--propagate-heights", options.propagate_heights,
+         "lines that pairwise leaves unmatched may take the height of matched lines they meet")
+      ->capture_default_str();
+  app.add_option("--propagate-range-m", options.propagate_range_m,
+                 "and that of lines up to this distance")
+      ->check(CLI::Range(0.0, 1e3))
       ->capture_default_str();
 }
 

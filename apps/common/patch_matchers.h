@@ -27,7 +27,10 @@ struct MatchingOptions {
   reconstruct::ChioOptions chio;
   /// Lines that `pairwise` left unmatched may take the height of matched neighbours
   /// (reconstruct::propagate_heights()).
-  bool propagate_heights = false;
+  bool propagate_heights = true;
+  /// Beside neighbours of the same structure those up to this distance count. On the real pair that
+  /// brought more wrong lines than right ones: 0, none.
+  double propagate_range_m = 0.0;
 };
 
 /// `--matcher`: one or both, separated by a comma; `--propagate-heights`.

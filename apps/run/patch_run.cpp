@@ -81,7 +81,8 @@ class PatchRun {
   void match() {
     std::vector<std::string> parts{extract_key_, echo(options_.matching.pairwise).dump(),
                                    echo(options_.matching.chio).dump(),
-                                   options_.matching.propagate_heights ? "by height" : ""};
+                                   fmt::format("{} {}", options_.matching.propagate_heights,
+                                               options_.matching.propagate_range_m)};
     for (const Matcher matcher : options_.matching.matchers) parts.emplace_back(name(matcher));
     match_key_ = stage_key(parts);
     stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });

@@ -9,27 +9,30 @@
 namespace ridgeline::reconstruct {
 
 std::vector<CombinedMatch> combine_matches(std::span<const EdgeSegment> left,
-                                           std::span<const ScoredMatch> first,
-                                           std::span<const ScoredMatch> second) {
+                                           std::span<const ScoredMatch> pairwise,
+                                           std::span<const ChioLine> chio) {
+  constexpr int kLastProcess = 4;
   std::map<int, CombinedMatch> by_left;
   std::multimap<int, int> left_of_right;
-  for (const ScoredMatch& scored : first) {
-    by_left[scored.match.left] = {scored, MatchSource::kFirst};
+  for (const ScoredMatch& scored : pairwise) {
+    by_left[scored.match.left] = {scored, MatchSource::kPairwise};
     left_of_right.emplace(scored.match.right, scored.match.left);
   }
-  for (const ScoredMatch& scored : second) {
-    const auto found = by_left.find(scored.match.left);
+  for (const ChioLine& line : chio) {
+    const LineMatch& match = line.scored.match;
+    const auto found = by_left.find(match.left);
     if (found != by_left.end()) {
-      if (found->second.scored.match.right == scored.match.right) {
+      if (found->second.scored.match.right == match.right)
         found->second.source = MatchSource::kBoth;
-      }
       continue;
     }
-    const auto [begin, end] = left_of_right.equal_range(scored.match.right);
+    const auto [begin, end] = left_of_right.equal_range(match.right);
     const bool is_free = std::all_of(begin, end, [&](const auto& taken) {
-      return are_fragments(left[scored.match.left].line.segment, left[taken.second].line.segment);
+      return are_fragments(left[match.left].line.segment, left[taken.second].line.segment);
     });
-    if (is_free) by_left[scored.match.left] = {scored, MatchSource::kSecond};
+    if (is_free && line.acquired.process < kLastProcess) {
+      by_left[match.left] = {line.scored, MatchSource::kChio};
+    }
   }
   std::vector<CombinedMatch> combined;
   combined.reserve(by_left.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/chio/chio_match.h"
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/line_match.h"
 
@@ -10,19 +11,20 @@
 
 namespace ridgeline::reconstruct {
 
-/// Which of two matchers found a match.
-enum class MatchSource : std::uint8_t { kFirst, kSecond, kBoth };
+/// Which matcher found a match.
+enum class MatchSource : std::uint8_t { kPairwise, kChio, kBoth };
 
 struct CombinedMatch {
-  ScoredMatch scored;  ///< as the first matcher has it, if it does
-  MatchSource source = MatchSource::kFirst;
+  ScoredMatch scored;  ///< as `pairwise` has it, if it does
+  MatchSource source = MatchSource::kPairwise;
 };
 
-/// The matches of two matchers as one list, by left index: all of the first, and those of the second
-/// whose left segment the first has left unmatched and whose right one it has given to no other left
-/// edge. Each list at most one match per left segment.
+/// The matches of two matchers as one list, by left index: all of `pairwise`, and of `chio` the lines
+/// of the first three processes whose left segment `pairwise` has left unmatched and whose right one
+/// it has given to no other left edge. That something nearby has its height, as in the fourth, is not
+/// enough for a line that `pairwise` does not match.
 std::vector<CombinedMatch> combine_matches(std::span<const EdgeSegment> left,
-                                           std::span<const ScoredMatch> first,
-                                           std::span<const ScoredMatch> second);
+                                           std::span<const ScoredMatch> pairwise,
+                                           std::span<const ChioLine> chio);
 
 }  // namespace ridgeline::reconstruct
