@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio/edge_points.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -9,9 +10,12 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kStep_px = 0.5;    // of the profile across the edge
-constexpr int kHalfProfile = 5;     // samples to each side: gradients up to 1.5 px away
 constexpr int kHalfDifference = 2;  // the gradient is that of samples 2 px apart
-constexpr int kProfile = 2 * kHalfProfile + 1;
+constexpr int kReach = 3;           // maxima up to 1.5 px from the segment count
+constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
+constexpr int kHalfGradients = kReach + kHalfBase;
+constexpr int kGradients = 2 * kHalfGradients + 1;
+constexpr int kProfile = kGradients + 2 * kHalfDifference;
 
 /// Squared difference of two colours.
 double difference(const Colour& a, const Colour& b) {
@@ -23,27 +27,32 @@ double difference(const Colour& a, const Colour& b) {
   return sum;
 }
 
-/// Offset along the unit normal from x to the strongest gradient.
+/// Offset along the unit normal from x to the strongest gradient: of the parabola through the
+/// logarithms, which is exact for a blurred step.
 std::optional<double> edge_offset_px(const ImageSampler& image,
                                      const Eigen::Vector2d& x,
                                      const Eigen::Vector2d& normal) {
   std::array<Colour, kProfile> profile{};
   for (int k = 0; k < kProfile; ++k) {
-    if (!image.sample(x + (k - kHalfProfile) * kStep_px * normal, profile[k])) return std::nullopt;
+    const double offset_px = (k - kProfile / 2) * kStep_px;
+    if (!image.sample(x + offset_px * normal, profile[k])) return std::nullopt;
   }
-  constexpr int kGradients = kProfile - 2 * kHalfDifference;
   std::array<double, kGradients> strength{};
-  int best = 0;
+  int best = kHalfGradients;
   for (int k = 0; k < kGradients; ++k) {
     strength[k] = difference(profile[k + 2 * kHalfDifference], profile[k]);
-    if (strength[k] > strength[best]) best = k;
+    const bool in_reach = std::abs(k - kHalfGradients) <= kReach;
+    if (in_reach && strength[k] > strength[best]) best = k;
   }
-  if (best == 0 || best == kGradients - 1) return std::nullopt;
-  const double before = strength[best - 1];
-  const double after = strength[best + 1];
-  const double bend = before - 2.0 * strength[best] + after;
-  const double peak = bend < 0.0 ? 0.5 * (before - after) / bend : 0.0;
-  return (best - kGradients / 2 + peak) * kStep_px;
+  const double before = strength[best - kHalfBase];
+  const double after = strength[best + kHalfBase];
+  if (!(before > 0.0 && after > 0.0 && std::max(before, after) < strength[best])) {
+    return std::nullopt;
+  }
+  const double fall_before = std::log(strength[best] / before);
+  const double fall_after = std::log(strength[best] / after);
+  const double peak = 0.5 * (fall_before - fall_after) / (fall_before + fall_after);
+  return (best - kHalfGradients + kHalfBase * peak) * kStep_px;
 }
 
 }  // namespace
