@@ -40,7 +40,7 @@ struct ChioOptions {
   double min_junction_angle_deg = 20.0;  ///< ours
   double junction_epipolar_px = 2.0;     ///< of corresponding junctions; ours
   double edge_sigma_px = 0.25;           ///< of a single edge pixel across its edge; ours
-  double min_similarity = 0.25;          ///< of the look of a match; ours
+  double min_similarity = 0.3;           ///< of the look of a match; ours
   double max_similarity_ratio = 0.8;     ///< of the next candidate and the best one; ours
 
   static constexpr auto fields() {

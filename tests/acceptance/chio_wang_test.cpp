@@ -2,7 +2,7 @@
 // The test of Chio and Wang 2000, section 4, on simulated images of its geometry (pixels of 0.24 m,
 // B/H 0.6, 180 x 180 and 225 x 180 pixels, dense housing): the lines of the first two processes and
 // what the iteration adds, beside the numbers of the paper, whose images and housing are others. The
-// one threshold of ours that decides most, min_similarity, was set on seeds 1 to 12.
+// one threshold of ours that decides most, min_similarity, was set on seeds 1 to 12 and 201 to 230.
 #include "tests/support/csv_rows.h"
 #include "tests/support/run_program.h"
 
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kFirstSeed = 101;
-constexpr int kPatches = 12;
+constexpr int kPatches = 30;
 
 /// Lines of one setting, all patches together.
 struct ProcessCounts {
@@ -96,8 +96,8 @@ TEST_F(ChioWang2000, IterationFindsHalfAsManyLinesAgainAndKeepsThemRight) {
   const auto correctness = [](const ProcessCounts& c) {
     return static_cast<double>(c.n_correct) / (c.n_correct + c.n_false);
   };
-  std::cout << "correctness: literal " << correctness(literal) << ", ours " << correctness(ours)
-            << "\n";
+  std::cout << std::setprecision(3) << "correctness: literal " << correctness(literal) << ", ours "
+            << correctness(ours) << "\n";
   EXPECT_GE(ours.iterated, 1.5 * ours.first);
   EXPECT_GE(literal.iterated, 1.5 * literal.first);
   EXPECT_GE(correctness(ours), 0.95);
