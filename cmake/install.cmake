@@ -1,8 +1,8 @@
-# `find_package(ridgeline)` gives ridgeline::geometry, ::extract, ::match, ::estimate, ::io and
+# `find_package(ridgeline)` gives ridgeline::geometry, ::extract, ::match, ::chio, ::estimate, ::io and
 # ::evaluate.
 include(CMakePackageConfigHelpers)
 
-set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_estimate ridgeline_io
+set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate ridgeline_io
     ridgeline_evaluate)
 install(TARGETS ${libraries}
   EXPORT ridgelineTargets

@@ -87,13 +87,12 @@ std::string text_of(const Segment2& s) {
 
 }  // namespace
 
-void write_matches(const std::string& path,
-                   std::span<const ScoredMatch> matches,
-                   const std::string& matcher) {
+void write_matches(const std::string& path, std::span<const MatchRow> matches) {
   std::string text = "left_id,right_id,score,votes,matcher\n";
-  for (const ScoredMatch& m : matches) {
+  for (const MatchRow& row : matches) {
+    const ScoredMatch& m = row.scored;
     text += fmt::format("{},{},{:.4f},{:.3f},{}\n", m.match.left, m.match.right, m.score, m.votes,
-                        matcher);
+                        row.matcher);
   }
   write_file(path, text);
 }

@@ -59,15 +59,4 @@ PatchViews load_patch_views(const io::PatchFile& patch,
   return pair;
 }
 
-reconstruct::MatchResult match_patch(const io::PatchFile& patch,
-                                     const std::array<cv::Mat, 2>& images,
-                                     const std::array<std::vector<EdgeSegment>, 2>& segments,
-                                     const reconstruct::MatchOptions& options) {
-  const LocalFrame frame = patch_frame(patch);
-  const auto [left, right] = patch_cameras(patch, frame);
-  return reconstruct::match_pairwise({left, images[0], segments[0]},
-                                     {right, images[1], segments[1]}, patch_heights_m(patch, frame),
-                                     options);
-}
-
 }  // namespace ridgeline::apps

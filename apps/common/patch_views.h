@@ -5,7 +5,7 @@
 #include "reconstruct/extract/options.h"
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/local_frame.h"
-#include "reconstruct/match/match_pairwise.h"
+#include "reconstruct/match/match_view.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -44,11 +44,5 @@ struct PatchViews {
 
 /// check_patch(), then images, cameras and segments of the pair. Throws IoError.
 PatchViews load_patch_views(const io::PatchFile& patch, const reconstruct::ExtractOptions& options);
-
-/// Matches of the pair.
-reconstruct::MatchResult match_patch(const io::PatchFile& patch,
-                                     const std::array<cv::Mat, 2>& images,
-                                     const std::array<std::vector<EdgeSegment>, 2>& segments,
-                                     const reconstruct::MatchOptions& options);
 
 }  // namespace ridgeline::apps

@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/result_folder_reader.h"
+#include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
 #include "io/atomic_file.h"
 #include "reconstruct/geometry/check.h"
@@ -32,15 +33,27 @@ evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
   return report;
 }
 
-int run_compare(const CompareArguments& a) {
-  const evaluate::ComparisonReport report = compare_all(a.folders);
-  const std::string markdown = evaluate::to_markdown(report);
-  if (!a.out.empty()) {
-    const std::filesystem::path folder(a.out);
+/// Markdown to the output, and both forms to the folder, if one is given.
+void write_comparison(const std::string& markdown,
+                      const std::string& json,
+                      const std::string& out) {
+  if (!out.empty()) {
+    const std::filesystem::path folder(out);
     io::write_file((folder / "compare.md").string(), markdown);
-    io::write_file((folder / "compare.json").string(), evaluate::to_json(report));
+    io::write_file((folder / "compare.json").string(), json);
   }
   fmt::print("{}", markdown);
+}
+
+int run_compare(const CompareArguments& a) {
+  if (have_different_matchers(a.folders)) {
+    const std::vector<evaluate::MatcherFigures> rows = read_matcher_figures(a.folders);
+    check(!rows.empty(), "compare: the runs have no patch in common");
+    write_comparison(evaluate::to_markdown(rows), evaluate::to_json(rows), a.out);
+  } else {
+    const evaluate::ComparisonReport report = compare_all(a.folders);
+    write_comparison(evaluate::to_markdown(report), evaluate::to_json(report), a.out);
+  }
   return kDone;
 }
 
@@ -49,8 +62,10 @@ int run_compare(const CompareArguments& a) {
 Run add_compare(CLI::App& subcommand) {
   auto a = std::make_shared<CompareArguments>();
   subcommand
-      .add_option("folders", a->folders,
-                  "folders that evaluate, run or demo wrote; one: its methods are compared")
+      .add_option(
+          "folders", a->folders,
+          "folders that evaluate, run or demo wrote; one: its methods are compared; of runs "
+          "with different matchers: what each of these finds")
       ->required();
   subcommand.add_option("--out", a->out, "folder for compare.md and compare.json");
   return [a] { return run_compare(*a); };

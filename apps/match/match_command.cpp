@@ -2,14 +2,15 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
-#include "apps/common/patch_views.h"
+#include "apps/common/patch_matchers.h"
 #include "apps/match/match_overlay.h"
+#include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/png_writer.h"
-#include "reconstruct/match/match_pairwise.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -20,29 +21,56 @@ struct MatchArguments {
   std::string patch;
   std::string out;
   std::string overlay;
+  std::string provenance;
   reconstruct::ExtractOptions extract;
-  reconstruct::MatchOptions match;
+  std::vector<std::string> matchers{"pairwise"};
+  MatchingOptions matching;
 };
 
-void print_summary(const PatchViews& patch, const reconstruct::MatchResult& result) {
-  std::map<reconstruct::MatchOutcome, int> n;
-  for (const reconstruct::MatchOutcome outcome : result.outcomes) ++n[outcome];
+void print_summary(const PatchViews& patch, const PatchMatches& result) {
   fmt::print("{} segments in the left, {} in the right image\n", patch.views[0].segments.size(),
              patch.views[1].segments.size());
-  for (const auto& [outcome, count] : n) {
-    fmt::print("  {:<13}{}\n", reconstruct::name(outcome), count);
+  for (const MatchList& list : result.lists) {
+    std::map<std::string, int> n;
+    for (const std::string& reason : list.reasons) ++n[reason];
+    if (result.lists.size() > 1) fmt::print("{}:\n", list.name);
+    for (const auto& [reason, count] : n) fmt::print("  {:<21}{}\n", reason, count);
   }
 }
 
-int run_match(const MatchArguments& a) {
+/// As Chio and Wang 2000 count: by the first two processes, then with the looser ones.
+void print_processes(const reconstruct::ChioResult& result,
+                     const reconstruct::ChioOptions& options) {
+  const auto count = [&](auto holds) {
+    return std::count_if(result.lines.begin(), result.lines.end(),
+                         [&](const reconstruct::ChioLine& line) { return holds(line.acquired); });
+  };
+  using reconstruct::Acquired;
+  fmt::print("lines of chio by process:\n");
+  fmt::print("  1 and 2              {}\n",
+             count([](const Acquired& a) { return a.process <= 2; }));
+  fmt::print("  then 3 and 4         {}\n",
+             count([](const Acquired& a) { return a.process > 2 && !a.relaxed; }));
+  fmt::print("  relaxed to {:<5} m   {}\n", options.relaxed_height_difference_m,
+             count([](const Acquired& a) { return a.relaxed; }));
+}
+
+int run_match(MatchArguments a) {
+  a.matching.matchers = matchers_named(a.matchers);
+  validate_matching(a.matching);
   const PatchViews patch = load_patch_views(io::read_patch(a.patch), a.extract);
-  const reconstruct::MatchResult result = reconstruct::match_pairwise(
-      patch.views[0], patch.views[1], patch.height_range_in_local_m, a.match);
-  io::write_matches(a.out, result.matches, "pairwise");
+  const PatchMatches result =
+      match_views(patch.views[0], patch.views[1], patch.height_range_in_local_m, a.matching);
+  io::write_matches(a.out, result.used().rows);
+  if (!a.provenance.empty()) {
+    check(result.chio.has_value(), "provenance: lines of pairwise have none; needs --matcher chio");
+    io::write_file(a.provenance, chio_csv(*result.chio, patch.frame));
+  }
   if (!a.overlay.empty()) {
-    io::write_png(a.overlay, match_overlay(patch.views[0], patch.views[1], result));
+    io::write_png(a.overlay, match_overlay(patch.views[0], patch.views[1], result.used().rows));
   }
   print_summary(patch, result);
+  if (result.chio) print_processes(*result.chio, a.matching.chio);
   return kDone;
 }
 
@@ -56,7 +84,11 @@ Run add_match(CLI::App& subcommand) {
                   "CSV: left_id,right_id,score,votes,matcher; ids count the segments of each image")
       ->required();
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
-  add_flags(subcommand, a->match, "Matching");
+  add_matcher_options(subcommand, a->matchers, a->matching);
+  subcommand.add_option("--provenance", a->provenance,
+                        "CSV of the lines of chio: process, neighbour and height of each");
+  add_flags(subcommand, a->matching.pairwise, "Matching");
+  add_flags(subcommand, a->matching.chio, "Chio", "chio_");
   add_flags(subcommand, a->extract, "Extraction");
   return [a] { return run_match(*a); };
 }

@@ -46,13 +46,13 @@ void label(cv::Mat& canvas, const EdgeSegment& segment, int number, const cv::Sc
 
 cv::Mat match_overlay(const reconstruct::MatchView& left,
                       const reconstruct::MatchView& right,
-                      const reconstruct::MatchResult& result) {
+                      std::span<const io::MatchRow> matches) {
   constexpr int kLabelled = 5;
   std::array<cv::Mat, 2> canvases{overlay_canvas(left.image), overlay_canvas(right.image)};
   for (const EdgeSegment& segment : left.segments) draw(canvases[0], segment, kUnmatched, 1);
   for (const EdgeSegment& segment : right.segments) draw(canvases[1], segment, kUnmatched, 1);
-  for (const ScoredMatch& scored : result.matches) {
-    const LineMatch& match = scored.match;
+  for (const io::MatchRow& row : matches) {
+    const LineMatch& match = row.scored.match;
     const cv::Scalar colour = colour_of(match.left);
     const EdgeSegment& a = left.segments[static_cast<std::size_t>(match.left)];
     const EdgeSegment& b = right.segments[static_cast<std::size_t>(match.right)];

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/match/match_pairwise.h"
+#include "io/matches_file.h"
 #include "reconstruct/match/match_view.h"
 
 #include <opencv2/core/mat.hpp>
+
+#include <span>
 
 namespace ridgeline::apps {
 
@@ -12,6 +14,6 @@ namespace ridgeline::apps {
 /// the same on both sides, with the left index at every fifth; the others thin and grey.
 cv::Mat match_overlay(const reconstruct::MatchView& left,
                       const reconstruct::MatchView& right,
-                      const reconstruct::MatchResult& result);
+                      std::span<const io::MatchRow> matches);
 
 }  // namespace ridgeline::apps

@@ -2,7 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
-#include "apps/common/patch_views.h"
+#include "apps/common/patch_matchers.h"
 #include "apps/reconstruct/reconstruct_patch.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
@@ -23,7 +23,8 @@ namespace {
 struct ReconstructArguments {
   std::string patch, matches, out, method = "joint", format = "geojson";
   reconstruct::ExtractOptions extract;
-  reconstruct::MatchOptions match;
+  MatchingOptions matching;
+  std::vector<std::string> matchers{"pairwise"};
   reconstruct::ReconstructOptions reconstruct;
 };
 
@@ -71,22 +72,22 @@ MatchedPair matched_pair(const io::PatchFile& patch, const ReconstructArguments&
     pair.matches = read_line_matches(a.matches, pair.segments);
     return pair;
   }
-  for (const ScoredMatch& scored : match_patch(patch, images, pair.segments, a.match).matches) {
-    pair.matches.push_back(scored.match);
-  }
+  const PatchMatches matches = match_patch(patch, images, pair.segments, a.matching);
+  for (const io::MatchRow& row : matches.used().rows) pair.matches.push_back(row.scored.match);
   return pair;
 }
 
 int run_reconstruct(ReconstructArguments a) {
   validate(a.extract);
-  validate(a.match);
+  a.matching.matchers = matchers_named(a.matchers);
+  validate_matching(a.matching);
   validate(a.reconstruct);
   a.reconstruct.method = method_named(a.method);
   const io::PatchFile patch = io::read_patch(a.patch);
   check_patch(patch);
   const MatchedPair pair = matched_pair(patch, a);
   const io::LineSet lines =
-      reconstruct_patch(patch, pair.segments, pair.matches, a.reconstruct, a.match);
+      reconstruct_patch(patch, pair.segments, pair.matches, a.reconstruct, a.matching.pairwise);
   io::write_lines(a.out, lines, *io::line_format(a.format));
   const auto with_geometry =
       std::count_if(lines.lines.begin(), lines.lines.end(),
@@ -112,7 +113,9 @@ Run add_reconstruct(CLI::App& subcommand) {
       ->check(CLI::IsMember(line_format_names()))
       ->capture_default_str();
   add_flags(subcommand, a->extract, "Extract", "extract_");
-  add_flags(subcommand, a->match, "Match", "match_");
+  add_matcher_options(subcommand, a->matchers, a->matching);
+  add_flags(subcommand, a->matching.pairwise, "Match", "match_");
+  add_flags(subcommand, a->matching.chio, "Chio", "chio_");
   add_flags(subcommand, a->reconstruct, "Reconstruct");
   return [a] { return run_reconstruct(*a); };
 }

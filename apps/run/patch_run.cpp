@@ -79,8 +79,13 @@ class PatchRun {
   }
 
   void match() {
-    match_key_ = stage_key({extract_key_, echo(options_.match).dump()});
-    stage("match", match_key_, PatchStages::match_files(), [&] { stages_.match(); });
+    std::vector<std::string> parts{extract_key_, echo(options_.matching.pairwise).dump(),
+                                   echo(options_.matching.chio).dump(),
+                                   fmt::format("{} {}", options_.matching.propagate_heights,
+                                               options_.matching.propagate_range_m)};
+    for (const Matcher matcher : options_.matching.matchers) parts.emplace_back(name(matcher));
+    match_key_ = stage_key(parts);
+    stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });
   }
 
   void reconstruct(Method method) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/common/output_folder.h"
+#include "apps/common/patch_matchers.h"
 #include "apps/common/progress.h"
 #include "apps/common/run_record.h"
 #include "apps/evaluate/judged_lines.h"
@@ -12,7 +13,6 @@
 #include "io/patch.h"
 #include "reconstruct/estimate/options.h"
 #include "reconstruct/extract/options.h"
-#include "reconstruct/match/options.h"
 
 #include <optional>
 #include <string>
@@ -24,7 +24,7 @@ struct RunOptions {
   std::vector<reconstruct::Method> methods{reconstruct::Method::kDirect,
                                            reconstruct::Method::kJoint};
   reconstruct::ExtractOptions extract;
-  reconstruct::MatchOptions match;
+  MatchingOptions matching;
   reconstruct::ReconstructOptions reconstruct;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
@@ -35,7 +35,7 @@ struct RunOptions {
 
 /// Matching and evaluation of one patch; its files are written.
 struct PatchResult {
-  std::optional<evaluate::Table1Row> matching;    ///< with reference matches only
+  std::vector<evaluate::Table1Row> matching;      ///< one per matcher; with reference matches only
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method
   std::vector<TruthRows> truth;
   std::size_t n_skipped_stages = 0;  ///< finished before, by --resume

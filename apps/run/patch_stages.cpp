@@ -13,12 +13,32 @@
 namespace ridgeline::apps {
 namespace {
 
-constexpr const char* kMatcher = "pairwise";
+/// The list that lines are reconstructed from; with two matchers that of both.
+constexpr const char* kMatches = "matches.csv";
 
 std::vector<LineMatch> read_line_matches(const std::string& path) {
   std::vector<LineMatch> matches;
   for (const io::MatchRow& row : io::read_matches(path)) matches.push_back(row.scored.match);
   return matches;
+}
+
+/// Of one of several matchers.
+std::string list_file(const char* stem, const std::string& matcher) {
+  return fmt::format("{}.{}.csv", stem, matcher);
+}
+
+/// left_id,right_id,verdict: correct, false and unjudged matches, then the missed ones.
+std::string verdicts_csv(const std::vector<LineMatch>& matches,
+                         const evaluate::MatchingScore& score) {
+  std::string text = "left_id,right_id,verdict\n";
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    text += fmt::format("{},{},{}\n", matches[i].left, matches[i].right,
+                        evaluate::name(score.verdicts[i]));
+  }
+  for (const LineMatch& missed : score.missed) {
+    text += fmt::format("{},{},missed\n", missed.left, missed.right);
+  }
+  return text;
 }
 
 }  // namespace
@@ -33,7 +53,25 @@ std::vector<std::string> PatchStages::segment_files() const {
           fmt::format("segments.{}.csv", patch_.images[1].id)};
 }
 
-std::vector<std::string> PatchStages::match_files() { return {"matches.csv", "unmatched.csv"}; }
+/// Of the lists of matches.
+std::vector<std::string> PatchStages::list_names() const {
+  std::vector<std::string> names;
+  for (const Matcher matcher : options_.matching.matchers) names.emplace_back(name(matcher));
+  if (names.size() > 1) names.emplace_back(kBothMatchers);
+  return names;
+}
+
+std::vector<std::string> PatchStages::match_files() const {
+  std::vector<std::string> files{kMatches, "unmatched.csv"};
+  const std::vector<Matcher>& matchers = options_.matching.matchers;
+  for (const Matcher matcher : matchers) {
+    if (matcher == Matcher::kChio) files.emplace_back("chio.csv");
+    if (matchers.size() == 1) continue;
+    files.push_back(list_file("matches", name(matcher)));
+    files.push_back(list_file("unmatched", name(matcher)));
+  }
+  return files;
+}
 
 std::string PatchStages::line_file(reconstruct::Method method) {
   return fmt::format("lines.{}.geojson", reconstruct::name(method));
@@ -72,23 +110,25 @@ void PatchStages::extract() {
 }
 
 void PatchStages::match() {
-  const reconstruct::MatchResult result =
-      match_patch(patch_, {image(0), image(1)}, segments(), options_.match);
-  io::write_matches(path("matches.csv"), result.matches, kMatcher);
-  std::string unmatched = "left_id,reason\n";
-  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
-    if (result.outcomes[i] == reconstruct::MatchOutcome::kMatched) continue;
-    unmatched += fmt::format("{},{}\n", i, reconstruct::name(result.outcomes[i]));
+  const PatchMatches result =
+      match_patch(patch_, {image(0), image(1)}, segments(), options_.matching);
+  io::write_matches(path(kMatches), result.used().rows);
+  io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
+  if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, frame_));
+  for (std::size_t i = 0; i + 1 < result.lists.size(); ++i) {
+    const MatchList& list = result.lists[i];
+    io::write_matches(path(list_file("matches", list.name)), list.rows);
+    io::write_file(path(list_file("unmatched", list.name)), unmatched_csv(list));
   }
-  io::write_file(path("unmatched.csv"), unmatched);
 }
 
 void PatchStages::reconstruct(reconstruct::Method method) const {
   const auto extracted = segments();
-  const std::vector<LineMatch> matches = read_line_matches(path("matches.csv"));
+  const std::vector<LineMatch> matches = read_line_matches(path(kMatches));
   reconstruct::ReconstructOptions options = options_.reconstruct;
   options.method = method;
-  const io::LineSet lines = reconstruct_patch(patch_, extracted, matches, options, options_.match);
+  const io::LineSet lines =
+      reconstruct_patch(patch_, extracted, matches, options, options_.matching.pairwise);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormat format : options_.line_formats) {
     for (const io::LineFormatInfo& info : io::line_formats()) {
@@ -99,11 +139,21 @@ void PatchStages::reconstruct(reconstruct::Method method) const {
   }
 }
 
-std::optional<evaluate::Table1Row> PatchStages::score_matches() const {
-  const std::optional<evaluate::MatchingScore> score =
-      score_patch_matches(patch_, segments(), read_line_matches(path("matches.csv")));
-  if (!score) return std::nullopt;
-  return evaluate::Table1Row{patch_.id, kMatcher, score->counts, score->n_unjudged};
+std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
+  std::vector<evaluate::Table1Row> rows;
+  const std::array<std::vector<EdgeSegment>, 2> extracted = segments();
+  const std::vector<std::string> names = list_names();
+  for (const std::string& matcher : names) {
+    const bool is_used = matcher == names.back();
+    const std::vector<LineMatch> matches =
+        read_line_matches(path(is_used ? kMatches : list_file("matches", matcher)));
+    const auto score = score_patch_matches(patch_, extracted, matches);
+    if (!score) continue;
+    rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});
+    io::write_file(path(is_used ? "verdicts.csv" : list_file("verdicts", matcher)),
+                   verdicts_csv(matches, *score));
+  }
+  return rows;
 }
 
 }  // namespace ridgeline::apps

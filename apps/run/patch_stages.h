@@ -25,17 +25,19 @@ class PatchStages {
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
 
   [[nodiscard]] std::vector<std::string> segment_files() const;
-  static std::vector<std::string> match_files();
+  [[nodiscard]] std::vector<std::string> match_files() const;
   static std::string line_file(reconstruct::Method method);  ///< GeoJSON
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
   void extract();
   void match();
   void reconstruct(reconstruct::Method method) const;
-  /// Table 1, if the patch has reference matches.
-  [[nodiscard]] std::optional<evaluate::Table1Row> score_matches() const;
+  /// Rows of Table 1, one per matcher and one of both, if the patch has reference
+  /// matches; verdicts.csv has what each of them is.
+  [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
 
  private:
+  [[nodiscard]] std::vector<std::string> list_names() const;
   [[nodiscard]] std::string path(const std::string& file) const;
   const cv::Mat& image(std::size_t i);
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;

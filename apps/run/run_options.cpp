@@ -23,9 +23,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->delimiter(',')
       ->check(CLI::IsMember({"direct", "joint"}))
       ->capture_default_str();
-  app.add_option("--matcher", flags.matcher, "of the line segments")
-      ->check(CLI::IsMember({"pairwise"}))
-      ->capture_default_str();
+  add_matcher_options(app, flags.matchers, flags.options.matching);
   app.add_option("--detector", flags.detector, "of the line segments")
       ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
       ->capture_default_str();
@@ -39,7 +37,8 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_flags(app, flags.options.extract, "Extract", "extract_");
-  add_flags(app, flags.options.match, "Match", "match_");
+  add_flags(app, flags.options.matching.pairwise, "Match", "match_");
+  add_flags(app, flags.options.matching.chio, "Chio", "chio_");
   add_flags(app, flags.options.reconstruct, "Reconstruct", "reconstruct_");
   add_flags(app, flags.options.judge, "Judge", "judge_");
 }
@@ -54,12 +53,13 @@ RunOptions run_options(const RunFlags& flags) {
       options.methods.push_back(method);
     }
   }
+  options.matching.matchers = matchers_named(flags.matchers);
   options.extract.detector = reconstruct::detector_named(flags.detector);
   for (const std::string& name : flags.line_formats) {
     if (const auto format = io::line_format(name)) options.line_formats.push_back(*format);
   }
   validate(options.extract);
-  validate(options.match);
+  validate_matching(options.matching);
   validate(options.reconstruct);
   validate(options.judge);
   return options;

@@ -13,7 +13,8 @@ namespace ridgeline::apps {
 /// RunOptions as they stand on a command line.
 struct RunFlags {
   std::vector<std::string> methods{"direct", "joint"};
-  std::string matcher = "pairwise", detector = "ours";
+  std::vector<std::string> matchers{"pairwise"};
+  std::string detector = "ours";
   std::vector<std::string> line_formats;
   RunOptions options;
 };

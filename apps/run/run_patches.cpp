@@ -62,7 +62,12 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   }
   json["detector"] = reconstruct::name(options.extract.detector);
   json["extract"] = echo(options.extract);
-  json["match"] = echo(options.match);
+  json["matchers"] = nlohmann::ordered_json::array();
+  for (const Matcher matcher : options.matching.matchers) json["matchers"].push_back(name(matcher));
+  json["propagate_heights"] = options.matching.propagate_heights;
+  json["propagate_range_m"] = options.matching.propagate_range_m;
+  json["match"] = echo(options.matching.pairwise);
+  json["chio"] = echo(options.matching.chio);
   json["reconstruct"] = echo(options.reconstruct);
   json["judge"] = echo(options.judge);
   json["gross_m"] = options.summary.gross_m;
@@ -109,7 +114,7 @@ void run_patches(const std::string& command,
   std::size_t n_skipped = 0;
   for (const io::PatchFile& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
-    if (result.matching) table1.rows.push_back(*result.matching);
+    for (auto& row : result.matching) table1.rows.push_back(std::move(row));
     for (auto& evaluation : result.evaluations) evaluations.push_back(std::move(evaluation));
     for (auto& rows : result.truth) truth.push_back(std::move(rows));
     n_skipped += result.n_skipped_stages;

@@ -30,11 +30,17 @@ Eigen::AlignedBox2d frame_window(const Scene& scene,
 
 AerialView view_at(const Scene& scene,
                    const FlightOptions& options,
+                   const Eigen::Vector2i& size_px,
                    const ExteriorOrientation& exterior) {
   InteriorOrientation interior;
   interior.focal_length_px.setConstant(options.focal_length_px);
   const ProjectionMatrix frame_from_world = projection_matrix(interior, exterior);
-  const Eigen::AlignedBox2d window = frame_window(scene, frame_from_world, options.margin_m);
+  Eigen::AlignedBox2d window = frame_window(scene, frame_from_world, options.margin_m);
+  if ((size_px.array() > 0).all()) {
+    const Eigen::Vector2d corner = (window.center() - 0.5 * size_px.cast<double>()).array().round();
+    const Eigen::Vector2i steps = size_px - Eigen::Vector2i::Ones();
+    window = {corner, corner + steps.cast<double>()};
+  }
   const Eigen::Vector2d corner_px = window.min().array().floor();
 
   AerialView view;
@@ -47,6 +53,20 @@ AerialView view_at(const Scene& scene,
 }
 
 }  // namespace
+
+FlightOptions chio_wang_flight() {
+  constexpr double kFocal_mm = 152.0;
+  constexpr double kPixel_mm = 0.03;
+  constexpr double kScale = 8000.0;
+  constexpr double kFrame_mm = 230.0;
+  constexpr double kOverlap = 0.6;
+  FlightOptions options;
+  options.focal_length_px = kFocal_mm / kPixel_mm;
+  options.height_above_ground_m = kScale * kFocal_mm / 1000.0;
+  options.base_to_height = (1.0 - kOverlap) * kFrame_mm / kFocal_mm;
+  options.size_px = {Eigen::Vector2i(180, 180), Eigen::Vector2i(225, 180)};
+  return options;
+}
 
 std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& options) {
   validate(options);
@@ -64,7 +84,7 @@ std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& o
     const Eigen::Vector3d error_m{draw(s), draw(s), draw(s)};
     const double a = kRadPerDeg * options.attitude_sigma_deg;
     const Eigen::Vector3d angles_rad{draw(a), draw(a), draw(a)};
-    views[i] = view_at(scene, options,
+    views[i] = view_at(scene, options, options.size_px[i],
                        {.position_m = scene.frame.world_from_local(nominal + error_m),
                         .world_from_camera_axes = world_from_camera_axes(
                             angles_rad.x(), angles_rad.y(), angles_rad.z())});

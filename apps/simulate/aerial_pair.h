@@ -22,6 +22,9 @@ struct FlightOptions {
   /// Of the image around the plan. Negative: the border of the plan, where the world ends, is cut
   /// off; its straight edge is none that a landscape has.
   double margin_m = -2.0;
+  /// Columns and rows of the images around the middle of the plan, instead of all that shows it;
+  /// 0: not set.
+  std::array<Eigen::Vector2i, 2> size_px{Eigen::Vector2i::Zero(), Eigen::Vector2i::Zero()};
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
@@ -40,6 +43,11 @@ struct FlightOptions {
   }
 };
 
+/// The flight of Chio and Wang 2000, section 4: pixels of 30 um at an image scale of 1:8,000, hence a
+/// ground pixel of 0.24 m, images of 180 x 180 and 225 x 180 pixels. The paper does not give the
+/// camera; 15 cm focal length, 23 cm frames and 60 % overlap were the rule.
+FlightOptions chio_wang_flight();
+
 /// A perspective image of the scene: a window of a full frame, without distortion.
 struct AerialView {
   ProjectionMatrix image_from_local;
@@ -57,7 +65,7 @@ struct AerialView {
 };
 
 /// The left and the right view: each window is the smallest that shows the plan on the mean
-/// terrain with the margin. Deterministic by seed. Throws std::invalid_argument for an option
+/// terrain with the margin, or has the size asked for. Deterministic by seed. Throws std::invalid_argument for an option
 /// outside its range.
 std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& options);
 

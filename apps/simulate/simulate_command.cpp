@@ -30,6 +30,16 @@ struct SimulateArguments {
   bool no_images = false;
 };
 
+/// The test of Chio and Wang 2000: their flight over houses on every lot, with few trees. The plan
+/// is larger than the images.
+void set_chio_wang_geometry(SimulateArguments& a) {
+  a.stereo.flight = simulate::chio_wang_flight();
+  a.extent_m = {80.0, 80.0};
+  a.village.built_share = 1.0;
+  a.village.trees_per_lot = 0.2;
+  a.village.fence_share = 0.0;
+}
+
 void add_village_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Village";
   app.add_option("--extent-m", a.extent_m, "of the plan: x,y")
@@ -158,6 +168,13 @@ Run add_simulate(CLI::App& subcommand) {
           "folder for patch.yaml, left.tif, right.tif, matches.csv, lidar.las, truth.geojson "
           "and lines.{good,fair,poor}.geojson")
       ->required();
+  subcommand
+      .add_option_function<std::string>(
+          "--preset", [a](const std::string&) { set_chio_wang_geometry(*a); },
+          "other defaults. chio_wang_2000: pixels of 0.24 m, B/H 0.6, images of 180 x 180 and "
+          "225 x 180 pixels, dense housing")
+      ->check(CLI::IsMember({"chio_wang_2000"}))
+      ->trigger_on_parse();
   subcommand.add_option("--seed", a->seed, "same seed, same bytes")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -1,5 +1,5 @@
 set(evaluate_statistics_sources
-  compare/comparison.cpp compare/comparison_report.cpp compare/wilcoxon.cpp
+  compare/comparison.cpp compare/comparison_report.cpp compare/matcher_table.cpp compare/wilcoxon.cpp
   gates/gate.cpp gates/gate_report.cpp gates/metric.cpp
   statistics/accuracy.cpp statistics/bootstrap.cpp statistics/calibration.cpp
   statistics/distribution.cpp statistics/evaluation.cpp statistics/frame_check.cpp
@@ -10,7 +10,7 @@ set(evaluate_statistics_sources
   tables/format.cpp tables/line_csv.cpp tables/summary_json.cpp tables/table1.cpp tables/table2.cpp
   tables/tolerance_table.cpp)
 set(evaluate_statistics_headers
-  compare/comparison.h compare/wilcoxon.h
+  compare/comparison.h compare/matcher_table.h compare/wilcoxon.h
   gates/gate.h gates/gate_report.h gates/metric.h
   statistics/accuracy.h statistics/bootstrap.h statistics/calibration.h statistics/distribution.h
   statistics/evaluation.h statistics/frame_check.h statistics/interval.h

@@ -28,13 +28,6 @@ struct Search {
   SegmentIndex index;
 };
 
-std::vector<Segment2> ideal_segments(const std::vector<EdgeSegment>& edges) {
-  std::vector<Segment2> segments;
-  segments.reserve(edges.size());
-  for (const EdgeSegment& edge : edges) segments.push_back(edge.line.segment);
-  return segments;
-}
-
 /// The box of the epipolar band: where both ends may lie.
 Eigen::AlignedBox2d band_box(const SearchedSegment& left,
                              const std::array<double, 2>& heights_m,
@@ -154,7 +147,7 @@ std::vector<std::vector<Candidate>> match_candidates(const MatchView& left,
                                                      const StereoSearch& search,
                                                      const Radiometry& radiometry,
                                                      const MatchOptions& options) {
-  std::vector<Segment2> right_segments = ideal_segments(right.segments);
+  std::vector<Segment2> right_segments = ideal_segments(right);
   const SegmentIndex index(right_segments);
   const Search all{left,    right,
                    search,  {ImageSampler(left.image), ImageSampler(right.image), radiometry},

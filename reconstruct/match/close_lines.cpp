@@ -18,13 +18,6 @@ constexpr double kClose_px = 3.0;
 constexpr double kParallel_deg = 8.0;
 constexpr double kSmallestOverlap = 0.6;  // of the shorter line
 
-std::vector<Segment2> ideal_segments(const MatchView& view) {
-  std::vector<Segment2> segments;
-  segments.reserve(view.segments.size());
-  for (const EdgeSegment& edge : view.segments) segments.push_back(edge.line.segment);
-  return segments;
-}
-
 /// Signed distance of b from a, in the middle of what they have in common; empty if b does not run
 /// along a.
 std::optional<double> offset_px(const Segment2& a, const Segment2& b) {

@@ -10,24 +10,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-void check_images(const MatchView& left, const MatchView& right) {
-  for (const MatchView* view : {&left, &right}) {
-    check(view->image.depth() == CV_32F && view->image.channels() <= kMaxBands &&
-              view->image.rows >= 2 && view->image.cols >= 2,
-          "image: must be CV_32F of 1 to 4 bands and at least 2 x 2 pixels");
-  }
-  check(left.image.channels() == right.image.channels(),
-        "bands of the images = ", left.image.channels(), " and ", right.image.channels(),
-        ", must be equal");
-}
-
-std::vector<Segment2> segments_of(const MatchView& view) {
-  std::vector<Segment2> segments;
-  segments.reserve(view.segments.size());
-  for (const EdgeSegment& edge : view.segments) segments.push_back(edge.line.segment);
-  return segments;
-}
-
 std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const BasePair> pairs) {
   std::vector<std::vector<PairMatch>> found(pairs.size());
   tbb::parallel_for(std::size_t{0}, pairs.size(),
@@ -58,7 +40,7 @@ MatchResult match_pairwise(const MatchView& left,
   std::vector<std::vector<Candidate>> candidates =
       match_candidates(left, right, search, radiometry, options);
   keep_order_of_close_lines(left, right, search, candidates);
-  const std::vector<BasePair> pairs = base_pairs(segments_of(left), options);
+  const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
   const PairScene scene{
       left,       right,  search, {ImageSampler(left.image), ImageSampler(right.image), radiometry},
       candidates, options};

@@ -17,4 +17,11 @@ struct MatchView {
   std::vector<EdgeSegment> segments;
 };
 
+/// Throws std::invalid_argument unless both images are CV_32F of 1 to 4 bands, the same number in
+/// both, and at least 2 x 2 pixels.
+void check_images(const MatchView& left, const MatchView& right);
+
+/// The segments in ideal pixels.
+std::vector<Segment2> ideal_segments(const MatchView& view);
+
 }  // namespace ridgeline::reconstruct

@@ -6,6 +6,7 @@
 // 65 % of the roof lines; not_aligned lines to 0.15 m, `joint` aligned lines to 0.23 m with 1.9 % gross
 // errors). What is aimed at is more: correctness 99 %; 85 % of the roof lines; not_aligned lines to
 // 0.06 m; `joint` aligned lines to 0.15 m with less than 1 % gross errors.
+#include "tests/support/csv_rows.h"
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -13,10 +14,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,30 +27,7 @@ namespace fs = std::filesystem;
 constexpr int kFirstSeed = 101;
 constexpr int kVillages = 10;
 
-using Row = std::map<std::string, std::string>;
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line + ",");
-  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-  return fields;
-}
-
-/// The rows of a CSV file without quoted fields, by column name.
-std::vector<Row> read_table(const fs::path& file) {
-  std::ifstream stream(file);
-  EXPECT_TRUE(stream.is_open()) << file;
-  std::string line;
-  std::getline(stream, line);
-  const std::vector<std::string> names = fields_of(line);
-  std::vector<Row> rows;
-  while (std::getline(stream, line)) {
-    const std::vector<std::string> fields = fields_of(line);
-    Row& row = rows.emplace_back();
-    for (std::size_t i = 0; i < names.size() && i < fields.size(); ++i) row[names[i]] = fields[i];
-  }
-  return rows;
-}
+using Row = test::CsvRow;
 
 double number(const Row& row, const std::string& column) {
   const std::string& text = row.at(column);
@@ -96,7 +72,7 @@ class ReconstructionAccuracy : public testing::Test {
   }
 
   [[nodiscard]] std::vector<Row> table(const std::string& name) const {
-    return read_table(folder_ / "out" / name);
+    return test::read_csv(folder_ / "out" / name);
   }
 
   fs::path folder_;

@@ -26,17 +26,18 @@ std::string message_of(const Action& action) {
 
 TEST(WriteMatches, GivesTheColumnsOfTheContract) {
   const TempFolder folder;
-  const std::vector<ScoredMatch> matches = {{{0, 7}, 0.98765, 3.25}, {{4, 2}, 0.5, 0.0}};
-  write_matches(folder.file("m.csv"), matches, "pairwise");
+  const std::vector<MatchRow> matches = {{{{0, 7}, 0.98765, 3.25}, "pairwise"},
+                                         {{{4, 2}, 0.5, 0.0}, "pairwise+chio"}};
+  write_matches(folder.file("m.csv"), matches);
   EXPECT_EQ(read_text_file(folder.file("m.csv")),
             "left_id,right_id,score,votes,matcher\n"
             "0,7,0.9877,3.250,pairwise\n"
-            "4,2,0.5000,0.000,pairwise\n");
+            "4,2,0.5000,0.000,pairwise+chio\n");
 }
 
 TEST(ReadMatches, ReadsWhatWasWritten) {
   const TempFolder folder;
-  write_matches(folder.file("m.csv"), std::vector<ScoredMatch>{{{3, 5}, 0.75, 1.5}}, "pairwise");
+  write_matches(folder.file("m.csv"), std::vector<MatchRow>{{{{3, 5}, 0.75, 1.5}, "pairwise"}});
   const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].scored.match.left, 3);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/compare/matcher_table.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// Whether the folders are those of `run`s that differ in their matchers (or height propagation): their
+/// lines are not the same ones, and not to be paired by number.
+bool have_different_matchers(const std::vector<std::string>& folders);
+
+/// The figures of every patch that all folders have, folder by folder within each patch. Segments are
+/// compared by their ids, so that all runs must have extracted the same ones. Throws IoError for files
+/// that are missing or not those of a run, and for different segments.
+std::vector<evaluate::MatcherFigures> read_matcher_figures(const std::vector<std::string>& folders);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+
+/// Iterative matching and linking in object space (Chio and Wang 2000, section 4; system.md,
+/// section 12). The thresholds are the paper's, of images with a ground pixel of 0.24 m; its lengths
+/// are in ground pixels here. What the paper does not state is marked "ours".
+struct ChioOptions {
+  /// Thresholds to the letter, and among the candidates the one with most reliable pieces, then with
+  /// the steadiest rate. Else rates are allowed what their noise makes of them at the base of the
+  /// pair, and candidates compete by their look (ours).
+  bool paper = false;
+
+  double min_piece_gsd = 0.5;  ///< dP(i), 0.12 m: shorter pieces are not reliable
+  /// The other reading of "reasonable horizontal distance": longer pieces are not reliable. Pieces
+  /// are about a ground pixel long, so that this leaves next to none.
+  bool piece_limit_is_upper = false;
+  double max_rate = 1.0;  ///< m/m, of the mean rate of height change
+  double max_azimuth_deg = 10.0;
+  double max_flank_difference = 20.0 / 255.0;  ///< of the range of grey values
+  int min_pieces = 8;
+  double max_rate_sigma = 3.0;  ///< m/m, of the pieces
+  int min_link_pieces = 5;
+  double max_link_rate_difference = 0.2;  ///< m/m
+
+  double height_difference_m = 0.5;  ///< of the second to the fourth process
+  double relaxed_height_difference_m =
+      5.0;  ///< of the third and fourth, once nothing more is found
+  /// Height differences in ground pixels (0.5 m: 2.08, 5 m: 20.8) instead of metres.
+  bool scale_heights = false;
+  double range_m = 5.0;  ///< of the fourth process; ours
+
+  double min_epipolar_angle_deg = 5.0;   ///< below it a segment is left to others; ours
+  double junction_radius_px = 5.0;       ///< of the ends of segments that meet; ours
+  double min_junction_angle_deg = 20.0;  ///< ours
+  double junction_epipolar_px = 2.0;     ///< of corresponding junctions; ours
+  double edge_sigma_px = 0.25;           ///< of a single edge pixel across its edge; ours
+  double min_similarity = 0.3;           ///< of the look of a match; ours
+  double max_similarity_ratio = 0.8;     ///< of the next candidate and the best one; ours
+
+  static constexpr auto fields() {
+    using O = ChioOptions;
+    return std::tuple{
+        Field{"paper", &O::paper, false, true,
+              "thresholds and choice to the letter, without regard to noise and look"},
+        Field{"min_piece_gsd", &O::min_piece_gsd, 0.0, 100.0,
+              "horizontal length of a reliable edge piece, in ground pixels"},
+        Field{"piece_limit_is_upper", &O::piece_limit_is_upper, false, true,
+              "read that length as the largest one"},
+        Field{"max_rate", &O::max_rate, 0.0, 1e3, "mean rate of height change, m/m"},
+        Field{"max_azimuth_deg", &O::max_azimuth_deg, 0.0, 90.0,
+              "difference of the azimuths of two candidates"},
+        Field{"max_flank_difference", &O::max_flank_difference, 0.0, 1.0,
+              "of the mean grey values beside them, share of their range"},
+        Field{"min_pieces", &O::min_pieces, 1, 1000, "reliable pieces of an initial link"},
+        Field{"max_rate_sigma", &O::max_rate_sigma, 0.0, 1e3,
+              "standard deviation of the pieces' rates, m/m"},
+        Field{"min_link_pieces", &O::min_link_pieces, 1, 1000,
+              "reliable pieces of a further fragment"},
+        Field{"max_link_rate_difference", &O::max_link_rate_difference, 0.0, 1e3,
+              "of the mean rates of linked fragments, m/m"},
+        Field{"height_difference_m", &O::height_difference_m, 0.0, 1e3,
+              "to a neighbour that is matched already"},
+        Field{"relaxed_height_difference_m", &O::relaxed_height_difference_m, 0.0, 1e3,
+              "the same, once nothing more is found"},
+        Field{"scale_heights", &O::scale_heights, false, true,
+              "scale both with the ground pixel over 0.24 m"},
+        Field{"range_m", &O::range_m, 0.0, 1e3, "of the search for lines near matched ones"},
+        Field{"min_epipolar_angle_deg", &O::min_epipolar_angle_deg, 0.1, 45.0,
+              "below this angle to the epipolar line a segment is left alone"},
+        Field{"junction_radius_px", &O::junction_radius_px, 0.1, 1e3,
+              "from a junction to the ends of its segments"},
+        Field{"min_junction_angle_deg", &O::min_junction_angle_deg, 0.1, 89.0,
+              "between segments that form a junction"},
+        Field{"junction_epipolar_px", &O::junction_epipolar_px, 0.0, 100.0,
+              "of corresponding junctions from their epipolar lines"},
+        Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
+              "noise of an edge pixel across its edge"},
+        Field{"min_similarity", &O::min_similarity, 0.0, 1.0, "of the look of a match"},
+        Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
+              "of the look of the next candidate and the best one"}};
+  }
+};
+
+/// Chio and Wang 2000 to the letter.
+inline ChioOptions published_chio_options() {
+  ChioOptions options;
+  options.paper = true;
+  return options;
+}
+
+}  // namespace ridgeline::reconstruct
