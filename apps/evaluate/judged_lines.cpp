@@ -53,7 +53,8 @@ JudgedLine judged_line(const io::Line& line,
   judged.building = line.building;
   judged.covariance_m2 = line.covariance_m2;
   judged.images = evidence_of(line, frame, patch);
-  judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection";
+  judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection" &&
+                         line.status != "ambiguous_depth";
   judged.epipolar_angle_deg = line.epipolar_angle_deg;
   if (!judged.epipolar_angle_deg && cameras.size() >= 2 && all_finite(segment_in_world)) {
     judged.epipolar_angle_deg =

@@ -185,7 +185,7 @@ void reconstruct_joint(const StereoLines& lines,
                        ReconstructedLine& result) {
   const LineSupport support = line_support(lines, static_cast<int>(line), neighbours,
                                            heights_near(lines, line, ends, options), options);
-  if (support.ambiguous) return give_up(Status::kAmbiguous, result);
+  if (support.ambiguous) return give_up(Status::kAmbiguousDepth, result);
   if (support.points.empty() && support.ends.empty()) {
     if (result.segment_in_local) result.status = Status::kNoPoints;
     return;
@@ -232,8 +232,8 @@ const char* name(Status status) {
       return "rank_deficient";
     case Status::kNotConverged:
       return "not_converged";
-    case Status::kAmbiguous:
-      return "ambiguous";
+    case Status::kAmbiguousDepth:
+      return "ambiguous_depth";
     case Status::kNoIntersection:
       return "no_intersection";
   }

@@ -71,7 +71,7 @@ TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
   LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
   for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
   const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
-  EXPECT_EQ(line.status, Status::kAmbiguous);
+  EXPECT_EQ(line.status, Status::kAmbiguousDepth);
   EXPECT_FALSE(line.segment_in_local);
   EXPECT_FALSE(line.covariance_m2);
   EXPECT_FALSE(line.right_segment_in_local);
