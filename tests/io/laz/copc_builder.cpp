@@ -21,10 +21,6 @@ constexpr std::size_t kInfoSize = 160;
 constexpr std::size_t kEntrySize = 32;
 constexpr double kScale = 0.01;
 
-void put_text(FileBytes& file, std::size_t offset, std::string_view text) {
-  for (const char letter : text) file[offset++] = static_cast<std::byte>(letter);
-}
-
 FileBytes raw_record(const CopcPoint& point) {
   FileBytes record(kRecordSize);
   for (std::size_t axis = 0; axis < 3; ++axis) put(record, 4 * axis, point.x[axis]);

@@ -11,10 +11,6 @@ namespace {
 constexpr std::size_t kHeaderSize = 227;  // LAS 1.2
 constexpr std::size_t kVlrHeaderSize = 54;
 
-void put_text(FileBytes& file, std::size_t offset, std::string_view text) {
-  for (const char letter : text) file[offset++] = static_cast<std::byte>(letter);
-}
-
 FileBytes header(std::uint32_t n_points, std::size_t laszip_size) {
   FileBytes file(kHeaderSize);
   put_text(file, 0, "LASF");
@@ -72,6 +68,10 @@ FileBytes encode_chunk_table(std::span<const ChunkSize> chunks, bool has_variabl
   const std::vector<std::byte> entries = encoder.finish();
   table.insert(table.end(), entries.begin(), entries.end());
   return table;
+}
+
+void put_text(FileBytes& file, std::size_t offset, std::string_view text) {
+  for (const char letter : text) file[offset++] = static_cast<std::byte>(letter);
 }
 
 void LazBuilder::add_single_point(std::int32_t x, std::int32_t y, std::int32_t z) {

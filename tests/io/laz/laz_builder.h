@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::io::laz {
@@ -19,6 +20,9 @@ struct ChunkSize {
 
 /// The table behind the chunks, with the numbers of points of chunks of varying size.
 FileBytes encode_chunk_table(std::span<const ChunkSize> chunks, bool has_variable_chunks);
+
+/// Overwrites bytes of a file by letters.
+void put_text(FileBytes& file, std::size_t offset, std::string_view text);
 
 /// Appends a little-endian value.
 template <typename T>
