@@ -2,8 +2,8 @@
 # ::evaluate.
 include(CMakePackageConfigHelpers)
 
-set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate ridgeline_io
-    ridgeline_evaluate)
+set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
+    ridgeline_io ridgeline_evaluate)
 install(TARGETS ${libraries}
   EXPORT ridgelineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

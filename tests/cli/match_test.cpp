@@ -9,6 +9,7 @@
 namespace ridgeline::cli {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class Match : public Cli {
@@ -39,6 +40,22 @@ TEST_F(Match, GivesTheSameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "one.csv", "--jobs", "1"}).exit_code, 0);
   ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "two.csv", "--jobs", "2"}).exit_code, 0);
   EXPECT_EQ(read(path("one.csv")), read(path("two.csv")));
+}
+
+TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
+  const ProgramResult result = run({"match", "pair/patch.yaml", "--matcher", "chio", "--out",
+                                    "m.csv", "--provenance", "chio.csv"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("1 and 2"), HasSubstr("then 3 and 4"), HasSubstr("relaxed to")));
+  const auto rows = io::read_matches(path("m.csv").string());
+  ASSERT_GT(rows.size(), 20U);
+  EXPECT_EQ(rows.front().matcher, "chio");
+  const std::string provenance = read(path("chio.csv"));
+  EXPECT_EQ(std::count(provenance.begin(), provenance.end(), '\n') - 1,
+            static_cast<std::ptrdiff_t>(rows.size()));
+  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--provenance", "chio.csv"}),
+                 HasSubstr("needs --matcher chio"));
 }
 
 TEST_F(Match, SaysWhatIsWrongWithItsInput) {

@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace ridgeline::cli {
@@ -88,6 +89,65 @@ TEST_F(RunPatch, WritesTheFilesOfTheContractAndPrintsBothTables) {
                                 HasSubstr(read(path("out/table2.md")))));
   EXPECT_THAT(read(path("out/1/matches.csv")),
               testing::StartsWith("left_id,right_id,score,votes,matcher\n"));
+}
+
+TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
+  const ProgramResult result = run_patch("out", {"--matcher", "pairwise,chio"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names_in(path("out/1")),
+              IsSupersetOf({"matches.csv", "unmatched.csv", "verdicts.csv", "matches.pairwise.csv",
+                            "unmatched.pairwise.csv", "verdicts.pairwise.csv", "matches.chio.csv",
+                            "unmatched.chio.csv", "verdicts.chio.csv", "chio.csv"}));
+  const std::string table1 = read(path("out/table1.csv"));
+  EXPECT_THAT(table1,
+              AllOf(HasSubstr("\n1,pairwise,"), HasSubstr("\n1,chio,"), HasSubstr("\n1,both,")));
+  EXPECT_THAT(read(path("out/1/matches.csv")),
+              AllOf(HasSubstr(",pairwise\n"), HasSubstr(",pairwise+chio\n")));
+  EXPECT_THAT(read(path("out/1/unmatched.chio.csv")), HasSubstr("epipolar_degenerate"));
+  // every line of chio tells how it was acquired
+  EXPECT_THAT(read(path("out/1/chio.csv")),
+              testing::StartsWith("left_id,right_id,linked_right_ids,process,neighbour_left_id,"
+                                  "neighbour_height_m,height_limit_m,n_pieces,"));
+  // lines come from the list of both
+  const auto lines = read_json(path("out/1/lines.joint.geojson"))["features"];
+  const std::string matches = read(path("out/1/matches.csv"));
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(lines.size()),
+            std::count(matches.begin(), matches.end(), '\n') - 1);
+  const ProgramResult again = run_patch("out", {"--matcher", "pairwise,chio", "--resume"});
+  EXPECT_THAT(again.err, HasSubstr("5 finished stages skipped"));
+}
+
+TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
+  for (const char* matcher : {"pairwise", "chio", "pairwise,chio"}) {
+    const std::string out =
+        std::string("m/") + (std::string(matcher).size() > 8 ? "both" : matcher);
+    ASSERT_EQ(
+        run_patch(out, {"--matcher", matcher, "--no-report", "--methods", "direct"}).exit_code, 0);
+  }
+  const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "m/both", "--out", "cmp"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("| 1 | pairwise | pairwise, by height |"),
+                    HasSubstr("| 1 | chio | chio |"), HasSubstr("| 1 | both | both, by height |")));
+  const auto rows = read_json(path("cmp/compare.json"))["rows"];
+  ASSERT_EQ(rows.size(), 3U);
+  // the list of both loses no match that pairwise has
+  EXPECT_GE(rows[2]["correct"], rows[0]["correct"]);
+  EXPECT_EQ(rows[0]["alone"], 0);
+
+  // other segments have other ids
+  ASSERT_EQ(run_patch("m/chio", {"--matcher", "chio", "--no-report", "--methods", "direct",
+                                 "--extract-min-length-px", "20"})
+                .exit_code,
+            0);
+  EXPECT_REFUSED(run({"compare", "m/pairwise", "m/chio"}), HasSubstr("not the segments"));
+}
+
+TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
+  ASSERT_EQ(run_patch("out", {"--propagate-heights", "0", "--no-report"}).exit_code, 0);
+  EXPECT_THAT(read(path("out/1/matches.csv")), Not(HasSubstr("pairwise_height")));
+  EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
+  EXPECT_REFUSED(run_patch("out", {"--chio-min-pieces", "0"}), HasSubstr("min_pieces = 0"));
 }
 
 TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnly) {
