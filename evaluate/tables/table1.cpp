@@ -33,8 +33,9 @@ std::string to_markdown(const Table1& table) {
   text += "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
   for (const Table1Row& row : table.rows) {
     if (row.n_unjudged == 0) continue;
-    text += fmt::format("Patch {}: {} more matches, of lines that the reference does not hold.\n",
-                        escape_markdown(row.patch), row.n_unjudged);
+    text +=
+        fmt::format("Patch {}, {}: {} more matches, of lines that the reference does not hold.\n",
+                    escape_markdown(row.patch), escape_markdown(row.matcher), row.n_unjudged);
   }
   return text;
 }
