@@ -8,7 +8,7 @@
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
 #include "evaluate/statistics/reference_errors.h"
-#include "io/cloud/read_cloud.h"
+#include "io/cloud/cloud_files.h"
 #include "io/csv_table.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
@@ -106,15 +106,17 @@ void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
                  ReportPatch& patch) {
   for (const std::string& file : io::expand_patterns(files)) (void)inputs.unchanged(file);
+  constexpr std::uint64_t kMostPoints = 4'000'000;  // held while they are thinned, 128 MB
   io::ReadOptions options = inputs.cloud_options();
   options.frame = patch.frame;
+  std::optional<io::PlanMask> near;
   if (inputs.is_of_files()) {
-    options.near = mask_around_lines(patch);
+    near = mask_around_lines(patch);
   } else {
     options.bounds_in_world = box_of_lines(patch);
   }
-  const io::PointCloud cloud = io::read_cloud(files, options);
-  patch.cloud = shown_cloud(cloud, options.near.has_value());
+  const io::PointCloud cloud = io::CloudFiles(files, options).read_thinned(near, kMostPoints);
+  patch.cloud = shown_cloud(cloud, near.has_value());
   patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }
 

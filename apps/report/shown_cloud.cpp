@@ -26,11 +26,12 @@ struct Density {
   double points_per_m2 = 0.0, no_data_share = 0.0;
 };
 
-Density density_of(const std::vector<io::CloudPoint>& points) {
+/// Of points of which only a share is there: in cells so much larger that as many of them have one.
+Density density_of(const std::vector<io::CloudPoint>& points, double share) {
   constexpr double kMostCells = 1e7;
   const auto [low, high] = box_of(points);
   const Eigen::Vector2d extent = (high - low).cwiseMax(1.0);
-  const double cell_m = std::max(1.0, std::sqrt(extent.prod() / kMostCells));
+  const double cell_m = std::max(1.0 / std::sqrt(share), std::sqrt(extent.prod() / kMostCells));
   const Eigen::Vector2i n = (extent / cell_m).array().ceil().cast<int>();
   std::vector<char> occupied(static_cast<std::size_t>(n.x()) * static_cast<std::size_t>(n.y()), 0);
   for (const io::CloudPoint& p : points) {
@@ -41,7 +42,7 @@ Density density_of(const std::vector<io::CloudPoint>& points) {
   }
   const auto n_occupied =
       static_cast<double>(std::count(occupied.begin(), occupied.end(), char{1}));
-  return {static_cast<double>(points.size()) / (n_occupied * cell_m * cell_m),
+  return {static_cast<double>(points.size()) / (share * n_occupied * cell_m * cell_m),
           1.0 - n_occupied / static_cast<double>(occupied.size())};
 }
 
@@ -51,15 +52,17 @@ ShownCloud shown_cloud(const io::PointCloud& cloud, bool is_masked) {
   ShownCloud shown;
   shown.crs = io::describe(cloud.crs).name;
   shown.n_read = cloud.n_read;
-  shown.n_all = cloud.points.size();
-  if (shown.n_all == 0) return shown;
-  const Density density = density_of(cloud.points);
+  const std::size_t n_here = cloud.points.size();
+  shown.n_all = n_here + cloud.n_dropped_share;
+  if (n_here == 0) return shown;
+  const Density density =
+      density_of(cloud.points, static_cast<double>(n_here) / static_cast<double>(shown.n_all));
   shown.points_per_m2 = density.points_per_m2;
   if (!is_masked) shown.no_data_share = density.no_data_share;
   const std::size_t step =
-      std::max<std::size_t>(1, (shown.n_all + kMaxReportPoints - 1) / kMaxReportPoints);
-  shown.x_in_local.reserve(shown.n_all / step + 1);
-  for (std::size_t i = 0; i < shown.n_all; i += step) {
+      std::max<std::size_t>(1, (n_here + kMaxReportPoints - 1) / kMaxReportPoints);
+  shown.x_in_local.reserve(n_here / step + 1);
+  for (std::size_t i = 0; i < n_here; i += step) {
     const io::CloudPoint& p = cloud.points[i];
     shown.x_in_local.emplace_back(p.x, p.y, p.z);
   }

@@ -98,6 +98,7 @@ void add(const ReadSummary& part, ReadSummary& sum) {
   sum.drops.classification += part.drops.classification;
   sum.drops.not_last_return += part.drops.not_last_return;
   sum.drops.outside += part.drops.outside;
+  sum.drops.share += part.drops.share;
 }
 
 /// Calls `visit(block)` for every block in file order, decoding some ahead in parallel, until it

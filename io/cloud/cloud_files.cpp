@@ -30,6 +30,8 @@ void check_options(const std::vector<std::string>& paths, const ReadOptions& opt
         "read_cloud: bounds_in_world is empty, must have min <= max");
   check(options.max_resolution_m >= 0.0 && std::isfinite(options.max_resolution_m),
         "read_cloud: max_resolution_m = ", options.max_resolution_m, ", must be 0 or above");
+  check(options.share > 0.0 && options.share <= 1.0, "read_cloud: share = ", options.share,
+        ", must be above 0 and at most 1");
 }
 
 std::uint64_t point_limit(const ReadOptions& options) {
@@ -44,6 +46,7 @@ void add_drops(const DropCounts& counts, PointCloud& cloud) {
   cloud.n_dropped_class += counts.classification;
   cloud.n_dropped_return += counts.not_last_return;
   cloud.n_dropped_bounds += counts.outside;
+  cloud.n_dropped_share += counts.share;
 }
 
 }  // namespace
@@ -199,6 +202,19 @@ PointCloud CloudFiles::read(std::optional<PlanMask> near) {
 std::optional<PointCloud> CloudFiles::read_at_most(std::optional<PlanMask> near,
                                                    std::uint64_t max_points) {
   return read_files(std::move(near), max_points);
+}
+
+PointCloud CloudFiles::read_thinned(const std::optional<PlanMask>& near, std::uint64_t max_points) {
+  constexpr double kStep = 0.25;
+  check(max_points > 0, "read_thinned: max_points = 0, must be at least 1");
+  const double share = options_.share;
+  std::optional<PointCloud> cloud = read_files(near, max_points);
+  while (!cloud) {
+    options_.share *= kStep;
+    cloud = read_files(near, max_points);
+  }
+  options_.share = share;
+  return std::move(*cloud);
 }
 
 std::vector<std::string> CloudFiles::unread_paths() const {

@@ -40,6 +40,9 @@ class CloudFiles {
   /// than these and a few blocks.
   std::optional<PointCloud> read_at_most(std::optional<PlanMask> near, std::uint64_t max_points);
 
+  /// read() of the largest share, 1, 1/4, 1/16, ... of the options', that has at most `max_points`.
+  PointCloud read_thinned(const std::optional<PlanMask>& near, std::uint64_t max_points);
+
   /// The files that every reading has passed over so far.
   [[nodiscard]] std::vector<std::string> unread_paths() const;
 

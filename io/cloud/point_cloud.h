@@ -38,6 +38,7 @@ struct PointCloud {
   std::uint64_t n_dropped_return = 0;  ///< by --last-returns
   std::uint64_t n_dropped_bounds = 0;  ///< by --bounds or because no line is near
   std::uint64_t n_dropped_non_finite = 0;
+  std::uint64_t n_dropped_share = 0;  ///< else kept, left out by ReadOptions::share
 };
 
 }  // namespace ridgeline::io

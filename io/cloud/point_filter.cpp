@@ -2,6 +2,7 @@
 #include "io/cloud/point_filter.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace ridgeline::io {
@@ -28,7 +29,8 @@ PointFilter::PointFilter(const ReadOptions& options, const LocalFrame& frame)
     : kept_classes_(kept_classes(options.classes)),
       exclude_withheld_(options.exclude_withheld),
       last_returns_(options.last_returns),
-      near_(options.near ? &*options.near : nullptr) {
+      near_(options.near ? &*options.near : nullptr),
+      share_(options.share) {
   if (options.bounds_in_world) {
     bounds_in_local_ = Eigen::AlignedBox3d(frame.local_from_world(options.bounds_in_world->min()),
                                            frame.local_from_world(options.bounds_in_world->max()));
@@ -55,7 +57,18 @@ std::uint64_t DropCounts::*PointFilter::reason_to_drop(const CloudPoint& point) 
   if (last_returns_ && point.return_number < point.number_of_returns) {
     return &DropCounts::not_last_return;
   }
-  return is_outside(point) ? &DropCounts::outside : nullptr;
+  if (is_outside(point)) return &DropCounts::outside;
+  return share_ < 1.0 && is_left_out(point) ? &DropCounts::share : nullptr;
+}
+
+bool PointFilter::is_left_out(const CloudPoint& point) const {
+  constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15ULL;
+  std::uint64_t hash = 0;
+  for (const double coordinate : {point.x, point.y, point.z}) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * kMultiplier;
+    hash ^= hash >> 32U;
+  }
+  return static_cast<double>(hash) >= share_ * 0x1p64;
 }
 
 bool PointFilter::excludes(const Eigen::AlignedBox3d& box_in_local) const {

@@ -17,6 +17,7 @@ struct DropCounts {
   std::uint64_t classification = 0;
   std::uint64_t not_last_return = 0;
   std::uint64_t outside = 0;
+  std::uint64_t share = 0;
 };
 
 /// The keep rule of ReadOptions for points in one local frame. The options must outlive it.
@@ -34,12 +35,14 @@ class PointFilter {
   /// The count that a point falls under, or nullptr if it is kept.
   [[nodiscard]] std::uint64_t DropCounts::*reason_to_drop(const CloudPoint& point) const;
   [[nodiscard]] bool is_outside(const CloudPoint& point) const;
+  [[nodiscard]] bool is_left_out(const CloudPoint& point) const;
 
   std::bitset<256> kept_classes_;
   bool exclude_withheld_;
   bool last_returns_;
   std::optional<Eigen::AlignedBox3d> bounds_in_local_;
   const PlanMask* near_;
+  double share_;
 };
 
 }  // namespace ridgeline::io

@@ -20,9 +20,11 @@ struct ReadOptions {
   bool exclude_withheld = true;  ///< points that the producer marked as not to be used
   bool last_returns = false;     ///< keep only the last return of each pulse
   std::optional<Eigen::AlignedBox3d> bounds_in_world;  ///< metres, borders included
-  std::optional<PlanMask> near;        ///< keep only points in the mask; needs `frame`
-  std::optional<LocalFrame> frame;     ///< unset: suggest_frame() of the first file with points
-  Crs assume_crs;                      ///< declares or overrides the CRS of every file
+  std::optional<PlanMask> near;     ///< keep only points in the mask; needs `frame`
+  std::optional<LocalFrame> frame;  ///< unset: suggest_frame() of the first file with points
+  Crs assume_crs;                   ///< declares or overrides the CRS of every file
+  /// Of the points, the share to keep, chosen by their coordinates: evenly, and the same in any order.
+  double share = 1.0;
   std::uint64_t max_points = 0;        ///< kept points allowed; 0: no limit
   std::uint64_t max_memory_bytes = 0;  ///< for kept points, 32 bytes each; 0: no limit
   /// Refuses what is otherwise warned of: coordinates already damaged by float32.

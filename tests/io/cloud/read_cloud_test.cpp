@@ -310,6 +310,18 @@ TEST_F(ReadCloud, GivesNothingWhereMorePointsAreKeptThanFit) {
   EXPECT_EQ(cloud->points.size(), 200U);
 }
 
+TEST_F(ReadCloud, ThinsToAShareThatFits) {
+  constexpr std::size_t kMost = 3000;
+  CloudFiles files({write("a.las", random_points(20000))}, {});
+  const std::uint64_t n_all = files.read(std::nullopt).points.size();
+  const PointCloud thinned = files.read_thinned(std::nullopt, kMost);
+  EXPECT_LE(thinned.points.size(), kMost);
+  EXPECT_EQ(thinned.points.size() + thinned.n_dropped_share, n_all);
+  // a sixteenth of 15 600: 974 expected, and 6 sigma of a binomial share are 182
+  EXPECT_NEAR(static_cast<double>(thinned.points.size()), static_cast<double>(n_all) / 16.0, 182.0);
+  EXPECT_EQ(files.read(std::nullopt).points.size(), n_all);
+}
+
 TEST_F(ReadCloud, TellsTheExtentOfTheKeptPoints) {
   CloudFiles files({write("a.las", square_at(3.0, 4.0), {513000.0, 5403000.0, 200.0})}, {});
   const Eigen::AlignedBox3d box = files.extent_in_world();
