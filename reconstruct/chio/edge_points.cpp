@@ -15,7 +15,8 @@ constexpr int kReach = 3;           // maxima up to 1.5 px from the segment coun
 constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
 constexpr int kHalfGradients = kReach + kHalfBase;
 constexpr int kGradients = 2 * kHalfGradients + 1;
-constexpr int kProfile = kGradients + 2 * kHalfDifference;
+constexpr int kHalfProfile = kHalfGradients + kHalfDifference;
+constexpr int kProfile = 2 * kHalfProfile + 1;
 
 /// Squared difference of two colours.
 double difference(const Colour& a, const Colour& b) {
@@ -34,7 +35,7 @@ std::optional<double> edge_offset_px(const ImageSampler& image,
                                      const Eigen::Vector2d& normal) {
   std::array<Colour, kProfile> profile{};
   for (int k = 0; k < kProfile; ++k) {
-    const double offset_px = (k - kProfile / 2) * kStep_px;
+    const double offset_px = (k - kHalfProfile) * kStep_px;
     if (!image.sample(x + offset_px * normal, profile[k])) return std::nullopt;
   }
   std::array<double, kGradients> strength{};

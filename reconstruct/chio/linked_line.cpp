@@ -32,7 +32,7 @@ Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
   const Eigen::Vector2d along = (right.segment.end - right.segment.start).normalized();
   const Eigen::Vector2d normal(-along.y(), along.x());
   Eigen::Matrix<double, 6, 2> jacobian;
-  for (const int end : {0, 1}) {
+  for (const Eigen::Index end : {0, 1}) {
     const Eigen::Vector3d& x = end == 0 ? line.start : line.end;
     const Stretch stretch = search.right_from_left.stretch(project(left.image_from_local, x));
     const double height_per_px_m = 1.0 / normal.dot(stretch.derivative(x.z()));
