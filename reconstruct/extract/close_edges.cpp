@@ -48,7 +48,7 @@ class TwoSteps {
     return true;
   }
 
-  [[nodiscard]] ProfileStep step(int which) const {
+  [[nodiscard]] ProfileStep step(Eigen::Index which) const {
     double squares = 0.0;
     for (int band = 0; band < n_bands_; ++band) {
       const double c = parameters_[4 + 3 * band + 1 + which];
@@ -60,9 +60,10 @@ class TwoSteps {
  private:
   void add(const ProfileSample& s, bool colours_only, Matrix& normal, Vector& right) const {
     std::array<double, 2> response{}, slope{};
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto offset = static_cast<Eigen::Index>(2 * i);
       const double z =
-          (s.across_px - parameters_[2 * i] - parameters_[2 * i + 1] * s.tau) / blur_px_;
+          (s.across_px - parameters_[offset] - parameters_[offset + 1] * s.tau) / blur_px_;
       response[i] = step_response(z);
       slope[i] = colours_only ? 0.0 : -bell(z) / blur_px_;
     }
