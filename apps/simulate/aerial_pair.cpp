@@ -55,15 +55,15 @@ AerialView view_at(const Scene& scene,
 }  // namespace
 
 FlightOptions chio_wang_flight() {
-  constexpr double kFocal_mm = 152.0;
-  constexpr double kPixel_mm = 0.03;
+  constexpr double kFocalMm = 152.0;
+  constexpr double kPixelMm = 0.03;
   constexpr double kScale = 8000.0;
-  constexpr double kFrame_mm = 230.0;
+  constexpr double kFrameMm = 230.0;
   constexpr double kOverlap = 0.6;
   FlightOptions options;
-  options.focal_length_px = kFocal_mm / kPixel_mm;
-  options.height_above_ground_m = kScale * kFocal_mm / 1000.0;
-  options.base_to_height = (1.0 - kOverlap) * kFrame_mm / kFocal_mm;
+  options.focal_length_px = kFocalMm / kPixelMm;
+  options.height_above_ground_m = kScale * kFocalMm / 1000.0;
+  options.base_to_height = (1.0 - kOverlap) * kFrameMm / kFocalMm;
   options.size_px = {Eigen::Vector2i(180, 180), Eigen::Vector2i(225, 180)};
   return options;
 }
