@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/extract/close_edges.h"
 
-#include "reconstruct/extract/colour_profile.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -132,17 +130,21 @@ bool is_sound(const std::array<ProfileStep, 2>& steps, const std::array<double, 
 
 }  // namespace
 
-std::optional<std::array<ProfileStep, 2>> close_edges(const cv::Mat& image,
-                                                      const Segment2& segment,
-                                                      double blur_px) {
+CloseEdgeFinder::CloseEdgeFinder(double blur_px)
+    : blur_px_(blur_px),
+      basis_(
+          profile_half_width_px(blur_px), profile_half_width_px(blur_px) - 1.8 * blur_px, blur_px) {
+}
+
+std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& image,
+                                                                const Segment2& segment) const {
   constexpr int kPasses = 6;
-  const double half_width_px = profile_half_width_px(blur_px);
+  const double half_width_px = profile_half_width_px(blur_px_);
   const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width_px);
   if (samples.size() < kFewestProfileSamples) return std::nullopt;
-  const StepBasis basis(half_width_px, half_width_px - 1.8 * blur_px, blur_px);
-  const auto begin = two_offsets(basis, BinnedProfile(samples, half_width_px));
+  const auto begin = two_offsets(basis_, BinnedProfile(samples, half_width_px));
   if (!begin) return std::nullopt;
-  TwoSteps model((*begin)[0], (*begin)[1], image.channels(), blur_px);
+  TwoSteps model((*begin)[0], (*begin)[1], image.channels(), blur_px_);
   if (!model.improve(samples, true)) return std::nullopt;
   for (int pass = 0; pass < kPasses; ++pass) {
     if (!model.improve(samples, false)) return std::nullopt;

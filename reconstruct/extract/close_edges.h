@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/extract/colour_profile.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <opencv2/core/mat.hpp>
@@ -18,7 +19,7 @@ struct ProfileStep {
   double height = 0.0;     ///< root of the summed squares of the bands' steps
 };
 
-/// The two edges that make up one segment, in the order of their offsets, if there are two.
+/// Finds the two edges that make up one segment.
 ///
 /// Edges within about two pixels blur into one: the edge of a roof and the strip of wall below it,
 /// which one of the cameras sees; both borders of a road marking. Then the maximum of the gradient is
@@ -31,8 +32,19 @@ struct ProfileStep {
 /// least squares with a tilt for each line. Nothing is returned where one step describes the profile
 /// about as well, where one step hardly counts beside the other and where the least squares leave
 /// the neighbourhood of what was found.
-std::optional<std::array<ProfileStep, 2>> close_edges(const cv::Mat& image,
-                                                      const Segment2& segment,
-                                                      double blur_px);
+class CloseEdgeFinder {
+ public:
+  /// @param blur_px  of the image's edges, edge_blur_px(); above 0
+  explicit CloseEdgeFinder(double blur_px);
+
+  /// The two edges in the order of their offsets, if there are two.
+  /// @param image  CV_32FC(n), n = 1..4
+  [[nodiscard]] std::optional<std::array<ProfileStep, 2>> find(const cv::Mat& image,
+                                                               const Segment2& segment) const;
+
+ private:
+  double blur_px_;
+  StepBasis basis_;
+};
 
 }  // namespace ridgeline::reconstruct

@@ -31,6 +31,7 @@ std::vector<ProfileSample> profile_samples(const cv::Mat& image,
                                            const Segment2& segment,
                                            double half_width_px) {
   const double len = length(segment);
+  if (!(len > 2.0 * kEndMargin_px)) return {};
   const Eigen::Vector2d along = (segment.end - segment.start) / len;
   const Eigen::Vector2d normal(-along.y(), along.x());
   const int major = std::abs(along.x()) >= std::abs(along.y()) ? 0 : 1;

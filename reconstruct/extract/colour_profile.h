@@ -26,7 +26,7 @@ struct ProfileSample {
 double profile_half_width_px(double blur_px);
 
 /// The pixels up to `half_width_px` beside a segment, as they are: none is interpolated. Those next
-/// to its ends are left out, where corners disturb the profile.
+/// to its ends are left out, where corners disturb the profile; a segment of a few pixels has none.
 /// @param image  CV_32FC(n), n = 1..4
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
                                            const Segment2& segment,

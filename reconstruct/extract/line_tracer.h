@@ -29,8 +29,8 @@ class LineTracer {
  public:
   LineTracer(const GradientImage& image, const ExtractOptions& options);
 
-  /// The edge through points that lie on a straight line in order; nothing if it is claimed, is not
-  /// to be found in the gradient image, or is not straight.
+  /// The edge through points that lie on a straight line in order; nothing if it is claimed or not
+  /// to be found in the gradient image. Where it goes on beyond the points it may bend a little.
   [[nodiscard]] std::optional<EdgeTrace> trace(std::span<const Eigen::Vector2d> points) const;
 
   void claim(const EdgeTrace& trace);

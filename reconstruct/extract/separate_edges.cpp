@@ -45,10 +45,10 @@ struct Part {
   bool separated = false;
 };
 
-std::vector<Part> parts_of(DetectedEdge edge, const cv::Mat& image, double blur_px) {
+std::vector<Part> parts_of(DetectedEdge edge, const cv::Mat& image, const CloseEdgeFinder& finder) {
   const Segment2 line = line_through(edge.trace);
   std::vector<Part> parts;
-  if (const auto steps = close_edges(image, line, blur_px)) {
+  if (const auto steps = finder.find(image, line)) {
     const double strongest = std::max((*steps)[0].height, (*steps)[1].height);
     for (const ProfileStep& step : *steps) {
       EdgeTrace trace = shifted(edge.trace, line, step, step.height / strongest);
@@ -109,10 +109,10 @@ std::vector<DetectedEdge> separate_edges(std::vector<DetectedEdge> edges, const 
   std::vector<Segment2> lines;
   lines.reserve(edges.size());
   for (const DetectedEdge& edge : edges) lines.push_back(line_through(edge.trace));
-  const double blur_px = edge_blur_px(image, lines);
+  const CloseEdgeFinder finder(edge_blur_px(image, lines));
   std::vector<std::vector<Part>> found(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
-    found[i] = parts_of(std::move(edges[i]), image, blur_px);
+    found[i] = parts_of(std::move(edges[i]), image, finder);
   });
   std::vector<Part> parts;
   for (std::vector<Part>& some : found) {

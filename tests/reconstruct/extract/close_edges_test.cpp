@@ -14,6 +14,10 @@ using test::BlurredStrip;
 /// Single precision of the image.
 constexpr double kExact_px = 1e-4;
 
+std::optional<std::array<ProfileStep, 2>> find(const BlurredStrip& strip, const Segment2& segment) {
+  return CloseEdgeFinder(strip.blur_px).find(strip.image(), segment);
+}
+
 Segment2 moved(const Segment2& s, double across_px) {
   const Eigen::Vector2d along = (s.end - s.start).normalized();
   const Eigen::Vector2d by = across_px * Eigen::Vector2d(-along.y(), along.x());
@@ -23,7 +27,7 @@ Segment2 moved(const Segment2& s, double across_px) {
 TEST(CloseEdges, FindsBothBordersOfAStripThatBlursIntoOneEdge) {
   BlurredStrip strip;
   strip.offsets_px = {-0.6, 0.7};
-  const auto edges = close_edges(strip.image(), strip.base_segment(), strip.blur_px);
+  const auto edges = find(strip, strip.base_segment());
   ASSERT_TRUE(edges);
   EXPECT_NEAR((*edges)[0].offset_px, -0.6, kExact_px);
   EXPECT_NEAR((*edges)[1].offset_px, 0.7, kExact_px);
@@ -33,7 +37,7 @@ TEST(CloseEdges, FindsBothBordersOfAStripThatBlursIntoOneEdge) {
 
 TEST(CloseEdges, TellsOffsetsFromTheSegmentThatIsGiven) {
   const BlurredStrip strip;
-  const auto edges = close_edges(strip.image(), moved(strip.base_segment(), 0.4), strip.blur_px);
+  const auto edges = find(strip, moved(strip.base_segment(), 0.4));
   ASSERT_TRUE(edges);
   EXPECT_NEAR((*edges)[0].offset_px, -0.75 - 0.4, kExact_px);
   EXPECT_NEAR((*edges)[1].offset_px, 0.75 - 0.4, kExact_px);
@@ -43,7 +47,7 @@ TEST(CloseEdges, FollowsAStripThatWidens) {
   BlurredStrip strip;
   strip.offsets_px = {-0.8, 0.6};
   strip.tilts_px = {-0.3, 0.4};
-  const auto edges = close_edges(strip.image(), strip.base_segment(), strip.blur_px);
+  const auto edges = find(strip, strip.base_segment());
   ASSERT_TRUE(edges);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR((*edges)[i].offset_px, strip.offsets_px[i], kExact_px);
@@ -55,7 +59,7 @@ TEST(CloseEdges, AStripIsFoundToAFewHundredthsOfAPixelInNoise) {
   constexpr double kTolerance_px = 0.05;  // three standard deviations, by repetition
   BlurredStrip strip;
   strip.noise = 0.02;
-  const auto edges = close_edges(strip.image(), strip.base_segment(), strip.blur_px);
+  const auto edges = find(strip, strip.base_segment());
   ASSERT_TRUE(edges);
   EXPECT_NEAR((*edges)[0].offset_px, -0.75, kTolerance_px);
   EXPECT_NEAR((*edges)[1].offset_px, 0.75, kTolerance_px);
@@ -65,28 +69,33 @@ TEST(CloseEdges, LeavesASingleEdgeAlone) {
   BlurredStrip step;
   step.noise = 0.02;
   step.colours[1] = step.colours[2];
-  EXPECT_FALSE(close_edges(step.image(), step.base_segment(), step.blur_px));
+  EXPECT_FALSE(find(step, step.base_segment()));
 }
 
 TEST(CloseEdges, LeavesAnEdgeWithAnotherOneFartherAwayAlone) {
   BlurredStrip wide;
   wide.offsets_px = {0.0, 4.5};
-  EXPECT_FALSE(close_edges(wide.image(), wide.base_segment(), wide.blur_px));
+  EXPECT_FALSE(find(wide, wide.base_segment()));
 }
 
 TEST(CloseEdges, LeavesAShortSegmentAlone) {
   const BlurredStrip strip;
   const Segment2 base = strip.base_segment();
   const Segment2 piece{base.start, base.start + 8.0 * (base.end - base.start).normalized()};
-  EXPECT_FALSE(close_edges(strip.image(), piece, strip.blur_px));
+  EXPECT_FALSE(find(strip, piece));
+}
+
+TEST(CloseEdges, ASegmentWithoutLengthHasNone) {
+  const BlurredStrip strip;
+  const Segment2 base = strip.base_segment();
+  EXPECT_FALSE(find(strip, {base.start, base.start}));
 }
 
 TEST(CloseEdges, TakesASegmentThatGoesOnBeyondTheImage) {
   const BlurredStrip strip;
   const Segment2 base = strip.base_segment();
   const Eigen::Vector2d quarter = 0.25 * (base.end - base.start);
-  const auto edges =
-      close_edges(strip.image(), {base.start - quarter, base.end + quarter}, strip.blur_px);
+  const auto edges = find(strip, {base.start - quarter, base.end + quarter});
   ASSERT_TRUE(edges);
   EXPECT_NEAR((*edges)[0].offset_px, -0.75, kExact_px);
 }
