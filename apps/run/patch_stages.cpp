@@ -10,6 +10,8 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 namespace ridgeline::apps {
 namespace {
 
@@ -109,7 +111,19 @@ void PatchStages::extract() {
   }
 }
 
+/// Takes away what an earlier run with other matchers has left, which would look like of this one.
+void PatchStages::remove_match_lists() const {
+  std::vector<std::string> files{"chio.csv", "verdicts.csv"};
+  for (const char* stem : {"matches", "unmatched", "verdicts"}) {
+    for (const Matcher matcher : {Matcher::kPairwise, Matcher::kChio}) {
+      files.push_back(list_file(stem, name(matcher)));
+    }
+  }
+  for (const std::string& file : files) std::filesystem::remove(path(file));
+}
+
 void PatchStages::match() {
+  remove_match_lists();
   const PatchMatches result =
       match_patch(patch_, {image(0), image(1)}, segments(), options_.matching);
   io::write_matches(path(kMatches), result.used().rows);

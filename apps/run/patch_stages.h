@@ -38,6 +38,7 @@ class PatchStages {
 
  private:
   [[nodiscard]] std::vector<std::string> list_names() const;
+  void remove_match_lists() const;
   [[nodiscard]] std::string path(const std::string& file) const;
   const cv::Mat& image(std::size_t i);
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;

@@ -115,6 +115,12 @@ TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
             std::count(matches.begin(), matches.end(), '\n') - 1);
   const ProgramResult again = run_patch("out", {"--matcher", "pairwise,chio", "--resume"});
   EXPECT_THAT(again.err, HasSubstr("5 finished stages skipped"));
+
+  // lists of other matchers do not stay beside those of the next run
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  for (const std::string& file : names_in(path("out/1"))) {
+    EXPECT_THAT(file, Not(testing::AnyOf(HasSubstr("chio"), HasSubstr(".pairwise."))));
+  }
 }
 
 TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
