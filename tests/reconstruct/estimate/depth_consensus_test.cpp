@@ -85,6 +85,21 @@ TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
   EXPECT_LT(worst_error_m(group, line), kAssumedM);
 }
 
+TEST(DepthConsensus, HorizontalitySteadiesPointsThatAgreeOnIt) {
+  const LineGroup group = make_group(eave(0.5), {{0.3, 80}, {0.7, 110}});
+  const auto sigma_slope = [&](const ReconstructOptions& options) {
+    const ReconstructedLine line = group.reconstruct(options)[0];
+    EXPECT_EQ(line.status, Status::kJoint);
+    Vector6d rise = Vector6d::Zero();
+    rise[2] = -1.0 / length(*line.segment_in_local);
+    rise[5] = -rise[2];
+    return std::sqrt(rise.dot(*line.covariance_m2 * rise));
+  };
+  const ReconstructOptions options;
+  EXPECT_LE(sigma_slope(options), options.sigma_slope);
+  EXPECT_GT(sigma_slope(published_options()), 1.2 * options.sigma_slope);
+}
+
 TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
   SegmentSpec verge = eave(0.5);
   verge.end_z_m = kHeightM + 4.0;
