@@ -80,8 +80,8 @@ std::optional<std::string> write_report_of_run(const std::string& folder) {
   try {
     return write_report(folder);
   } catch (const std::exception& error) {
-    std::error_code
-        none;  // an earlier run's page would show other figures than the tables beside it
+    // an earlier run's page would show other figures than the tables beside it
+    std::error_code none;
     std::filesystem::remove(std::filesystem::path(folder) / "report.html", none);
     spdlog::warn("the results are complete, but their report is not written: {}", error.what());
     return std::nullopt;
