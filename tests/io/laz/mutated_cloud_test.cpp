@@ -13,23 +13,27 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <random>
 #include <set>
 
+#ifdef __SANITIZE_ADDRESS__
+/// AddressSanitizer keeps 256 MB of freed memory unless told otherwise, which would count as held.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): the sanitizer's name
+extern "C" const char* __asan_default_options() {
+  return "quarantine_size_mb=8:max_allocation_size_mb=512";
+}
+#endif
+
 namespace ridgeline::io::laz {
 namespace {
 
-constexpr double kMostSeconds = 2.0;
-#ifdef __SANITIZE_ADDRESS__  // it keeps 256 MB of what was freed, and as much about what is held
-constexpr std::size_t kMostMemory = std::size_t{1024} << 20U;
-#else
+constexpr double kMostSeconds = 2.0;  // of the processor, so that a busy machine fails nothing
 constexpr std::size_t kMostMemory = std::size_t{512} << 20U;
-#endif
 
 struct Sample {
   std::string name;
@@ -165,15 +169,15 @@ class MutatedCloud : public testing::Test {
     std::ofstream(path_, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     std::optional<std::vector<CloudPoint>> points;
     try {
       points = read_cloud({path_}).points;
     } catch (const IoError& error) {
       EXPECT_NE(std::string(error.what()).find(path_), std::string::npos) << what << error.what();
     }
-    const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(duration.count(), kMostSeconds) << what;
+    const double duration_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    EXPECT_LT(duration_s, kMostSeconds) << what;
     return points;
   }
 
