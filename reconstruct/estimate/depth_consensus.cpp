@@ -85,8 +85,11 @@ class Scorer {
     for (const Eigen::Vector4d& plane : end_planes_) sum += log_height_prior(height(h, plane));
     for (const DepthEvidence& e : evidence_) {
       const Misfit m = misfit(h, e);
-      sum += std::log(1.0 - e.prior +
-                      e.prior * options_.agreement_gain * bell(m.distance_m / m.sigma_m));
+      const double agreement = bell(m.distance_m / m.sigma_m);
+      const bool is_above = m.distance_m * normal_.cross(h.direction).z() > 0.0;
+      const double doubt =
+          is_above ? 1.0 - (1.0 - options_.doubt_above) * e.meeting * (1.0 - agreement) : 1.0;
+      sum += std::log(doubt * (1.0 - e.prior) + e.prior * options_.agreement_gain * agreement);
     }
     return sum - 0.5 * other_misclosure(h);
   }

@@ -22,6 +22,9 @@ struct DepthEvidence {
   Eigen::Matrix3d cov;
   double parameter = 0.0;  ///< along the base segment, 0 at its start and 1 at its end
   double prior = 0.5;      ///< probability that it is on the line, before the others are heard
+  /// Weight of a point where another line seems to meet this one; 0 for what the ends of the line's
+  /// own segments show.
+  double meeting = 0.0;
 };
 
 /// The depths along a line that its evidence agrees on.
@@ -39,12 +42,14 @@ struct DepthConsensus {
 /// line in the base segment's projection plane that explains most: hypotheses are the lines through
 /// any two pieces of evidence and the horizontal one through each; their score is the sum of
 ///
-///     log(1 - prior + prior * gain * b(distance / its sigma))         per evidence,
+///     log(d (1 - prior) + prior * gain * b(distance / its sigma))     per evidence,
 ///     log(h * b(slope / sigma_slope) + (1 - h) * b(slope / 0.6))      h the share of horizontal lines,
 ///     log(0.05 + 0.95 max_k b((Z - Z_k) / sigma_height))              for the height Z of each end,
 ///     -chi^2 / 2                                                      of the other image's misclosure
 ///
-/// with b(z) = exp(-z^2 / 2).
+/// with b(z) = exp(-z^2 / 2) and d = 1, for points above the line however
+/// 1 - (1 - doubt_above) * meeting * (1 - b): where a line ends at another one in the images it may
+/// pass below it, hidden from there on; above it nothing hides it, and it would end there by chance.
 ///
 /// The gain is small, so that it is not the number of points that decides: false ones agree as well,
 /// those of an eave with the ground lines that it hides are all on the ground. Z_k are the heights of

@@ -111,6 +111,7 @@ LineSupport line_support(const StereoLines& lines,
     heard.push_back(c);
     evidence.push_back(evidence_of(c.estimated.point, c.ranked.parameter,
                                    options.max_point_prior * c.ranked.weight));
+    evidence.back().meeting = c.ranked.weight;
   }
   std::vector<UncertainPoint3> ends;
   for (const int which : {0, 1}) {

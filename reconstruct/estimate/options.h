@@ -37,9 +37,10 @@ struct ReconstructOptions {
   bool consensus = true;
   double max_point_prior = 0.7;     ///< that two lines which cross in both images meet, at W = 1
   double end_prior = 0.75;          ///< that the ends of both segments show the same point
-  double sigma_end_px = 1.5;        ///< along the line, if they do
+  double sigma_end_px = 1.0;        ///< along the line, if they do
   double sigma_meeting_m = 0.1;     ///< distance of lines that meet
-  double horizontal_share = 0.9;    ///< of the aligned lines, before anything is known
+  double doubt_above = 0.1;         ///< that a point above the line is none: less than below it
+  double horizontal_share = 0.8;    ///< of the aligned lines, before anything is known
   double sigma_slope = 0.01;        ///< of lines that are built horizontal
   double nearby_px = 100.0;         ///< from the line, in the base image, heights are compared
   double sigma_height_m = 0.2;      ///< of lines at the same height
@@ -81,6 +82,8 @@ struct ReconstructOptions {
               "consensus: scatter of corresponding segment ends along the line"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 0.0, 1e3,
               "consensus: distance of lines that meet"},
+        Field{"doubt_above", &O::doubt_above, 0.0, 1.0,
+              "consensus: doubt about a point above the line, where below it is 1"},
         Field{"horizontal_share", &O::horizontal_share, 0.0, 0.999,
               "consensus: prior share of horizontal lines"},
         Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/extract/bends.h"
 
+#include "reconstruct/extract/line_sums.h"
 #include "reconstruct/extract/straight_pieces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace ridgeline::reconstruct {
 namespace {
-
-/// Sums over points (t, q), along and across the line of the whole run.
-struct Sums {
-  double n = 0.0, t = 0.0, q = 0.0, tt = 0.0, tq = 0.0, qq = 0.0;
-
-  Sums& operator+=(const Eigen::Vector2d& x) {
-    n += 1.0;
-    t += x.x();
-    q += x.y();
-    tt += x.x() * x.x();
-    tq += x.x() * x.y();
-    qq += x.y() * x.y();
-    return *this;
-  }
-  Sums operator-(const Sums& o) const {
-    return {n - o.n, t - o.t, q - o.q, tt - o.tt, tq - o.tq, qq - o.qq};
-  }
-  /// Sum of the squared residuals of the regression of q on t.
-  [[nodiscard]] double residual() const {
-    const double var_t = tt - t * t / n;
-    const double cov = tq - t * q / n;
-    const double var_q = qq - q * q / n;
-    return std::max(0.0, var_t > 0.0 ? var_q - cov * cov / var_t : var_q);
-  }
-};
 
 std::vector<Eigen::Vector2d> along_and_across(std::span<const Eigen::Vector2d> points) {
   const PrincipalAxes axes = principal_axes(points);
@@ -52,10 +27,10 @@ std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
   // of the three parameters of the second line and its place, for edge pixels that are correlated
   constexpr double kSignificant = 60.0;
   const std::vector<Eigen::Vector2d> x = along_and_across(points);
-  Sums all;
+  LineSums all;
   for (const Eigen::Vector2d& p : x) all += p;
   const double one_line = all.residual();
-  Sums first;
+  LineSums first;
   double least = one_line;
   std::optional<std::size_t> cut;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "reconstruct/extract/edge_chains.h"
 #include "reconstruct/extract/edge_detection.h"
 #include "reconstruct/extract/edge_segments.h"
+#include "reconstruct/extract/junctions.h"
 #include "reconstruct/extract/line_tracer.h"
 #include "reconstruct/extract/opencv_detectors.h"
 #include "reconstruct/extract/separate_edges.h"
@@ -102,8 +103,8 @@ std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
 std::vector<DetectedEdge> our_edges(const cv::Mat& image, const ExtractOptions& options) {
   const cv::Mat colours = options.colour_boosting ? colour_boosted(image) : image;
   const GradientImage gradient = gradient_image(colours, options);
-  std::vector<DetectedEdge> edges =
-      traced_edges(detected_pieces(colours, gradient.noise, options), gradient, options);
+  std::vector<DetectedEdge> edges = cut_at_junctions(
+      traced_edges(detected_pieces(colours, gradient.noise, options), gradient, options), options);
   return options.separate_edges ? separate_edges(std::move(edges), image) : edges;
 }
 

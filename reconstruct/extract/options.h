@@ -19,16 +19,17 @@ Detector detector_named(std::string_view name);
 struct ExtractOptions {
   Detector detector = Detector::kOurs;
 
-  int diffusion_levels = 3;          ///< of the non-linear diffusion before detection; 0: none
-  double diffusion_lambda = 2.0;     ///< edges this much stronger than the noise stop it
-  bool colour_boosting = false;      ///< detect in decorrelated colour derivatives
-  double gradient_sigma_px = 0.8;    ///< more loses close edges, less is noisier
-  double low_noise_factor = 1.0;     ///< of a pixel of an edge
-  double high_noise_factor = 2.0;    ///< of the strongest pixel of an edge
-  double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
-  double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
-  double min_bend_px = 0.2;          ///< an edge is cut where two lines fit better by this
-  double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
+  int diffusion_levels = 3;            ///< of the non-linear diffusion before detection; 0: none
+  double diffusion_lambda = 2.0;       ///< edges this much stronger than the noise stop it
+  bool colour_boosting = false;        ///< detect in decorrelated colour derivatives
+  double gradient_sigma_px = 0.8;      ///< more loses close edges, less is noisier
+  double low_noise_factor = 1.0;       ///< of a pixel of an edge
+  double high_noise_factor = 2.0;      ///< of the strongest pixel of an edge
+  double max_lambda_min_px2 = 0.15;    ///< straightness: variance across the line
+  double max_deviation_px = 1.0;       ///< straightness: largest distance from the line
+  double min_bend_px = 0.2;            ///< an edge is cut where two lines fit better by this
+  double min_junction_bend_px = 0.05;  ///< the same where another edge ends on it
+  double max_gap_px = 10.0;            ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
   bool separate_edges = true;  ///< resolve edges that blur into one
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
@@ -61,6 +62,8 @@ struct ExtractOptions {
               "straightness: largest distance of an edge pixel from the line"},
         Field{"min_bend_px", &O::min_bend_px, 0.0, 100.0,
               "an edge is cut where two lines fit better than one by this, root mean square"},
+        Field{"min_junction_bend_px", &O::min_junction_bend_px, 0.0, 100.0,
+              "the same where another edge ends on it"},
         Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,
               "an edge that continues beyond a gap up to this is one segment"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"},

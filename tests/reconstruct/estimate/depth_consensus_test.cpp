@@ -61,16 +61,22 @@ TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
 TEST(DepthConsensus, IsNotOutvotedByPointsOfOneFalseSurface) {
   LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
   for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
-  ReconstructOptions decide;
-  decide.min_depth_margin = 0.0;
-  const ReconstructedLine line = group.reconstruct(decide)[0];
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  ASSERT_EQ(line.status, Status::kJoint);
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
 }
 
+/// A line that meets nothing and of which the ends in both images show the height and another one.
+LineGroup with_ends_that_disagree(double other_m) {
+  LineGroup group = make_group(eave(0.5), {});
+  const Eigen::Vector2d end = group.segments[0][0].segment.end;
+  group.segments[1][0].segment.end =
+      project(group.scene.cameras[1], group.scene.at_height(end, other_m));
+  return group;
+}
+
 TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
-  LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
-  for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = with_ends_that_disagree(3.0).reconstruct(ReconstructOptions{})[0];
   EXPECT_EQ(line.status, Status::kAmbiguousDepth);
   EXPECT_FALSE(line.segment_in_local);
   EXPECT_FALSE(line.covariance_m2);
@@ -135,40 +141,63 @@ TEST(DepthConsensus, TakesALineWithoutPointsFromItsEnds) {
   EXPECT_LT(worst_error_m(group, line), kAssumedM);
 }
 
-TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
-  const Segment3 line = make_segment(kScene, eave(0.5));
-  const std::array<Segment2, 2> images = kScene.images(line);
+/// One line alone, and evidence on it.
+struct LoneLine {
   StereoLines lines;
-  lines.stereo = condition(kScene.cameras, {std::span(&images[0], 1), std::span(&images[1], 1)});
-  std::array<ObservedLine, 2>& observed = lines.lines.emplace_back();
-  for (std::size_t j = 0; j < 2; ++j) {
-    observed[j] = observe(lines.stereo.views[j], test::exact(images[j], {}), LineCovariance::kEq1);
+  std::array<Segment2, 2> images;
+
+  LoneLine() : images(kScene.images(make_segment(kScene, eave(0.5)))) {
+    lines.stereo = condition(kScene.cameras, {std::span(&images[0], 1), std::span(&images[1], 1)});
+    std::array<ObservedLine, 2>& observed = lines.lines.emplace_back();
+    for (std::size_t j = 0; j < 2; ++j) {
+      observed[j] =
+          observe(lines.stereo.views[j], test::exact(images[j], {}), LineCovariance::kEq1);
+    }
   }
-  const ObjectConditioning& object = lines.stereo.object;
-  const auto evidence_at = [&](double parameter, double z_m) {
+
+  /// A point seen at a parameter of the left segment, at this height.
+  [[nodiscard]] DepthEvidence evidence_at(double parameter, double z_m) const {
+    const ObjectConditioning& object = lines.stereo.object;
     const Eigen::Vector2d x = images[0].start + parameter * (images[0].end - images[0].start);
     const double sigma = 0.05 / object.scale_m;
-    return DepthEvidence{object.conditioned_from_local(kScene.at_height(x, z_m)),
-                         sigma * sigma * Eigen::Matrix3d::Identity(), parameter, 0.5};
-  };
-  const std::vector<DepthEvidence> evidence{evidence_at(0.1, kHeightM), evidence_at(0.2, 0.0)};
+    return {object.conditioned_from_local(kScene.at_height(x, z_m)),
+            sigma * sigma * Eigen::Matrix3d::Identity(), parameter, 0.5};
+  }
+};
+
+TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
+  const LoneLine line;
+  const std::vector<DepthEvidence> evidence{line.evidence_at(0.1, kHeightM),
+                                            line.evidence_at(0.2, 0.0)};
   for (const std::size_t right : {0U, 1U}) {
     const std::vector<double> nearby{evidence[right].x.z()};
-    const auto consensus = agree_on_depth(lines, 0, evidence, nearby, {});
+    const auto consensus = agree_on_depth(line.lines, 0, evidence, nearby, {});
     ASSERT_TRUE(consensus);
     EXPECT_TRUE(consensus->horizontal);
     EXPECT_TRUE(consensus->supports[right]);
     EXPECT_FALSE(consensus->supports[1 - right]);
   }
-  EXPECT_FALSE(agree_on_depth(lines, 0, {}, {}, {}));
+  EXPECT_FALSE(agree_on_depth(line.lines, 0, {}, {}, {}));
+}
+
+TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
+  const LoneLine line;
+  std::vector<DepthEvidence> evidence{line.evidence_at(0.1, 0.0), line.evidence_at(0.2, kHeightM)};
+  for (DepthEvidence& e : evidence) e.meeting = 1.0;
+  const auto consensus = agree_on_depth(line.lines, 0, evidence, {}, {});
+  ASSERT_TRUE(consensus);
+  EXPECT_FALSE(consensus->supports[0]);
+  EXPECT_TRUE(consensus->supports[1]);
+  EXPECT_GT(consensus->margin, ReconstructOptions{}.min_depth_margin);
+  // without a say in what hides what, neither is better
+  for (DepthEvidence& e : evidence) e.meeting = 0.0;
+  EXPECT_LT(agree_on_depth(line.lines, 0, evidence, {}, {})->margin,
+            ReconstructOptions{}.min_depth_margin);
 }
 
 TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
   constexpr double kOtherM = 3.0;  // height that the ends of both images would show
-  LineGroup group = make_group(eave(0.5), {});
-  const Eigen::Vector2d end = group.segments[0][0].segment.end;
-  group.segments[1][0].segment.end =
-      project(group.scene.cameras[1], group.scene.at_height(end, kOtherM));
+  const LineGroup group = with_ends_that_disagree(kOtherM);
   for (const double height_m : {kHeightM, kOtherM}) {
     LineGroup with = group;
     const Eigen::Vector2d beside = kScene.left_centre() + Eigen::Vector2d(0.0, 40.0);

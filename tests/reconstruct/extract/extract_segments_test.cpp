@@ -71,6 +71,37 @@ TEST(ExtractSegments, TheBrighterSideIsOnTheRight) {
   EXPECT_NEAR(segments[0].right.grey, 1.0F, 1e-6F);
 }
 
+/// Four roofs, each with an eave above and below two verges that rise by 0.3 px to the ridge, on both
+/// sides of which the roof has other colours, if there is a ridge.
+cv::Mat gables(bool with_ridge) {
+  constexpr double kBlurPx = 0.8;
+  const auto below = [](double x) { return test::normal_below(x / kBlurPx); };
+  cv::Mat raw(160, 160, CV_8UC1);
+  for (int y = 0; y < raw.rows; ++y) {
+    for (int x = 0; x < raw.cols; ++x) {
+      const double verge_px = 80.0 - 0.3 * (1.0 - std::abs(x - 80.0) / 60.0);
+      const double roof =
+          below(x - 20.0) * below(140.0 - x) * below(y - 20.0) * below(verge_px - y);
+      const double colour = 70.0 + (with_ridge ? 30.0 * below(x - 80.0) : 0.0);
+      raw.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(90.0 + roof * colour);
+    }
+  }
+  return cv::repeat(raw, 2, 2);
+}
+
+std::size_t n_along_x(const std::vector<EdgeSegment>& segments) {
+  return static_cast<std::size_t>(
+      std::count_if(segments.begin(), segments.end(), [](const EdgeSegment& s) {
+        const Eigen::Vector2d along = s.in_image.end - s.in_image.start;
+        return std::abs(along.x()) > std::abs(along.y());
+      }));
+}
+
+TEST(ExtractSegments, TheVergesOfAGableAreTwoSegments) {
+  EXPECT_EQ(n_along_x(extract(gables(true))), 4U * 3U);
+  EXPECT_EQ(n_along_x(extract(gables(false))), 4U * 2U);
+}
+
 TEST(ExtractSegments, SixteenBitsOfWhichTwelveAreUsedGiveTheSame) {
   const test::BlurredScene scene = test::blurred_scene(2, {.size_px = 300});
   cv::Mat deep;
