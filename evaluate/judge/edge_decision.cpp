@@ -120,21 +120,49 @@ std::string percent(double share) {
   return text.str();
 }
 
+/// Comes close enough to the line to have its edge there.
+bool is_near(const CandidatePlane& plane, const JudgeOptions& options) {
+  return !plane.low_object && plane.nearest_m <= options.step_offset_m;
+}
+
+/// Whether surfaces above a plane accompany the line in turns, none of them alone: it runs over the
+/// eaves of several roofs and is the edge of no one surface.
+bool runs_over_several(std::span<const CandidatePlane> candidates,
+                       const CandidatePlane& chosen,
+                       double least_coverage,
+                       const Footprint& footprint,
+                       const JudgeOptions& options) {
+  constexpr double kAbove_m = 2.0;  // cars, hedges and walls are lower
+  const double reach_m = 0.5 * options.corridor_half_width_m;
+  std::vector<ZonePoint> above;
+  for (const CandidatePlane& plane : candidates) {
+    const double step_m = height_at(plane.fit.plane, footprint.middle()) -
+                          height_at(chosen.fit.plane, footprint.middle());
+    if (!is_near(plane, options) || step_m < kAbove_m) continue;
+    above.insert(above.end(), plane.beside.begin(), plane.beside.end());
+  }
+  return coverage_along(above, footprint.length_m, reach_m) >= least_coverage;
+}
+
+/// Least coverage of a plane that judges: that of most of those near the line.
+double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOptions& options) {
+  // a parked car beside a marking is upper, but accompanies only a part of it
+  constexpr double kOfBest = 0.75;
+  double best = 0.0;
+  for (const CandidatePlane& p : candidates) {
+    best = std::max(best, is_near(p, options) ? p.coverage : 0.0);
+  }
+  return std::max(options.min_coverage, kOfBest * best);
+}
+
 /// The candidates that accompany the line and come close to it, the uppermost first.
 std::vector<std::size_t> planes_along(std::span<const CandidatePlane> candidates,
                                       const Footprint& footprint,
                                       const JudgeOptions& options) {
-  // a parked car beside a marking is upper, but accompanies only a part of it
-  constexpr double kOfBest = 0.75;
-  const auto near = [&](const CandidatePlane& p) {
-    return !p.low_object && p.nearest_m <= options.step_offset_m;
-  };
-  double best = 0.0;
-  for (const CandidatePlane& p : candidates) best = std::max(best, near(p) ? p.coverage : 0.0);
-  const double least = std::max(options.min_coverage, kOfBest * best);
+  const double least = least_coverage(candidates, options);
   std::vector<std::size_t> along;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (near(candidates[i]) && candidates[i].coverage >= least) along.push_back(i);
+    if (is_near(candidates[i], options) && candidates[i].coverage >= least) along.push_back(i);
   }
   const auto height = [&](std::size_t i) {
     return height_at(candidates[i].fit.plane, footprint.middle());
@@ -205,6 +233,14 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
     }
   }
   const std::size_t chosen = plane_of_step(candidates, along, images, decision.flags);
+  if (along.size() == 1 &&
+      runs_over_several(candidates, candidates[chosen], least_coverage(candidates, options),
+                        footprint, options)) {
+    decision.status = Status::kAmbiguous;
+    decision.reason =
+        "several surfaces above accompany the line in turns, none of them along it all";
+    return decision;
+  }
   if (on_both_sides(candidates[chosen], options)) decision.flags.emplace_back("merged");
   decision.status = Status::kEvaluated;
   decision.kind = Kind::kStep;

@@ -17,7 +17,8 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr double kReach_px = 4.0;  ///< an edge ends a little before the one that it meets
+constexpr double kReach_px = 6.0;      ///< an edge ends a little before the one that it meets
+constexpr double kShortestPart = 2.5;  ///< of min_length_px: short parts are matched badly
 constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
 
 /// An end of an edge.
@@ -124,13 +125,14 @@ std::vector<Run> runs_between(const Points& points,
                               const ExtractOptions& options) {
   std::vector<Run> runs(1);
   const Eigen::Vector2d normal(-axes.along.y(), axes.along.x());
+  const double shortest_px = kShortestPart * options.min_length_px;
   const auto apart = [&](std::size_t a, std::size_t b) { return (points[a] - points[b]).norm(); };
   auto next = junctions.begin();
   for (std::size_t i = 0; i < points.size(); ++i) {
     while (next != junctions.end() && *next < i) ++next;
     const bool cut = next != junctions.end() && *next == i &&
-                     apart(i, runs.back().first) >= options.min_length_px &&
-                     apart(i, points.size() - 1) >= options.min_length_px;
+                     apart(i, runs.back().first) >= shortest_px &&
+                     apart(i, points.size() - 1) >= shortest_px;
     if (cut) runs.push_back({i, i, {}});
     const Eigen::Vector2d x = points[i] - axes.centroid;
     runs.back().sums += Eigen::Vector2d(axes.along.dot(x), normal.dot(x));

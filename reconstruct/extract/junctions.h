@@ -15,7 +15,7 @@ namespace ridgeline::reconstruct {
 ///
 /// An edge is cut at all its junctions, and neighbouring parts are joined again, those first that one
 /// line fits best, while two do not fit better than one by min_junction_bend_px (root mean square)
-/// and by more than the scatter explains. Parts are min_length_px long at least.
+/// and by more than the scatter explains. Parts are 2.5 times min_length_px long at least.
 std::vector<DetectedEdge> cut_at_junctions(std::vector<DetectedEdge> edges,
                                            const ExtractOptions& options);
 

@@ -108,6 +108,29 @@ TEST(DecideEdge, CallsTwoPlanesOfOneHeightThatDoNotMeetAlongTheLineAmbiguous) {
   EXPECT_EQ(decide_edge(planes, kLine, {}).status, Status::kAmbiguous);
 }
 
+TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguous) {
+  const auto lower = [](double, double t) { return 6.0 - 0.5 * t; };
+  const auto with_second_roof_from = [&](double s_from) {
+    const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
+                                             candidate(left_slope, 0, 1.5, 0.0, 5.0),
+                                             candidate(lower, 0, 1.5, s_from, 10.0)};
+    return decide_edge(planes, kLine, {});
+  };
+  EXPECT_EQ(with_second_roof_from(5.25).status, Status::kAmbiguous);
+  // a shed beside a part of a line on the ground does not make it an edge of the shed
+  const EdgeDecision beside_sheds = with_second_roof_from(9.75);
+  EXPECT_EQ(beside_sheds.status, Status::kEvaluated);
+  EXPECT_EQ(beside_sheds.planes, (std::vector<std::size_t>{0}));
+}
+
+TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
+  const auto car = [](double, double) { return 1.5; };
+  const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
+                                           candidate(car, 0, 1.5, 0.0, 4.5),
+                                           candidate(car, 0, 1.5, 5.5, 10.0)};
+  EXPECT_EQ(decide_edge(planes, kLine, {}).planes, (std::vector<std::size_t>{0}));
+}
+
 TEST(DecideEdge, SaysThatThereIsNoPlane) {
   const EdgeDecision decision = decide_edge({}, kLine, {});
   EXPECT_EQ(decision.status, Status::kNoPlane);

@@ -60,7 +60,7 @@ TEST(CutAtJunctions, TheVergesOfAGableApartBelowItsRidge) {
 
 TEST(CutAtJunctions, NotWhereNoEdgeEnds) {
   EXPECT_THAT(begins(cut_at_junctions({edge(gable)}, {})), ElementsAre(0.0));
-  EXPECT_THAT(begins(cut_at_junctions({edge(gable), stem(kRidgeAt, 6.0)}, {})), ElementsAre(0.0));
+  EXPECT_THAT(begins(cut_at_junctions({edge(gable), stem(kRidgeAt, 8.0)}, {})), ElementsAre(0.0));
 }
 
 TEST(CutAtJunctions, NotAStraightEdge) {
