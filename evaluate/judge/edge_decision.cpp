@@ -125,25 +125,6 @@ bool is_near(const CandidatePlane& plane, const JudgeOptions& options) {
   return !plane.low_object && plane.nearest_m <= options.step_offset_m;
 }
 
-/// Whether surfaces above a plane accompany the line in turns, none of them alone: it runs over the
-/// eaves of several roofs and is the edge of no one surface.
-bool runs_over_several(std::span<const CandidatePlane> candidates,
-                       const CandidatePlane& chosen,
-                       double least_coverage,
-                       const Footprint& footprint,
-                       const JudgeOptions& options) {
-  constexpr double kAbove_m = 2.0;  // cars, hedges and walls are lower
-  const double reach_m = 0.5 * options.corridor_half_width_m;
-  std::vector<ZonePoint> above;
-  for (const CandidatePlane& plane : candidates) {
-    const double step_m = height_at(plane.fit.plane, footprint.middle()) -
-                          height_at(chosen.fit.plane, footprint.middle());
-    if (!is_near(plane, options) || step_m < kAbove_m) continue;
-    above.insert(above.end(), plane.beside.begin(), plane.beside.end());
-  }
-  return coverage_along(above, footprint.length_m, reach_m) >= least_coverage;
-}
-
 /// Least coverage of a plane that judges: that of most of those near the line.
 double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOptions& options) {
   // a parked car beside a marking is upper, but accompanies only a part of it
@@ -153,6 +134,33 @@ double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOpt
     best = std::max(best, is_near(p, options) ? p.coverage : 0.0);
   }
   return std::max(options.min_coverage, kOfBest * best);
+}
+
+/// Margin by which the images tell two planes apart, in chi-square units (system.md 13.6).
+constexpr double kImageMargin = 4.0;
+
+/// Whether surfaces above a plane accompany the line in turns, none of them alone, and the images do
+/// not show that it is the plane's: it runs over the eaves of several roofs and is the edge of no
+/// one surface.
+bool runs_over_several(std::span<const CandidatePlane> candidates,
+                       const CandidatePlane& chosen,
+                       const Footprint& footprint,
+                       const JudgeOptions& options,
+                       const ImageEvidence& images) {
+  constexpr double kAbove_m = 2.0;  // cars, hedges and walls are lower
+  const double reach_m = 0.5 * options.corridor_half_width_m;
+  std::vector<ZonePoint> above;
+  double least_cost = HUGE_VAL;
+  for (const CandidatePlane& plane : candidates) {
+    const double step_m = height_at(plane.fit.plane, footprint.middle()) -
+                          height_at(chosen.fit.plane, footprint.middle());
+    if (!is_near(plane, options) || step_m < kAbove_m) continue;
+    above.insert(above.end(), plane.beside.begin(), plane.beside.end());
+    least_cost = std::min(least_cost, image_cost(images, plane.fit.plane));
+  }
+  return coverage_along(above, footprint.length_m, reach_m) >=
+             least_coverage(candidates, options) &&
+         image_cost(images, chosen.fit.plane) > least_cost - kImageMargin;
 }
 
 /// The candidates that accompany the line and come close to it, the uppermost first.
@@ -193,13 +201,12 @@ std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
     flags.emplace_back("upper_plane");
     return along[0];
   }
-  constexpr double kMargin = 4.0;  // chi-square units (system.md 13.6)
   std::vector<std::pair<double, std::size_t>> costs;
   costs.reserve(along.size());
   for (const std::size_t i : along)
     costs.emplace_back(image_cost(*images, candidates[i].fit.plane), i);
   std::sort(costs.begin(), costs.end());
-  if (costs[1].first - costs[0].first > kMargin) return costs[0].second;
+  if (costs[1].first - costs[0].first > kImageMargin) return costs[0].second;
   flags.emplace_back("plane_ambiguous");
   return along[0];
 }
@@ -233,9 +240,8 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
     }
   }
   const std::size_t chosen = plane_of_step(candidates, along, images, decision.flags);
-  if (along.size() == 1 &&
-      runs_over_several(candidates, candidates[chosen], least_coverage(candidates, options),
-                        footprint, options)) {
+  if (along.size() == 1 && images &&
+      runs_over_several(candidates, candidates[chosen], footprint, options, *images)) {
     decision.status = Status::kAmbiguous;
     decision.reason =
         "several surfaces above accompany the line in turns, none of them along it all";

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/edge_decision.h"
 
+#include "evaluate/judge/image_evidence.h"
+#include "reconstruct/geometry/epipolar.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -108,19 +111,30 @@ TEST(DecideEdge, CallsTwoPlanesOfOneHeightThatDoNotMeetAlongTheLineAmbiguous) {
   EXPECT_EQ(decide_edge(planes, kLine, {}).status, Status::kAmbiguous);
 }
 
-TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguous) {
+/// Both images of a segment from 800 m, B/H 0.26, GSD 8 cm.
+ImageEvidence seen(const Segment3& segment) {
+  ImageEvidence images;
+  for (const std::size_t j : {0U, 1U}) {
+    ProjectionMatrix& p = images.image_from_local[j];
+    p << 10000, 0, 0, j == 0 ? 1e6 : -1.08e6, 0, -10000, 0, 0, 0, 0, -1, 800;
+    images.segments_px[j] = project(p, segment);
+  }
+  images.height_range_m = {-10.0, 30.0};
+  return images;
+}
+
+TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguousUnlessTheImagesShowTheGround) {
   const auto lower = [](double, double t) { return 6.0 - 0.5 * t; };
-  const auto with_second_roof_from = [&](double s_from) {
+  const auto decide = [&](double second_roof_from, double seen_at_m) {
     const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
                                              candidate(left_slope, 0, 1.5, 0.0, 5.0),
-                                             candidate(lower, 0, 1.5, s_from, 10.0)};
-    return decide_edge(planes, kLine, {});
+                                             candidate(lower, 0, 1.5, second_roof_from, 10.0)};
+    return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
   };
-  EXPECT_EQ(with_second_roof_from(5.25).status, Status::kAmbiguous);
+  EXPECT_EQ(decide(5.25, 9.0).status, Status::kAmbiguous);
+  EXPECT_EQ(decide(5.25, 0.0).planes, (std::vector<std::size_t>{0}));
   // a shed beside a part of a line on the ground does not make it an edge of the shed
-  const EdgeDecision beside_sheds = with_second_roof_from(9.75);
-  EXPECT_EQ(beside_sheds.status, Status::kEvaluated);
-  EXPECT_EQ(beside_sheds.planes, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(decide(9.75, 9.0).planes, (std::vector<std::size_t>{0}));
 }
 
 TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
@@ -128,7 +142,8 @@ TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
   const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
                                            candidate(car, 0, 1.5, 0.0, 4.5),
                                            candidate(car, 0, 1.5, 5.5, 10.0)};
-  EXPECT_EQ(decide_edge(planes, kLine, {}).planes, (std::vector<std::size_t>{0}));
+  const ImageEvidence marking = seen({{0, 0, 0.3}, {10, 0, 0.3}});
+  EXPECT_EQ(decide_edge(planes, kLine, {}, marking).planes, (std::vector<std::size_t>{0}));
 }
 
 TEST(DecideEdge, SaysThatThereIsNoPlane) {
