@@ -32,9 +32,7 @@ RegressionLine line_of(const std::optional<Segment2>& segment,
 }
 
 std::optional<EdgeLines> lines_of(const DetectedEdge& edge, const PixelMap& ideal_from_image) {
-  std::vector<Eigen::Vector2d> points;
-  points.reserve(edge.trace.size());
-  for (const EdgeSample& sample : edge.trace) points.push_back(sample.position_px);
+  std::vector<Eigen::Vector2d> points = positions(edge.trace);
   EdgeLines lines{&edge.trace, line_of(edge.segment, points), {}};
   if (!ideal_from_image) {
     lines.ideal = lines.in_image;

@@ -65,9 +65,7 @@ double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
 
 /// The parts of a trace that are straight to a fraction of a pixel.
 std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptions& options) {
-  Points points;
-  points.reserve(trace.size());
-  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
+  const Points points = positions(trace);
   const std::vector<std::size_t> borders = bends(points, options);
   std::vector<EdgeTrace> parts;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {

@@ -94,13 +94,6 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
   return at;
 }
 
-Points positions(const EdgeTrace& trace) {
-  Points points;
-  points.reserve(trace.size());
-  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
-  return points;
-}
-
 /// A run of samples [first, last) and its sums.
 struct Run {
   std::size_t first = 0, last = 0;

@@ -15,13 +15,6 @@ constexpr double kMaxClaimed = 0.5;       ///< share of the samples of another t
 constexpr double kRefitGrowth = 1.2;
 constexpr double kMinRelativeStrength = 0.3;  ///< of the median of the trace
 
-std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
-  std::vector<Eigen::Vector2d> points;
-  points.reserve(trace.size());
-  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
-  return points;
-}
-
 double median_strength(const EdgeTrace& trace) {
   std::vector<double> strengths;
   for (const EdgeSample& sample : trace) strengths.push_back(sample.strength);
@@ -31,6 +24,13 @@ double median_strength(const EdgeTrace& trace) {
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(trace.size());
+  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
+  return points;
+}
 
 /// A line as a function of the axis that it is nearer to.
 struct LineTracer::Line {

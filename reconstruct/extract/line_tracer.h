@@ -22,6 +22,9 @@ struct EdgeSample {
 /// The samples of a straight edge in the order of their steps, one a step at most.
 using EdgeTrace = std::vector<EdgeSample>;
 
+/// The positions of the samples.
+std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace);
+
 /// Follows straight edges in a gradient image from where they were detected to where they end, over
 /// gaps, and measures where they run. An edge belongs to the first trace that is claimed: longer
 /// pieces are to come first, later ones of the same edge are then not traced again.

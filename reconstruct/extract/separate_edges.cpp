@@ -14,10 +14,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 Segment2 line_through(const EdgeTrace& trace) {
-  std::vector<Eigen::Vector2d> points;
-  points.reserve(trace.size());
-  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
-  const RegressionLine line = regression_line(points);
+  const RegressionLine line = regression_line(positions(trace));
   return {line.centroid + line.first * line.along, line.centroid + line.last * line.along};
 }
 
