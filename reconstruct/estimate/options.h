@@ -12,7 +12,7 @@ namespace ridgeline::reconstruct {
 enum class Method : std::uint8_t { kDirect, kJoint };
 const char* name(Method method);  ///< "direct" | "joint"
 
-/// The method of Ok et al. 2011, section 3, with one addition, `consensus`; without it, as published.
+/// The method of Ok et al. 2011, section 3, with two additions, `consensus` and `max_end_sigma_m`.
 struct ReconstructOptions {
   Method method = Method::kJoint;
   /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
@@ -32,6 +32,9 @@ struct ReconstructOptions {
   /// the paper.
   bool point_test = false;
   double max_point_omega = 10.83;  ///< chi-square, 1 degree of freedom, 99.9 %
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the
+  /// right segment: its left one continues far beyond a short right one. Not in the paper.
+  double max_end_sigma_m = 0.5;
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
@@ -72,6 +75,8 @@ struct ReconstructOptions {
         Field{"point_test", &O::point_test, false, true,
               "reject points that fail the test of their epipolar geometry"},
         Field{"max_point_omega", &O::max_point_omega, 0.0, 1e6, "limit of that test, chi-square"},
+        Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
+              "lines less certain than this at an end are given between the right ends"},
         Field{"consensus", &O::consensus, false, true,
               "use points that agree on the depth of their line; off: as published"},
         Field{"max_point_prior", &O::max_point_prior, 0.01, 0.99,
@@ -103,10 +108,11 @@ struct ReconstructOptions {
   }
 };
 
-/// Ok et al. 2011, section 3, to the letter: without `consensus`.
+/// Ok et al. 2011, section 3, to the letter: without `consensus`, all lines between their left ends.
 inline ReconstructOptions published_options() {
   ReconstructOptions options;
   options.consensus = false;
+  options.max_end_sigma_m = 1e6;
   return options;
 }
 

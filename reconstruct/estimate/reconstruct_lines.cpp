@@ -85,17 +85,36 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
+double largest_sigma_z_m(const Matrix6d& cov_m2) {
+  return std::sqrt(std::max(cov_m2(2, 2), cov_m2(5, 5)));
+}
+
+/// Whether the ends of the left segment lie so far beyond a short right one that the line is no
+/// longer known there, while between the right ends it is better known.
+bool is_extrapolated(const UncertainSegment3& left,
+                     const UncertainSegment3& right,
+                     double scale_m,
+                     const ReconstructOptions& options) {
+  const double sigma_m = scale_m * largest_sigma_z_m(left.cov);
+  return sigma_m > options.max_end_sigma_m && scale_m * largest_sigma_z_m(right.cov) < sigma_m;
+}
+
 /// Replaces the result's geometry by the part of the line between the image endpoints; false, and
 /// nothing is changed, if a camera does not see it.
 bool assign(const StereoLines& lines,
             std::size_t line,
             const UncertainLine3& estimate,
+            const ReconstructOptions& options,
             ReconstructedLine& result) {
   const std::array<View, 2>& views = lines.stereo.views;
-  const auto left = endpoints(estimate, views[0], lines.lines[line][0], views);
+  auto left = endpoints(estimate, views[0], lines.lines[line][0], views);
   if (!left) return false;
   const auto right = endpoints(estimate, views[1], lines.lines[line][1], views);
   const ObjectConditioning& object = lines.stereo.object;
+  if (right && result.line_class == LineClass::kNotAligned &&
+      is_extrapolated(*left, *right, object.scale_m, options)) {
+    left = right;
+  }
   result.segment_in_local = local_from_conditioned(object, left->segment);
   result.covariance_m2 = object.scale_m * object.scale_m * left->cov;
   result.right_segment_in_local.reset();
@@ -103,13 +122,15 @@ bool assign(const StereoLines& lines,
   return true;
 }
 
-void reconstruct_direct(const StereoLines& lines, std::size_t line, ReconstructedLine& result) {
+void reconstruct_direct(const StereoLines& lines,
+                        std::size_t line,
+                        const ReconstructOptions& options,
+                        ReconstructedLine& result) {
   const std::array<ObservedLine, 2>& observed = lines.lines[line];
   const auto estimate = intersection(observed[0].plane, observed[1].plane);
-  if (!estimate || !assign(lines, line, *estimate, result)) return;
+  if (!estimate || !assign(lines, line, *estimate, options, result)) return;
   result.status = Status::kDirect;
-  const Matrix6d& cov = *result.covariance_m2;
-  result.direct_sigma_z_m = std::sqrt(std::max(cov(2, 2), cov(5, 5)));
+  result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
 }
 
 UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& object) {
@@ -198,7 +219,7 @@ void reconstruct_joint(const StereoLines& lines,
   const std::array<UncertainPlane3, 2> planes{lines.lines[line][0].plane,
                                               lines.lines[line][1].plane};
   const auto adjusted = adjust_line(planes, points, support.sigma_slope);
-  if (!adjusted || !assign(lines, line, adjusted->line, result)) {
+  if (!adjusted || !assign(lines, line, adjusted->line, options, result)) {
     return give_up(Status::kNoIntersection, result);
   }
   result.status = joint_status(*adjusted, support);
@@ -258,7 +279,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
     ReconstructedLine& result = results[i];
     result.match = matches[i];
     classify(lines, i, options, result);
-    reconstruct_direct(lines, i, result);
+    reconstruct_direct(lines, i, options, result);
   });
   if (options.method == Method::kDirect) return results;
 

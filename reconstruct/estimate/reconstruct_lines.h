@@ -54,7 +54,8 @@ struct ReconstructedLine {
   double epipolar_angle_rad = 0.0;              ///< the smaller one of both images
   std::array<double, 2> epipolar_angles_rad{};  ///< left, right
   Status status = Status::kNoIntersection;
-  std::optional<Segment3> segment_in_local;        ///< ends seen at those of the left segment; m
+  /// m; ends seen at those of the left segment, or of the right one (max_end_sigma_m).
+  std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
   std::optional<Segment3> right_segment_in_local;  ///< the same line between the right ends
   /// Larger height sigma of the two endpoints by `direct`, whatever the method: tells weak lines

@@ -95,6 +95,27 @@ TEST(ReconstructLines, TheThresholdAngleIsStillAligned) {
   EXPECT_EQ(group.reconstruct(options)[0].line_class, LineClass::kNotAligned);
 }
 
+TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
+  constexpr double kShare = 0.12;  // of the line's length seen in the right image
+  LineGroup group = make_group(line_at(40.0), {});
+  UncertainSegment2& right = group.segments[1][0];
+  const Segment2 whole = right.segment;
+  const test::Noise noise;
+  // the direction of n edge pixels is as uncertain as n^-1.5
+  right = test::exact({whole.start, whole.start + kShare * (whole.end - whole.start)},
+                      {noise.q_px, noise.phi_rad / std::pow(kShare, 1.5), noise.e_px});
+  const double seen_m = kShare * length(group.truth[0]);
+  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kDirect);
+  EXPECT_NEAR(length(*line.segment_in_local), seen_m, 0.1);  // the scale along the line changes
+  EXPECT_LT((line.segment_in_local->start - group.truth[0].start).norm(), kRecoveredM);
+
+  const ReconstructedLine published = group.reconstruct(direct_options())[0];
+  EXPECT_NEAR(length(*published.segment_in_local), length(group.truth[0]), kRecoveredM);
+  EXPECT_GT(*published.direct_sigma_z_m, ReconstructOptions{}.max_end_sigma_m);
+  EXPECT_LT(*line.direct_sigma_z_m, 0.3 * *published.direct_sigma_z_m);
+}
+
 TEST(ReconstructLines, JointLeavesNotAlignedLinesBitwiseAsDirect) {
   test::Random random(131);
   for (int trial = 0; trial < 50; ++trial) {
