@@ -84,6 +84,13 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
   return {point.mean.hnormalized(), jacobian * point.cov * jacobian.transpose(), parameter, prior};
 }
 
+/// Whether a segment is long enough for its ends to tell a depth.
+bool has_telling_ends(const StereoLines& lines, int line, const ReconstructOptions& options) {
+  const View& base = lines.stereo.views[0];
+  const Segment2& segment = lines.lines[static_cast<std::size_t>(line)][0].segment;
+  return base.image.scale_px * length(segment) >= options.min_ends_length_px;
+}
+
 /// Whether the points are far enough apart, as a share of the segment.
 bool fix_direction(std::span<const CandidatePoint> points) {
   if (points.empty()) return false;
@@ -128,8 +135,9 @@ LineSupport line_support(const StereoLines& lines,
     if (consensus->supports[i]) agreeing.push_back(heard[i]);
   }
   LineSupport support;
-  support.ambiguous = consensus->margin < options.min_depth_margin;
   support.points = best_of_regions(agreeing, options);
+  support.ambiguous = consensus->margin < options.min_depth_margin ||
+                      (support.points.empty() && !has_telling_ends(lines, line, options));
   if (consensus->horizontal) support.sigma_slope = options.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
   if (support.points_fix_direction) return support;

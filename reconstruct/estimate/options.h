@@ -38,9 +38,12 @@ struct ReconstructOptions {
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
-  double max_point_prior = 0.7;     ///< that two lines which cross in both images meet, at W = 1
-  double end_prior = 0.75;          ///< that the ends of both segments show the same point
-  double sigma_end_px = 1.0;        ///< along the line, if they do
+  double max_point_prior = 0.7;  ///< that two lines which cross in both images meet, at W = 1
+  double end_prior = 0.75;       ///< that the ends of both segments show the same point
+  double sigma_end_px = 1.0;     ///< along the line, if they do
+  /// Lines that rest on their ends alone are at least this long: false matches of short segments have
+  /// ends that agree as well.
+  double min_ends_length_px = 15.0;
   double sigma_meeting_m = 0.1;     ///< distance of lines that meet
   double doubt_above = 0.1;         ///< that a point above the line is none: less than below it
   double horizontal_share = 0.8;    ///< of the aligned lines, before anything is known
@@ -85,6 +88,8 @@ struct ReconstructOptions {
               "consensus: prior probability that segment ends correspond"},
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
               "consensus: scatter of corresponding segment ends along the line"},
+        Field{"min_ends_length_px", &O::min_ends_length_px, 0.0, 1e4,
+              "consensus: shorter lines that no point supports are ambiguous"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 0.0, 1e3,
               "consensus: distance of lines that meet"},
         Field{"doubt_above", &O::doubt_above, 0.0, 1.0,

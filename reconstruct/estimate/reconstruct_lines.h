@@ -33,7 +33,7 @@ enum class Status : std::uint8_t {
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`
   kRankDeficient,   ///< planes and points leave a direction free: one of many lines, no covariance
   kNotConverged,    ///< the adjustment still moved after its last pass; its last line
-  kAmbiguousDepth,  ///< two depths explain the line about as well: no segment
+  kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
 };
 const char* name(Status status);  ///< "direct", "one_point", ... as in the files

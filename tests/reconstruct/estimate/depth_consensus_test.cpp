@@ -141,6 +141,16 @@ TEST(DepthConsensus, TakesALineWithoutPointsFromItsEnds) {
   EXPECT_LT(worst_error_m(group, line), kAssumedM);
 }
 
+TEST(DepthConsensus, EndsOfAShortSegmentProveNothing) {
+  SegmentSpec step = eave(0.5);
+  step.length_px = 12.0;
+  EXPECT_EQ(make_group(step, {}).reconstruct(ReconstructOptions{})[0].status,
+            Status::kAmbiguousDepth);
+  // with a point they do
+  const ReconstructedLine line = make_group(step, {{0.0, 80}}).reconstruct(ReconstructOptions{})[0];
+  EXPECT_EQ(line.status, Status::kHorizontal);
+}
+
 /// One line alone, and evidence on it.
 struct LoneLine {
   StereoLines lines;
