@@ -5,6 +5,8 @@
 #include "reconstruct/estimate/reconstruct_lines.h"
 #include "reconstruct/match/connect_matches.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <numbers>
 
@@ -21,28 +23,32 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
           frame.world_from_local(segment_in_local->end)};
 }
 
+/// The number of the match; with that of the part where it shows several lines.
+std::string line_id(std::size_t match, int part) {
+  return part == 0 ? std::to_string(match) : fmt::format("{}.{}", match, part);
+}
+
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
-                        const std::array<std::vector<UncertainSegment2>, 2>& segments,
                         const LocalFrame& frame,
                         const io::Crs& crs,
                         const std::string& method) {
   io::LineSet set;
   set.crs = crs;
   set.lines.reserve(lines.size());
+  std::size_t num_matches = 0;
   for (const reconstruct::ReconstructedLine& line : lines) {
-    const auto left = static_cast<std::size_t>(line.match.left);
-    const auto right = static_cast<std::size_t>(line.match.right);
+    if (line.part <= 1) ++num_matches;
     io::Line& out = set.lines.emplace_back();
-    out.id = std::to_string(set.lines.size() - 1);
+    out.id = line_id(num_matches - 1, line.part);
     out.segment_in_world = in_world(line.segment_in_local, frame);
     out.method = method;
     out.line_class = reconstruct::name(line.line_class);
     out.status = reconstruct::name(line.status);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
-    out.left_id = std::to_string(left);
-    out.right_id = std::to_string(right);
-    out.left_px = segments[0][left].segment;
-    out.right_px = segments[1][right].segment;
+    out.left_id = std::to_string(line.match.left);
+    out.right_id = std::to_string(line.match.right);
+    out.left_px = line.seen_px[0];
+    out.right_px = line.seen_px[1];
     out.n_points = static_cast<int>(line.points.size());
     out.n_images = 2;
     out.covariance_m2 = line.covariance_m2;
@@ -76,8 +82,8 @@ io::LineSet reconstruct_patch(const io::PatchFile& patch,
   in_patch.lowest_height_m = lowest_m;
   in_patch.highest_height_m = highest_m;
   return line_set_of(
-      reconstruct::reconstruct_lines(cameras, geometry, matches, connections, in_patch), geometry,
-      frame, patch.crs, reconstruct::name(options.method));
+      reconstruct::reconstruct_lines(cameras, geometry, matches, connections, in_patch), frame,
+      patch.crs, reconstruct::name(options.method));
 }
 
 }  // namespace ridgeline::apps

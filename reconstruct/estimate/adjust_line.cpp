@@ -106,17 +106,21 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
           .full_rank = rank == 4};
 }
 
-Vector6d start_line(std::span<const UncertainPlane3> planes, std::span<const PointOnLine> points) {
-  Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (planes.size() + points.size()), 6);
+/// The null vector of all conditions, stacked without weights; horizontality among them, because the
+/// iteration does not find it from a vertical line.
+Vector6d start_line(const LineConditions& c) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
   Eigen::Index row = 0;
-  for (const UncertainPlane3& plane : planes) {
+  for (const UncertainPlane3& plane : c.planes) {
     stacked.middleRows<4>(row) = pi_matrix(plane.mean).transpose();
     row += 4;
   }
-  for (const PointOnLine& p : points) {
+  for (const PointOnLine& p : c.points) {
     stacked.middleRows<4>(row) = pi_bar_matrix(p.point.mean).transpose();
     row += 4;
   }
+  stacked.row(row).setZero();
+  if (c.sigma_slope) stacked(row, 2) = 1.0;
   return project_to_pluecker_quadric(stacked.jacobiSvd(Eigen::ComputeFullV).matrixV().col(5));
 }
 
@@ -167,7 +171,7 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
   if (planes.size() + points.size() < 2) return std::nullopt;
 
   const LineConditions conditions{planes, points, sigma_slope};
-  Linearised current = linearise(conditions, start_line(planes, points), std::nullopt);
+  Linearised current = linearise(conditions, start_line(conditions), std::nullopt);
   if (!current.line.allFinite()) return std::nullopt;
   AdjustedLine result;
   while (result.passes < kMaxPasses && !result.converged) {

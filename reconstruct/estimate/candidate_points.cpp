@@ -17,14 +17,14 @@ double distance_to_line(const Eigen::Vector3d& point, const Eigen::Vector3d& lin
 }
 
 PairMeasures measures(const StereoLines& lines,
-                      int line,
+                      const ObservedPair& line,
                       int neighbour,
                       const ImagePoints& x,
                       const ReconstructOptions& options) {
   const std::array<Eigen::Vector3d, 2> epipolar_line{lines.right_from_left.transpose() * x[1].mean,
                                                      lines.right_from_left * x[0].mean};
   const auto in_image = [&](std::size_t j) {
-    const Segment2& a = lines.lines[static_cast<std::size_t>(line)][j].segment;
+    const Segment2& a = line[j].segment;
     const Segment2& b = lines.lines[static_cast<std::size_t>(neighbour)][j].segment;
     const double scale_px = lines.stereo.views[j].image.scale_px;
     return PairMeasures{
@@ -34,25 +34,18 @@ PairMeasures measures(const StereoLines& lines,
   return combine({in_image(0), in_image(1)}, options);
 }
 
-/// Parameter of a point along the segment's line, 0 at the start and 1 at the end.
-double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
-  const Eigen::Vector2d direction = segment.end - segment.start;
-  return direction.dot(x - segment.start) / direction.squaredNorm();
-}
-
 bool passes_test(const EstimatedPoint& estimated, const ReconstructOptions& options) {
   return !options.point_test || estimated.omega <= options.max_point_omega;
 }
 
 std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
-                                              int line,
+                                              const ObservedPair& line,
                                               int neighbour,
                                               const ReconstructOptions& options) {
-  const std::array<ObservedLine, 2>& own = lines.lines[static_cast<std::size_t>(line)];
-  const std::array<ObservedLine, 2>& mate = lines.lines[static_cast<std::size_t>(neighbour)];
+  const ObservedPair& mate = lines.lines[static_cast<std::size_t>(neighbour)];
   ImagePoints x;
   for (std::size_t j = 0; j < 2; ++j) {
-    x[j] = spherically_normalised(cross(own[j].line, mate[j].line));  // Eq. 2
+    x[j] = spherically_normalised(cross(line[j].line, mate[j].line));  // Eq. 2
   }
   const double weight = point_weight(measures(lines, line, neighbour, x, options), options);
   if (weight <= 0.0) return std::nullopt;
@@ -65,11 +58,16 @@ std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
       !passes_test(*estimated, options)) {
     return std::nullopt;
   }
-  const double parameter = parameter_along(own[0].segment, x[0].mean.hnormalized());
+  const double parameter = parameter_along(line[0].segment, x[0].mean.hnormalized());
   return CandidatePoint{*estimated, {parameter, weight, estimated->omega, neighbour}};
 }
 
 }  // namespace
+
+double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
+  const Eigen::Vector2d direction = segment.end - segment.start;
+  return direction.dot(x - segment.start) / direction.squaredNorm();
+}
 
 bool plausible(const StereoLines& lines,
                const Eigen::Vector4d& x,
@@ -82,7 +80,7 @@ bool plausible(const StereoLines& lines,
 }
 
 std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
-                                             int line,
+                                             const ObservedPair& line,
                                              std::span<const int> neighbours,
                                              const ReconstructOptions& options) {
   std::vector<CandidatePoint> points;

@@ -17,8 +17,8 @@ namespace ridgeline::reconstruct {
 /// The matched lines of a stereo pair in the conditioned frames, ready for estimation.
 struct StereoLines {
   StereoViews stereo;
-  Eigen::Matrix3d right_from_left;                 ///< fundamental matrix of the conditioned images
-  std::vector<std::array<ObservedLine, 2>> lines;  ///< by match: left, right
+  Eigen::Matrix3d right_from_left;  ///< fundamental matrix of the conditioned images
+  std::vector<ObservedPair> lines;  ///< by match
 };
 
 /// An artificial point with what its selection needs.
@@ -26,6 +26,9 @@ struct CandidatePoint {
   EstimatedPoint estimated;
   RankedPoint ranked;
 };
+
+/// Parameter of a point along the segment's line, 0 at the start and 1 at the end.
+double parameter_along(const Segment2& segment, const Eigen::Vector2d& x);
 
 /// Whether a point of the conditioned frame lies in front of both cameras and within the heights.
 bool plausible(const StereoLines& lines,
@@ -37,7 +40,7 @@ bool plausible(const StereoLines& lines,
 /// zero, undetermined, behind a camera, outside the range of heights or, with `point_test`, failing
 /// it.
 std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
-                                             int line,
+                                             const ObservedPair& line,
                                              std::span<const int> neighbours,
                                              const ReconstructOptions& options);
 

@@ -48,10 +48,9 @@ Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_
 
 /// Whether the right segment runs the other way than the left one, by whatever rule the segments
 /// were directed.
-bool runs_back(const StereoLines& lines, int line) {
-  const std::array<ObservedLine, 2>& observed = lines.lines[static_cast<std::size_t>(line)];
-  const Segment2& left = observed[0].segment;
-  const Segment2& right = observed[1].segment;
+bool runs_back(const StereoLines& lines, const ObservedPair& line) {
+  const Segment2& left = line[0].segment;
+  const Segment2& right = line[1].segment;
   const Eigen::Vector2d expected =
       on_level(lines.stereo, left.end) - on_level(lines.stereo, left.start);
   return expected.dot(right.end - right.start) < 0.0;
@@ -60,14 +59,14 @@ bool runs_back(const StereoLines& lines, int line) {
 /// The point that the starts (0) or the ends (1) of both segments show; empty if none before the
 /// cameras and within the heights.
 std::optional<UncertainPoint3> end_in_object(const StereoLines& lines,
-                                             int line,
+                                             const ObservedPair& line,
                                              int which,
                                              const ReconstructOptions& options) {
   const bool back = runs_back(lines, line);
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const View& view = lines.stereo.views[j];
-    const ObservedLine& observed = lines.lines[static_cast<std::size_t>(line)][j];
+    const ObservedLine& observed = line[j];
     const bool at_start = (which == 0) != (back && j == 1);
     const Eigen::Vector2d& end = at_start ? observed.segment.start : observed.segment.end;
     observations.push_back(
@@ -85,10 +84,11 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
 }
 
 /// Whether a segment is long enough for its ends to tell a depth.
-bool has_telling_ends(const StereoLines& lines, int line, const ReconstructOptions& options) {
-  const View& base = lines.stereo.views[0];
-  const Segment2& segment = lines.lines[static_cast<std::size_t>(line)][0].segment;
-  return base.image.scale_px * length(segment) >= options.min_ends_length_px;
+bool has_telling_ends(const StereoLines& lines,
+                      const ObservedPair& line,
+                      const ReconstructOptions& options) {
+  return lines.stereo.views[0].image.scale_px * length(line[0].segment) >=
+         options.min_ends_length_px;
 }
 
 /// Whether the points are far enough apart, as a share of the segment.
@@ -101,50 +101,133 @@ bool fix_direction(std::span<const CandidatePoint> points) {
   return high->ranked.parameter - low->ranked.parameter >= kSmallestBase;
 }
 
-}  // namespace
+/// Where a match crosses another one, in both images.
+std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const ObservedPair& other) {
+  return {line[0].line.mean.cross(other[0].line.mean).hnormalized(),
+          line[1].line.mean.cross(other[1].line.mean).hnormalized()};
+}
 
-LineSupport line_support(const StereoLines& lines,
-                         int line,
-                         std::span<const int> neighbours,
-                         std::span<const double> heights_nearby,
-                         const ReconstructOptions& options) {
-  const std::vector<CandidatePoint> candidates = candidate_points(lines, line, neighbours, options);
-  if (!options.consensus) return {best_of_regions(candidates, options), {}, std::nullopt};
-
-  std::vector<DepthEvidence> evidence;
-  std::vector<CandidatePoint> heard;
-  for (const CandidatePoint& c : candidates) {
-    if (!(c.ranked.weight > options.min_weight)) continue;
-    heard.push_back(c);
-    evidence.push_back(evidence_of(c.estimated.point, c.ranked.parameter,
-                                   options.max_point_prior * c.ranked.weight));
-    evidence.back().meeting = c.ranked.weight;
+/// Whether the match may be cut where it meets another one: the parts are long enough in both images.
+bool may_cut(const StereoLines& lines,
+             const ObservedPair& line,
+             const CandidatePoint& at,
+             const ReconstructOptions& options) {
+  if (at.ranked.weight < options.min_cut_weight) return false;
+  const auto x = crossing(line, lines.lines[static_cast<std::size_t>(at.ranked.neighbour)]);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double shortest = options.min_cut_length_px / lines.stereo.views[j].image.scale_px;
+    const double to_end =
+        std::min((x[j] - line[j].segment.start).norm(), (x[j] - line[j].segment.end).norm());
+    if (!(distance(line[j].segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
   }
+  return true;
+}
+
+/// A match with the artificial points that are good enough to be heard, and what its ends show.
+struct Heard {
+  const StereoLines& lines;
+  const ObservedPair& line;
+  std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
+  std::vector<DepthEvidence> evidence;  ///< of the points, then of the ends
+};
+
+Heard hear(const StereoLines& lines,
+           const ObservedPair& line,
+           std::span<const int> neighbours,
+           const ReconstructOptions& options) {
+  Heard heard{lines, line, {}, {}, {}};
+  for (const CandidatePoint& c : candidate_points(lines, line, neighbours, options)) {
+    if (!(c.ranked.weight > options.min_weight)) continue;
+    heard.points.push_back(c);
+    DepthEvidence e = evidence_of(c.estimated.point, c.ranked.parameter,
+                                  options.max_point_prior * c.ranked.weight);
+    e.meeting = c.ranked.weight;
+    e.may_cut = may_cut(lines, line, c, options);
+    heard.evidence.push_back(e);
+  }
   for (const int which : {0, 1}) {
     if (const auto end = end_in_object(lines, line, which, options)) {
-      ends.push_back(*end);
-      evidence.push_back(evidence_of(*end, which, options.end_prior));
+      heard.ends.push_back(*end);
+      heard.evidence.push_back(evidence_of(*end, which, options.end_prior));
     }
   }
-  const auto consensus = agree_on_depth(lines, line, evidence, heights_nearby, options);
-  if (!consensus) return {};
+  return heard;
+}
 
-  std::vector<CandidatePoint> agreeing;
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    if (consensus->supports[i]) agreeing.push_back(heard[i]);
-  }
+/// The part of the match between the cuts.
+ObservedPair seen_part(const Heard& heard, const DepthPart& part) {
+  ObservedPair seen = heard.line;
+  const bool back = runs_back(heard.lines, heard.line);
+  const auto cut = [&](std::size_t evidence, bool at_start) {
+    const auto other = static_cast<std::size_t>(heard.points[evidence].ranked.neighbour);
+    const auto x = crossing(heard.line, heard.lines.lines[other]);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const bool starts = at_start != (back && j == 1);
+      (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
+    }
+  };
+  if (part.from) cut(*part.from, true);
+  if (part.to) cut(*part.to, false);
+  return seen;
+}
+
+LineSupport support_of(const Heard& heard,
+                       const DepthPart& part,
+                       const ReconstructOptions& options) {
   LineSupport support;
+  support.seen = seen_part(heard, part);
+  std::vector<CandidatePoint> agreeing;
+  for (const std::size_t i : part.supports) {
+    if (i >= heard.points.size()) continue;
+    agreeing.push_back(heard.points[i]);
+    RankedPoint& ranked = agreeing.back().ranked;
+    const auto x =
+        crossing(heard.line, heard.lines.lines[static_cast<std::size_t>(ranked.neighbour)]);
+    ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
+  }
   support.points = best_of_regions(agreeing, options);
-  support.ambiguous = consensus->margin < options.min_depth_margin ||
-                      (support.points.empty() && !has_telling_ends(lines, line, options));
-  if (consensus->horizontal) support.sigma_slope = options.sigma_slope;
+  if (part.horizontal) support.sigma_slope = options.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
   if (support.points_fix_direction) return support;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (consensus->supports[heard.size() + i]) support.ends.push_back({ends[i]});
+  for (const std::size_t i : part.supports) {
+    if (i >= heard.points.size()) support.ends.push_back({heard.ends[i - heard.points.size()]});
+  }
+  const bool is_cut = part.from || part.to;
+  if (support.points.empty()) {
+    support.ambiguous = is_cut || !has_telling_ends(heard.lines, heard.line, options);
+  } else {
+    support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
   }
   return support;
+}
+
+}  // namespace
+
+std::vector<LineSupport> line_support(const StereoLines& lines,
+                                      const ObservedPair& line,
+                                      std::span<const int> neighbours,
+                                      std::span<const double> heights_nearby,
+                                      const ReconstructOptions& options) {
+  if (!options.consensus) {
+    LineSupport support;
+    support.seen = line;
+    support.points = best_of_regions(candidate_points(lines, line, neighbours, options), options);
+    return {support};
+  }
+  const Heard heard = hear(lines, line, neighbours, options);
+  const auto consensus = agree_on_depth({lines, line, heard.evidence, heights_nearby, options});
+  if (!consensus) {
+    LineSupport nothing;
+    nothing.seen = line;
+    return {nothing};
+  }
+  std::vector<LineSupport> all;
+  for (const DepthPart& part : consensus->parts) {
+    all.push_back(support_of(heard, part, options));
+    if (consensus->margin < options.min_depth_margin) all.back().ambiguous = true;
+  }
+  return all;
 }
 
 }  // namespace ridgeline::reconstruct

@@ -12,8 +12,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// What an aligned line rests on beside its two projection planes.
+/// A line that an aligned match shows and what it rests on beside its two projection planes.
 struct LineSupport {
+  ObservedPair seen;                   ///< the match, or the part of it that shows the line
   std::vector<CandidatePoint> points;  ///< artificial points, one per region at most
   std::vector<PointOnLine> ends;       ///< of the segments, where the points fix no direction
   std::optional<double> sigma_slope;   ///< taken as horizontal, as the consensus is
@@ -21,13 +22,14 @@ struct LineSupport {
   bool ambiguous = false;              ///< another depth explains the line about as well
 };
 
-/// The points of highest weight in each region (Ok et al. 2011, section 3.1); with
-/// options.consensus of those that agree on the depth of the line.
+/// The line of a match and the points of highest weight in each region (Ok et al. 2011, section
+/// 3.1); with options.consensus the lines, mostly one, and the points that agree on the depth of
+/// each; see agree_on_depth().
 /// @param heights_nearby  of the ends of other lines, conditioned frame
-LineSupport line_support(const StereoLines& lines,
-                         int line,
-                         std::span<const int> neighbours,
-                         std::span<const double> heights_nearby,
-                         const ReconstructOptions& options);
+std::vector<LineSupport> line_support(const StereoLines& lines,
+                                      const ObservedPair& line,
+                                      std::span<const int> neighbours,
+                                      std::span<const double> heights_nearby,
+                                      const ReconstructOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace ridgeline::reconstruct {
@@ -102,14 +103,14 @@ bool is_extrapolated(const UncertainSegment3& left,
 /// Replaces the result's geometry by the part of the line between the image endpoints; false, and
 /// nothing is changed, if a camera does not see it.
 bool assign(const StereoLines& lines,
-            std::size_t line,
+            const ObservedPair& line,
             const UncertainLine3& estimate,
             const ReconstructOptions& options,
             ReconstructedLine& result) {
   const std::array<View, 2>& views = lines.stereo.views;
-  auto left = endpoints(estimate, views[0], lines.lines[line][0], views);
+  auto left = endpoints(estimate, views[0], line[0], views);
   if (!left) return false;
-  const auto right = endpoints(estimate, views[1], lines.lines[line][1], views);
+  const auto right = endpoints(estimate, views[1], line[1], views);
   const ObjectConditioning& object = lines.stereo.object;
   if (right && result.line_class == LineClass::kNotAligned &&
       is_extrapolated(*left, *right, object.scale_m, options)) {
@@ -122,12 +123,19 @@ bool assign(const StereoLines& lines,
   return true;
 }
 
+Segment2 in_image(const View& view, const ObservedLine& observed) {
+  return {view.image.image_from_conditioned(observed.segment.start),
+          view.image.image_from_conditioned(observed.segment.end)};
+}
+
 void reconstruct_direct(const StereoLines& lines,
-                        std::size_t line,
+                        const ObservedPair& line,
                         const ReconstructOptions& options,
                         ReconstructedLine& result) {
-  const std::array<ObservedLine, 2>& observed = lines.lines[line];
-  const auto estimate = intersection(observed[0].plane, observed[1].plane);
+  for (std::size_t j = 0; j < 2; ++j) {
+    result.seen_px[j] = in_image(lines.stereo.views[j], line[j]);
+  }
+  const auto estimate = intersection(line[0].plane, line[1].plane);
   if (!estimate || !assign(lines, line, *estimate, options, result)) return;
   result.status = Status::kDirect;
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
@@ -177,13 +185,13 @@ std::vector<KnownEnd> known_ends(const StereoLines& lines,
 }
 
 std::vector<double> heights_near(const StereoLines& lines,
-                                 std::size_t line,
+                                 const ObservedPair& line,
                                  std::span<const KnownEnd> ends,
                                  const ReconstructOptions& options) {
   const double radius = options.nearby_px / lines.stereo.views[0].image.scale_px;
   std::vector<double> heights;
   for (const KnownEnd& end : ends) {
-    if (distance(lines.lines[line][0].segment, end.x_in_left) <= radius) {
+    if (distance(line[0].segment, end.x_in_left) <= radius) {
       heights.push_back(end.height);
     }
   }
@@ -199,13 +207,9 @@ void give_up(Status why, ReconstructedLine& result) {
 
 /// Takes the result of `direct` over and replaces it where there is anything to rest on.
 void reconstruct_joint(const StereoLines& lines,
-                       std::size_t line,
-                       std::span<const int> neighbours,
-                       std::span<const KnownEnd> ends,
+                       const LineSupport& support,
                        const ReconstructOptions& options,
                        ReconstructedLine& result) {
-  const LineSupport support = line_support(lines, static_cast<int>(line), neighbours,
-                                           heights_near(lines, line, ends, options), options);
   if (support.ambiguous) return give_up(Status::kAmbiguousDepth, result);
   if (support.points.empty() && support.ends.empty()) {
     if (result.segment_in_local) result.status = Status::kNoPoints;
@@ -216,15 +220,38 @@ void reconstruct_joint(const StereoLines& lines,
     points.push_back({p.estimated.point, options.w_information ? p.ranked.weight : 1.0});
     result.points.push_back(used_point(p, lines.stereo.object));
   }
-  const std::array<UncertainPlane3, 2> planes{lines.lines[line][0].plane,
-                                              lines.lines[line][1].plane};
+  const std::array<UncertainPlane3, 2> planes{support.seen[0].plane, support.seen[1].plane};
   const auto adjusted = adjust_line(planes, points, support.sigma_slope);
-  if (!adjusted || !assign(lines, line, adjusted->line, options, result)) {
+  if (!adjusted || !assign(lines, support.seen, adjusted->line, options, result)) {
     return give_up(Status::kNoIntersection, result);
   }
   result.status = joint_status(*adjusted, support);
   result.omega = adjusted->omega;
   if (!adjusted->full_rank) result.covariance_m2.reset();
+}
+
+/// The lines of an aligned match; `direct` is its one line by that method.
+std::vector<ReconstructedLine> reconstruct_aligned(const StereoLines& lines,
+                                                   std::span<const LineSupport> parts,
+                                                   const ReconstructOptions& options,
+                                                   const ReconstructedLine& direct) {
+  std::vector<ReconstructedLine> results(parts.size(), direct);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (parts.size() > 1) {
+      results[p].part = static_cast<int>(p) + 1;
+      reconstruct_direct(lines, parts[p].seen, options, results[p]);
+    }
+    reconstruct_joint(lines, parts[p], options, results[p]);
+  }
+  return results;
+}
+
+std::vector<ReconstructedLine> flattened(std::vector<std::vector<ReconstructedLine>>& lists) {
+  std::vector<ReconstructedLine> all;
+  for (std::vector<ReconstructedLine>& list : lists) {
+    std::move(list.begin(), list.end(), std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
@@ -279,16 +306,23 @@ std::vector<ReconstructedLine> reconstruct_lines(
     ReconstructedLine& result = results[i];
     result.match = matches[i];
     classify(lines, i, options, result);
-    reconstruct_direct(lines, i, options, result);
+    reconstruct_direct(lines, lines.lines[i], options, result);
   });
   if (options.method == Method::kDirect) return results;
 
   const std::vector<KnownEnd> ends = known_ends(lines, results, options);
+  std::vector<std::vector<ReconstructedLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    if (results[i].line_class != LineClass::kAligned) return;
-    reconstruct_joint(lines, i, neighbours[i], ends, options, results[i]);
+    if (results[i].line_class != LineClass::kAligned) {
+      by_match[i] = {results[i]};
+      return;
+    }
+    const ObservedPair& line = lines.lines[i];
+    const std::vector<LineSupport> parts =
+        line_support(lines, line, neighbours[i], heights_near(lines, line, ends, options), options);
+    by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
-  return results;
+  return flattened(by_match);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -50,6 +50,10 @@ struct UsedPoint {
 
 struct ReconstructedLine {
   LineMatch match;
+  /// Number of the part from the start of the left segment, where the match was cut into several
+  /// lines (agree_on_depth()); 0 for a whole match.
+  int part = 0;
+  std::array<Segment2, 2> seen_px;  ///< the line in the left and the right image
   LineClass line_class = LineClass::kNotAligned;
   double epipolar_angle_rad = 0.0;              ///< the smaller one of both images
   std::array<double, 2> epipolar_angles_rad{};  ///< left, right
@@ -65,10 +69,11 @@ struct ReconstructedLine {
   double omega = 0.0;  ///< sum of squared normalised misclosures of the adjustment; 0 for `direct`
 };
 
-/// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), one per
-/// match and in its order: not_aligned lines by intersection of the projection planes, aligned
-/// ones, with Method::kJoint, by adjustment of these planes and the best artificial points made
-/// with the lines that they have a pair connection with.
+/// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order
+/// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with
+/// Method::kJoint, by adjustment of these planes and the best artificial points made with the lines
+/// that they have a pair connection with. One line per match, or several of an aligned one that
+/// agree_on_depth() finds to show several.
 ///
 /// @param cameras      image_from_local of the left (base) and the right image, free of error
 /// @param segments     of the left and the right image

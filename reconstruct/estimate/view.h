@@ -31,6 +31,9 @@ struct ObservedLine {
   UncertainPlane3 plane;  ///< projection plane, spherically normalised
 };
 
+/// Of a match: left (base), right.
+using ObservedPair = std::array<ObservedLine, 2>;
+
 /// Throws std::invalid_argument for a segment that uncertain_line() rejects.
 ObservedLine observe(const View& view, const UncertainSegment2& segment, LineCovariance form);
 

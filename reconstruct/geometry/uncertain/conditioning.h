@@ -31,6 +31,9 @@ struct ImageConditioning {
   [[nodiscard]] Eigen::Vector2d conditioned_from_image(const Eigen::Vector2d& x) const {
     return (x - centre_px) / scale_px;
   }
+  [[nodiscard]] Eigen::Vector2d image_from_conditioned(const Eigen::Vector2d& x) const {
+    return scale_px * x + centre_px;
+  }
 };
 
 /// (d; (m - centre x d) / scale): a line of the local frame, not normalised.

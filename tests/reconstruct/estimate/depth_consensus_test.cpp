@@ -158,11 +158,16 @@ struct LoneLine {
 
   LoneLine() : images(kScene.images(make_segment(kScene, eave(0.5)))) {
     lines.stereo = condition(kScene.cameras, {std::span(&images[0], 1), std::span(&images[1], 1)});
-    std::array<ObservedLine, 2>& observed = lines.lines.emplace_back();
+    ObservedPair& observed = lines.lines.emplace_back();
     for (std::size_t j = 0; j < 2; ++j) {
       observed[j] =
           observe(lines.stereo.views[j], test::exact(images[j], {}), LineCovariance::kEq1);
     }
+  }
+
+  [[nodiscard]] std::optional<DepthConsensus> consensus(std::span<const DepthEvidence> evidence,
+                                                        std::span<const double> nearby = {}) const {
+    return agree_on_depth({lines, lines.lines[0], evidence, nearby, ReconstructOptions{}});
   }
 
   /// A point seen at a parameter of the left segment, at this height.
@@ -181,28 +186,26 @@ TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
                                             line.evidence_at(0.2, 0.0)};
   for (const std::size_t right : {0U, 1U}) {
     const std::vector<double> nearby{evidence[right].x.z()};
-    const auto consensus = agree_on_depth(line.lines, 0, evidence, nearby, {});
+    const auto consensus = line.consensus(evidence, nearby);
     ASSERT_TRUE(consensus);
-    EXPECT_TRUE(consensus->horizontal);
-    EXPECT_TRUE(consensus->supports[right]);
-    EXPECT_FALSE(consensus->supports[1 - right]);
+    ASSERT_EQ(consensus->parts.size(), 1U);
+    EXPECT_TRUE(consensus->parts[0].horizontal);
+    EXPECT_THAT(consensus->parts[0].supports, testing::ElementsAre(right));
   }
-  EXPECT_FALSE(agree_on_depth(line.lines, 0, {}, {}, {}));
+  EXPECT_FALSE(line.consensus({}));
 }
 
 TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   const LoneLine line;
   std::vector<DepthEvidence> evidence{line.evidence_at(0.1, 0.0), line.evidence_at(0.2, kHeightM)};
   for (DepthEvidence& e : evidence) e.meeting = 1.0;
-  const auto consensus = agree_on_depth(line.lines, 0, evidence, {}, {});
+  const auto consensus = line.consensus(evidence);
   ASSERT_TRUE(consensus);
-  EXPECT_FALSE(consensus->supports[0]);
-  EXPECT_TRUE(consensus->supports[1]);
+  EXPECT_THAT(consensus->parts.at(0).supports, testing::ElementsAre(1U));
   EXPECT_GT(consensus->margin, ReconstructOptions{}.min_depth_margin);
   // without a say in what hides what, neither is better
   for (DepthEvidence& e : evidence) e.meeting = 0.0;
-  EXPECT_LT(agree_on_depth(line.lines, 0, evidence, {}, {})->margin,
-            ReconstructOptions{}.min_depth_margin);
+  EXPECT_LT(line.consensus(evidence)->margin, ReconstructOptions{}.min_depth_margin);
 }
 
 TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {

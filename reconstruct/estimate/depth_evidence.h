@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ridgeline::reconstruct {
+
+/// Points closer together along the segment than this share of it fix no direction.
+inline constexpr double kSmallestBase = 0.2;
+
+/// A point that a line may pass through, in the conditioned object frame.
+struct DepthEvidence {
+  Eigen::Vector3d x;
+  Eigen::Matrix3d cov;
+  double parameter = 0.0;  ///< along the base segment, 0 at its start and 1 at its end
+  double prior = 0.5;      ///< probability that it is on the line, before the others are heard
+  /// Weight of a point where another line seems to meet this one; 0 for what the ends of the line's
+  /// own segments show.
+  double meeting = 0.0;
+  bool may_cut = false;  ///< where the match may be cut into several lines
+};
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/estimate/depth_scorer.h"
+
+#include <optional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// One line: through any two pieces of evidence, and the horizontal one through each. Prior
+///     log(h * b(slope / sigma_slope) + (1 - h) * r(slope))      h the share of horizontal lines,
+/// with r the slopes of roofs, and of streets.
+std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
+                                            const DepthScorer& scorer);
+
+/// The two verges of a gable: up to a point where the line may be cut and down again as steeply, the
+/// slope by any other evidence. Prior gable_share * r(slope).
+std::vector<DepthProfile> gable_profiles(const DepthQuestion& question, const DepthScorer& scorer);
+
+/// The best row of horizontal lines at different heights, cut where the line may be. Prior step_share
+/// for each cut. Empty without a place to cut.
+std::optional<DepthProfile> row_profile(const DepthQuestion& question, const DepthScorer& scorer);
+
+}  // namespace ridgeline::reconstruct
