@@ -18,6 +18,7 @@ namespace {
 using Points = std::vector<Eigen::Vector2d>;
 
 constexpr double kReach_px = 6.0;      ///< an edge ends a little before the one that it meets
+constexpr double kGap_px = 3.0;        ///< a strip that crosses an edge interrupts it
 constexpr double kShortestPart = 2.5;  ///< of min_length_px: short parts are matched badly
 constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
 
@@ -63,7 +64,8 @@ class EndIndex {
   std::unordered_map<std::uint64_t, std::vector<End>> ends_;
 };
 
-/// The samples of a trace at which other edges end, in order; one of a group of neighbours.
+/// The samples of a trace at which other edges end or beyond which it is interrupted, in order; one of
+/// a group of neighbours.
 std::vector<std::size_t> junctions_of(std::size_t edge,
                                       const std::vector<DetectedEdge>& edges,
                                       const PrincipalAxes& axes,
@@ -80,6 +82,7 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
       if (offset.norm() > kReach_px || std::abs(axes.along.dot(offset)) > 1.0) return;
       touched[i] = true;
     });
+    if (i > 0 && (x - trace[i - 1].position_px).norm() > kGap_px) touched[i] = true;
   }
   std::vector<std::size_t> at;
   for (std::size_t i = 0; i < touched.size(); ++i) {
