@@ -8,6 +8,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+constexpr double kShortestStepPx = 15.0;
+
 double squared(double x) { return x * x; }
 double bell(double z) { return std::exp(-0.5 * z * z); }
 
@@ -85,6 +87,17 @@ Step best_step(const DepthQuestion& question,
     if (step.score > best.score) best = step;
   }
   return best;
+}
+
+/// Whether a step is no shorter than a house; the bonnet of a car beside a marking is.
+bool is_long_step(const DepthQuestion& question,
+                  std::optional<std::size_t> from,
+                  std::optional<std::size_t> to) {
+  const double start = from ? question.evidence[*from].parameter : 0.0;
+  const double end = to ? question.evidence[*to].parameter : 1.0;
+  const double px =
+      question.lines.stereo.views[0].image.scale_px * length(question.line[0].segment);
+  return (end - start) * px >= kShortestStepPx;
 }
 
 /// What the evidence of a cut tells beside what best_step() counted on either side of it.
@@ -167,6 +180,7 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
   for (std::size_t to = 1; to <= end; ++to) {
     for (std::size_t from = 0; from < to; ++from) {
       if (from == 0 && to == end) continue;
+      if (!is_long_step(question, cut(from), cut(to))) continue;
       const Way& before = ways[from];
       const Step step = best_step(question, scorer, cut(from), cut(to));
       double log_prior = before.log_prior;
