@@ -3,6 +3,7 @@
 
 #include "evaluate/judge/judge_line.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "tests/support/random.h"
 #include "tests/support/sampled_roof.h"
 
 #include <gmock/gmock.h>
@@ -105,6 +106,40 @@ TEST_F(OnRoof, CostOfTheRightPlaneIsThatOfThePixelNoise) {
   EXPECT_NEAR(image_cost(images, right), 0.0, 1e-12);
   // 6 to 8 m of height are 20 px of parallax across this line
   EXPECT_GT(image_cost(images, ground), 400.0);
+}
+
+/// Level ground with a row of trees along x = 0, across the base, from 2.5 to 8 m up.
+PointGrid trees() {
+  test::Random random(3);
+  std::vector<Eigen::Vector3d> points;
+  for (double y = -5.0; y < 15.0; y += 0.35) {
+    for (double x = -6.0; x < 6.0; x += 0.35)
+      points.emplace_back(x, y, random.normal(kLidarSigma_m));
+  }
+  for (int i = 0; i < 200; ++i) {
+    points.emplace_back(random.uniform(-0.8, 0.8), random.uniform(-1.0, 11.0),
+                        random.uniform(2.5, 8.0));
+  }
+  return PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
+}
+
+TEST(JudgeAmongTrees, TheirOutlineIsNotJudgedByTheGround) {
+  JudgedLine line;
+  line.id = "outline";
+  line.segment = {{0.2, 1, 5.0}, {0.2, 9, 5.0}};
+  EXPECT_EQ(judge_line(trees(), line, {}).evaluation.status, Status::kEvaluated);
+  line.images = seen(line.segment);
+  EXPECT_EQ(judge_line(trees(), line, {}).evaluation.status, Status::kAmbiguous);
+}
+
+TEST(JudgeAmongTrees, ALineOfTheGroundBelowIsJudged) {
+  JudgedLine line;
+  line.id = "kerb";
+  line.segment = {{0.2, 1, 0.0}, {0.2, 9, 0.0}};
+  line.images = seen(line.segment);
+  const LineEvaluation judged = judge_line(trees(), line, {}).evaluation;
+  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  EXPECT_LT(judged.mean_distance_m, 0.03);
 }
 
 }  // namespace
