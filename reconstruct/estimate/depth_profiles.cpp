@@ -9,6 +9,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kShortestStepPx = 15.0;
+constexpr double kUnreached = -std::numeric_limits<double>::infinity();
 
 double squared(double x) { return x * x; }
 double bell(double z) { return std::exp(-0.5 * z * z); }
@@ -55,7 +56,7 @@ std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const Dept
 
 /// The best horizontal line between two cuts.
 struct Step {
-  double score = -std::numeric_limits<double>::infinity();
+  double score = kUnreached;
   DepthLine line;
 };
 
@@ -113,7 +114,7 @@ double score_of_cut_once(const DepthQuestion& question,
 
 /// The best row from the start of the match to a place.
 struct Way {
-  double score = -std::numeric_limits<double>::infinity();
+  double score = kUnreached;
   double log_prior = 0.0;  ///< its share of the score
   std::size_t from = 0;    ///< place where the last step begins
   DepthLine line;          ///< of the last step
@@ -180,8 +181,8 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
   for (std::size_t to = 1; to <= end; ++to) {
     for (std::size_t from = 0; from < to; ++from) {
       if (from == 0 && to == end) continue;
-      if (!is_long_step(question, cut(from), cut(to))) continue;
       const Way& before = ways[from];
+      if (before.score == kUnreached || !is_long_step(question, cut(from), cut(to))) continue;
       const Step step = best_step(question, scorer, cut(from), cut(to));
       double log_prior = before.log_prior;
       if (from > 0) {
@@ -189,11 +190,13 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
                      log_rise_prior(scorer.rise_m(before.line, step.line));
       }
       double score = before.score - before.log_prior + step.score + log_prior;
-      if (from > 0)
+      if (from > 0) {
         score += score_of_cut_once(question, scorer, *cut(from), before.line, step.line);
+      }
       if (score > ways[to].score) ways[to] = {score, log_prior, from, step.line};
     }
   }
+  if (ways[end].score == kUnreached) return std::nullopt;
   DepthProfile row;
   row.log_prior = ways[end].log_prior;
   for (std::size_t to = end; to > 0; to = ways[to].from) {

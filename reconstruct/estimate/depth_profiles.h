@@ -19,7 +19,8 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
 std::vector<DepthProfile> gable_profiles(const DepthQuestion& question, const DepthScorer& scorer);
 
 /// The best row of horizontal lines at different heights, cut where the line may be. Prior step_share
-/// for each cut. Empty without a place to cut.
+/// for the first cut, more for those after it, and steps of a metre or less. Empty without a place to
+/// cut that leaves steps of 15 px.
 std::optional<DepthProfile> row_profile(const DepthQuestion& question, const DepthScorer& scorer);
 
 }  // namespace ridgeline::reconstruct

@@ -23,8 +23,8 @@ struct DepthQuestion {
 
 /// A line in the projection plane of the base segment, conditioned frame.
 struct DepthLine {
-  Eigen::Vector3d through;
-  Eigen::Vector3d direction;  ///< unit vector
+  Eigen::Vector3d through = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector
 };
 
 /// What an aligned match may show, from its start to its end: one line or several.

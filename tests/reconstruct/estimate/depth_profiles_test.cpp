@@ -95,6 +95,19 @@ TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
   for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kRecoveredM);
 }
 
+TEST(MatchOfSeveralLines, GivesTheVergesOfADormerToo) {
+  // too short for the steps of a row
+  const std::vector<Segment3> verges{{seen_at(0.35, 6.0), seen_at(0.5, 7.0)},
+                                     {seen_at(0.5, 7.0), seen_at(0.65, 6.0)}};
+  LineGroup group = match_of(verges);
+  add_meeting(group, verges[0].start, 80.0);
+  add_meeting(group, verges[0].end, 85.0);
+  add_meeting(group, verges[1].end, 90.0);
+  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  ASSERT_EQ(lines.size(), group.matches.size() + 1);
+  for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(verges[p], lines[p]), kRecoveredM);
+}
+
 TEST(MatchOfSeveralLines, DoesNotDependOnTheDirectionOfTheSegments) {
   LineGroup group = gable();
   Segment2& right = group.segments[1][0].segment;
