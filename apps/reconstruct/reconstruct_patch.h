@@ -15,7 +15,8 @@ namespace ridgeline::apps {
 
 /// The matched lines of a patch in 3D, as a file holds them: in the CRS, with class, status,
 /// covariance and the image segments that they were made from. Id = number of the match, the same
-/// for all methods; "17.1", "17.2", ... for the parts of match 17 that shows several lines. A line without geometry keeps its place with coordinates that are not finite.
+/// for all methods; "17.1", "17.2", ... for the parts of match 17 that shows several lines. A line
+/// without geometry keeps its place with coordinates that are not finite.
 /// Pair connections are those of the matches; points outside of the patch's heights are not used.
 io::LineSet reconstruct_patch(const io::PatchFile& patch,
                               const std::array<std::vector<EdgeSegment>, 2>& segments,

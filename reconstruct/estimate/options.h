@@ -54,7 +54,7 @@ struct ReconstructOptions {
   /// Most that agreement with the line raises the odds of evidence by.
   double agreement_gain = 2.0;
   double gable_share = 0.8;        ///< of gables among what has the shape of one
-  double step_share = 0.07;        ///< of places where one crosses: a step between lines of a row
+  double step_share = 0.07;        ///< of places where one crosses: steps of a row
   double min_cut_weight = 0.3;     ///< W of the point where a match is cut
   double min_cut_length_px = 7.0;  ///< of each part
   /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
@@ -111,7 +111,7 @@ struct ReconstructOptions {
         Field{"agreement_gain", &O::agreement_gain, 1e-3, 1e6,
               "consensus: most that agreement raises the odds of a point by"},
         Field{"gable_share", &O::gable_share, 0.0, 1.0,
-              "consensus: prior share of matches that show both verges of a gable"},
+              "consensus: prior share of gables among what has the shape of one"},
         Field{"step_share", &O::step_share, 0.0, 1.0,
               "consensus: prior share of crossings where a row of lines has a step"},
         Field{"min_cut_weight", &O::min_cut_weight, 0.0, 1.0,

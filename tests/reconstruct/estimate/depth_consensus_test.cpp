@@ -2,6 +2,7 @@
 // Aligned lines whose neighbours do not all meet them, as eaves over the ground.
 #include "reconstruct/estimate/depth_consensus.h"
 
+#include "reconstruct/estimate/depth_profiles.h"
 #include "tests/reconstruct/support/line_group.h"
 
 #include <gmock/gmock.h>
@@ -206,6 +207,20 @@ TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   // without a say in what hides what, neither is better
   for (DepthEvidence& e : evidence) e.meeting = 0.0;
   EXPECT_LT(line.consensus(evidence)->margin, ReconstructOptions{}.min_depth_margin);
+}
+
+TEST(RowProfile, IsNoneWithoutRoomForASecondStep) {
+  const LoneLine line;
+  const ReconstructOptions options;
+  const auto has_row_cut_at = [&](double parameter) {
+    std::vector<DepthEvidence> evidence{line.evidence_at(0.0, kHeightM),
+                                        line.evidence_at(parameter, kHeightM)};
+    evidence[1].may_cut = true;
+    const DepthQuestion question{line.lines, line.lines.lines[0], evidence, {}, options};
+    return row_profile(question, DepthScorer(question)).has_value();
+  };
+  EXPECT_TRUE(has_row_cut_at(0.5));
+  EXPECT_FALSE(has_row_cut_at(0.1));  // 10 px
 }
 
 TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {

@@ -58,6 +58,18 @@ TEST(CutAtJunctions, TheVergesOfAGableApartBelowItsRidge) {
   EXPECT_THAT(begins(cut), ElementsAre(0.0, kRidgeAt));
 }
 
+TEST(CutAtJunctions, WhereAStripInterruptsTheEdge) {
+  DetectedEdge interrupted = edge(gable);
+  auto& trace = interrupted.trace;
+  trace.erase(trace.begin() + kRidgeAt - 2, trace.begin() + kRidgeAt + 2);
+  EXPECT_THAT(begins(cut_at_junctions({interrupted}, {})), ElementsAre(0.0, kRidgeAt + 2.0));
+  // as straight as it would be without the strip
+  DetectedEdge straight = edge([](int) { return 0.0; });
+  straight.trace.erase(straight.trace.begin() + kRidgeAt - 2,
+                       straight.trace.begin() + kRidgeAt + 2);
+  EXPECT_THAT(begins(cut_at_junctions({straight}, {})), ElementsAre(0.0));
+}
+
 TEST(CutAtJunctions, NotWhereNoEdgeEnds) {
   EXPECT_THAT(begins(cut_at_junctions({edge(gable)}, {})), ElementsAre(0.0));
   EXPECT_THAT(begins(cut_at_junctions({edge(gable), stem(kRidgeAt, 8.0)}, {})), ElementsAre(0.0));

@@ -74,6 +74,18 @@ inline LineGroup make_group(const SegmentSpec& line,
   return group;
 }
 
+/// A rising line of 100 px at this angle to the epipolar line, and three that meet it.
+inline SegmentSpec line_at(double theta_deg) {
+  return {StereoScene().left_centre(), theta_deg * kDegree, 100.0, 3.0, 4.0};
+}
+inline const std::vector<NeighbourSpec> kThreeNeighbours{{0.05, 80}, {0.5, -60}, {0.95, 110}};
+
+inline reconstruct::ReconstructOptions direct_options() {
+  reconstruct::ReconstructOptions options = reconstruct::published_options();
+  options.method = reconstruct::Method::kDirect;
+  return options;
+}
+
 /// Where the line of a segment passes over (or under) a point, as seen from the left camera: signed
 /// height of the line there minus that of the point.
 inline double height_error_m(const StereoScene& scene,
