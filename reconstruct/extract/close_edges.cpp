@@ -89,8 +89,8 @@ class TwoSteps {
 /// The two offsets that describe the profile best, if they do so clearly better than one.
 std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
                                                  const BinnedProfile& profile) {
-  constexpr double kLargestRatio = 0.7;  // of what two steps leave unexplained to what one does
-  constexpr Eigen::Index kClosest = 10;  // bins
+  constexpr double kLargestRatio = 0.5;  // of what two steps leave unexplained to what one does
+  constexpr Eigen::Index kClosest = 5;   // bins
   constexpr Eigen::Index kFarthest = 30;
   const StepEquations equations(basis, profile);
   const Eigen::Index n = basis.offsets_px.size();
@@ -114,7 +114,7 @@ std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
 /// Whether the least squares ended near where they began, with two edges that do not cross.
 bool is_sound(const std::array<ProfileStep, 2>& steps, const std::array<double, 2>& begin) {
   constexpr double kFarthestMove_px = 0.7;
-  constexpr double kClosest_px = 0.9;
+  constexpr double kClosest_px = 0.4;
   constexpr double kCrossing_px = -0.3;  // a strip may end in a point
   constexpr double kLargestTilt_px = 1.5;
   constexpr double kWeakest = 0.25;  // step beside the other one

@@ -115,26 +115,55 @@ double bend_of(const Run& a, const Run& b, const ExtractOptions& options) {
   return gain / std::max({least, scatter, 1e-12});
 }
 
+/// The parts of an edge between its junctions.
 std::vector<Run> runs_between(const Points& points,
                               const PrincipalAxes& axes,
-                              const std::vector<std::size_t>& junctions,
-                              const ExtractOptions& options) {
+                              const std::vector<std::size_t>& junctions) {
   std::vector<Run> runs(1);
   const Eigen::Vector2d normal(-axes.along.y(), axes.along.x());
-  const double shortest_px = kShortestPart * options.min_length_px;
-  const auto apart = [&](std::size_t a, std::size_t b) { return (points[a] - points[b]).norm(); };
   auto next = junctions.begin();
   for (std::size_t i = 0; i < points.size(); ++i) {
     while (next != junctions.end() && *next < i) ++next;
-    const bool cut = next != junctions.end() && *next == i &&
-                     apart(i, runs.back().first) >= shortest_px &&
-                     apart(i, points.size() - 1) >= shortest_px;
-    if (cut) runs.push_back({i, i, {}});
+    if (i > 0 && next != junctions.end() && *next == i) runs.push_back({i, i, {}});
     const Eigen::Vector2d x = points[i] - axes.centroid;
     runs.back().sums += Eigen::Vector2d(axes.along.dot(x), normal.dot(x));
     runs.back().last = i + 1;
   }
   return runs;
+}
+
+/// Joins a run with the next one.
+void join_at(std::vector<Run>& runs, std::size_t i) {
+  runs[i] = {runs[i].first, runs[i + 1].last, runs[i].sums + runs[i + 1].sums};
+  runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+}
+
+/// What one line leaves unexplained of a run and the next one, beyond what two do.
+double cost_of_joining(const std::vector<Run>& runs, std::size_t i) {
+  return (runs[i].sums + runs[i + 1].sums).residual() - runs[i].sums.residual() -
+         runs[i + 1].sums.residual();
+}
+
+/// Joins what is too short for a part to the neighbour that it continues best: of two junctions close
+/// to each other the one stays at which the edge changes its course.
+void join_short(std::vector<Run>& runs, const Points& points, const ExtractOptions& options) {
+  const double shortest_px = kShortestPart * options.min_length_px;
+  const auto is_short = [&](const Run& run) {
+    return (points[run.last - 1] - points[run.first]).norm() < shortest_px;
+  };
+  while (runs.size() > 1) {
+    double least = HUGE_VAL;
+    std::size_t at = runs.size();
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+      if (!is_short(runs[i]) && !is_short(runs[i + 1])) continue;
+      const double cost = cost_of_joining(runs, i);
+      if (cost >= least) continue;
+      least = cost;
+      at = i;
+    }
+    if (at == runs.size()) return;
+    join_at(runs, at);
+  }
 }
 
 /// Joins neighbours until all that remain differ.
@@ -149,8 +178,7 @@ void join(std::vector<Run>& runs, const ExtractOptions& options) {
       at = i;
     }
     if (at == runs.size()) return;
-    runs[at] = {runs[at].first, runs[at + 1].last, runs[at].sums + runs[at + 1].sums};
-    runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+    join_at(runs, at);
   }
 }
 
@@ -165,7 +193,8 @@ std::vector<DetectedEdge> cut_at_junctions(std::vector<DetectedEdge> edges,
   std::vector<std::vector<Run>> runs(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     const Points points = positions(edges[i].trace);
-    runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes[i], index), options);
+    runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes[i], index));
+    join_short(runs[i], points, options);
     join(runs[i], options);
   });
   std::vector<DetectedEdge> cut;

@@ -35,6 +35,15 @@ TEST(CloseEdges, FindsBothBordersOfAStripThatBlursIntoOneEdge) {
   EXPECT_NEAR((*edges)[0].height, std::sqrt(0.4 * 0.4 + 0.2 * 0.2 + 0.35 * 0.35), kExact_px);
 }
 
+TEST(CloseEdges, FindsBothBordersOfALineOfHalfAPixel) {
+  BlurredStrip strip;
+  strip.offsets_px = {-0.9, -0.4};
+  const auto edges = find(strip, strip.base_segment());
+  ASSERT_TRUE(edges);
+  EXPECT_NEAR((*edges)[0].offset_px, -0.9, kExact_px);
+  EXPECT_NEAR((*edges)[1].offset_px, -0.4, kExact_px);
+}
+
 TEST(CloseEdges, TellsOffsetsFromTheSegmentThatIsGiven) {
   const BlurredStrip strip;
   const auto edges = find(strip, moved(strip.base_segment(), 0.4));

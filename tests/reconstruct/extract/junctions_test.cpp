@@ -88,6 +88,15 @@ TEST(CutAtJunctions, EveryEaveOfATerraceThatStepsDownASlope) {
   EXPECT_THAT(begins(cut), ElementsAre(0.0, 30.0, 60.0, 90.0));
 }
 
+TEST(CutAtJunctions, AtTheOneOfTwoCloseJunctionsWhereTheEdgeStepsAside) {
+  // the corner of a patio ends 12 px from the party wall of two eaves
+  const auto eaves = [](int i) { return i < kRidgeAt ? 0.0 : 0.8; };
+  EXPECT_THAT(begins(cut_at_junctions({edge(eaves), stem(kRidgeAt - 12), stem(kRidgeAt)}, {})),
+              ElementsAre(0.0, kRidgeAt));
+  EXPECT_THAT(begins(cut_at_junctions({edge(eaves), stem(kRidgeAt), stem(kRidgeAt + 12)}, {})),
+              ElementsAre(0.0, kRidgeAt));
+}
+
 TEST(CutAtJunctions, NotAtAnEdgeThatRunsAlong) {
   DetectedEdge beside = edge([](int) { return 2.0; });
   beside.trace.erase(beside.trace.begin(), beside.trace.begin() + kRidgeAt);
