@@ -108,6 +108,7 @@ std::optional<Candidate> candidate(const Search& search,
   }
   const EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
   Candidate found;
+  found.look = look;
   found.right = right_id;
   found.overlap = *overlap;
   found.measures = line_measures(left, right, *overlap, look, search.images.radiometry);

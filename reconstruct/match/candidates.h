@@ -15,7 +15,8 @@ namespace ridgeline::reconstruct {
 struct Candidate {
   int right = 0;
   EpipolarOverlap overlap;
-  LineMeasures measures;
+  EdgeLook look;
+  LineMeasures measures;    ///< from the look and the geometry
   double similarity = 0.0;  ///< of the single lines, in [0, 1]
 };
 

@@ -16,20 +16,18 @@ struct CloseLine {
   double distance_px = 0.0;
 };
 
-/// By segment: the nearest line close by on each side, if any.
-std::vector<std::vector<CloseLine>> close_lines(std::span<const Segment2> segments);
+/// By segment.
+using CloseLines = std::vector<std::vector<CloseLine>>;
 
-/// Takes candidates away that would exchange the two edges of a narrow strip.
-///
-/// - Where both segments have a line close by, on one side each, it is the same side: a gutter, a
-///   kerb, both borders of a marking are seen in the same order from above.
-/// - Where only one of them has, it is seen by one camera only: a strip of wall or fascia below the
-///   edge of a roof. Whatever is vertical appears with its upper edge farther from the nadir; the
-///   other camera, which does not see the strip, sees that upper edge. Its lower edge loses a
-///   candidate that the upper edge has as well.
+/// The nearest line on each side of each segment, if one runs along at least half of it within 4.5 px.
+CloseLines close_lines(std::span<const Segment2> segments);
+
+/// Takes candidates away that would exchange the two edges of a narrow strip: where both segments
+/// have a line close by, on one side each, it is the same side. A gutter, a kerb, both borders of a
+/// marking are seen in the same order from above.
 void keep_order_of_close_lines(const MatchView& left,
-                               const MatchView& right,
                                const StereoSearch& search,
+                               const std::array<CloseLines, 2>& close,
                                std::vector<std::vector<Candidate>>& candidates);
 
 }  // namespace ridgeline::reconstruct

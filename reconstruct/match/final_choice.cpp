@@ -90,6 +90,55 @@ MatchOutcome prospect(const MatchView& right,
   return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
 }
 
+/// The choices made, by the segments of both images.
+class Taken {
+ public:
+  Taken(const MatchView& left,
+        const MatchView& right,
+        const std::vector<std::vector<Candidate>>& candidates)
+      : left_(left), right_(right), candidates_(candidates) {}
+
+  void add(const Choice& choice) {
+    of_left_[choice.left].push_back(choice);
+    of_right_[candidate(choice).right].push_back(choice);
+  }
+
+  /// Whether neither segment has a mate for the same part of it, or one of another edge.
+  [[nodiscard]] bool allow(const Choice& choice) const {
+    const Candidate& own = candidate(choice);
+    const auto shares = [&](const Choice& other) {
+      return may_share_mate(left_line(choice), own.overlap, left_line(other),
+                            candidate(other).overlap);
+    };
+    const auto adds = [&](const Choice& other) {
+      return may_be_mates_of_one(right_line(choice), own.overlap, right_line(other),
+                                 candidate(other).overlap);
+    };
+    const auto takers = of_right_.find(own.right);
+    const auto mates = of_left_.find(choice.left);
+    return (takers == of_right_.end() ||
+            std::all_of(takers->second.begin(), takers->second.end(), shares)) &&
+           (mates == of_left_.end() ||
+            std::all_of(mates->second.begin(), mates->second.end(), adds));
+  }
+
+ private:
+  [[nodiscard]] const Candidate& candidate(const Choice& choice) const {
+    return candidates_[choice.left][choice.candidate];
+  }
+  [[nodiscard]] const Segment2& left_line(const Choice& choice) const {
+    return left_.segments[choice.left].line.segment;
+  }
+  [[nodiscard]] const Segment2& right_line(const Choice& choice) const {
+    return right_.segments[candidate(choice).right].line.segment;
+  }
+
+  const MatchView& left_;
+  const MatchView& right_;
+  const std::vector<std::vector<Candidate>>& candidates_;
+  std::map<int, std::vector<Choice>> of_left_, of_right_;
+};
+
 }  // namespace
 
 const char* name(MatchOutcome outcome) {
@@ -122,27 +171,23 @@ MatchResult final_choice(const MatchView& left,
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     result.outcomes[i] = prospect(right, candidates[i], supports[i], n_voters[i], options);
   }
-  std::map<int, std::vector<Choice>> takers;  // by right segment
+  Taken taken(left, right, candidates);
   for (const Choice& choice : by_probability(supports)) {
     const Support& support = supports[choice.left][choice.candidate];
     MatchOutcome& outcome = result.outcomes[choice.left];
     if (support.probability < options.min_probability) break;
-    if (outcome != MatchOutcome::kLostVote) continue;  // matched, ambiguous or without pairs
+    if (outcome != MatchOutcome::kLostVote && outcome != MatchOutcome::kMatched) continue;
     if (lacks_votes(support, n_voters[choice.left], options)) continue;
-    const Candidate& candidate = candidates[choice.left][choice.candidate];
-    std::vector<Choice>& others = takers[candidate.right];
-    const bool free = std::all_of(others.begin(), others.end(), [&](const Choice& other) {
-      return may_share_mate(left.segments[choice.left].line.segment, candidate.overlap,
-                            left.segments[other.left].line.segment,
-                            candidates[other.left][other.candidate].overlap);
-    });
-    if (!free) continue;
+    if (!taken.allow(choice)) continue;
     outcome = MatchOutcome::kMatched;
-    others.push_back(choice);
-    result.matches.push_back({{choice.left, candidate.right}, support.probability, support.votes});
+    taken.add(choice);
+    const int mate = candidates[choice.left][choice.candidate].right;
+    result.matches.push_back({{choice.left, mate}, support.probability, support.votes});
   }
-  std::sort(result.matches.begin(), result.matches.end(),
-            [](const ScoredMatch& a, const ScoredMatch& b) { return a.match.left < b.match.left; });
+  std::sort(
+      result.matches.begin(), result.matches.end(), [](const ScoredMatch& a, const ScoredMatch& b) {
+        return std::pair(a.match.left, a.match.right) < std::pair(b.match.left, b.match.right);
+      });
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "reconstruct/match/close_lines.h"
 #include "reconstruct/match/final_choice.h"
+#include "reconstruct/match/hidden_strips.h"
 #include "reconstruct/match/similarity_voting.h"
 
 #include <tbb/parallel_for.h>
@@ -39,7 +40,10 @@ MatchResult match_pairwise(const MatchView& left,
   const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
   std::vector<std::vector<Candidate>> candidates =
       match_candidates(left, right, search, radiometry, options);
-  keep_order_of_close_lines(left, right, search, candidates);
+  const std::array<CloseLines, 2> close{close_lines(ideal_segments(left)),
+                                        close_lines(ideal_segments(right))};
+  keep_order_of_close_lines(left, search, close, candidates);
+  compare_across_hidden_strips({&left, &right}, search, radiometry, close, candidates);
   const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
   const PairScene scene{
       left,       right,  search, {ImageSampler(left.image), ImageSampler(right.image), radiometry},

@@ -23,7 +23,7 @@ enum class MatchOutcome : std::uint8_t {
 const char* name(MatchOutcome outcome);  ///< "matched", "no_candidate", ...
 
 struct MatchResult {
-  std::vector<ScoredMatch> matches;    ///< by left index; at most one per left segment
+  std::vector<ScoredMatch> matches;    ///< by left, then by right index
   std::vector<MatchOutcome> outcomes;  ///< per left segment
 };
 
@@ -33,7 +33,8 @@ struct MatchResult {
 /// segments are compared with pairs of candidates by eight constraints; the votes of the pairs,
 /// iterated to a fixed point, decide. Beyond the paper, single lines have a similarity of their own
 /// (both sides of the line compared separately) and neighbours support heights near theirs, so that
-/// isolated lines are not lost. Fragments of one edge may share a mate; two edges never do.
+/// isolated lines are not lost. Fragments of one edge, in either image, may share a mate; two edges
+/// never do.
 ///
 /// Deterministic for any number of threads. Throws std::invalid_argument for options or heights out
 /// of range, matrices that are not finite or without epipolar geometry, and images of other types

@@ -65,10 +65,10 @@ Neighbour closest(const Segment2& own, int other, const Segment2& segment) {
   return best;
 }
 
-bool disjoint_on_right(const EpipolarOverlap& a, const EpipolarOverlap& b) {
+bool disjoint(const std::array<double, 2>& a, const std::array<double, 2>& b) {
   constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
-  const auto [a_low, a_high] = std::minmax(a.on_right[0], a.on_right[1]);
-  const auto [b_low, b_high] = std::minmax(b.on_right[0], b.on_right[1]);
+  const auto [a_low, a_high] = std::minmax(a[0], a[1]);
+  const auto [b_low, b_high] = std::minmax(b[0], b[1]);
   const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
   return common <= kShared * std::min(a_high - a_low, b_high - b_low);
 }
@@ -259,7 +259,15 @@ bool may_share_mate(const Segment2& a,
                     const EpipolarOverlap& a_overlap,
                     const Segment2& b,
                     const EpipolarOverlap& b_overlap) {
-  return are_fragments(a, b) && disjoint_on_right(a_overlap, b_overlap);
+  return are_fragments(a, b) && disjoint(a_overlap.on_right, b_overlap.on_right);
+}
+
+bool may_be_mates_of_one(const Segment2& a,
+                         const EpipolarOverlap& a_overlap,
+                         const Segment2& b,
+                         const EpipolarOverlap& b_overlap) {
+  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b) &&
+         disjoint(a_overlap.on_left, b_overlap.on_left);
 }
 
 Supports similarity_votes(const MatchView& left,

@@ -17,12 +17,11 @@ Segment3 northwards(double east_m, double height_m) {
   return {{east_m, -4.0, height_m}, {east_m, 4.0, height_m}};
 }
 
-Candidate candidate(int right, double height_m, double similarity = 0.9) {
+Candidate candidate(int right, double height_m) {
   Candidate c;
   c.right = right;
   c.overlap.on_left = c.overlap.on_right = {0.0, 1.0};
   c.overlap.height_m = {height_m, height_m};
-  c.similarity = similarity;
   return c;
 }
 
@@ -30,7 +29,9 @@ std::vector<std::vector<int>> kept(const PaintedPair& pair,
                                    std::vector<std::vector<Candidate>> candidates) {
   const StereoSearch search(pair.views[0].image_from_local, pair.views[1].image_from_local,
                             pair.heights_m);
-  keep_order_of_close_lines(pair.views[0], pair.views[1], search, candidates);
+  const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.views[0])),
+                                        close_lines(ideal_segments(pair.views[1]))};
+  keep_order_of_close_lines(pair.views[0], search, close, candidates);
   std::vector<std::vector<int>> ids;
   for (const std::vector<Candidate>& some : candidates) {
     std::vector<int>& list = ids.emplace_back();
@@ -44,7 +45,7 @@ TEST(CloseLines, AreTheNearestParallelOnesOnEachSide) {
                                        {{2.0, 1.5}, {38.0, 1.5}},    // beside it
                                        {{0.0, 2.5}, {40.0, 2.5}},    // beyond that
                                        {{40.0, -2.0}, {0.0, -2.0}},  // the other side, turned round
-                                       {{0.0, 5.0}, {40.0, 5.0}},    // too far
+                                       {{0.0, 7.0}, {40.0, 7.0}},    // too far
                                        {{20.0, -8.0}, {20.0, 8.0}},  // across
                                        {{45.0, 1.0}, {85.0, 1.0}}};  // further on
   const auto found = close_lines(segments);
@@ -66,42 +67,12 @@ TEST(KeepOrderOfCloseLines, BordersOfAMarkingAreNotExchanged) {
   EXPECT_THAT(kept(pair, {both, both}), ElementsAre(ElementsAre(0), ElementsAre(1)));
 }
 
-/// The west wall of a house east of the left camera's nadir, below the edge of its roof; the right
-/// camera sees the edge only.
-PaintedPair wall_seen_from_the_left() {
+TEST(KeepOrderOfCloseLines, AFragmentBesideALineSaysNothing) {
   PaintedPair pair({});
-  pair.add_line(northwards(60.0, 9.0));
-  pair.add_segment(0, northwards(60.0, 7.5));
-  return pair;
-}
-
-TEST(KeepOrderOfCloseLines, TheEdgeOfARoofIsNotTheFootOfTheWallThatOneCameraSees) {
-  const PaintedPair pair = wall_seen_from_the_left();
-  EXPECT_THAT(kept(pair, {{candidate(0, 9.0)}, {candidate(0, 7.5)}}),
-              ElementsAre(ElementsAre(0), IsEmpty()));
-}
-
-TEST(KeepOrderOfCloseLines, TheOtherWayRoundToo) {
-  PaintedPair pair({});
-  const double east = test::StereoPair::kBase_m - 60.0;  // its east wall faces the right camera
-  pair.add_line(northwards(east, 9.0));
-  pair.add_segment(1, northwards(east, 7.5));
-  EXPECT_THAT(kept(pair, {{candidate(1, 7.5), candidate(0, 9.0)}}), ElementsAre(ElementsAre(0)));
-}
-
-TEST(KeepOrderOfCloseLines, TheLowerEdgeStaysWhereTheUpperOneLooksQuiteDifferent) {
-  const PaintedPair pair = wall_seen_from_the_left();
-  EXPECT_THAT(kept(pair, {{candidate(0, 9.0, 0.3)}, {candidate(0, 7.5, 0.9)}}),
-              ElementsAre(ElementsAre(0), ElementsAre(0)));
-}
-
-TEST(KeepOrderOfCloseLines, AStripThatNoWallCouldShowAtThatWidthIsNone) {
-  PaintedPair pair({});
-  // 2.5 px apart; a wall that runs towards the camera's nadir shows no width
-  pair.add_line({{-4.0, 0.0, 9.0}, {4.0, 0.0, 9.0}});
-  pair.add_segment(0, {{-4.0, 0.2, 9.0}, {4.0, 0.2, 9.0}});
-  EXPECT_THAT(kept(pair, {{candidate(0, 9.0)}, {candidate(0, 9.0)}}),
-              ElementsAre(ElementsAre(0), ElementsAre(0)));
+  pair.add_line(northwards(2.0, 0.0));
+  pair.add_line({{2.12, 0.0, 0.0}, {2.12, 2.0, 0.0}});
+  const std::vector<Candidate> both{candidate(0, 0.0), candidate(1, 0.0)};
+  EXPECT_THAT(kept(pair, {both, both}), ElementsAre(ElementsAre(0, 1), ElementsAre(0, 1)));
 }
 
 }  // namespace

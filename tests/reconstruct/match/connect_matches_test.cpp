@@ -45,6 +45,8 @@ TEST_F(ConnectMatches, DoesNotConnectFragmentsThatShareAMate) {
   add({{3, 3, 10}, {6, 0, 10}});
   matches_[1].right = 0;
   EXPECT_TRUE(connect().empty());
+  matches_[1] = {0, 1};
+  EXPECT_TRUE(connect().empty());
 }
 
 TEST_F(ConnectMatches, RejectsIndicesOutOfRange) {

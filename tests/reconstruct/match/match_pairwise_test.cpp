@@ -80,6 +80,34 @@ TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
   EXPECT_EQ(result.matches[1].match.right, 0);
 }
 
+TEST(MatchPairwise, GivesALineAllFragmentsOfItsMate) {
+  PaintedPair pair = two_roofs();
+  const double z = kHigh.height_m;
+  constexpr int kEast = 1;  // of the outline of the high roof
+  const Eigen::Vector3d south(kHigh.east, kHigh.south, z);
+  const Eigen::Vector3d north(kHigh.east, kHigh.north, z);
+  pair.add_segment(1, {0.45 * south + 0.55 * north, north});
+  pair.views[1].segments[kEast] = pair.views[1].segments.back();
+  pair.views[1].segments.pop_back();
+  pair.add_segment(1, {south, 0.55 * south + 0.45 * north});
+  std::vector<int> mates;
+  for (const ScoredMatch& m : match(pair).matches) {
+    if (m.match.left == kEast) mates.push_back(m.match.right);
+  }
+  EXPECT_THAT(mates, testing::ElementsAre(kEast, 8));
+}
+
+TEST(MatchPairwise, GivesALineOneOfTwoSegmentsThatLieSideBySide) {
+  PaintedPair pair({kHigh});
+  const double z = kHigh.height_m;
+  const Eigen::Vector3d south(kHigh.east, kHigh.south, z);
+  const Eigen::Vector3d north(kHigh.east, kHigh.north, z);
+  pair.add_segment(0, {south, north});
+  pair.add_segment(1, {south, 0.3 * south + 0.7 * north});
+  pair.add_segment(1, {0.7 * south + 0.3 * north, north});
+  EXPECT_LE(match(pair).matches.size(), 1U);
+}
+
 TEST(MatchPairwise, NeverGivesOneMateToTwoEdges) {
   PaintedPair pair = two_roofs();
   // a second left line beside the east edge of the high roof, on the ground: it has no mate

@@ -106,6 +106,28 @@ TEST_F(SimilarityVotes, LetTwoEdgesCompeteForOneMateButNotTwoFragments) {
   EXPECT_GT(vote()[0][0].probability, 1.3 * competing);
 }
 
+EpipolarOverlap overlap_on_left(double from, double to) {
+  EpipolarOverlap overlap;
+  overlap.on_left = {from, to};
+  return overlap;
+}
+
+TEST(MayBeMatesOfOne, TakesFragmentsWithPartsOfTheirOwn) {
+  const Segment2 a{{0, 0}, {40, 0}};
+  const Segment2 b{{50, 0}, {90, 0}};
+  const EpipolarOverlap first = overlap_on_left(0.0, 0.45);
+  EXPECT_TRUE(may_be_mates_of_one(a, first, b, overlap_on_left(0.55, 1.0)));
+  EXPECT_FALSE(may_be_mates_of_one(a, first, b, overlap_on_left(0.2, 0.6)));
+  EXPECT_FALSE(may_be_mates_of_one(a, first, {{50, 9}, {90, 9}}, overlap_on_left(0.55, 1.0)));
+}
+
+TEST(MayBeMatesOfOne, TakesNoneAlongTheEpipolarLineWhereTheirPartsAreAGuess) {
+  EpipolarOverlap first = overlap_on_left(0.0, 0.45);
+  first.aligned = true;
+  EXPECT_FALSE(may_be_mates_of_one({{0, 0}, {40, 0}}, first, {{50, 0}, {90, 0}},
+                                   overlap_on_left(0.55, 1.0)));
+}
+
 TEST(AreFragments, TakesCollinearSegmentsOnly) {
   const Segment2 a{{0, 0}, {40, 0}};
   EXPECT_TRUE(are_fragments(a, {{50, 1}, {90, 1}}));
