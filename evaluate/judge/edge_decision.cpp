@@ -136,9 +136,6 @@ double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOpt
   return std::max(options.min_coverage, kOfBest * best);
 }
 
-/// Margin by which the images tell two planes apart, in chi-square units (system.md 13.6).
-constexpr double kImageMargin = 4.0;
-
 /// Whether surfaces above a plane accompany the line in turns, none of them alone, and the images do
 /// not show that it is the plane's: it runs over the eaves of several roofs and is the edge of no
 /// one surface.

@@ -24,6 +24,9 @@ std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& ima
 /// contrast puts them (system.md 13.6).
 double image_cost(const ImageEvidence& images, const Plane3& plane);
 
+/// Margin of image_cost() by which the images tell two planes apart (system.md 13.6).
+inline constexpr double kImageMargin = 4.0;
+
 /// Plan views of the base segment at heights from the lowest to the highest: the points that
 /// monoplot() may need lie within `spacing_m` of them.
 std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m);

@@ -221,7 +221,7 @@ JudgedResult judge_line(const PointGrid& grid,
                       " m of the line, must be at least ", options.min_points));
   }
   std::vector<CandidatePlane> candidates =
-      candidate_planes(zone, footprint, options, line_key(line.id, options.seed));
+      candidate_planes(zone, footprint, line.images, options, line_key(line.id, options.seed));
   EdgeDecision decision = decide_edge(candidates, footprint, options, line.images);
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));

@@ -142,5 +142,36 @@ TEST(JudgeAmongTrees, ALineOfTheGroundBelowIsJudged) {
   EXPECT_LT(judged.mean_distance_m, 0.03);
 }
 
+/// A car of 1.8 m x 4.2 m, 1.4 m high, on level ground; its western side is x = 0, across the base.
+PointGrid car() {
+  test::Random random(5);
+  std::vector<Eigen::Vector3d> points;
+  for (double y = -5.0; y < 10.0; y += 0.35) {
+    for (double x = -6.0; x < 6.0; x += 0.35) {
+      const bool on_car = x > 0.0 && x < 1.8 && y > 0.0 && y < 4.2;
+      points.emplace_back(x, y, (on_car ? 1.4 : 0.0) + random.normal(kLidarSigma_m));
+    }
+  }
+  return PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
+}
+
+double distance_of(const Segment3& segment) {
+  JudgedLine line;
+  line.id = "beside a car";
+  line.segment = segment;
+  line.images = seen(segment);
+  const LineEvaluation judged = judge_line(car(), line, {}).evaluation;
+  EXPECT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  return judged.mean_distance_m;
+}
+
+TEST(JudgeBesideACar, TheEdgeOfItsRoofIsJudgedByIt) {
+  EXPECT_LT(distance_of({{0, 0.2, 1.4}, {0, 4.0, 1.4}}), 0.03);
+}
+
+TEST(JudgeBesideACar, AMarkingIsJudgedByTheGround) {
+  EXPECT_LT(distance_of({{-0.3, 0.2, 0.0}, {-0.3, 4.0, 0.0}}), 0.03);
+}
+
 }  // namespace
 }  // namespace ridgeline::evaluate
