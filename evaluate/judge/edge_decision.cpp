@@ -136,9 +136,9 @@ double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOpt
   return std::max(options.min_coverage, kOfBest * best);
 }
 
-/// Whether surfaces above a plane accompany the line in turns, none of them alone, and the images do
-/// not show that it is the plane's: it runs over the eaves of several roofs and is the edge of no
-/// one surface.
+/// Whether surfaces above a plane accompany most of the line in turns, none of them alone, and the
+/// images do not show that it is the plane's: it runs over the eaves of several roofs, not all of them
+/// found perhaps, and is the edge of no one surface.
 bool runs_over_several(std::span<const CandidatePlane> candidates,
                        const CandidatePlane& chosen,
                        const Footprint& footprint,
@@ -155,8 +155,7 @@ bool runs_over_several(std::span<const CandidatePlane> candidates,
     above.insert(above.end(), plane.beside.begin(), plane.beside.end());
     least_cost = std::min(least_cost, image_cost(images, plane.fit.plane));
   }
-  return coverage_along(above, footprint.length_m, reach_m) >=
-             least_coverage(candidates, options) &&
+  return coverage_along(above, footprint.length_m, reach_m) >= options.min_coverage &&
          image_cost(images, chosen.fit.plane) > least_cost - kImageMargin;
 }
 

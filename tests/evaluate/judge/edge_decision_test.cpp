@@ -125,16 +125,18 @@ ImageEvidence seen(const Segment3& segment) {
 
 TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguousUnlessTheImagesShowTheGround) {
   const auto lower = [](double, double t) { return 6.0 - 0.5 * t; };
-  const auto decide = [&](double second_roof_from, double seen_at_m) {
+  const auto decide = [&](double first_roof_to, double second_roof_from, double seen_at_m) {
     const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
-                                             candidate(left_slope, 0, 1.5, 0.0, 5.0),
+                                             candidate(left_slope, 0, 1.5, 0.0, first_roof_to),
                                              candidate(lower, 0, 1.5, second_roof_from, 10.0)};
     return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
   };
-  EXPECT_EQ(decide(5.25, 9.0).status, Status::kAmbiguous);
-  EXPECT_EQ(decide(5.25, 0.0).planes, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(decide(5.0, 5.25, 9.0).status, Status::kAmbiguous);
+  EXPECT_EQ(decide(5.0, 5.25, 0.0).planes, (std::vector<std::size_t>{0}));
+  // of one of the roofs no plane was found
+  EXPECT_EQ(decide(5.2, 9.75, 9.0).status, Status::kAmbiguous);
   // a shed beside a part of a line on the ground does not make it an edge of the shed
-  EXPECT_EQ(decide(9.75, 9.0).planes, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(decide(3.0, 9.75, 9.0).planes, (std::vector<std::size_t>{0}));
 }
 
 TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
