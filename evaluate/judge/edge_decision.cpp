@@ -207,6 +207,25 @@ std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
   return along[0];
 }
 
+/// The plane that ends farther from the line than an edge may, if the images show the line on it and
+/// not on the chosen one: an overhang, or a border that the laser hit sparsely.
+std::optional<std::size_t> seen_beyond_its_points(std::span<const CandidatePlane> candidates,
+                                                  std::size_t chosen,
+                                                  const JudgeOptions& options,
+                                                  const ImageEvidence& images) {
+  const double least = least_coverage(candidates, options);
+  double cost = image_cost(images, candidates[chosen].fit.plane) - kImageMargin;
+  std::optional<std::size_t> seen;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const CandidatePlane& plane = candidates[i];
+    if (is_near(plane, options) || plane.low_object || plane.coverage < least) continue;
+    if (image_cost(images, plane.fit.plane) >= cost) continue;
+    cost = image_cost(images, plane.fit.plane);
+    seen = i;
+  }
+  return seen;
+}
+
 EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
                            const Footprint& footprint,
                            const JudgeOptions& options,
@@ -235,7 +254,12 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
       return decision;
     }
   }
-  const std::size_t chosen = plane_of_step(candidates, along, images, decision.flags);
+  std::size_t chosen = plane_of_step(candidates, along, images, decision.flags);
+  if (const auto seen =
+          images ? seen_beyond_its_points(candidates, chosen, options, *images) : std::nullopt) {
+    chosen = *seen;
+    decision.flags = {"beyond_points"};
+  }
   if (along.size() == 1 && images &&
       runs_over_several(candidates, candidates[chosen], footprint, options, *images)) {
     decision.status = Status::kAmbiguous;

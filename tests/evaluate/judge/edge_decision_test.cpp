@@ -139,6 +139,25 @@ TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguousUnlessTheImagesShowThe
   EXPECT_EQ(decide(3.0, 9.75, 9.0).planes, (std::vector<std::size_t>{0}));
 }
 
+TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
+  // an overhang of a metre without points
+  const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
+                                           candidate(left_slope, 1.0, 1.5)};
+  const auto decide = [&](double seen_at_m) {
+    return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
+  };
+  const EdgeDecision eave = decide(9.0);
+  EXPECT_EQ(eave.planes, (std::vector<std::size_t>{1}));
+  EXPECT_THAT(eave.flags, testing::ElementsAre("beyond_points"));
+  EXPECT_EQ(decide(0.0).planes, (std::vector<std::size_t>{0}));
+  EXPECT_EQ(decide_edge(planes, kLine, {}).planes, (std::vector<std::size_t>{0}));
+  // a car that ends as far away does not judge
+  std::vector<CandidatePlane> with_car = planes;
+  with_car[1].low_object = true;
+  EXPECT_EQ(decide_edge(with_car, kLine, {}, seen({{0, 0, 9.0}, {10, 0, 9.0}})).planes,
+            (std::vector<std::size_t>{0}));
+}
+
 TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
   const auto car = [](double, double) { return 1.5; };
   const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
