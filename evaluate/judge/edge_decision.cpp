@@ -207,20 +207,21 @@ std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
   return along[0];
 }
 
-/// The plane that ends farther from the line than an edge may, if the images show the line on it and
-/// not on the chosen one: an overhang, or a border that the laser hit sparsely.
-std::optional<std::size_t> seen_beyond_its_points(std::span<const CandidatePlane> candidates,
-                                                  std::size_t chosen,
-                                                  const JudgeOptions& options,
-                                                  const ImageEvidence& images) {
-  const double least = least_coverage(candidates, options);
+/// The plane that ends farther from the line than an edge may, or accompanies less of it than the
+/// chosen one, if the images show the line on it and not on the chosen one: an overhang, a border that
+/// the laser hit sparsely, a street beside a building that hides a part of it.
+std::optional<std::size_t> seen_instead(std::span<const CandidatePlane> candidates,
+                                        std::size_t chosen,
+                                        const JudgeOptions& options,
+                                        const ImageEvidence& images) {
   double cost = image_cost(images, candidates[chosen].fit.plane) - kImageMargin;
   std::optional<std::size_t> seen;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const CandidatePlane& plane = candidates[i];
-    if (is_near(plane, options) || plane.low_object || plane.coverage < least) continue;
-    if (image_cost(images, plane.fit.plane) >= cost) continue;
-    cost = image_cost(images, plane.fit.plane);
+    if (i == chosen || plane.low_object || plane.coverage < options.min_coverage) continue;
+    const double cost_of_this = image_cost(images, plane.fit.plane);
+    if (cost_of_this >= cost) continue;
+    cost = cost_of_this;
     seen = i;
   }
   return seen;
@@ -255,17 +256,17 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
     }
   }
   std::size_t chosen = plane_of_step(candidates, along, images, decision.flags);
-  if (const auto seen =
-          images ? seen_beyond_its_points(candidates, chosen, options, *images) : std::nullopt) {
-    chosen = *seen;
-    decision.flags = {"beyond_points"};
-  }
   if (along.size() == 1 && images &&
       runs_over_several(candidates, candidates[chosen], footprint, options, *images)) {
     decision.status = Status::kAmbiguous;
     decision.reason =
         "several surfaces above accompany the line in turns, none of them along it all";
     return decision;
+  }
+  if (const auto seen =
+          images ? seen_instead(candidates, chosen, options, *images) : std::nullopt) {
+    chosen = *seen;
+    decision.flags = {"seen_instead"};
   }
   if (on_both_sides(candidates[chosen], options)) decision.flags.emplace_back("merged");
   decision.status = Status::kEvaluated;

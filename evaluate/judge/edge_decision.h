@@ -44,8 +44,9 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b);
 /// surface.
 /// With the image segments of the line, the plane whose edge they show decides a step instead; where
 /// they tell the planes not apart it is the upper one, flag `plane_ambiguous` (system.md 13.6). A plane
-/// whose points end farther from the line than step_offset_m judges only if the images show the line
-/// on it and on none that comes closer, flag `beyond_points`.
+/// whose points end farther from the line than step_offset_m, or that accompanies less of it than the
+/// others but min_coverage of it, judges only if the images show the line on it and not on these, flag
+/// `seen_instead`.
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
                          const JudgeOptions& options,

@@ -148,7 +148,7 @@ TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
   };
   const EdgeDecision eave = decide(9.0);
   EXPECT_EQ(eave.planes, (std::vector<std::size_t>{1}));
-  EXPECT_THAT(eave.flags, testing::ElementsAre("beyond_points"));
+  EXPECT_THAT(eave.flags, testing::ElementsAre("seen_instead"));
   EXPECT_EQ(decide(0.0).planes, (std::vector<std::size_t>{0}));
   EXPECT_EQ(decide_edge(planes, kLine, {}).planes, (std::vector<std::size_t>{0}));
   // a car that ends as far away does not judge
@@ -156,6 +156,17 @@ TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
   with_car[1].low_object = true;
   EXPECT_EQ(decide_edge(with_car, kLine, {}, seen({{0, 0, 9.0}, {10, 0, 9.0}})).planes,
             (std::vector<std::size_t>{0}));
+}
+
+TEST(DecideEdge, TakesASurfaceThatAccompaniesHalfOfTheLineIfTheImagesShowTheLineOnIt) {
+  // a street beside a house, six metres of it seen by the laser
+  const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
+                                           candidate(ground, -1.5, 0, 0.0, 6.0)};
+  const auto decide = [&](double seen_at_m) {
+    return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}})).planes;
+  };
+  EXPECT_EQ(decide(0.0), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(decide(9.0), (std::vector<std::size_t>{0}));
 }
 
 TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
