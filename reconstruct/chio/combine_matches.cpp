@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace ridgeline::reconstruct {
 
@@ -12,31 +14,30 @@ std::vector<CombinedMatch> combine_matches(std::span<const EdgeSegment> left,
                                            std::span<const ScoredMatch> pairwise,
                                            std::span<const ChioLine> chio) {
   constexpr int kLastProcess = 4;
-  std::map<int, CombinedMatch> by_left;
+  std::map<std::pair<int, int>, CombinedMatch> by_ids;
+  std::set<int> matched;
   std::multimap<int, int> left_of_right;
   for (const ScoredMatch& scored : pairwise) {
-    by_left[scored.match.left] = {scored, MatchSource::kPairwise};
+    by_ids[{scored.match.left, scored.match.right}] = {scored, MatchSource::kPairwise};
+    matched.insert(scored.match.left);
     left_of_right.emplace(scored.match.right, scored.match.left);
   }
   for (const ChioLine& line : chio) {
     const LineMatch& match = line.scored.match;
-    const auto found = by_left.find(match.left);
-    if (found != by_left.end()) {
-      if (found->second.scored.match.right == match.right)
-        found->second.source = MatchSource::kBoth;
-      continue;
-    }
+    const auto found = by_ids.find({match.left, match.right});
+    if (found != by_ids.end()) found->second.source = MatchSource::kBoth;
+    if (matched.contains(match.left)) continue;
     const auto [begin, end] = left_of_right.equal_range(match.right);
     const bool is_free = std::all_of(begin, end, [&](const auto& taken) {
       return are_fragments(left[match.left].line.segment, left[taken.second].line.segment);
     });
     if (is_free && line.acquired.process < kLastProcess) {
-      by_left[match.left] = {line.scored, MatchSource::kChio};
+      by_ids[{match.left, match.right}] = {line.scored, MatchSource::kChio};
     }
   }
   std::vector<CombinedMatch> combined;
-  combined.reserve(by_left.size());
-  for (const auto& [id, match] : by_left) combined.push_back(match);
+  combined.reserve(by_ids.size());
+  for (const auto& [ids, match] : by_ids) combined.push_back(match);
   return combined;
 }
 

@@ -19,7 +19,7 @@ struct CombinedMatch {
   MatchSource source = MatchSource::kPairwise;
 };
 
-/// The matches of two matchers as one list, by left index: all of `pairwise`, and of `chio` the lines
+/// The matches of two matchers as one list, by left, then by right index: all of `pairwise`, and of `chio` the lines
 /// of the first three processes whose left segment `pairwise` has left unmatched and whose right one
 /// it has given to no other left edge. That something nearby has its height, as in the fourth, is not
 /// enough for a line that `pairwise` does not match.

@@ -55,6 +55,15 @@ class TwoSteps {
     return {parameters_[2 * which], parameters_[2 * which + 1], std::sqrt(squares)};
   }
 
+  /// Whether the colours change back, on the whole.
+  [[nodiscard]] bool turns_back() const {
+    double product = 0.0;
+    for (int band = 0; band < n_bands_; ++band) {
+      product += parameters_[4 + 3 * band + 1] * parameters_[4 + 3 * band + 2];
+    }
+    return product < 0.0;
+  }
+
  private:
   void add(const ProfileSample& s, bool colours_only, Matrix& normal, Vector& right) const {
     std::array<double, 2> response{}, slope{};
@@ -139,6 +148,8 @@ CloseEdgeFinder::CloseEdgeFinder(double blur_px)
 std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& image,
                                                                 const Segment2& segment) const {
   constexpr int kPasses = 6;
+  // two steps the same way are also one step with a wider blur: a soft shadow
+  constexpr double kClosestOneWay_px = 0.9;
   const double half_width_px = profile_half_width_px(blur_px_);
   const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width_px);
   if (samples.size() < kFewestProfileSamples) return std::nullopt;
@@ -151,6 +162,8 @@ std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& i
   }
   const std::array<ProfileStep, 2> steps{model.step(0), model.step(1)};
   if (!is_sound(steps, *begin)) return std::nullopt;
+  const double width = steps[1].offset_px - steps[0].offset_px;
+  if (width < kClosestOneWay_px && !model.turns_back()) return std::nullopt;
   return steps;
 }
 

@@ -30,8 +30,9 @@ struct ProfileStep {
 ///
 /// x_1 < x_2 common to the bands, Phi the normal distribution. First by exhaustive search, then by
 /// least squares with a tilt for each line. Nothing is returned where one step describes the profile
-/// about as well, where one step hardly counts beside the other and where the least squares leave
-/// the neighbourhood of what was found.
+/// about as well, where two steps the same way are so close that a wider blur would explain them, where
+/// one step hardly counts beside the other and where the least squares leave the neighbourhood of what
+/// was found.
 class CloseEdgeFinder {
  public:
   /// @param blur_px  of the image's edges, edge_blur_px(); above 0

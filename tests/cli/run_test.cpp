@@ -112,8 +112,10 @@ TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
   // lines come from the list of both
   const auto lines = read_json(path("out/1/lines.joint.geojson"))["features"];
   const std::string matches = read(path("out/1/matches.csv"));
-  std::set<std::string> matched;  // several lines of one match among them
-  for (const auto& line : lines) matched.insert(line["properties"]["left_id"].get<std::string>());
+  std::set<std::pair<std::string, std::string>> matched;  // several lines of one match among them
+  for (const auto& line : lines) {
+    matched.emplace(line["properties"]["left_id"], line["properties"]["right_id"]);
+  }
   EXPECT_EQ(static_cast<std::ptrdiff_t>(matched.size()),
             std::count(matches.begin(), matches.end(), '\n') - 1);
   const ProgramResult again = run_patch("out", {"--matcher", "pairwise,chio", "--resume"});

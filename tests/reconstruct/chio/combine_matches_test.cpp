@@ -42,6 +42,16 @@ TEST(CombineMatches, TakesPairwiseFirstAndWellConstrainedLinesOfChio) {
   EXPECT_EQ(combined[3].scored.match.left, 5);
 }
 
+TEST(CombineMatches, KeepsAllFragmentsThatALineIsMatchedWith) {
+  const std::vector<EdgeSegment> left{test::edge({{0, 0}, {80, 0}})};
+  const std::vector<ScoredMatch> pairwise{{{0, 10}, 0.9, 3.0}, {{0, 11}, 0.8, 2.0}};
+  const std::vector<CombinedMatch> combined =
+      combine_matches(left, pairwise, std::vector{chio_line(0, 11, 1)});
+  ASSERT_EQ(combined.size(), 2U);
+  EXPECT_EQ(combined[0].source, MatchSource::kPairwise);
+  EXPECT_EQ(combined[1].source, MatchSource::kBoth);
+}
+
 TEST(CombineMatches, OfNothingAreNone) { EXPECT_TRUE(combine_matches({}, {}, {}).empty()); }
 
 }  // namespace

@@ -81,6 +81,21 @@ TEST(CloseEdges, LeavesASingleEdgeAlone) {
   EXPECT_FALSE(find(step, step.base_segment()));
 }
 
+TEST(CloseEdges, LeavesAnEdgeWithAnotherBlurAlone) {
+  const CloseEdgeFinder finder(0.55);
+  for (const double blur_px : {0.45, 0.55, 0.65}) {
+    BlurredStrip step;
+    step.colours[1] = step.colours[2];
+    step.blur_px = blur_px;
+    EXPECT_FALSE(finder.find(step.image(), step.base_segment())) << blur_px;
+  }
+  // the edge of a shadow: the sun is no point
+  BlurredStrip shadow;
+  shadow.colours = {{{0.6, 0.6, 0.6}, {0.4, 0.4, 0.4}, {0.2, 0.2, 0.2}}};
+  shadow.offsets_px = {-0.35, 0.35};
+  EXPECT_FALSE(find(shadow, shadow.base_segment()));
+}
+
 TEST(CloseEdges, LeavesAnEdgeWithAnotherOneFartherAwayAlone) {
   BlurredStrip wide;
   wide.offsets_px = {0.0, 4.5};
