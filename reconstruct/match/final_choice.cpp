@@ -165,6 +165,8 @@ MatchResult final_choice(const MatchView& left,
                          const Supports& supports,
                          std::span<const BasePair> pairs,
                          const MatchOptions& options) {
+  // a fragment has no rivals among the others, which makes it look more certain than it is
+  constexpr double kFurtherMate = 0.7;
   const std::vector<int> n_voters = voters(pairs, supports, options);
   MatchResult result;
   result.outcomes.resize(candidates.size());
@@ -178,6 +180,8 @@ MatchResult final_choice(const MatchView& left,
     if (support.probability < options.min_probability) break;
     if (outcome != MatchOutcome::kLostVote && outcome != MatchOutcome::kMatched) continue;
     if (lacks_votes(support, n_voters[choice.left], options)) continue;
+    const bool is_further = outcome == MatchOutcome::kMatched;
+    if (is_further && support.probability < kFurtherMate) continue;
     if (!taken.allow(choice)) continue;
     outcome = MatchOutcome::kMatched;
     taken.add(choice);
