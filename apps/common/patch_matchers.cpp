@@ -50,7 +50,8 @@ MatchList pairwise_list(const reconstruct::MatchView& left,
     list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
   }
   std::sort(list.rows.begin(), list.rows.end(), [](const io::MatchRow& a, const io::MatchRow& b) {
-    return a.scored.match.left < b.scored.match.left;
+    return std::pair(a.scored.match.left, a.scored.match.right) <
+           std::pair(b.scored.match.left, b.scored.match.right);
   });
   return list;
 }

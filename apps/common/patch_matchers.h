@@ -43,7 +43,7 @@ void validate_matching(const MatchingOptions& options);
 /// What one matcher, or both together, made of a pair.
 struct MatchList {
   std::string name;                  ///< "pairwise", "chio" or "both"
-  std::vector<io::MatchRow> rows;    ///< by left index
+  std::vector<io::MatchRow> rows;    ///< by left, then by right index
   std::vector<std::string> reasons;  ///< per left segment; "matched" or why not
 };
 

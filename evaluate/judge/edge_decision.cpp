@@ -207,18 +207,21 @@ std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
   return along[0];
 }
 
-/// The plane that ends farther from the line than an edge may, or accompanies less of it than the
-/// chosen one, if the images show the line on it and not on the chosen one: an overhang, a border that
+/// The plane that ends farther from the line than an edge may, or accompanies less of it than those
+/// along it, if the images show the line on it and on none of these: an overhang, a border that
 /// the laser hit sparsely, a street beside a building that hides a part of it.
 std::optional<std::size_t> seen_instead(std::span<const CandidatePlane> candidates,
-                                        std::size_t chosen,
+                                        const std::vector<std::size_t>& along,
                                         const JudgeOptions& options,
                                         const ImageEvidence& images) {
-  double cost = image_cost(images, candidates[chosen].fit.plane) - kImageMargin;
+  double cost = HUGE_VAL;
+  for (const std::size_t i : along) {
+    cost = std::min(cost, image_cost(images, candidates[i].fit.plane) - kImageMargin);
+  }
   std::optional<std::size_t> seen;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const CandidatePlane& plane = candidates[i];
-    if (i == chosen || plane.low_object || plane.coverage < options.min_coverage) continue;
+    if (plane.low_object || plane.coverage < options.min_coverage) continue;
     const double cost_of_this = image_cost(images, plane.fit.plane);
     if (cost_of_this >= cost) continue;
     cost = cost_of_this;
@@ -259,12 +262,10 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
   if (along.size() == 1 && images &&
       runs_over_several(candidates, candidates[chosen], footprint, options, *images)) {
     decision.status = Status::kAmbiguous;
-    decision.reason =
-        "several surfaces above accompany the line in turns, none of them along it all";
+    decision.reason = "surfaces above accompany most of the line, none of them along it all";
     return decision;
   }
-  if (const auto seen =
-          images ? seen_instead(candidates, chosen, options, *images) : std::nullopt) {
+  if (const auto seen = images ? seen_instead(candidates, along, options, *images) : std::nullopt) {
     chosen = *seen;
     decision.flags = {"seen_instead"};
   }

@@ -48,9 +48,9 @@ bool Acquisition::is_free(int left, const CoreCandidate& candidate) const {
   const Segment2& segment = left_.segments[left].line.segment;
   return std::all_of(takers.begin(), takers.end(), [&](int other) {
     const Segment2& taker = left_.segments[other].line.segment;
-    return is_matched(other)
-               ? may_share_mate(segment, candidate.overlap, taker, mate(other).overlap)
-               : are_fragments(segment, taker);
+    const CoreCandidate* taken = candidate_of(candidates_[other], candidate.right);
+    return taken ? may_share_mate(segment, candidate.overlap, taker, taken->overlap)
+                 : are_fragments(segment, taker);
   });
 }
 
@@ -109,7 +109,11 @@ void Acquisition::accept(const LineMatch& match) {
   takers_[match.right].push_back(match.left);
   const auto& list = candidates_[match.left].list;
   const CoreCandidate* mate = candidate_of(candidates_[match.left], match.right);
-  if (mate) acquired_[match.left] = Acquired{.candidate = static_cast<int>(mate - list.data())};
+  if (!mate) return;
+  // of several mates the best candidate, which comes first
+  const int candidate = static_cast<int>(mate - list.data());
+  std::optional<Acquired>& acquired = acquired_[match.left];
+  if (!acquired || candidate < acquired->candidate) acquired = Acquired{.candidate = candidate};
 }
 
 }  // namespace ridgeline::reconstruct

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 
 namespace ridgeline::reconstruct {
@@ -31,6 +32,32 @@ std::array<const UncertainSegment2*, 2> matched_segments(Segments segments,
           &segments[1][checked_index("match: right segment", match.right, segments[1].size())]};
 }
 
+/// Parameter at which the epipolar line of a point of the right image crosses the line of a left
+/// segment.
+double epipolar_crossing(const Segment2& left,
+                         const Eigen::Vector2d& in_right,
+                         const Eigen::Matrix3d& right_from_left) {
+  const Eigen::Vector3d epipolar_line = right_from_left.transpose() * in_right.homogeneous();
+  const double at_start = epipolar_line.dot(left.start.homogeneous());
+  const double at_end = epipolar_line.dot(left.end.homogeneous());
+  return at_start / (at_start - at_end);
+}
+
+/// Keeps the part of the left segment that shows what the right one does: a segment with several
+/// fragments as mates is not to give each of their lines its whole length.
+void clip_to_mate(ObservedPair& pair, const Eigen::Matrix3d& right_from_left) {
+  constexpr double kShortest = 0.02;  // of the segment; less is an epipolar line along it
+  const Segment2 left = pair[0].segment;
+  const auto [low, high] =
+      std::minmax({epipolar_crossing(left, pair[1].segment.start, right_from_left),
+                   epipolar_crossing(left, pair[1].segment.end, right_from_left)});
+  const double from = std::max(0.0, low);
+  const double to = std::min(1.0, high);
+  if (!(to - from > kShortest)) return;
+  pair[0].segment = {left.start + from * (left.end - left.start),
+                     left.start + to * (left.end - left.start)};
+}
+
 StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
                          Segments segments,
                          std::span<const LineMatch> matches,
@@ -45,9 +72,12 @@ StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
   const std::array<View, 2>& views = lines.stereo.views;
   lines.right_from_left =
       fundamental_matrix(views[0].image_from_object, views[1].image_from_object);
+  std::map<int, int> num_mates;
+  for (const LineMatch& match : matches) ++num_mates[match.left];
   for (const LineMatch& match : matches) {
     const auto mates = matched_segments(segments, match);
     lines.lines.push_back({observe(views[0], *mates[0], form), observe(views[1], *mates[1], form)});
+    if (num_mates[match.left] > 1) clip_to_mate(lines.lines.back(), lines.right_from_left);
   }
   return lines;
 }

@@ -72,7 +72,8 @@ struct ReconstructedLine {
 /// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order
 /// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with
 /// Method::kJoint, by adjustment of these planes and the best artificial points made with the lines
-/// that they have a pair connection with. One line per match, or several of an aligned one that
+/// that they have a pair connection with. Of a left segment with several mates each line gets the part
+/// that its mate shows. One line per match, or several of an aligned one that
 /// agree_on_depth() finds to show several.
 ///
 /// @param cameras      image_from_local of the left (base) and the right image, free of error

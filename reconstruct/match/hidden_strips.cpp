@@ -131,6 +131,7 @@ Candidate across(const HiddenStrip& strip, const Pair& pair) {
   EdgeSegment& upper = seen[strip.image];
   flank(upper, side_of(upper, down)) = flank(lower, side_of(lower, down));
   Candidate candidate = *strip.upper_candidate;
+  candidate.look = look;
   candidate.measures = line_measures(seen[0], seen[1], candidate.overlap, look, pair.radiometry);
   candidate.similarity = line_similarity(candidate.measures);
   return candidate;

@@ -106,6 +106,24 @@ TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
   EXPECT_LT(*line.direct_sigma_z_m, 0.3 * *published.direct_sigma_z_m);
 }
 
+TEST(ReconstructLines, OfALineWithTwoMatesEachGivesThePartThatItsMateShows) {
+  LineGroup group = make_group(line_at(60.0), {});
+  const Segment3 whole = group.truth[0];
+  const std::array<Segment3, 2> parts{Segment3{whole.start, point_at(whole, 0.4)},
+                                      Segment3{point_at(whole, 0.6), whole.end}};
+  group.segments[1].clear();
+  for (const Segment3& part : parts) {
+    group.segments[1].push_back(test::exact(group.scene.images(part)[1], test::Noise{}));
+  }
+  group.matches = {{0, 0}, {0, 1}};
+  const std::vector<ReconstructedLine> lines = group.reconstruct(direct_options());
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(error_m(lines[i], parts[i]), kRecoveredM) << i;
+    const Segment2 seen = group.scene.images(parts[i])[0];
+    EXPECT_LT((lines[i].seen_px[0].start - seen.start).norm(), 1e-6) << i;
+  }
+}
+
 TEST(ReconstructLines, JointLeavesNotAlignedLinesBitwiseAsDirect) {
   test::Random random(131);
   for (int trial = 0; trial < 50; ++trial) {
