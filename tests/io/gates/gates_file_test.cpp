@@ -2,6 +2,7 @@
 #include "io/gates_file.h"
 
 #include "io/error.h"
+#include "tests/io/lines/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,11 +31,8 @@ class ReadGatesFile : public testing::Test {
     return "no error";
   }
 
-  void TearDown() override { std::filesystem::remove(path_); }
-
-  std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_gates.yaml");
+  TempFolder folder_;
+  std::filesystem::path path_ = folder_.file("gates.yaml");
 };
 
 TEST_F(ReadGatesFile, ReadsTheContractsExample) {

@@ -10,6 +10,7 @@
 #include "tests/io/laz/copc_builder.h"
 #include "tests/io/laz/laz_builder.h"
 #include "tests/io/laz/laz_samples.h"
+#include "tests/io/lines/temp_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -157,11 +158,6 @@ std::size_t peak_memory() {
 
 class MutatedCloud : public testing::Test {
  protected:
-  MutatedCloud()
-      : path_(testing::TempDir() + "ridgeline_mutated_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name() + ".las") {}
-  ~MutatedCloud() override { std::filesystem::remove(path_); }
-
   /// The points, or nothing for an error.
   std::optional<std::vector<CloudPoint>> read(const FileBytes& bytes, const std::string& what) {
     std::filesystem::remove(
@@ -182,7 +178,8 @@ class MutatedCloud : public testing::Test {
   }
 
  private:
-  std::string path_;
+  TempFolder folder_;
+  std::string path_ = folder_.file("mutated.las");
 };
 
 TEST_F(MutatedCloud, CutAtAnyBoundaryIsAnErrorOrLosesNoPoint) {
