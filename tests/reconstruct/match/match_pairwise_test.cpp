@@ -80,37 +80,31 @@ TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
   EXPECT_EQ(result.matches[1].match.right, 0);
 }
 
-TEST(MatchPairwise, GivesALineAllFragmentsOfItsMate) {
+constexpr int kEast = 1;  // of the outline of the high roof
+
+/// The right image shows the east edge of the high roof in two parts, each over `share` of it.
+std::vector<int> mates_of_the_east_edge(double share) {
   PaintedPair pair = two_roofs();
-  const double z = kHigh.height_m;
-  constexpr int kEast = 1;  // of the outline of the high roof
-  const Eigen::Vector3d south(kHigh.east, kHigh.south, z);
-  const Eigen::Vector3d north(kHigh.east, kHigh.north, z);
-  pair.add_segment(1, {0.45 * south + 0.55 * north, north});
-  pair.views[1].segments[kEast] = pair.views[1].segments.back();
-  pair.views[1].segments.pop_back();
-  pair.add_segment(1, {south, 0.55 * south + 0.45 * north});
+  const Segment3 edge{{kHigh.east, kHigh.south, kHigh.height_m},
+                      {kHigh.east, kHigh.north, kHigh.height_m}};
+  std::vector<EdgeSegment>& right = pair.views[1].segments;
+  pair.add_segment(1, {point_at(edge, 1.0 - share), edge.end});
+  right[kEast] = right.back();
+  right.pop_back();
+  pair.add_segment(1, {edge.start, point_at(edge, share)});
   std::vector<int> mates;
   for (const ScoredMatch& m : match(pair).matches) {
     if (m.match.left == kEast) mates.push_back(m.match.right);
   }
-  EXPECT_THAT(mates, testing::ElementsAre(kEast, 8));
+  return mates;
+}
+
+TEST(MatchPairwise, GivesALineAllFragmentsOfItsMate) {
+  EXPECT_THAT(mates_of_the_east_edge(0.45), testing::ElementsAre(kEast, 8));
 }
 
 TEST(MatchPairwise, GivesALineOneOfTwoSegmentsThatLieSideBySide) {
-  PaintedPair pair = two_roofs();
-  const double z = kHigh.height_m;
-  constexpr int kEast = 1;  // of the outline of the high roof
-  const Eigen::Vector3d south(kHigh.east, kHigh.south, z);
-  const Eigen::Vector3d north(kHigh.east, kHigh.north, z);
-  pair.add_segment(1, {0.7 * south + 0.3 * north, north});
-  pair.views[1].segments[kEast] = pair.views[1].segments.back();
-  pair.views[1].segments.pop_back();
-  pair.add_segment(1, {south, 0.3 * south + 0.7 * north});
-  const std::vector<ScoredMatch> matches = match(pair).matches;
-  EXPECT_EQ(std::count_if(matches.begin(), matches.end(),
-                          [](const ScoredMatch& m) { return m.match.left == kEast; }),
-            1);
+  EXPECT_EQ(mates_of_the_east_edge(0.7).size(), 1U);
 }
 
 TEST(MatchPairwise, NeverGivesOneMateToTwoEdges) {
