@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/match/segment_index.h"
+#include "reconstruct/match/side_past_wall.h"
 
 #include <tbb/parallel_for.h>
 
@@ -106,7 +107,12 @@ std::optional<Candidate> candidate(const Search& search,
       !admissible(*overlap, searched, transfer.gsd_m, search.stereo.height_range_m, options)) {
     return std::nullopt;
   }
-  const EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
+  EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
+  if (!aligned) {
+    const double lowest_m = std::min(overlap->height_m[0], overlap->height_m[1]);
+    look_past_wall(search.images, left, right, *overlap, transfer,
+                   lowest_m - search.stereo.height_range_m[0], look);
+  }
   Candidate found;
   found.look = look;
   found.right = right_id;

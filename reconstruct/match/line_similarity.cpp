@@ -9,7 +9,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kFlankScale = 0.05;  // of the range of grey values
 constexpr double kEndScale_px = 3.0;  // end points along a line are this uncertain
 
 /// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
@@ -43,7 +42,7 @@ LineMeasures line_measures(const EdgeSegment& left,
   for (const int side : {0, 1}) {
     const auto& seen = look.sides[side];
     ncc[side] = seen ? std::max(0.0, seen->ncc) : kUndecided;
-    colour[side] = seen ? std::exp(-seen->colour_difference / kFlankScale) : kUndecided;
+    colour[side] = seen ? seen->colour_agreement() : kUndecided;
   }
   m.values[LineMeasures::kBetterSide] = std::max(ncc[0], ncc[1]);
   m.values[LineMeasures::kOtherSide] = std::min(ncc[0], ncc[1]);
@@ -53,15 +52,14 @@ LineMeasures line_measures(const EdgeSegment& left,
       contrast_similarity(left, right, overlap.reversed(), radiometry).value_or(kUndecided);
   m.values[LineMeasures::kProfile] = std::max(0.0, look.profile_ncc.value_or(kUndecided));
   m.values[LineMeasures::kOverlap] = std::max(overlap.share_of_left(), overlap.share_of_right());
-  m.values[LineMeasures::kExtent] = std::min(overlap.share_of_left(), overlap.share_of_right());
   m.values[LineMeasures::kEnds] = ends_agreement(left, right, overlap);
   return m;
 }
 
 double line_similarity(const LineMeasures& measures) {
-  static constexpr std::array<double, LineMeasures::kCount> kWeights = {
-      1.52, 3.10, 2.79, 1.29, 0.59, 1.84, 4.15, 0.45, 4.10};
-  constexpr double kBias = -11.7;
+  static constexpr std::array<double, LineMeasures::kCount> kWeights = {0.65, 3.50, 1.83, 3.44,
+                                                                        1.38, 0.34, 2.51, 5.05};
+  constexpr double kBias = -9.65;
   double sum = kBias;
   for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];
   return 1.0 / (1.0 + std::exp(-sum));

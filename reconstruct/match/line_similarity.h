@@ -19,7 +19,6 @@ struct LineMeasures {
     kContrast,  ///< direction and strength of the colour step across the line
     kProfile,   ///< correlation of the profiles across the line
     kOverlap,   ///< share of the shorter segment in the epipolar overlap
-    kExtent,    ///< share of the longer one
     kEnds,      ///< how close both ends come to their mates
     kCount
   };

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/match/side_past_wall.h"
+
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Coarser than what decides: many heights are tried.
+constexpr StripGrid kGrid{1.5, 2.0, 4, 12, 1, false};
+
+/// What the right image shows farther out than the left one if a side lies lower than its line, as
+/// the width of the wall between: negative where the left image does.
+double px_per_m_of_drop(const StripFrame& frame, double sign, const LocalTransfer& transfer) {
+  const Eigen::Vector2d along = (frame.on_right.back() - frame.on_right.front()).normalized();
+  const Eigen::Vector2d normal(-along.y(), along.x());
+  const double outwards = normal.dot(sign * frame.side_in_right) > 0.0 ? 1.0 : -1.0;
+  return -outwards * normal.dot(transfer.per_height);
+}
+
+/// The strips on a level that much lower: beside the line where no wall hides it, farther out in the
+/// other image.
+StripFrame lowered(StripFrame frame,
+                   double drop_m,
+                   bool wall_in_right,
+                   const LocalTransfer& transfer) {
+  const Eigen::Vector2d shift_px = -drop_m * transfer.per_height;
+  if (wall_in_right) {
+    for (Eigen::Vector2d& x : frame.on_right) x += shift_px;
+  } else {
+    const Eigen::Vector2d back_px = transfer.jacobian.inverse() * shift_px;
+    for (Eigen::Vector2d& x : frame.on_left) x -= back_px;
+  }
+  return frame;
+}
+
+}  // namespace
+
+void look_past_wall(const ImagePair& images,
+                    const EdgeSegment& left,
+                    const EdgeSegment& right,
+                    const EpipolarOverlap& overlap,
+                    const LocalTransfer& transfer,
+                    double most_drop_m,
+                    EdgeLook& look) {
+  constexpr double kMostSimilar = 0.8;  // of at most 2: a side that agrees needs no wall
+  constexpr double kNarrowest_px = 2.0;
+  constexpr double kWidest_px = 36.0;
+  constexpr double kStep_px = 1.5;
+  // what the best of many heights gains without being right
+  constexpr SideLook kByChance{0.2, 0.012};
+  if (!look.sides[0] || !look.sides[1]) return;
+  const int worse = look.sides[0]->agreement() < look.sides[1]->agreement() ? 0 : 1;
+  if (look.sides[worse]->agreement() > kMostSimilar) return;
+  const double sign = worse == 0 ? -1.0 : 1.0;
+  StripFrame frame = strip_frame(left, right, overlap, kGrid.most_along);
+  frame.side_in_right = transfer.jacobian * frame.side_in_left;
+  const double px_per_m = px_per_m_of_drop(frame, sign, transfer);
+  const double widest_px = std::min(kWidest_px, std::abs(px_per_m) * most_drop_m);
+  for (double width_px = kNarrowest_px; width_px <= widest_px; width_px += kStep_px) {
+    const double drop_m = width_px / std::abs(px_per_m);
+    std::optional<SideLook> found =
+        look_of_side(images, lowered(frame, drop_m, px_per_m > 0.0, transfer), sign, kGrid);
+    if (!found) continue;
+    found->ncc -= kByChance.ncc;
+    found->colour_difference += kByChance.colour_difference;
+    if (found->agreement() > look.sides[worse]->agreement()) look.sides[worse] = found;
+  }
+}
+
+}  // namespace ridgeline::reconstruct
