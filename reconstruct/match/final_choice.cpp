@@ -72,21 +72,34 @@ bool lacks_votes(const Support& support, int n_voters, const MatchOptions& optio
   return n_voters > kIsolated || support.probability < options.min_isolated_probability;
 }
 
+/// The smallest probability at which a candidate is taken. The shortest segments find something
+/// similar by chance, in textures above all.
+double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
+  constexpr double kShort_px = 12.0;
+  constexpr double kOfShort = 0.9;
+  return std::min(length(left), length(right)) < kShort_px
+             ? std::max(kOfShort, options.min_probability)
+             : options.min_probability;
+}
+
 /// What becomes of a left segment before the others are asked.
-MatchOutcome prospect(const MatchView& right,
+MatchOutcome prospect(const Segment2& left,
+                      const MatchView& right,
                       const std::vector<Candidate>& candidates,
                       const std::vector<Support>& supports,
                       int n_voters,
                       const MatchOptions& options) {
   constexpr double kWeak = 0.2;  // of two equally weak candidates neither is right
   if (candidates.empty()) return MatchOutcome::kNoCandidate;
-  const Support& best = supports[best_of(supports)];
+  const std::size_t first = best_of(supports);
+  const Support& best = supports[first];
+  const Segment2& mate = right.segments[candidates[first].right].line.segment;
   if (best.probability > kWeak &&
       distance_ratio(right, candidates, supports) > options.max_distance_ratio) {
     return MatchOutcome::kAmbiguous;
   }
   if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;
-  if (best.probability >= options.min_probability) return MatchOutcome::kLostVote;
+  if (best.probability >= least_probability(left, mate, options)) return MatchOutcome::kLostVote;
   return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
 }
 
@@ -171,7 +184,8 @@ MatchResult final_choice(const MatchView& left,
   MatchResult result;
   result.outcomes.resize(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    result.outcomes[i] = prospect(right, candidates[i], supports[i], n_voters[i], options);
+    result.outcomes[i] = prospect(left.segments[i].line.segment, right, candidates[i], supports[i],
+                                  n_voters[i], options);
   }
   Taken taken(left, right, candidates);
   for (const Choice& choice : by_probability(supports)) {
@@ -180,12 +194,16 @@ MatchResult final_choice(const MatchView& left,
     if (support.probability < options.min_probability) break;
     if (outcome != MatchOutcome::kLostVote && outcome != MatchOutcome::kMatched) continue;
     if (lacks_votes(support, n_voters[choice.left], options)) continue;
+    const int mate = candidates[choice.left][choice.candidate].right;
+    if (support.probability < least_probability(left.segments[choice.left].line.segment,
+                                                right.segments[mate].line.segment, options)) {
+      continue;
+    }
     const bool is_further = outcome == MatchOutcome::kMatched;
     if (is_further && support.probability < kFurtherMate) continue;
     if (!taken.allow(choice)) continue;
     outcome = MatchOutcome::kMatched;
     taken.add(choice);
-    const int mate = candidates[choice.left][choice.candidate].right;
     result.matches.push_back({{choice.left, mate}, support.probability, support.votes});
   }
   std::sort(

@@ -174,6 +174,27 @@ TEST_F(SimilarityVotes, FinalChoiceTellsWeakFromAmbiguousCandidates) {
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kLowScore);
 }
 
+TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfTheShortestSegments) {
+  const auto with_short_mate = [](double length_px) {
+    return Segment2{{500.0 * length_px, 0.0}, {500.0 * length_px, length_px}};
+  };
+  const std::array<double, 3> lengths_px{11.0, 13.0, 11.5};
+  Supports supports(lengths_px.size(), std::vector<Support>(1));
+  for (std::size_t i = 0; i < lengths_px.size(); ++i) {
+    add_left({{500.0 * lengths_px[i], 0.0}, {500.0 * lengths_px[i], 40.0}});
+    add_right(with_short_mate(lengths_px[i]));
+    add_candidate(static_cast<int>(i), static_cast<int>(i), 0.9);
+    supports[i][0].votes = 1.0;
+    supports[i][0].n_pairs = 1;
+    supports[i][0].probability = 0.8;
+  }
+  supports[2][0].probability = 0.95;
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  EXPECT_EQ(result.outcomes[0], MatchOutcome::kLowScore);
+  EXPECT_EQ(result.outcomes[1], MatchOutcome::kMatched);
+  EXPECT_EQ(result.outcomes[2], MatchOutcome::kMatched);
+}
+
 TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor) {
   constexpr double kApart_px = 500.0;
   for (int i = 0; i < 3; ++i) {
