@@ -2,6 +2,7 @@
 #include "evaluate/judge/judge_line.h"
 
 #include "evaluate/judge/candidate_planes.h"
+#include "evaluate/judge/doubt.h"
 #include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/image_evidence.h"
@@ -56,48 +57,6 @@ std::size_t count_in_corridor(std::span<const ZonePoint> zone,
     return std::abs(p.t) <= options.corridor_half_width_m && p.s >= -options.corridor_end_m &&
            p.s <= footprint.length_m + options.corridor_end_m;
   }));
-}
-
-/// Whether the images show the line on none of the chosen planes.
-bool is_contradicted(std::span<const CandidatePlane> candidates,
-                     const EdgeDecision& decision,
-                     const std::optional<ImageEvidence>& images) {
-  constexpr double kContradiction = 25.0;  // chi-square: 5 px across the line at one end
-  return images && std::all_of(decision.planes.begin(), decision.planes.end(), [&](std::size_t i) {
-           return image_cost(*images, candidates[i].fit.plane) > kContradiction;
-         });
-}
-
-/// Whether something stands on the chosen surface along the line that no plane explains: the line
-/// may be an edge of that instead, so its judge is not known.
-bool is_doubtful(std::span<const ZonePoint> zone,
-                 std::span<const CandidatePlane> candidates,
-                 const EdgeDecision& decision,
-                 const Footprint& footprint,
-                 const std::optional<ImageEvidence>& images,
-                 const JudgeOptions& options) {
-  constexpr double kLowest_m = 0.2;
-  constexpr double kCanopy_m = 2.0;          // farther up it hides no edge that the images show
-  constexpr double kMostUnexplained = 0.15;  // a parapet of 0.3 m within 0.8 m on both sides
-  constexpr std::size_t kFewest = 4;         // fewer are birds and antennas
-  const double highest_m = is_contradicted(candidates, decision, images) ? HUGE_VAL : kCanopy_m;
-  std::size_t n = 0;
-  std::size_t unexplained = 0;
-  for (const ZonePoint& p : zone) {
-    if (std::abs(p.t) > options.step_offset_m || p.s < 0.0 || p.s > footprint.length_m) continue;
-    ++n;
-    const bool explained =
-        std::any_of(candidates.begin(), candidates.end(), [&](const CandidatePlane& plane) {
-          return plane.fit.plane.absDistance(p.x) <= 1.5 * options.inlier_distance_m;
-        });
-    double above_m = HUGE_VAL;
-    for (const std::size_t i : decision.planes) {
-      above_m = std::min(above_m, candidates[i].fit.plane.signedDistance(p.x));
-    }
-    unexplained += !explained && above_m > kLowest_m && above_m < highest_m ? 1 : 0;
-  }
-  return unexplained >= kFewest &&
-         static_cast<double>(unexplained) > kMostUnexplained * static_cast<double>(n);
 }
 
 JudgingPlane judging_plane(const CandidatePlane& candidate,
@@ -226,9 +185,8 @@ JudgedResult judge_line(const PointGrid& grid,
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));
   }
-  if (is_doubtful(zone, candidates, decision, footprint, line.images, options)) {
-    return ended(std::move(e), Status::kAmbiguous,
-                 "points stand along the line on the surface that it would be judged by");
+  if (auto doubt = reason_for_doubt(zone, candidates, decision, footprint, line.images, options)) {
+    return ended(std::move(e), Status::kAmbiguous, std::move(*doubt));
   }
   if (decision.kind == Kind::kRidge) {
     separate_at_intersection(candidates[decision.planes[0]], candidates[decision.planes[1]]);

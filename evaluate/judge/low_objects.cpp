@@ -20,6 +20,10 @@ bool is_low_object(const CandidatePlane& object,
   constexpr double kLargest_m2 = 15.0;  // two cars; roofs with less are dormers, on slopes
   constexpr double kNarrow = 6.0;       // length / width of a parapet, which stays
   constexpr double kOtherSide = 0.1;
+  constexpr double kLarger = 2.0;  // the bonnet of a car is no street
+  if (static_cast<double>(base.inliers.size()) <
+      kLarger * static_cast<double>(object.inliers.size()))
+    return false;
   const double area_m2 = static_cast<double>(object.inliers.size()) * spacing_m * spacing_m;
   const double elongation = std::sqrt(object.fit.spread_m2.x() / object.fit.spread_m2.y());
   const double above_m = base.fit.plane.signedDistance(object.fit.centroid);

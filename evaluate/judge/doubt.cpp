@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/doubt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr double kLowest_m = 0.2;  // above or below the chosen surface
+
+/// Whether the images show the line on none of the chosen planes.
+bool is_contradicted(std::span<const CandidatePlane> candidates,
+                     const EdgeDecision& decision,
+                     const std::optional<ImageEvidence>& images) {
+  constexpr double kContradiction = 25.0;  // chi-square: 5 px across the line at one end
+  return images && std::all_of(decision.planes.begin(), decision.planes.end(), [&](std::size_t i) {
+           return image_cost(*images, candidates[i].fit.plane) > kContradiction;
+         });
+}
+
+/// A point beside the line, against the planes.
+struct Placed {
+  double t_m;
+  double above_m;  ///< the lowest of the chosen planes, at right angles
+  bool explained;  ///< by any plane
+};
+
+std::vector<Placed> place(std::span<const ZonePoint> zone,
+                          std::span<const CandidatePlane> candidates,
+                          const EdgeDecision& decision,
+                          const Footprint& footprint,
+                          const JudgeOptions& options) {
+  std::vector<Placed> placed;
+  for (const ZonePoint& p : zone) {
+    if (std::abs(p.t) > options.corridor_half_width_m || p.s < 0.0 || p.s > footprint.length_m) {
+      continue;
+    }
+    Placed point{p.t, HUGE_VAL, false};
+    point.explained =
+        std::any_of(candidates.begin(), candidates.end(), [&](const CandidatePlane& plane) {
+          return plane.fit.plane.absDistance(p.x) <= 1.5 * options.inlier_distance_m;
+        });
+    for (const std::size_t i : decision.planes) {
+      point.above_m = std::min(point.above_m, candidates[i].fit.plane.signedDistance(p.x));
+    }
+    placed.push_back(point);
+  }
+  return placed;
+}
+
+/// Whether more than a share of the points within a distance of the line, and not just some birds and
+/// antennas, satisfy a condition.
+template <typename Condition>
+bool exceeds(double share,
+             std::span<const Placed> points,
+             double within_m,
+             const Condition& condition) {
+  constexpr std::size_t kFewest = 4;
+  std::size_t n = 0;
+  std::size_t of = 0;
+  for (const Placed& point : points) {
+    if (std::abs(point.t_m) > within_m) continue;
+    ++of;
+    n += !point.explained && condition(point) ? 1 : 0;
+  }
+  return n >= kFewest && static_cast<double>(n) > share * static_cast<double>(of);
+}
+
+bool one_side_is_empty(std::span<const Placed> points) {
+  const auto on_left = [](const Placed& point) { return point.t_m > 0.0; };
+  return std::all_of(points.begin(), points.end(), on_left) ||
+         std::none_of(points.begin(), points.end(), on_left);
+}
+
+}  // namespace
+
+std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
+                                            std::span<const CandidatePlane> candidates,
+                                            const EdgeDecision& decision,
+                                            const Footprint& footprint,
+                                            const std::optional<ImageEvidence>& images,
+                                            const JudgeOptions& options) {
+  constexpr double kCanopy_m = 2.0;          // farther up it hides no edge that the images show
+  constexpr double kMostUnexplained = 0.15;  // a parapet of 0.3 m within 0.8 m on both sides
+  constexpr double kFence_m = 0.3;           // across; the line of a fence is off by that in plan
+  constexpr double kMostOfFence = 0.1;
+  const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);
+  const auto stands = [](const Placed& point) {
+    return point.above_m > kLowest_m && point.above_m < kCanopy_m;
+  };
+  if (exceeds(kMostUnexplained, points, options.step_offset_m, stands) ||
+      exceeds(kMostOfFence, points, kFence_m, stands)) {
+    return "points stand along the line on the surface that it would be judged by";
+  }
+  if (!is_contradicted(candidates, decision, images)) return std::nullopt;
+  const auto apart = [](const Placed& point) { return std::abs(point.above_m) > kLowest_m; };
+  if (exceeds(kMostUnexplained, points, options.corridor_half_width_m, apart)) {
+    return "the images show the line on no plane, and no plane explains the points beside it";
+  }
+  if (one_side_is_empty(points)) {
+    return "the images show the line on no plane, and the cloud is empty on one side of it";
+  }
+  return std::nullopt;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/edge_decision.h"
+#include "evaluate/judge/footprint.h"
+#include "evaluate/judge/image_evidence.h"
+#include "evaluate/judge/options.h"
+#include "evaluate/judge/plane_support.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace ridgeline::evaluate {
+
+/// Why a line may belong to something else than the planes that were chosen for it, of which the cloud
+/// has too little for a plane of its own: the line is ambiguous then. Nothing if there is no such reason.
+///
+///   - Points stand on the chosen surface along the line that no plane explains: a hedge, a parapet, or a
+///     fence, which has few points but these in the line.
+///   - The images show the line on none of the chosen planes, and there are points beside it that no
+///     plane explains, or the cloud has nothing on one side of it. Such a line lies in an alley or on a
+///     wall, or it is wrong: the cloud does not tell.
+///
+/// Without images only the first is looked for. The line's height plays no part but by the images.
+/// @param zone      the points beside the line
+/// @param decision  one that evaluates
+std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
+                                            std::span<const CandidatePlane> candidates,
+                                            const EdgeDecision& decision,
+                                            const Footprint& footprint,
+                                            const std::optional<ImageEvidence>& images,
+                                            const JudgeOptions& options);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A line of 10 m along s over level ground of 5 points/m2, which is the plane chosen for it.
+#include "evaluate/judge/doubt.h"
+
+#include "tests/support/random.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::evaluate {
+namespace {
+
+using testing::Eq;
+using testing::Ne;
+
+constexpr double kLength_m = 10.0;
+constexpr double kDensity_per_m2 = 5.0;
+
+ProjectionMatrix camera_at(double x) {
+  ProjectionMatrix p;
+  p << 10000, 0, 0, -10000 * x, 0, -10000, 0, 0, 0, 0, -1, 800;
+  return p;
+}
+
+class Doubt : public testing::Test {
+ protected:
+  Doubt() {
+    ground_.fit.plane = Plane3(Eigen::Vector3d::UnitZ(), 0.0);
+    decision_.status = Status::kEvaluated;
+    decision_.kind = Kind::kStep;
+    decision_.planes = {0};
+    constexpr double kHalf_m = 1.5;
+    add_ground(-kHalf_m, kHalf_m);
+  }
+
+  /// Along s is north: across the base of the images.
+  void add(double s, double t, double z) { zone_.push_back({{-t, s, z}, s, t, 0}); }
+
+  void add_ground(double t_from, double t_to) {
+    const auto n = static_cast<int>((t_to - t_from) * kLength_m * kDensity_per_m2);
+    for (int i = 0; i < n; ++i) {
+      add(random_.uniform(0.0, kLength_m), random_.uniform(t_from, t_to), 0.0);
+    }
+  }
+
+  [[nodiscard]] std::optional<std::string> reason(
+      const std::optional<ImageEvidence>& images = std::nullopt) const {
+    const Footprint footprint{{0, 0}, {0, 1}, {-1, 0}, kLength_m};
+    return reason_for_doubt(zone_, std::vector{ground_}, decision_, footprint, images, {});
+  }
+
+  /// What images show of a line at a height.
+  static ImageEvidence seen_at(double z) {
+    const std::array<ProjectionMatrix, 2> cameras{camera_at(-100.0), camera_at(108.0)};
+    const Segment3 line{{0, 0, z}, {0, kLength_m, z}};
+    return {cameras, {project(cameras[0], line), project(cameras[1], line)}, {-10.0, 30.0}};
+  }
+
+  test::Random random_{11};
+  std::vector<ZonePoint> zone_;
+  CandidatePlane ground_;
+  EdgeDecision decision_;
+};
+
+TEST_F(Doubt, IsNoneOnOpenGround) { EXPECT_THAT(reason(), Eq(std::nullopt)); }
+
+TEST_F(Doubt, AFenceOfFewPointsInTheLineGivesOne) {
+  for (const double s : {1.0, 3.0, 5.0, 7.0, 9.0}) add(s, 0.1, 1.2);
+  EXPECT_THAT(reason(), Ne(std::nullopt));
+}
+
+TEST_F(Doubt, AsFewPointsAsideGiveNone) {
+  for (const double s : {1.0, 3.0, 5.0, 7.0, 9.0}) add(s, 0.5, 1.2);
+  EXPECT_THAT(reason(), Eq(std::nullopt));
+}
+
+TEST_F(Doubt, PointsInTheLineFarAboveItsSurfaceAreACanopy) {
+  for (const double s : {1.0, 3.0, 5.0, 7.0, 9.0}) add(s, 0.1, 5.0);
+  EXPECT_THAT(reason(), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(0.0)), Eq(std::nullopt));
+}
+
+TEST_F(Doubt, ALineThatImagesShowMetresOffIsWrongWhereThePlaneExplainsEverything) {
+  EXPECT_THAT(reason(seen_at(5.0)), Eq(std::nullopt));
+}
+
+TEST_F(Doubt, ALineThatImagesShowMetresOffMayBelongToPointsThatNoPlaneExplains) {
+  for (int i = 0; i < 40; ++i) add(random_.uniform(0.0, kLength_m), 1.2, random_.uniform(3.0, 7.0));
+  EXPECT_THAT(reason(), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(0.0)), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(5.0)), Ne(std::nullopt));
+}
+
+TEST_F(Doubt, ALineThatImagesShowMetresOffMayLieWhereTheCloudIsEmpty) {
+  zone_.clear();
+  add_ground(0.3, 1.5);
+  EXPECT_THAT(reason(), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(0.0)), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(5.0)), Ne(std::nullopt));
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate
