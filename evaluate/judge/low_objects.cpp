@@ -10,7 +10,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 /// A car parked beside a marking, a box on a terrace: a small level surface less than 2 m above a
-/// level one that also lies on the object's far and near side of the line.
+/// larger level one that also lies on the object's far and near side of the line.
 bool is_low_object(const CandidatePlane& object,
                    const CandidatePlane& base,
                    double spacing_m,
@@ -21,10 +21,9 @@ bool is_low_object(const CandidatePlane& object,
   constexpr double kNarrow = 6.0;       // length / width of a parapet, which stays
   constexpr double kOtherSide = 0.1;
   constexpr double kLarger = 2.0;  // the bonnet of a car is no street
-  if (static_cast<double>(base.inliers.size()) <
-      kLarger * static_cast<double>(object.inliers.size()))
-    return false;
-  const double area_m2 = static_cast<double>(object.inliers.size()) * spacing_m * spacing_m;
+  const auto n = static_cast<double>(object.inliers.size());
+  if (static_cast<double>(base.inliers.size()) < kLarger * n) return false;
+  const double area_m2 = n * spacing_m * spacing_m;
   const double elongation = std::sqrt(object.fit.spread_m2.x() / object.fit.spread_m2.y());
   const double above_m = base.fit.plane.signedDistance(object.fit.centroid);
   if (slope_rad(base.fit.plane) > kLevel_rad || slope_rad(object.fit.plane) > kLevel_rad ||
