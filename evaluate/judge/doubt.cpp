@@ -9,16 +9,6 @@ namespace {
 
 constexpr double kLowest_m = 0.2;  // above or below the chosen surface
 
-/// Whether the images show the line on none of the chosen planes.
-bool is_contradicted(std::span<const CandidatePlane> candidates,
-                     const EdgeDecision& decision,
-                     const std::optional<ImageEvidence>& images) {
-  constexpr double kContradiction = 25.0;  // chi-square: 5 px across the line at one end
-  return images && std::all_of(decision.planes.begin(), decision.planes.end(), [&](std::size_t i) {
-           return image_cost(*images, candidates[i].fit.plane) > kContradiction;
-         });
-}
-
 /// A point beside the line, against the planes.
 struct Placed {
   double t_m;
@@ -74,6 +64,15 @@ bool one_side_is_empty(std::span<const Placed> points) {
 }
 
 }  // namespace
+
+bool is_contradicted(std::span<const CandidatePlane> candidates,
+                     const EdgeDecision& decision,
+                     const std::optional<ImageEvidence>& images) {
+  constexpr double kContradiction = 25.0;  // chi-square, of a pixel of noise
+  return images && std::all_of(decision.planes.begin(), decision.planes.end(), [&](std::size_t i) {
+           return image_cost(*images, candidates[i].fit.plane) > kContradiction;
+         });
+}
 
 std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
                                             std::span<const CandidatePlane> candidates,

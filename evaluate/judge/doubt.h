@@ -13,6 +13,11 @@
 
 namespace ridgeline::evaluate {
 
+/// Whether the images show the line on none of the chosen planes: 5 px off at one end, or more.
+bool is_contradicted(std::span<const CandidatePlane> candidates,
+                     const EdgeDecision& decision,
+                     const std::optional<ImageEvidence>& images);
+
 /// Why a line may belong to something else than the planes that were chosen for it, of which the cloud
 /// has too little for a plane of its own: the line is ambiguous then. Nothing if there is no such reason.
 ///

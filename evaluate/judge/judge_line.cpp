@@ -145,6 +145,52 @@ Footprint footprint_of_edge(const PointGrid& grid, const JudgedLine& line) {
   return footprint_of(seen ? *seen : line.segment);
 }
 
+/// What the cloud holds around an edge, and which planes judge it.
+struct Surroundings {
+  Footprint footprint;
+  std::vector<ZonePoint> zone;
+  std::vector<CandidatePlane> candidates;
+  EdgeDecision decision;
+
+  [[nodiscard]] bool is_contradicted(const std::optional<ImageEvidence>& images) const {
+    return decision.status == Status::kEvaluated &&
+           evaluate::is_contradicted(candidates, decision, images);
+  }
+};
+
+Surroundings surroundings(const PointGrid& grid,
+                          const JudgedLine& line,
+                          const Footprint& footprint,
+                          const JudgeOptions& options) {
+  Surroundings around{
+      footprint,
+      points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m),
+      {},
+      {}};
+  if (count_in_corridor(around.zone, footprint, options) <
+      static_cast<std::size_t>(options.min_points)) {
+    return around;
+  }
+  around.candidates = candidate_planes(around.zone, footprint, line.images, options,
+                                       line_key(line.id, options.seed));
+  around.decision = decide_edge(around.candidates, footprint, options, line.images);
+  return around;
+}
+
+/// What lies around the line in plan, if the images show the line on that. A ray that passes the edge
+/// of a roof between two points of the cloud ends on the ground, a metre aside for a house of 8 m. A line
+/// at a wrong height does not gain by it: the images would have to show it on a plane there.
+std::optional<Surroundings> seen_where_it_lies(const PointGrid& grid,
+                                               const JudgedLine& line,
+                                               const JudgeOptions& options) {
+  Surroundings own = surroundings(grid, line, footprint_of(line.segment), options);
+  if (own.decision.status != Status::kEvaluated || own.is_contradicted(line.images)) {
+    return std::nullopt;
+  }
+  own.decision.flags.emplace_back("seen_instead");
+  return own;
+}
+
 LineEvaluation undecided(const JudgedLine& line) {
   LineEvaluation e;
   e.id = line.id;
@@ -170,18 +216,17 @@ JudgedResult judge_line(const PointGrid& grid,
   if (const auto refusal = refuse(line, options)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
-  const Footprint footprint = footprint_of_edge(grid, line);
-  const std::vector<ZonePoint> zone =
-      points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
+  Surroundings around = surroundings(grid, line, footprint_of_edge(grid, line), options);
+  if (line.images && around.is_contradicted(line.images)) {
+    if (auto own = seen_where_it_lies(grid, line, options)) around = std::move(*own);
+  }
+  auto& [footprint, zone, candidates, decision] = around;
   const std::size_t n_beside = count_in_corridor(zone, footprint, options);
   if (n_beside < static_cast<std::size_t>(options.min_points)) {
     return ended(std::move(e), Status::kNoLidar,
                  text(n_beside, " points within ", options.corridor_half_width_m,
                       " m of the line, must be at least ", options.min_points));
   }
-  std::vector<CandidatePlane> candidates =
-      candidate_planes(zone, footprint, line.images, options, line_key(line.id, options.seed));
-  EdgeDecision decision = decide_edge(candidates, footprint, options, line.images);
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));
   }

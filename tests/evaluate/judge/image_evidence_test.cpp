@@ -173,5 +173,45 @@ TEST(JudgeBesideACar, AMarkingIsJudgedByTheGround) {
   EXPECT_LT(distance_of({{-0.3, 0.2, 0.0}, {-0.3, 4.0, 0.0}}), 0.03);
 }
 
+constexpr double kEaves_m = 8.0;
+
+/// A flat roof west of x = 0, across the base, of which the cloud has nothing within half a metre of
+/// the edge: the rays of the edge end on the ground, a metre east.
+PointGrid roof_with_a_bare_edge() {
+  test::Random random(7);
+  std::vector<Eigen::Vector3d> points;
+  for (double y = -5.0; y < 10.0; y += 0.4) {
+    for (double x = -6.0; x < -0.5; x += 0.4)
+      points.emplace_back(x, y, kEaves_m + random.normal(kLidarSigma_m));
+    for (double x = -0.3; x < 6.0; x += 0.4)
+      points.emplace_back(x, y, random.normal(kLidarSigma_m));
+  }
+  return PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
+}
+
+LineEvaluation judged_at_a_bare_edge(double z) {
+  JudgedLine line;
+  line.id = "edge";
+  // where the ray of the left image through the edge has that height
+  const double x = 100.0 / (800.0 - kEaves_m) * (kEaves_m - z);
+  line.segment = {{x, 1, z}, {x, 4, z}};
+  line.images = seen(line.segment);
+  return judge_line(roof_with_a_bare_edge(), line, {}).evaluation;
+}
+
+TEST(JudgeAtABareEdge, IsByTheRoofThatTheImagesShowItOn) {
+  const LineEvaluation judged = judged_at_a_bare_edge(kEaves_m);
+  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  EXPECT_LT(judged.mean_distance_m, 0.03);
+  EXPECT_THAT(judged.flags, testing::Contains("seen_instead"));
+}
+
+TEST(JudgeAtABareEdge, OfALineAtAWrongHeightIsByTheGroundThatItsRaysEndOn) {
+  constexpr double kWrong_m = 4.0;
+  const LineEvaluation judged = judged_at_a_bare_edge(kWrong_m);
+  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  EXPECT_NEAR(judged.mean_distance_m, kWrong_m, 0.03);
+}
+
 }  // namespace
 }  // namespace ridgeline::evaluate
