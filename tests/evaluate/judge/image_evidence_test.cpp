@@ -207,10 +207,11 @@ TEST(JudgeAtABareEdge, IsByTheRoofThatTheImagesShowItOn) {
 }
 
 TEST(JudgeAtABareEdge, OfALineAtAWrongHeightIsByTheGroundThatItsRaysEndOn) {
-  constexpr double kWrong_m = 4.0;
-  const LineEvaluation judged = judged_at_a_bare_edge(kWrong_m);
-  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-  EXPECT_NEAR(judged.mean_distance_m, kWrong_m, 0.03);
+  for (const double wrong_m : {4.0, 16.0}) {  // the higher one lies over the roof
+    const LineEvaluation judged = judged_at_a_bare_edge(wrong_m);
+    ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+    EXPECT_NEAR(judged.mean_distance_m, wrong_m, 0.03);
+  }
 }
 
 }  // namespace
