@@ -9,6 +9,17 @@ namespace {
 
 constexpr double kLowest_m = 0.2;  // above or below the chosen surface
 
+/// Chi-square of the images against the plane that suits them best, for a pixel of noise.
+double least_cost(std::span<const CandidatePlane> candidates,
+                  const EdgeDecision& decision,
+                  const ImageEvidence& images) {
+  double cost = HUGE_VAL;
+  for (const std::size_t i : decision.planes) {
+    cost = std::min(cost, image_cost(images, candidates[i].fit.plane));
+  }
+  return cost;
+}
+
 /// A point beside the line, against the planes.
 struct Placed {
   double t_m;
@@ -39,14 +50,18 @@ std::vector<Placed> place(std::span<const ZonePoint> zone,
   return placed;
 }
 
-/// Whether more than a share of the points within a distance of the line, and not just some birds and
-/// antennas, satisfy a condition.
+/// How many points it takes to raise a doubt: a number of them, and a share of all that are near.
+struct Least {
+  std::size_t n;
+  double share;
+};
+
+/// Whether more than that of the points within a distance of the line satisfy a condition.
 template <typename Condition>
-bool exceeds(double share,
+bool exceeds(const Least& least,
              std::span<const Placed> points,
              double within_m,
              const Condition& condition) {
-  constexpr std::size_t kFewest = 4;
   std::size_t n = 0;
   std::size_t of = 0;
   for (const Placed& point : points) {
@@ -54,7 +69,7 @@ bool exceeds(double share,
     ++of;
     n += !point.explained && condition(point) ? 1 : 0;
   }
-  return n >= kFewest && static_cast<double>(n) > share * static_cast<double>(of);
+  return n >= least.n && static_cast<double>(n) > least.share * static_cast<double>(of);
 }
 
 bool one_side_is_empty(std::span<const Placed> points) {
@@ -68,10 +83,8 @@ bool one_side_is_empty(std::span<const Placed> points) {
 bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images) {
-  constexpr double kContradiction = 25.0;  // chi-square, of a pixel of noise
-  return images && std::all_of(decision.planes.begin(), decision.planes.end(), [&](std::size_t i) {
-           return image_cost(*images, candidates[i].fit.plane) > kContradiction;
-         });
+  constexpr double kFivePixels = 25.0;
+  return images && least_cost(candidates, decision, *images) > kFivePixels;
 }
 
 std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
@@ -80,21 +93,24 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
                                             const Footprint& footprint,
                                             const std::optional<ImageEvidence>& images,
                                             const JudgeOptions& options) {
-  constexpr double kCanopy_m = 2.0;          // farther up it hides no edge that the images show
-  constexpr double kMostUnexplained = 0.15;  // a parapet of 0.3 m within 0.8 m on both sides
-  constexpr double kFence_m = 0.3;           // across; the line of a fence is off by that in plan
-  constexpr double kMostOfFence = 0.1;
+  constexpr double kCanopy_m = 2.0;         // farther up it hides no edge that the images show
+  constexpr Least kHedge{4, 0.15};          // a parapet of 0.3 m within 0.8 m on both sides
+  constexpr Least kFence{4, 0.1};           // fewer are birds and antennas
+  constexpr Least kFenceSeenAbove{2, 0.1};  // unless the images show the line off the surface
+  constexpr double kFence_m = 0.3;          // across; the line of a fence is off by that in plan
+  constexpr double kThreePixels = 9.0;
   const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);
   const auto stands = [](const Placed& point) {
     return point.above_m > kLowest_m && point.above_m < kCanopy_m;
   };
-  if (exceeds(kMostUnexplained, points, options.step_offset_m, stands) ||
-      exceeds(kMostOfFence, points, kFence_m, stands)) {
+  const bool seen_above = images && least_cost(candidates, decision, *images) > kThreePixels;
+  if (exceeds(kHedge, points, options.step_offset_m, stands) ||
+      exceeds(seen_above ? kFenceSeenAbove : kFence, points, kFence_m, stands)) {
     return "points stand along the line on the surface that it would be judged by";
   }
   if (!is_contradicted(candidates, decision, images)) return std::nullopt;
   const auto apart = [](const Placed& point) { return std::abs(point.above_m) > kLowest_m; };
-  if (exceeds(kMostUnexplained, points, options.corridor_half_width_m, apart)) {
+  if (exceeds(kHedge, points, options.corridor_half_width_m, apart)) {
     return "the images show the line on no plane, and no plane explains the points beside it";
   }
   if (one_side_is_empty(points)) {

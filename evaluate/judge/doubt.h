@@ -22,7 +22,7 @@ bool is_contradicted(std::span<const CandidatePlane> candidates,
 /// has too little for a plane of its own: the line is ambiguous then. Nothing if there is no such reason.
 ///
 ///   - Points stand on the chosen surface along the line that no plane explains: a hedge, a parapet, or a
-///     fence, which has few points but these in the line.
+///     fence, which has few points but these in the line; two, if the images show the line off the surface.
 ///   - The images show the line on none of the chosen planes, and there are points beside it that no
 ///     plane explains, or the cloud has nothing on one side of it. Such a line lies in an alley or on a
 ///     wall, or it is wrong: the cloud does not tell.

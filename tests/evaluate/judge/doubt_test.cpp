@@ -68,6 +68,15 @@ TEST_F(Doubt, AFenceOfFewPointsInTheLineGivesOne) {
   EXPECT_THAT(reason(), Ne(std::nullopt));
 }
 
+TEST_F(Doubt, TwoPointsInTheLineGiveOneIfTheImagesShowItOffTheSurface) {
+  zone_.erase(zone_.begin() + zone_.size() / 4, zone_.end());  // as many as beside a line of 2.5 m
+  add(1.0, 0.1, 1.2);
+  add(2.0, 0.1, 1.2);
+  EXPECT_THAT(reason(), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(0.0)), Eq(std::nullopt));
+  EXPECT_THAT(reason(seen_at(1.2)), Ne(std::nullopt));
+}
+
 TEST_F(Doubt, AsFewPointsAsideGiveNone) {
   for (const double s : {1.0, 3.0, 5.0, 7.0, 9.0}) add(s, 0.5, 1.2);
   EXPECT_THAT(reason(), Eq(std::nullopt));
