@@ -93,7 +93,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   std::cout << "matches: correct " << n_correct << ", false " << n_false << ", missed " << n_missed
             << "; correctness " << correctness << ", completeness " << completeness << ", quality "
             << quality << "\n";
-  EXPECT_GE(correctness, 0.985);
+  EXPECT_GE(correctness, 0.987);
   EXPECT_GE(completeness, 0.97);
   EXPECT_GE(quality, 0.96);
 
@@ -112,10 +112,12 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
               << 100.0 * pool.gross_share() << " % gross); against LIDAR " << lidar[key].rms()
               << " m (" << lidar[key].n << " lines)\n";
   }
-  EXPECT_LE(truth["joint not_aligned"].rms(), 0.20);
+  EXPECT_LE(truth["joint not_aligned"].rms(), 0.13);
   EXPECT_LE(truth["joint not_aligned"].gross_share(), 0.01);
-  EXPECT_LE(truth["joint aligned"].gross_share(), 0.03);
-  EXPECT_LE(truth["joint aligned"].rms(), 0.35);
+  EXPECT_LE(truth["joint aligned"].gross_share(), 0.01);
+  EXPECT_LE(truth["joint aligned"].rms(), 0.22);
+  // the clouds have laser points on lines that have no true one, too: cars, fences
+  EXPECT_LE(lidar["joint not_aligned"].rms(), truth["joint not_aligned"].rms() + 0.02);
 
   double n_true = 0.0, n_found = 0.0;
   for (const Row& row : table("reference_completeness.csv")) {
@@ -126,7 +128,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
     n_found += number(row, "n_reconstructed");
   }
   std::cout << "roof lines reconstructed: " << n_found << " of " << n_true << "\n";
-  EXPECT_GE(n_found / n_true, 0.63);
+  EXPECT_GE(n_found / n_true, 0.73);
 }
 
 }  // namespace
