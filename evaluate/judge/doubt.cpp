@@ -9,21 +9,23 @@ namespace {
 
 constexpr double kLowest_m = 0.2;  // above or below the chosen surface
 
-/// Chi-square of the images against the plane that suits them best, for a pixel of noise.
+/// Chi-square across the line of the images against the plane that suits them best, for a pixel of
+/// noise; 0 where no plane can be compared.
 double least_cost(std::span<const CandidatePlane> candidates,
                   const EdgeDecision& decision,
                   const ImageEvidence& images) {
-  double cost = HUGE_VAL;
+  double least = HUGE_VAL;
   for (const std::size_t i : decision.planes) {
-    cost = std::min(cost, image_cost(images, candidates[i].fit.plane));
+    const double cost = image_cost_parts(images, candidates[i].fit.plane).across;
+    if (std::isfinite(cost)) least = std::min(least, cost);
   }
-  return cost;
+  return std::isfinite(least) ? least : 0.0;
 }
 
 /// A point beside the line, against the planes.
 struct Placed {
   double t_m;
-  double above_m;  ///< the lowest of the chosen planes, at right angles
+  double above_m;  ///< the highest of the chosen planes, at right angles
   bool explained;  ///< by any plane
 };
 
@@ -72,10 +74,16 @@ bool exceeds(const Least& least,
   return n >= least.n && static_cast<double>(n) > least.share * static_cast<double>(of);
 }
 
-bool one_side_is_empty(std::span<const Placed> points) {
-  const auto on_left = [](const Placed& point) { return point.t_m > 0.0; };
-  return std::all_of(points.begin(), points.end(), on_left) ||
-         std::none_of(points.begin(), points.end(), on_left);
+/// Whether there are points on one side only, which is no chance for so many.
+bool one_side_is_empty(std::span<const Placed> points, const JudgeOptions& options) {
+  std::size_t left = 0;
+  std::size_t right = 0;
+  for (const Placed& point : points) {
+    left += point.t_m > options.side_gap_m ? 1 : 0;
+    right += point.t_m < -options.side_gap_m ? 1 : 0;
+  }
+  return std::min(left, right) == 0 &&
+         2 * std::max(left, right) >= static_cast<std::size_t>(options.min_points);
 }
 
 }  // namespace
@@ -83,7 +91,7 @@ bool one_side_is_empty(std::span<const Placed> points) {
 bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images) {
-  constexpr double kFivePixels = 25.0;
+  constexpr double kFivePixels = 25.0;  // at one end, 3.5 at both
   return images && least_cost(candidates, decision, *images) > kFivePixels;
 }
 
@@ -93,27 +101,28 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
                                             const Footprint& footprint,
                                             const std::optional<ImageEvidence>& images,
                                             const JudgeOptions& options) {
-  constexpr double kCanopy_m = 2.0;         // farther up it hides no edge that the images show
-  constexpr Least kHedge{4, 0.15};          // a parapet of 0.3 m within 0.8 m on both sides
-  constexpr Least kFence{4, 0.1};           // fewer are birds and antennas
-  constexpr Least kFenceSeenAbove{2, 0.1};  // unless the images show the line off the surface
-  constexpr double kFence_m = 0.3;          // across; the line of a fence is off by that in plan
-  constexpr double kThreePixels = 9.0;
+  constexpr double kCanopy_m = 2.0;       // farther up it hides no edge that the images show
+  constexpr Least kHedge{4, 0.15};        // a parapet of 0.3 m within 0.8 m on both sides
+  constexpr Least kFence{4, 0.1};         // fewer are birds and antennas
+  constexpr Least kFenceSeenOff{2, 0.1};  // unless the images show the line off the surface
+  constexpr double kFence_m = 0.3;        // across; the line of a fence is off by that in plan
+  constexpr double kThreePixels = 9.0;    // at one end, 2.1 at both
   const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);
   const auto stands = [](const Placed& point) {
     return point.above_m > kLowest_m && point.above_m < kCanopy_m;
   };
-  const bool seen_above = images && least_cost(candidates, decision, *images) > kThreePixels;
+  const bool seen_off_surface = images && least_cost(candidates, decision, *images) > kThreePixels;
   if (exceeds(kHedge, points, options.step_offset_m, stands) ||
-      exceeds(seen_above ? kFenceSeenAbove : kFence, points, kFence_m, stands)) {
+      exceeds(seen_off_surface ? kFenceSeenOff : kFence, points, kFence_m, stands)) {
     return "points stand along the line on the surface that it would be judged by";
   }
   if (!is_contradicted(candidates, decision, images)) return std::nullopt;
   const auto apart = [](const Placed& point) { return std::abs(point.above_m) > kLowest_m; };
-  if (exceeds(kHedge, points, options.corridor_half_width_m, apart)) {
+  if (exceeds(kHedge, points, options.step_offset_m, apart) ||
+      exceeds(kHedge, points, options.corridor_half_width_m, apart)) {
     return "the images show the line on no plane, and no plane explains the points beside it";
   }
-  if (one_side_is_empty(points)) {
+  if (one_side_is_empty(points, options)) {
     return "the images show the line on no plane, and the cloud is empty on one side of it";
   }
   return std::nullopt;

@@ -13,7 +13,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Whether the images show the line on none of the chosen planes: 5 px off at one end, or more.
+/// Whether the images show the line on none of the chosen planes: off across it by 5 px at one end or by
+/// 3.5 px at both. Not without images.
 bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images);

@@ -46,7 +46,7 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b);
 /// they tell the planes not apart it is the upper one, flag `plane_ambiguous` (system.md 13.6). A plane
 /// whose points end farther from the line than step_offset_m, or that accompanies less of it than the
 /// others but min_coverage of it, judges only if the images show the line on it and not on these, flag
-/// `seen_instead`.
+/// `seen_instead` (which judge_line() gives to a line that it looked for in another place, too).
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
                          const JudgeOptions& options,

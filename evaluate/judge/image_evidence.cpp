@@ -161,7 +161,7 @@ std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& ima
   return seen;
 }
 
-double image_cost(const ImageEvidence& images, const Plane3& plane) {
+ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane) {
   constexpr double kSigmaAcross_px = 1.0;  // image line, orientation and plane together
   constexpr double kSigmaAlong_px = 3.0;
   constexpr double kMostAlong_px = 10.0;
@@ -174,14 +174,20 @@ double image_cost(const ImageEvidence& images, const Plane3& plane) {
     std::swap(other.start, other.end);
   }
   const Eigen::Vector2d along = (other.end - other.start).normalized();
-  double cost = 0.0;
+  ImageCost cost;
   for (const Eigen::Vector2d& off :
        {Eigen::Vector2d(carried.start - other.start), Eigen::Vector2d(carried.end - other.end)}) {
     const double across_px = off.x() * along.y() - off.y() * along.x();
     const double along_px = std::min(std::abs(off.dot(along)), kMostAlong_px);
-    cost += std::pow(across_px / kSigmaAcross_px, 2) + std::pow(along_px / kSigmaAlong_px, 2);
+    cost.across += std::pow(across_px / kSigmaAcross_px, 2);
+    cost.along += std::pow(along_px / kSigmaAlong_px, 2);
   }
   return cost;
+}
+
+double image_cost(const ImageEvidence& images, const Plane3& plane) {
+  const ImageCost cost = image_cost_parts(images, plane);
+  return cost.across + cost.along;
 }
 
 std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m) {

@@ -18,6 +18,14 @@ namespace ridgeline::evaluate {
 /// direction in plan.
 std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& images);
 
+/// The parts of image_cost(). Two planes are compared by both; whether the images show the line on one
+/// is told by `across` alone, since the segments need not show the same part of the line.
+struct ImageCost {
+  double across = 0.0;
+  double along = 0.0;
+};
+ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane);
+
 /// How badly the plane explains the pair of segments, in chi-square units: the ends of the base
 /// segment are carried by the plane into the other image and compared with the segment there,
 /// across it, and along it with a limit, because ends are found where an occlusion or a lack of

@@ -138,13 +138,6 @@ std::vector<std::uint64_t> position_keys(std::span<const ZonePoint> points) {
   return keys;
 }
 
-/// Where the edge lies in plan: by its image segment on the LIDAR surface, so that all methods meet
-/// the same points; by the line itself where there is no image or the ray meets no surface.
-Footprint footprint_of_edge(const PointGrid& grid, const JudgedLine& line) {
-  const std::optional<Segment3> seen = line.images ? monoplot(grid, *line.images) : std::nullopt;
-  return footprint_of(seen ? *seen : line.segment);
-}
-
 /// What the cloud holds around an edge, and which planes judge it.
 struct Surroundings {
   Footprint footprint;
@@ -179,15 +172,17 @@ Surroundings surroundings(const PointGrid& grid,
 
 /// What lies around the line in plan, if the images show the line on that. A ray that passes the edge
 /// of a roof between two points of the cloud ends on the ground, a metre aside for a house of 8 m. A line
-/// at a wrong height does not gain by it: the images would have to show it on a plane there.
+/// at a wrong height gains by it only where chance brings it within two pixels of a plane.
 std::optional<Surroundings> seen_where_it_lies(const PointGrid& grid,
                                                const JudgedLine& line,
                                                const JudgeOptions& options) {
   Surroundings own = surroundings(grid, line, footprint_of(line.segment), options);
-  if (own.decision.status != Status::kEvaluated || own.is_contradicted(line.images)) {
-    return std::nullopt;
+  if (own.decision.status != Status::kEvaluated) return std::nullopt;
+  for (const std::size_t i : own.decision.planes) {
+    const double cost = image_cost_parts(*line.images, own.candidates[i].fit.plane).across;
+    if (!(cost <= kImageMargin)) return std::nullopt;
   }
-  own.decision.flags.emplace_back("seen_instead");
+  own.decision.flags = {"seen_instead"};
   return own;
 }
 
@@ -216,8 +211,12 @@ JudgedResult judge_line(const PointGrid& grid,
   if (const auto refusal = refuse(line, options)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
-  Surroundings around = surroundings(grid, line, footprint_of_edge(grid, line), options);
-  if (line.images && around.is_contradicted(line.images)) {
+  // by its image segment on the LIDAR surface, so that all methods meet the same points; by the line
+  // itself where there is no image or the ray meets no surface
+  const std::optional<Segment3> seen = line.images ? monoplot(grid, *line.images) : std::nullopt;
+  Surroundings around =
+      surroundings(grid, line, footprint_of(seen ? *seen : line.segment), options);
+  if (seen && around.is_contradicted(line.images)) {
     if (auto own = seen_where_it_lies(grid, line, options)) around = std::move(*own);
   }
   auto& [footprint, zone, candidates, decision] = around;

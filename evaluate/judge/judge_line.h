@@ -21,6 +21,9 @@ struct JudgedResult {
 /// The method (Ok et al. 2011, section 4; system.md 13) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over
 /// their connected points -> step edge (one plane) or ridge (two) -> average orthogonal distance.
+/// The corridor lies where the image segment of the line meets the cloud. If the images show the line on
+/// no plane there, it lies where the line does, provided that the images show it on the plane there (flag
+/// `seen_instead`). A line with a reason_for_doubt() is ambiguous.
 /// Ends in a status whatever the line is; never throws for a bad line.
 JudgedResult judge_line(const PointGrid& grid, const JudgedLine& line, const JudgeOptions& options);
 

@@ -22,8 +22,9 @@ bool is_low_object(const CandidatePlane& object,
   constexpr double kOtherSide = 0.1;
   constexpr double kLarger = 2.0;  // the bonnet of a car is no street
   const auto n = static_cast<double>(object.inliers.size());
-  if (static_cast<double>(base.inliers.size()) < kLarger * n) return false;
+  const auto n_base = static_cast<double>(base.inliers.size());
   const double area_m2 = n * spacing_m * spacing_m;
+  if (n_base * spacing_m * spacing_m <= kLargest_m2 && n_base < kLarger * n) return false;
   const double elongation = std::sqrt(object.fit.spread_m2.x() / object.fit.spread_m2.y());
   const double above_m = base.fit.plane.signedDistance(object.fit.centroid);
   if (slope_rad(base.fit.plane) > kLevel_rad || slope_rad(object.fit.plane) > kLevel_rad ||

@@ -48,13 +48,29 @@ double distance_ratio(const MatchView& right,
   return next / std::max(supports[best].probability, 1e-12);
 }
 
+/// The smallest probability at which a candidate is taken. The shortest segments find something
+/// similar by chance, in textures above all.
+double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
+  constexpr double kShort_px = 12.0;
+  constexpr double kOfShort = 0.9;
+  return std::min(length(left), length(right)) < kShort_px
+             ? std::max(kOfShort, options.min_probability)
+             : options.min_probability;
+}
+
 /// By left segment: how many of its partners have a mate that can be trusted, and could vote.
-std::vector<int> voters(std::span<const BasePair> pairs,
+std::vector<int> voters(const MatchView& left,
+                        const MatchView& right,
+                        const std::vector<std::vector<Candidate>>& candidates,
+                        std::span<const BasePair> pairs,
                         const Supports& supports,
                         const MatchOptions& options) {
   const auto trusted = [&](int i) {
-    return !supports[i].empty() &&
-           supports[i][best_of(supports[i])].probability >= options.min_probability;
+    if (supports[i].empty()) return false;
+    const std::size_t best = best_of(supports[i]);
+    return supports[i][best].probability >=
+           least_probability(left.segments[i].line.segment,
+                             right.segments[candidates[i][best].right].line.segment, options);
   };
   std::vector<int> count(supports.size(), 0);
   for (const BasePair& pair : pairs) {
@@ -70,16 +86,6 @@ bool lacks_votes(const Support& support, int n_voters, const MatchOptions& optio
   constexpr int kIsolated = 1;
   if (support.votes >= options.min_votes) return false;
   return n_voters > kIsolated || support.probability < options.min_isolated_probability;
-}
-
-/// The smallest probability at which a candidate is taken. The shortest segments find something
-/// similar by chance, in textures above all.
-double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
-  constexpr double kShort_px = 12.0;
-  constexpr double kOfShort = 0.9;
-  return std::min(length(left), length(right)) < kShort_px
-             ? std::max(kOfShort, options.min_probability)
-             : options.min_probability;
 }
 
 /// What becomes of a left segment before the others are asked.
@@ -99,7 +105,13 @@ MatchOutcome prospect(const Segment2& left,
     return MatchOutcome::kAmbiguous;
   }
   if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;
-  if (best.probability >= least_probability(left, mate, options)) return MatchOutcome::kLostVote;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const Segment2& fragment = right.segments[candidates[c].right].line.segment;
+    if ((c == first || are_fragments(mate, fragment)) &&
+        supports[c].probability >= least_probability(left, fragment, options)) {
+      return MatchOutcome::kLostVote;
+    }
+  }
   return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
 }
 
@@ -180,7 +192,7 @@ MatchResult final_choice(const MatchView& left,
                          const MatchOptions& options) {
   // a fragment has no rivals among the others, which makes it look more certain than it is
   constexpr double kFurtherMate = 0.7;
-  const std::vector<int> n_voters = voters(pairs, supports, options);
+  const std::vector<int> n_voters = voters(left, right, candidates, pairs, supports, options);
   MatchResult result;
   result.outcomes.resize(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -43,9 +43,9 @@ void look_past_wall(const ImagePair& images,
                     const LocalTransfer& transfer,
                     double most_drop_m,
                     EdgeLook& look) {
-  constexpr double kMostSimilar = 0.8;  // of at most 2: a side that agrees needs no wall
-  constexpr double kNarrowest_px = 2.0;
-  constexpr double kWidest_px = 36.0;
+  constexpr double kMostSimilar = 0.8;   // of at most 2: a side that agrees needs no wall
+  constexpr double kNarrowest_px = 2.0;  // of a wall, across the line
+  constexpr double kFarthest_px = 36.0;  // of parallax
   constexpr double kStep_px = 1.5;
   // what the best of many heights gains without being right
   constexpr SideLook kByChance{0.2, 0.012};
@@ -56,11 +56,13 @@ void look_past_wall(const ImagePair& images,
   StripFrame frame = strip_frame(left, right, overlap, kGrid.most_along);
   frame.side_in_right = transfer.jacobian * frame.side_in_left;
   const double px_per_m = px_per_m_of_drop(frame, sign, transfer);
-  const double widest_px = std::min(kWidest_px, std::abs(px_per_m) * most_drop_m);
-  for (double width_px = kNarrowest_px; width_px <= widest_px; width_px += kStep_px) {
-    const double drop_m = width_px / std::abs(px_per_m);
-    std::optional<SideLook> found =
-        look_of_side(images, lowered(frame, drop_m, px_per_m > 0.0, transfer), sign, kGrid);
+  const double parallax_px_per_m = transfer.per_height.norm();
+  const double narrowest_m = kNarrowest_px / std::abs(px_per_m);
+  const double lowest_m = std::min(kFarthest_px / parallax_px_per_m, most_drop_m);
+  const double step_m = kStep_px / parallax_px_per_m;
+  for (int k = 0; narrowest_m + k * step_m <= lowest_m; ++k) {
+    std::optional<SideLook> found = look_of_side(
+        images, lowered(frame, narrowest_m + k * step_m, px_per_m > 0.0, transfer), sign, kGrid);
     if (!found) continue;
     found->ncc -= kByChance.ncc;
     found->colour_difference += kByChance.colour_difference;

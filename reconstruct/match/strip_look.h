@@ -59,8 +59,8 @@ struct StripFrame {
   Eigen::Vector2d side_in_left, side_in_right;
 };
 
-/// The rows of the strips along the epipolar overlap of two segments, every 1.5 px; the side in the
-/// right image remains to be set.
+/// The rows of the strips along the epipolar overlap of two segments, every 1.5 px, but at least 4 and at
+/// most `most_along`; the side in the right image remains to be set.
 StripFrame strip_frame(const EdgeSegment& left,
                        const EdgeSegment& right,
                        const EpipolarOverlap& overlap,
@@ -84,6 +84,7 @@ struct BandSums {
     ab += x * y;
   }
 };
+/// Of n > 0 samples.
 SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples);
 
 }  // namespace ridgeline::reconstruct

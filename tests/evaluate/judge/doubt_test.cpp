@@ -77,6 +77,17 @@ TEST_F(Doubt, TwoPointsInTheLineGiveOneIfTheImagesShowItOffTheSurface) {
   EXPECT_THAT(reason(seen_at(1.2)), Ne(std::nullopt));
 }
 
+TEST_F(Doubt, ImagesThatShowDifferentPartsOfALineDoNotShowItOffTheSurface) {
+  zone_.erase(zone_.begin() + zone_.size() / 4, zone_.end());
+  add(1.0, 0.1, 1.2);
+  add(2.0, 0.1, 1.2);
+  ImageEvidence images = seen_at(0.0);
+  Segment2& other = images.segments_px[1];
+  const Eigen::Vector2d along = other.end - other.start;
+  other = {other.start + 0.2 * along, other.end - 0.2 * along};
+  EXPECT_THAT(reason(images), Eq(std::nullopt));
+}
+
 TEST_F(Doubt, AsFewPointsAsideGiveNone) {
   for (const double s : {1.0, 3.0, 5.0, 7.0, 9.0}) add(s, 0.5, 1.2);
   EXPECT_THAT(reason(), Eq(std::nullopt));
@@ -99,9 +110,23 @@ TEST_F(Doubt, ALineThatImagesShowMetresOffMayBelongToPointsThatNoPlaneExplains) 
   EXPECT_THAT(reason(seen_at(5.0)), Ne(std::nullopt));
 }
 
+TEST_F(Doubt, TreesCloseToALineThatImagesShowMetresOffGiveOne) {
+  for (int i = 0; i < 20; ++i) {
+    add(random_.uniform(0.0, kLength_m), random_.uniform(-0.4, 0.4), random_.uniform(3.0, 7.0));
+  }
+  EXPECT_THAT(reason(seen_at(5.0)), Ne(std::nullopt));
+}
+
+TEST_F(Doubt, AFewPointsOnOneSideDoNotMakeTheOtherOneEmpty) {
+  zone_.clear();
+  for (const double s : {1.0, 5.0, 9.0}) add(s, 0.8, 0.0);
+  EXPECT_THAT(reason(seen_at(5.0)), Eq(std::nullopt));
+}
+
 TEST_F(Doubt, ALineThatImagesShowMetresOffMayLieWhereTheCloudIsEmpty) {
   zone_.clear();
   add_ground(0.3, 1.5);
+  add(5.0, -0.1, 0.0);  // straddles the line: on no side
   EXPECT_THAT(reason(), Eq(std::nullopt));
   EXPECT_THAT(reason(seen_at(0.0)), Eq(std::nullopt));
   EXPECT_THAT(reason(seen_at(5.0)), Ne(std::nullopt));

@@ -207,7 +207,7 @@ TEST(JudgeAtABareEdge, IsByTheRoofThatTheImagesShowItOn) {
 }
 
 TEST(JudgeAtABareEdge, OfALineAtAWrongHeightIsByTheGroundThatItsRaysEndOn) {
-  for (const double wrong_m : {4.0, 16.0}) {  // the higher one lies over the roof
+  for (const double wrong_m : {4.0, 8.7, 16.0}) {  // 8.7 and 16 lie over the roof, 8.7 near it
     const LineEvaluation judged = judged_at_a_bare_edge(wrong_m);
     ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
     EXPECT_NEAR(judged.mean_distance_m, wrong_m, 0.03);

@@ -195,6 +195,24 @@ TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfTheShortestSegments) {
   EXPECT_EQ(result.outcomes[2], MatchOutcome::kMatched);
 }
 
+TEST_F(SimilarityVotes, FinalChoiceTakesTheLongerFragmentWhereTheShortestIsTheMoreProbable) {
+  add_left({{0.0, 0.0}, {0.0, 45.0}});
+  add_right({{0.0, 0.0}, {0.0, 11.0}});
+  add_right({{0.0, 14.0}, {0.0, 45.0}});
+  add_candidate(0, 0, 0.9);
+  add_candidate(0, 1, 0.9);
+  Supports supports(1, std::vector<Support>(2));
+  for (Support& support : supports[0]) {
+    support.votes = 1.0;
+    support.n_pairs = 1;
+  }
+  supports[0][0].probability = 0.8;
+  supports[0][1].probability = 0.75;
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  ASSERT_EQ(result.matches.size(), 1U);
+  EXPECT_EQ(result.matches[0].match.right, 1);
+}
+
 TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor) {
   constexpr double kApart_px = 500.0;
   for (int i = 0; i < 3; ++i) {
