@@ -1,7 +1,7 @@
 set(evaluate_judge_sources
   judge/point_grid.cpp judge/footprint.cpp judge/image_evidence.cpp judge/plane_fit.cpp judge/plane_search.cpp
-  judge/plan_hull.cpp judge/plane_support.cpp judge/candidate_planes.cpp judge/low_objects.cpp judge/ledge_search.cpp judge/doubt.cpp judge/edge_decision.cpp judge/judge_line.cpp judge/batch_judge.cpp
-  judge/judge_lines.cpp
+  judge/plan_hull.cpp judge/plane_support.cpp judge/candidate_planes.cpp judge/low_objects.cpp
+  judge/ledge_search.cpp judge/edge_decision.cpp judge/doubt.cpp judge/judge_line.cpp judge/batch_judge.cpp judge/judge_lines.cpp
   judge/line_to_plane_evaluation.cpp)
 set(evaluate_judge_headers
   judge/options.h judge/point_grid.h judge/footprint.h judge/image_evidence.h judge/plane_fit.h judge/plane_search.h

@@ -2,6 +2,7 @@
 // A line of 10 m along s over level ground of 5 points/m2, which is the plane chosen for it.
 #include "evaluate/judge/doubt.h"
 
+#include "tests/evaluate/judge/nadir_pair.h"
 #include "tests/support/random.h"
 
 #include <gmock/gmock.h>
@@ -14,12 +15,6 @@ using testing::Ne;
 
 constexpr double kLength_m = 10.0;
 constexpr double kDensity_per_m2 = 5.0;
-
-ProjectionMatrix camera_at(double x) {
-  ProjectionMatrix p;
-  p << 10000, 0, 0, -10000 * x, 0, -10000, 0, 0, 0, 0, -1, 800;
-  return p;
-}
 
 class Doubt : public testing::Test {
  protected:
@@ -49,11 +44,7 @@ class Doubt : public testing::Test {
   }
 
   /// What images show of a line at a height.
-  static ImageEvidence seen_at(double z) {
-    const std::array<ProjectionMatrix, 2> cameras{camera_at(-100.0), camera_at(108.0)};
-    const Segment3 line{{0, 0, z}, {0, kLength_m, z}};
-    return {cameras, {project(cameras[0], line), project(cameras[1], line)}, {-10.0, 30.0}};
-  }
+  static ImageEvidence seen_at(double z) { return test::seen({{0, 0, z}, {0, kLength_m, z}}); }
 
   test::Random random_{11};
   std::vector<ZonePoint> zone_;

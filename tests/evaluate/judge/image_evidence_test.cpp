@@ -2,7 +2,7 @@
 #include "evaluate/judge/image_evidence.h"
 
 #include "evaluate/judge/judge_line.h"
-#include "reconstruct/geometry/epipolar.h"
+#include "tests/evaluate/judge/nadir_pair.h"
 #include "tests/support/random.h"
 #include "tests/support/sampled_roof.h"
 
@@ -13,22 +13,12 @@
 namespace ridgeline::evaluate {
 namespace {
 
+using test::seen;
+
 constexpr double kLidarSigma_m = 0.034;
 constexpr double kDensity_per_m2 = 8.0;
 // a hit lies within the search radius (0.3 m) of the ray: on a roof of slope 0.5 at most this high
 constexpr double kHit_m = 0.2;
-
-/// A frame looking straight down from 800 m, GSD 8 cm.
-ProjectionMatrix camera_at(double x) {
-  ProjectionMatrix p;
-  p << 10000, 0, 0, -10000 * x, 0, -10000, 0, 0, 0, 0, -1, 800;
-  return p;
-}
-
-ImageEvidence seen(const Segment3& segment) {
-  const std::array<ProjectionMatrix, 2> cameras{camera_at(-100.0), camera_at(108.0)};
-  return {cameras, {project(cameras[0], segment), project(cameras[1], segment)}, {-10.0, 30.0}};
-}
 
 class OnRoof : public testing::Test {
  protected:

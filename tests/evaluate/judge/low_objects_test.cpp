@@ -3,6 +3,7 @@
 #include "evaluate/judge/low_objects.h"
 
 #include "evaluate/judge/image_evidence.h"
+#include "tests/evaluate/judge/nadir_pair.h"
 
 #include <gmock/gmock.h>
 
@@ -28,17 +29,7 @@ CandidatePlane level(double z, double half_width_m) {
   return plane;
 }
 
-ProjectionMatrix camera_at(double x) {
-  ProjectionMatrix p;
-  p << 10000, 0, 0, -10000 * x, 0, -10000, 0, 0, 0, 0, -1, 800;
-  return p;
-}
-
-ImageEvidence seen_at(double z) {
-  const std::array<ProjectionMatrix, 2> cameras{camera_at(-100.0), camera_at(108.0)};
-  const Segment3 line{{0, 0, z}, {0, kLength_m, z}};
-  return {cameras, {project(cameras[0], line), project(cameras[1], line)}, {-10.0, 30.0}};
-}
+ImageEvidence seen_at(double z) { return test::seen({{0, 0, z}, {0, kLength_m, z}}); }
 
 std::vector<CandidatePlane> street_roof_and_bonnet() {
   return {level(0.0, 4.0), level(kRoof_m, 0.9), level(kBonnet_m, 0.9)};
@@ -66,6 +57,13 @@ TEST(MarkLowObjects, MarksACarBesideALineThatTheImagesShowOnTheStreet) {
   mark_low_objects(planes, kSpacing_m, seen_at(0.0), {});
   EXPECT_TRUE(planes[1].low_object);
   EXPECT_TRUE(planes[2].low_object);
+}
+
+TEST(MarkLowObjects, MarksTwoCarsThatHideMuchOfTheStreet) {
+  // 14 m2 of cars above 18 m2 of street
+  std::vector<CandidatePlane> planes{level(0.0, 4.0), level(kRoof_m, 3.0)};
+  mark_low_objects(planes, kSpacing_m, std::nullopt, {});
+  EXPECT_TRUE(planes[1].low_object);
 }
 
 }  // namespace

@@ -213,6 +213,21 @@ TEST_F(SimilarityVotes, FinalChoiceTakesTheLongerFragmentWhereTheShortestIsTheMo
   EXPECT_EQ(result.matches[0].match.right, 1);
 }
 
+TEST_F(SimilarityVotes, FinalChoiceTakesALineAsIsolatedWhosePartnersAreTooShortToBeMatched) {
+  for (int i = 0; i < 3; ++i) {
+    const Segment2 segment{{500.0 * i, 0.0}, {500.0 * i, i == 0 ? 40.0 : 11.0}};
+    add_left(segment);
+    add_right(segment);
+    add_candidate(i, i, 0.9);
+  }
+  Supports supports(3, std::vector<Support>(1));
+  supports[0][0].probability = 0.99;  // without votes
+  supports[1][0].probability = supports[2][0].probability = 0.6;
+  const std::vector<BasePair> pairs{{0, 1}, {0, 2}};
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, pairs, {});
+  EXPECT_EQ(result.outcomes[0], MatchOutcome::kMatched);
+}
+
 TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor) {
   constexpr double kApart_px = 500.0;
   for (int i = 0; i < 3; ++i) {
