@@ -103,8 +103,8 @@ Run add_reconstruct(CLI::App& subcommand) {
   auto a = std::make_shared<ReconstructArguments>();
   subcommand.add_option("patch", a->patch, "patch file (YAML): images and cameras")->required();
   subcommand.add_option("--out", a->out, "file for the 3D lines")->required();
-  subcommand.add_option("--method", a->method, "direct, joint")
-      ->check(CLI::IsMember({"direct", "joint"}))
+  subcommand.add_option("--method", a->method, "direct, joint, network")
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   subcommand.add_option("--matches", a->matches,
                         "matches.csv; its ids are those of segments.IMAGE.csv beside it, else of "

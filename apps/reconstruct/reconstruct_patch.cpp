@@ -49,7 +49,7 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.right_id = std::to_string(line.match.right);
     out.left_px = line.seen_px[0];
     out.right_px = line.seen_px[1];
-    out.n_points = static_cast<int>(line.points.size());
+    out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;
     out.n_images = 2;
     out.covariance_m2 = line.covariance_m2;
   }

@@ -4,7 +4,10 @@
 #include "apps/common/option_flags.h"
 #include "apps/report/write_report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace ridgeline::apps {
 std::vector<std::string> line_format_names() {
@@ -13,15 +16,27 @@ std::vector<std::string> line_format_names() {
   return names;
 }
 
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  names.reserve(reconstruct::kMethods.size());
+  for (const reconstruct::Method method : reconstruct::kMethods) {
+    names.emplace_back(reconstruct::name(method));
+  }
+  return names;
+}
+
 reconstruct::Method method_named(const std::string& name) {
-  return name == reconstruct::name(reconstruct::Method::kDirect) ? reconstruct::Method::kDirect
-                                                                 : reconstruct::Method::kJoint;
+  for (const reconstruct::Method method : reconstruct::kMethods) {
+    if (name == reconstruct::name(method)) return method;
+  }
+  throw std::invalid_argument(
+      fmt::format("method = {}, must be one of direct, joint, network", name));
 }
 
 void add_run_flags(CLI::App& app, RunFlags& flags) {
-  app.add_option("--methods", flags.methods, "of reconstruction: direct, joint")
+  app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network")
       ->delimiter(',')
-      ->check(CLI::IsMember({"direct", "joint"}))
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_matcher_options(app, flags.matchers, flags.options.matching);
   app.add_option("--detector", flags.detector, "of the line segments")

@@ -26,7 +26,9 @@ RunOptions run_options(const RunFlags& flags);
 
 std::vector<std::string> line_format_names();
 
-/// "direct" | "joint"; CLI::IsMember has checked it.
+std::vector<std::string> method_names();
+
+/// Throws std::invalid_argument for none of method_names().
 reconstruct::Method method_named(const std::string& name);
 
 }  // namespace ridgeline::apps

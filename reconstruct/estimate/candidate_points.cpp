@@ -34,6 +34,15 @@ PairMeasures measures(const StereoLines& lines,
   return combine({in_image(0), in_image(1)}, options);
 }
 
+/// Where the lines cross in each image (Eq. 2).
+ImagePoints crossings(const ObservedPair& line, const ObservedPair& mate) {
+  ImagePoints x;
+  for (std::size_t j = 0; j < 2; ++j) {
+    x[j] = spherically_normalised(cross(line[j].line, mate[j].line));
+  }
+  return x;
+}
+
 bool passes_test(const EstimatedPoint& estimated, const ReconstructOptions& options) {
   return !options.point_test || estimated.omega <= options.max_point_omega;
 }
@@ -43,10 +52,7 @@ std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
                                               int neighbour,
                                               const ReconstructOptions& options) {
   const ObservedPair& mate = lines.lines[static_cast<std::size_t>(neighbour)];
-  ImagePoints x;
-  for (std::size_t j = 0; j < 2; ++j) {
-    x[j] = spherically_normalised(cross(line[j].line, mate[j].line));  // Eq. 2
-  }
+  const ImagePoints x = crossings(line, mate);
   const double weight = point_weight(measures(lines, line, neighbour, x, options), options);
   if (weight <= 0.0) return std::nullopt;
 
@@ -63,6 +69,14 @@ std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
 }
 
 }  // namespace
+
+double pair_weight(const StereoLines& lines,
+                   const ObservedPair& line,
+                   int neighbour,
+                   const ReconstructOptions& options) {
+  const ImagePoints x = crossings(line, lines.lines[static_cast<std::size_t>(neighbour)]);
+  return point_weight(measures(lines, line, neighbour, x, options), options);
+}
 
 double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
   const Eigen::Vector2d direction = segment.end - segment.start;

@@ -35,6 +35,12 @@ bool plausible(const StereoLines& lines,
                const Eigen::Vector4d& x,
                const ReconstructOptions& options);
 
+/// W of Eq. 6 of a line and another one: how well they meet in both images, 0 to 1.
+double pair_weight(const StereoLines& lines,
+                   const ObservedPair& line,
+                   int neighbour,
+                   const ReconstructOptions& options);
+
 /// The artificial points of a line: its intersections with each of the neighbours in both images
 /// and their points in object space (Ok et al. 2011, section 3.1). Left out are points of weight
 /// zero, undetermined, behind a camera, outside the range of heights or, with `point_test`, failing

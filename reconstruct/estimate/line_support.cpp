@@ -56,22 +56,28 @@ bool runs_back(const StereoLines& lines, const ObservedPair& line) {
   return expected.dot(right.end - right.start) < 0.0;
 }
 
+/// The starts (0) or the ends (1) of both segments, in the direction of the left one.
+std::array<Eigen::Vector2d, 2> ends_in_images(const StereoLines& lines,
+                                              const ObservedPair& line,
+                                              int which) {
+  const bool back = runs_back(lines, line);
+  const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
+  return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != back)};
+}
+
 /// The point that the starts (0) or the ends (1) of both segments show; empty if none before the
 /// cameras and within the heights.
 std::optional<UncertainPoint3> end_in_object(const StereoLines& lines,
                                              const ObservedPair& line,
                                              int which,
                                              const ReconstructOptions& options) {
-  const bool back = runs_back(lines, line);
+  const std::array<Eigen::Vector2d, 2> ends = ends_in_images(lines, line, which);
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const View& view = lines.stereo.views[j];
-    const ObservedLine& observed = line[j];
-    const bool at_start = (which == 0) != (back && j == 1);
-    const Eigen::Vector2d& end = at_start ? observed.segment.start : observed.segment.end;
     observations.push_back(
         {view.image_from_object,
-         end_in_image(observed, end, options.sigma_end_px / view.image.scale_px)});
+         end_in_image(line[j], ends[j], options.sigma_end_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
   if (!estimated || !plausible(lines, estimated->point.mean, options)) return std::nullopt;
@@ -129,6 +135,7 @@ struct Heard {
   const ObservedPair& line;
   std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
+  std::vector<int> which_ends;          ///< 0 starts, 1 ends
   std::vector<DepthEvidence> evidence;  ///< of the points, then of the ends
 };
 
@@ -136,7 +143,7 @@ Heard hear(const StereoLines& lines,
            const ObservedPair& line,
            std::span<const int> neighbours,
            const ReconstructOptions& options) {
-  Heard heard{lines, line, {}, {}, {}};
+  Heard heard{lines, line, {}, {}, {}, {}};
   for (const CandidatePoint& c : candidate_points(lines, line, neighbours, options)) {
     if (!(c.ranked.weight > options.min_weight)) continue;
     heard.points.push_back(c);
@@ -149,6 +156,7 @@ Heard hear(const StereoLines& lines,
   for (const int which : {0, 1}) {
     if (const auto end = end_in_object(lines, line, which, options)) {
       heard.ends.push_back(*end);
+      heard.which_ends.push_back(which);
       heard.evidence.push_back(evidence_of(*end, which, options.end_prior));
     }
   }
@@ -191,7 +199,11 @@ LineSupport support_of(const Heard& heard,
   support.points_fix_direction = fix_direction(support.points);
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
-    if (i >= heard.points.size()) support.ends.push_back({heard.ends[i - heard.points.size()]});
+    if (i < heard.points.size()) continue;
+    const std::size_t end = i - heard.points.size();
+    support.ends.push_back({heard.ends[end]});
+    support.ends_in_images.push_back(
+        ends_in_images(heard.lines, heard.line, heard.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
   if (support.points.empty()) {

@@ -17,9 +17,11 @@ struct LineSupport {
   ObservedPair seen;                   ///< the match, or the part of it that shows the line
   std::vector<CandidatePoint> points;  ///< artificial points, one per region at most
   std::vector<PointOnLine> ends;       ///< of the segments, where the points fix no direction
-  std::optional<double> sigma_slope;   ///< taken as horizontal, as the consensus is
-  bool points_fix_direction = false;   ///< they are far enough apart
-  bool ambiguous = false;              ///< another depth explains the line about as well
+  /// The same as seen in the left and the right image.
+  std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images;
+  std::optional<double> sigma_slope;  ///< taken as horizontal, as the consensus is
+  bool points_fix_direction = false;  ///< they are far enough apart
+  bool ambiguous = false;             ///< another depth explains the line about as well
 };
 
 /// The line of a match and the points of highest weight in each region (Ok et al. 2011, section

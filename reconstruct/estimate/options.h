@@ -4,13 +4,15 @@
 #include "reconstruct/geometry/field.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 
+#include <array>
 #include <cstdint>
 #include <tuple>
 
 namespace ridgeline::reconstruct {
 
-enum class Method : std::uint8_t { kDirect, kJoint };
-const char* name(Method method);  ///< "direct" | "joint"
+enum class Method : std::uint8_t { kDirect, kJoint, kNetwork };
+inline constexpr std::array kMethods{Method::kDirect, Method::kJoint, Method::kNetwork};
+const char* name(Method method);  ///< "direct" | "joint" | "network"
 
 /// The method of Ok et al. 2011, section 3, with two additions, `consensus` and `max_end_sigma_m`.
 struct ReconstructOptions {
@@ -45,6 +47,7 @@ struct ReconstructOptions {
   /// ends that agree as well.
   double min_ends_length_px = 15.0;
   double sigma_meeting_m = 0.1;     ///< distance of lines that meet
+  double max_miss_m = 2.5;          ///< of lines that only seem to meet
   double doubt_above = 0.1;         ///< that a point above the line is none: less than below it
   double horizontal_share = 0.8;    ///< of the aligned lines, before anything is known
   double sigma_slope = 0.01;        ///< of lines that are built horizontal
@@ -95,7 +98,9 @@ struct ReconstructOptions {
         Field{"min_ends_length_px", &O::min_ends_length_px, 0.0, 1e4,
               "consensus: shorter lines that no point supports are ambiguous"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 0.0, 1e3,
-              "consensus: distance of lines that meet"},
+              "consensus, network: distance of lines that meet"},
+        Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
+              "network: distance of lines that only seem to meet"},
         Field{"doubt_above", &O::doubt_above, 0.0, 1.0,
               "consensus: doubt about a point above the line, where below it is 1"},
         Field{"horizontal_share", &O::horizontal_share, 0.0, 0.999,

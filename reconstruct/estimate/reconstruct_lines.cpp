@@ -2,8 +2,9 @@
 #include "reconstruct/estimate/reconstruct_lines.h"
 
 #include "reconstruct/estimate/adjust_line.h"
-#include "reconstruct/estimate/endpoints.h"
+#include "reconstruct/estimate/line_geometry.h"
 #include "reconstruct/estimate/line_support.h"
+#include "reconstruct/estimate/network/network_lines.h"
 #include "reconstruct/geometry/check.h"
 
 #include <tbb/parallel_for.h>
@@ -112,47 +113,6 @@ void classify(const StereoLines& lines,
   result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
 }
 
-Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3& s) {
-  return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
-}
-
-double largest_sigma_z_m(const Matrix6d& cov_m2) {
-  return std::sqrt(std::max(cov_m2(2, 2), cov_m2(5, 5)));
-}
-
-/// Whether the ends of the left segment lie so far beyond a short right one that the line is no
-/// longer known there, while between the right ends it is better known.
-bool is_extrapolated(const UncertainSegment3& left,
-                     const UncertainSegment3& right,
-                     double scale_m,
-                     const ReconstructOptions& options) {
-  const double sigma_m = scale_m * largest_sigma_z_m(left.cov);
-  return sigma_m > options.max_end_sigma_m && scale_m * largest_sigma_z_m(right.cov) < sigma_m;
-}
-
-/// Replaces the result's geometry by the part of the line between the image endpoints; false, and
-/// nothing is changed, if a camera does not see it.
-bool assign(const StereoLines& lines,
-            const ObservedPair& line,
-            const UncertainLine3& estimate,
-            const ReconstructOptions& options,
-            ReconstructedLine& result) {
-  const std::array<View, 2>& views = lines.stereo.views;
-  auto left = endpoints(estimate, views[0], line[0], views);
-  if (!left) return false;
-  const auto right = endpoints(estimate, views[1], line[1], views);
-  const ObjectConditioning& object = lines.stereo.object;
-  if (right && result.line_class == LineClass::kNotAligned &&
-      is_extrapolated(*left, *right, object.scale_m, options)) {
-    left = right;
-  }
-  result.segment_in_local = local_from_conditioned(object, left->segment);
-  result.covariance_m2 = object.scale_m * object.scale_m * left->cov;
-  result.right_segment_in_local.reset();
-  if (right) result.right_segment_in_local = local_from_conditioned(object, right->segment);
-  return true;
-}
-
 Segment2 in_image(const View& view, const ObservedLine& observed) {
   return {view.image.image_from_conditioned(observed.segment.start),
           view.image.image_from_conditioned(observed.segment.end)};
@@ -166,7 +126,7 @@ void reconstruct_direct(const StereoLines& lines,
     result.seen_px[j] = in_image(lines.stereo.views[j], line[j]);
   }
   const auto estimate = intersection(line[0].plane, line[1].plane);
-  if (!estimate || !assign(lines, line, *estimate, options, result)) return;
+  if (!estimate || !assign_geometry(lines.stereo, line, *estimate, options, result)) return;
   result.status = Status::kDirect;
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
 }
@@ -252,7 +212,7 @@ void reconstruct_joint(const StereoLines& lines,
   }
   const std::array<UncertainPlane3, 2> planes{support.seen[0].plane, support.seen[1].plane};
   const auto adjusted = adjust_line(planes, points, support.sigma_slope);
-  if (!adjusted || !assign(lines, support.seen, adjusted->line, options, result)) {
+  if (!adjusted || !assign_geometry(lines.stereo, support.seen, adjusted->line, options, result)) {
     return give_up(Status::kNoIntersection, result);
   }
   result.status = joint_status(*adjusted, support);
@@ -261,32 +221,43 @@ void reconstruct_joint(const StereoLines& lines,
 }
 
 /// The lines of an aligned match; `direct` is its one line by that method.
-std::vector<ReconstructedLine> reconstruct_aligned(const StereoLines& lines,
-                                                   std::span<const LineSupport> parts,
-                                                   const ReconstructOptions& options,
-                                                   const ReconstructedLine& direct) {
-  std::vector<ReconstructedLine> results(parts.size(), direct);
+std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
+                                           const std::vector<LineSupport>& parts,
+                                           const ReconstructOptions& options,
+                                           const ReconstructedLine& direct) {
+  std::vector<JointLine> results;
   for (std::size_t p = 0; p < parts.size(); ++p) {
+    JointLine& result = results.emplace_back(JointLine{direct, parts[p]});
     if (parts.size() > 1) {
-      results[p].part = static_cast<int>(p) + 1;
-      reconstruct_direct(lines, parts[p].seen, options, results[p]);
+      result.line.part = static_cast<int>(p) + 1;
+      reconstruct_direct(lines, parts[p].seen, options, result.line);
     }
-    reconstruct_joint(lines, parts[p], options, results[p]);
+    reconstruct_joint(lines, parts[p], options, result.line);
   }
   return results;
 }
 
-std::vector<ReconstructedLine> flattened(std::vector<std::vector<ReconstructedLine>>& lists) {
+std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_match) {
   std::vector<ReconstructedLine> all;
-  for (std::vector<ReconstructedLine>& list : lists) {
-    std::move(list.begin(), list.end(), std::back_inserter(all));
+  for (const std::vector<JointLine>& lines : by_match) {
+    for (const JointLine& joint : lines) all.push_back(joint.line);
   }
   return all;
 }
 
 }  // namespace
 
-const char* name(Method method) { return method == Method::kDirect ? "direct" : "joint"; }
+const char* name(Method method) {
+  switch (method) {
+    case Method::kDirect:
+      return "direct";
+    case Method::kJoint:
+      return "joint";
+    case Method::kNetwork:
+      return "network";
+  }
+  return "";
+}
 
 const char* name(LineClass line_class) {
   return line_class == LineClass::kAligned ? "aligned" : "not_aligned";
@@ -314,6 +285,10 @@ const char* name(Status status) {
       return "ambiguous_depth";
     case Status::kNoIntersection:
       return "no_intersection";
+    case Status::kNetwork:
+      return "network";
+    case Status::kGuardReverted:
+      return "guard_reverted";
   }
   return "";
 }
@@ -341,10 +316,12 @@ std::vector<ReconstructedLine> reconstruct_lines(
   if (options.method == Method::kDirect) return results;
 
   const std::vector<KnownEnd> ends = known_ends(lines, results, options);
-  std::vector<std::vector<ReconstructedLine>> by_match(matches.size());
+  std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     if (results[i].line_class != LineClass::kAligned) {
-      by_match[i] = {results[i]};
+      LineSupport images_alone;
+      images_alone.seen = lines.lines[i];
+      by_match[i] = {{results[i], images_alone}};
       return;
     }
     const ObservedPair& line = lines.lines[i];
@@ -352,6 +329,10 @@ std::vector<ReconstructedLine> reconstruct_lines(
         line_support(lines, line, neighbours[i], heights_near(lines, line, ends, options), options);
     by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
+  if (options.method == Method::kNetwork) {
+    adjust_together(stereo_lines(cameras, segments, matches, LineCovariance::kCentroid),
+                    connections, options, by_match);
+  }
   return flattened(by_match);
 }
 

@@ -35,6 +35,8 @@ enum class Status : std::uint8_t {
   kNotConverged,    ///< the adjustment still moved after its last pass; its last line
   kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
+  kNetwork,         ///< adjusted with all lines that it meets
+  kGuardReverted,   ///< `network`: what it meets contradicts its images; identical to `direct`
 };
 const char* name(Status status);  ///< "direct", "one_point", ... as in the files
 
@@ -53,11 +55,13 @@ struct ReconstructedLine {
   /// Number of the part from the start of the left segment, where the match was cut into several
   /// lines (agree_on_depth()); 0 for a whole match.
   int part = 0;
-  std::array<Segment2, 2> seen_px;  ///< the line in the left and the right image
+  int n_meetings = 0;  ///< other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
+  Status status = Status::kNoIntersection;
+  bool between_right_ends = false;              ///< which of its ends segment_in_local has
+  std::array<Segment2, 2> seen_px;              ///< the line in the left and the right image
   double epipolar_angle_rad = 0.0;              ///< the smaller one of both images
   std::array<double, 2> epipolar_angles_rad{};  ///< left, right
-  Status status = Status::kNoIntersection;
   /// m; ends seen at those of the left segment, or of the right one (max_end_sigma_m).
   std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
@@ -66,13 +70,16 @@ struct ReconstructedLine {
   /// apart by precision where the class does so by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
   std::vector<UsedPoint> points;
-  double omega = 0.0;  ///< sum of squared normalised misclosures of the adjustment; 0 for `direct`
+  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`, of its images for
+  /// `network`.
+  double omega = 0.0;
 };
 
 /// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order
 /// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with
 /// Method::kJoint, by adjustment of these planes and the best artificial points made with the lines
-/// that they have a pair connection with. Of a left segment with several mates each line gets the part
+/// that they have a pair connection with; with Method::kNetwork all of them adjusted together
+/// (adjust_network()) from there. Of a left segment with several mates each line gets the part
 /// that its mate shows. One line per match, or several of an aligned one that
 /// agree_on_depth() finds to show several.
 ///

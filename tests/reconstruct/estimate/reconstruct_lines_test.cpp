@@ -316,6 +316,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
 TEST(Names, AreThoseOfTheFiles) {
   EXPECT_STREQ(name(Method::kDirect), "direct");
   EXPECT_STREQ(name(Method::kJoint), "joint");
+  EXPECT_STREQ(name(Method::kNetwork), "network");
   EXPECT_STREQ(name(LineClass::kAligned), "aligned");
   EXPECT_STREQ(name(LineClass::kNotAligned), "not_aligned");
   EXPECT_STREQ(name(Status::kDirect), "direct");
@@ -325,6 +326,8 @@ TEST(Names, AreThoseOfTheFiles) {
   EXPECT_STREQ(name(Status::kRankDeficient), "rank_deficient");
   EXPECT_STREQ(name(Status::kNotConverged), "not_converged");
   EXPECT_STREQ(name(Status::kNoIntersection), "no_intersection");
+  EXPECT_STREQ(name(Status::kNetwork), "network");
+  EXPECT_STREQ(name(Status::kGuardReverted), "guard_reverted");
 }
 
 }  // namespace

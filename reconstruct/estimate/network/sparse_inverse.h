@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <optional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Cholesky factors of a symmetric positive definite sparse matrix, and those elements of its inverse
+/// that lie in the pattern of the factors: all that covariances of connected unknowns need, in about the
+/// time of the factorisation (Takahashi et al. 1973), where the whole inverse is dense.
+class SparseInverse {
+ public:
+  /// Of the lower triangle. Empty if the matrix is not positive definite.
+  static std::optional<SparseInverse> of(const Eigen::SparseMatrix<double>& lower);
+
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+
+  /// Computes the inverse where the matrix is not zero.
+  void invert();
+  /// Element of the inverse; throws std::out_of_range outside of the pattern, or before invert().
+  [[nodiscard]] double at(int row, int column) const;
+
+ private:
+  /// A column of the unit lower triangular factor below its diagonal, rows ascending.
+  struct Column {
+    std::vector<int> rows;
+    std::vector<double> factor, inverse;
+    double diagonal = 0.0;          ///< of D
+    double inverse_diagonal = 0.0;  ///< of the inverse
+  };
+  [[nodiscard]] double inverse_at(int row, int column) const;
+
+  std::vector<Column> columns_;
+  std::vector<int> place_;  ///< of an unknown in the order of elimination
+  bool is_inverted_ = false;
+};
+
+}  // namespace ridgeline::reconstruct
