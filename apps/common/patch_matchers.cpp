@@ -43,6 +43,8 @@ MatchList pairwise_list(const reconstruct::MatchView& left,
   if (!options.propagate_heights) return list;
   reconstruct::ChioOptions propagation = options.chio;
   propagation.range_m = options.propagate_range_m;
+  propagation.min_similarity =
+      std::max(propagation.min_similarity, options.propagate_min_similarity);
   const reconstruct::ChioResult more = reconstruct::propagate_heights(
       left, right, height_range_in_local_m, found.matches, propagation, options.pairwise);
   for (const reconstruct::ChioLine& line : more.lines) {
@@ -95,6 +97,10 @@ void add_matcher_options(CLI::App& app, std::vector<std::string>& names, Matchin
   app.add_option("--propagate-range-m", options.propagate_range_m,
                  "and that of lines up to this distance")
       ->check(CLI::Range(0.0, 1e3))
+      ->capture_default_str();
+  app.add_option("--propagate-min-similarity", options.propagate_min_similarity,
+                 "if they look alike to at least this")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
 }
 

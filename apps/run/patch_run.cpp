@@ -81,8 +81,9 @@ class PatchRun {
   void match() {
     std::vector<std::string> parts{extract_key_, echo(options_.matching.pairwise).dump(),
                                    echo(options_.matching.chio).dump(),
-                                   fmt::format("{} {}", options_.matching.propagate_heights,
-                                               options_.matching.propagate_range_m)};
+                                   fmt::format("{} {} {}", options_.matching.propagate_heights,
+                                               options_.matching.propagate_range_m,
+                                               options_.matching.propagate_min_similarity)};
     for (const Matcher matcher : options_.matching.matchers) parts.emplace_back(name(matcher));
     match_key_ = stage_key(parts);
     stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });

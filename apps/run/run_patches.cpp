@@ -66,6 +66,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   for (const Matcher matcher : options.matching.matchers) json["matchers"].push_back(name(matcher));
   json["propagate_heights"] = options.matching.propagate_heights;
   json["propagate_range_m"] = options.matching.propagate_range_m;
+  json["propagate_min_similarity"] = options.matching.propagate_min_similarity;
   json["match"] = echo(options.matching.pairwise);
   json["chio"] = echo(options.matching.chio);
   json["reconstruct"] = echo(options.reconstruct);

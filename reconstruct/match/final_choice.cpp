@@ -49,13 +49,18 @@ double distance_ratio(const MatchView& right,
 }
 
 /// The smallest probability at which a candidate is taken. The shortest segments find something
-/// similar by chance, in textures above all.
+/// similar by chance, in textures above all; and where one segment is much shorter than the other, their
+/// ends do not tell that both show one edge.
 double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
   constexpr double kShort_px = 12.0;
   constexpr double kOfShort = 0.9;
-  return std::min(length(left), length(right)) < kShort_px
-             ? std::max(kOfShort, options.min_probability)
-             : options.min_probability;
+  constexpr double kUnlike = 0.75;  // of the longer one
+  constexpr double kOfUnlike = 0.6;
+  const auto [shorter_px, longer_px] = std::minmax({length(left), length(right)});
+  double least = options.min_probability;
+  if (shorter_px < kShort_px) least = std::max(least, kOfShort);
+  if (shorter_px < kUnlike * longer_px) least = std::max(least, kOfUnlike);
+  return least;
 }
 
 /// By left segment: how many of its partners have a mate that can be trusted, and could vote.

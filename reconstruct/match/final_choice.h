@@ -15,7 +15,8 @@ namespace ridgeline::reconstruct {
 /// max_distance_ratio and no other edge has taken it. A mate may serve several fragments of one left
 /// edge, and a left segment may have several fragments of one right edge as mates, each with a part of
 /// its own; a further mate from a probability of 0.7 on. The
-/// shortest segments, below 12 px, take one from 0.9 on. A line whose partners in the base pairs are
+/// shortest segments, below 12 px, take one from 0.9 on, those below three quarters of their mate's length
+/// from 0.6 on. A line whose partners in the base pairs are
 /// matched needs min_votes of them; an isolated one its look alone.
 MatchResult final_choice(const MatchView& left,
                          const MatchView& right,

@@ -195,6 +195,25 @@ TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfTheShortestSegments) {
   EXPECT_EQ(result.outcomes[2], MatchOutcome::kMatched);
 }
 
+TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfSegmentsOfUnlikeLengths) {
+  const std::array<double, 3> lengths_px{29.0, 31.0, 29.0};  // three quarters of 40 px are 30 px
+  Supports supports(lengths_px.size(), std::vector<Support>(1));
+  for (std::size_t i = 0; i < lengths_px.size(); ++i) {
+    const double x = 500.0 * static_cast<double>(i);
+    add_left({{x, 0.0}, {x, 40.0}});
+    add_right({{x, 0.0}, {x, lengths_px[i]}});
+    add_candidate(static_cast<int>(i), static_cast<int>(i), 0.9);
+    supports[i][0].votes = 1.0;
+    supports[i][0].n_pairs = 1;
+    supports[i][0].probability = 0.5;
+  }
+  supports[2][0].probability = 0.65;
+  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  EXPECT_EQ(result.outcomes[0], MatchOutcome::kLowScore);
+  EXPECT_EQ(result.outcomes[1], MatchOutcome::kMatched);
+  EXPECT_EQ(result.outcomes[2], MatchOutcome::kMatched);
+}
+
 TEST_F(SimilarityVotes, FinalChoiceTakesTheLongerFragmentWhereTheShortestIsTheMoreProbable) {
   add_left({{0.0, 0.0}, {0.0, 45.0}});
   add_right({{0.0, 0.0}, {0.0, 11.0}});
