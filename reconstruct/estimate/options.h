@@ -97,7 +97,7 @@ struct ReconstructOptions {
               "consensus: scatter of corresponding segment ends along the line"},
         Field{"min_ends_length_px", &O::min_ends_length_px, 0.0, 1e4,
               "consensus: shorter lines that no point supports are ambiguous"},
-        Field{"sigma_meeting_m", &O::sigma_meeting_m, 0.0, 1e3,
+        Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
               "consensus, network: distance of lines that meet"},
         Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
               "network: distance of lines that only seem to meet"},

@@ -7,6 +7,11 @@
 #include <numbers>
 
 namespace ridgeline::reconstruct {
+namespace {
+
+constexpr NetworkAdjustment::Prediction kUncontrolled{0.0, std::numeric_limits<double>::infinity()};
+
+}  // namespace
 
 NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
                                      std::vector<const NetworkLine*> lines,
@@ -26,8 +31,8 @@ NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
                     (std::sqrt(12.0) * stereo.object.scale_m)) {
   for (const NetworkLine* line : lines_) {
     conditions_.push_back(conditions_of(*line));
-    estimates_.push_back(line->start.mean);
-    bases_.push_back(line_tangent_basis(line->start.mean));
+    estimates_.push_back(line->start);
+    bases_.push_back(line_tangent_basis(line->start));
   }
 }
 
@@ -177,11 +182,12 @@ double NetworkAdjustment::miss(std::size_t m) const {
 }
 
 NetworkAdjustment::Prediction NetworkAdjustment::predicted_at_start(std::size_t m) const {
-  const UncertainLine3& first = lines_[static_cast<std::size_t>(meetings_[m].first)]->start;
-  const UncertainLine3& second = lines_[static_cast<std::size_t>(meetings_[m].second)]->start;
-  const OfLinePair miss = meeting(first.mean, second.mean);
-  const double variance = miss.by_first.dot(first.cov * miss.by_first) +
-                          miss.by_second.dot(second.cov * miss.by_second);
+  const NetworkLine& first = *lines_[static_cast<std::size_t>(meetings_[m].first)];
+  const NetworkLine& second = *lines_[static_cast<std::size_t>(meetings_[m].second)];
+  if (!first.start_cov || !second.start_cov) return kUncontrolled;
+  const OfLinePair miss = meeting(first.start, second.start);
+  const double variance = miss.by_first.dot(*first.start_cov * miss.by_first) +
+                          miss.by_second.dot(*second.start_cov * miss.by_second);
   return {miss.value / sigma_of(m), std::sqrt(variance) / sigma_of(m)};
 }
 
@@ -196,7 +202,7 @@ Eigen::Matrix4d NetworkAdjustment::covariance_block(std::size_t row, std::size_t
 }
 
 NetworkAdjustment::Prediction NetworkAdjustment::predicted(std::size_t m) const {
-  constexpr double kUncontrolled = 1e-9;  // share of the others
+  constexpr double kLeastShare = 1e-9;  // of the others
   const auto a = static_cast<std::size_t>(meetings_[m].first);
   const auto b = static_cast<std::size_t>(meetings_[m].second);
   const OfLinePair distance = meeting(estimates_[a], estimates_[b]);
@@ -206,7 +212,7 @@ NetworkAdjustment::Prediction NetworkAdjustment::predicted(std::size_t m) const 
                           2.0 * by_a.dot(covariance_block(a, b) * by_b) +
                           by_b.dot(covariance_block(b, b) * by_b);
   const double of_others = 1.0 - weights[m] * variance;
-  if (of_others < kUncontrolled) return {0.0, std::numeric_limits<double>::infinity()};
+  if (of_others < kLeastShare) return kUncontrolled;
   return {distance.value / sigma_of(m) / of_others, std::sqrt(variance / of_others)};
 }
 

@@ -41,7 +41,7 @@ class NetworkAdjustment {
     double miss = 0.0;
     double sigma = 0.0;  ///< of the lines; infinite where nothing else controls the meeting
   };
-  /// From the covariances at the start alone.
+  /// From the covariances at the start alone; uncontrolled where there is none.
   [[nodiscard]] Prediction predicted_at_start(std::size_t meeting) const;
   /// From all but this meeting, at the current weights; after invert().
   [[nodiscard]] Prediction predicted(std::size_t meeting) const;

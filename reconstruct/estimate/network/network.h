@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace ridgeline::reconstruct {
 /// A matched line as it enters the adjustment of all, in the conditioned frames.
 struct NetworkLine {
   ObservedPair seen;
-  /// Unit vector; its covariance, zero where unknown, says which meetings are likely to begin with.
-  UncertainLine3 start;
+  Vector6d start = Vector6d::Zero();  ///< unit vector
+  /// Says which meetings are likely to begin with; none where nothing is known of it.
+  std::optional<Matrix6d> start_cov;
   /// Taken as horizontal, within options.sigma_slope.
   bool is_horizontal = false;
   /// Ends of the left and the right segment that are taken to show the same point.
@@ -42,14 +44,15 @@ struct AdjustedInNetwork {
 };
 
 /// All lines in one adjustment by their images, the accepted meetings, horizontality and
-/// corresponding ends where they rest on these, and the range of heights as a weak prior
-/// (2 per line: the heights of its ends). Unlike in adjust_line() every segment enters once, so that what lines
-/// have in common is accounted for, and every meeting is tested.
+/// corresponding ends where they rest on these, and the range of heights as a weak prior of the heights
+/// of both ends. Unlike in adjust_line() every segment enters once, so that what lines have in common is
+/// accounted for, and every meeting is tested.
 ///
 /// Meetings are inliers of the standard deviation of their junction or outliers of a constant density
-/// over max_miss_m: expectation maximisation, then a hard decision at the posterior probability 0.5. Then the meeting whose normalised residual is the largest of its two
-/// lines' is rejected while it exceeds 3.29 (Baarda's data snooping, 0.1 %), and a guarded line loses
-/// meetings until its shift from what its images alone give is within chance (chi-square, 99.9 %).
+/// over max_miss_m: expectation maximisation, then a hard decision at the posterior probability 0.5.
+/// Then the meeting whose normalised residual is the largest of its two lines' is rejected while it
+/// exceeds 3.29 (Baarda's data snooping, 0.1 %), and a guarded line loses meetings until its shift from
+/// what its images alone give is within chance (chi-square, 99.9 %).
 ///
 /// Lines without a chain of meetings between them are independent: one sparse system for each group,
 /// groups in parallel. Results do not depend on the number of threads.

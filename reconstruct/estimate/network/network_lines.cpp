@@ -14,30 +14,31 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The line through both ends as a unit vector of the conditioned frame. The ends' scatter along the
-/// line drops out of its covariance; that is zero if the line has none.
-UncertainLine3 line_of(const ReconstructedLine& line, const ObjectConditioning& object) {
+/// Starts from the line through both ends. Their scatter along the line drops out of its covariance.
+void start_from(const ReconstructedLine& joint,
+                const ObjectConditioning& object,
+                NetworkLine& line) {
   const Eigen::Vector4d start =
-      object.conditioned_from_local(line.segment_in_local->start).homogeneous();
+      object.conditioned_from_local(joint.segment_in_local->start).homogeneous();
   const Eigen::Vector4d end =
-      object.conditioned_from_local(line.segment_in_local->end).homogeneous();
-  Matrix6d by_ends;  // Pi(X) Y = -Pi(Y) X
-  by_ends << -pi_matrix(end).leftCols<3>(), pi_matrix(start).leftCols<3>();
+      object.conditioned_from_local(joint.segment_in_local->end).homogeneous();
   UncertainLine3 joined{pi_matrix(start) * end, Matrix6d::Zero()};
-  if (line.covariance_m2) {
-    joined.cov =
-        by_ends * *line.covariance_m2 * by_ends.transpose() / (object.scale_m * object.scale_m);
+  if (joint.covariance_m2) {
+    Matrix6d by_ends;  // Pi(X) Y = -Pi(Y) X
+    by_ends << -pi_matrix(end).leftCols<3>(), pi_matrix(start).leftCols<3>();
+    by_ends /= object.scale_m;
+    joined.cov = by_ends * *joint.covariance_m2 * by_ends.transpose();
+    joined = spherically_normalised(joined);
+    line.start_cov = joined.cov;
   }
-  joined = spherically_normalised(joined);
-  joined.mean = project_to_pluecker_quadric(joined.mean);
-  return joined;
+  line.start = project_to_pluecker_quadric(joined.mean.normalized());
 }
 
 NetworkLine network_line(const StereoLines& lines, std::size_t match, const JointLine& joint) {
   NetworkLine line;
   line.seen = lines.lines[match];
   for (std::size_t j = 0; j < 2; ++j) line.seen[j].segment = joint.support.seen[j].segment;
-  line.start = line_of(joint.line, lines.stereo.object);
+  start_from(joint.line, lines.stereo.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
   line.is_guarded = joint.line.line_class == LineClass::kNotAligned;

@@ -19,7 +19,9 @@ std::vector<NetworkLine> observed_lines(const ConditionedScene& scene,
   for (const Segment3& segment : truth) {
     NetworkLine line;
     line.seen = scene.observe(test::noisy_pair(scene.scene, segment, {}, random));
-    line.start = *intersection(line.seen[0].plane, line.seen[1].plane);
+    const UncertainLine3 direct = *intersection(line.seen[0].plane, line.seen[1].plane);
+    line.start = direct.mean;
+    line.start_cov = direct.cov;
     lines.push_back(line);
   }
   return lines;
@@ -38,10 +40,10 @@ TEST(NetworkAdjustment, OfImagesAloneIsTheIntersectionOfThePlanesWithItsCovarian
   for (const double theta_deg : {80.0, 30.0, 8.0}) {
     std::vector<NetworkLine> lines =
         observed_lines(scene, {test::make_segment(scene.scene, test::line_at(theta_deg))}, random);
-    const UncertainLine3 direct = lines[0].start;
+    const UncertainLine3 direct{lines[0].start, *lines[0].start_cov};
     Vector6d away = direct.mean;  // the start is not what decides
     away(5) += 1e-3;
-    lines[0].start.mean = project_to_pluecker_quadric(away);
+    lines[0].start = project_to_pluecker_quadric(away);
     NetworkAdjustment adjustment(scene.stereo, pointers(lines), {}, {});
     ASSERT_TRUE(adjustment.minimise(1e-9, 50));
     ASSERT_TRUE(adjustment.invert());
@@ -85,6 +87,12 @@ TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
     EXPECT_NEAR(all.predicted(m).sigma, without.predicted(m).sigma,
                 kSecondOrder * without.predicted(m).sigma);
   }
+}
+
+TEST_F(MeetingLines, NothingPredictsAMeetingOfALineOfUnknownPrecision) {
+  lines[0].start_cov.reset();
+  const NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, {});
+  EXPECT_TRUE(std::isinf(adjustment.predicted_at_start(0).sigma));
 }
 
 TEST_F(MeetingLines, AreMoreCertainThanAlone) {

@@ -217,7 +217,9 @@ TEST(Network, MeetingsThatTogetherContradictTheImagesOfAGuardedLineAreDropped) {
       const test::Noise noise{sigma_px, sigma_px * 0.0245, 1.0};
       NetworkLine& added = lines.emplace_back();
       added.seen = scene.observe(test::exact_pair(scene.scene, s, noise));
-      added.start = *intersection(added.seen[0].plane, added.seen[1].plane);
+      const UncertainLine3 direct = *intersection(added.seen[0].plane, added.seen[1].plane);
+      added.start = direct.mean;
+      added.start_cov = direct.cov;
     }
     const AdjustedInNetwork free = adjust_network(scene.stereo, lines, meetings, {})[0];
     lines[0].is_guarded = true;
