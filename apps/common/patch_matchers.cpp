@@ -88,6 +88,7 @@ const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pair
 void add_matcher_options(CLI::App& app, std::vector<std::string>& names, MatchingOptions& options) {
   app.add_option("--matcher", names, "of the line segments: pairwise, chio, or both: pairwise,chio")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"pairwise", "chio"}))
       ->capture_default_str();
   app.add_option(

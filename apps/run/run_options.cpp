@@ -36,6 +36,7 @@ reconstruct::Method method_named(const std::string& name) {
 void add_run_flags(CLI::App& app, RunFlags& flags) {
   app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network")
       ->delimiter(',')
+      ->allow_extra_args(false)  // a patch file may follow
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_matcher_options(app, flags.matchers, flags.options.matching);
@@ -44,6 +45,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->capture_default_str();
   app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(line_format_names()));
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
