@@ -194,6 +194,30 @@ TEST(Network, RejectsAFalseMeetingAmongFour) {
   }
 }
 
+TEST(Network, RejectsAMissBeyondChanceHoweverProbableTheMeeting) {
+  // two lines that their images fix to a centimetre; 3.29 standard deviations are 0.1 %
+  constexpr double kSigma_m = 0.1;
+  const test::ConditionedScene scene;
+  const Segment3 line = test::make_segment(scene.scene, line_at(80));
+  const Segment3 other =
+      test::make_neighbour(scene.scene, line, {.parameter = 0.0, .angle_deg = 30, .rise_m = 0});
+  for (const auto& [misses, expected] : {std::pair(3.0, 1), std::pair(3.6, 0)}) {
+    const Eigen::Vector3d normal =
+        (line.end - line.start).cross(other.end - other.start).normalized();
+    const Eigen::Vector3d miss = misses * kSigma_m * normal;
+    std::vector<NetworkLine> lines;
+    for (const Segment3& s : {line, Segment3{other.start + miss, other.end + miss}}) {
+      NetworkLine& added = lines.emplace_back();
+      added.seen = scene.observe(test::exact_pair(scene.scene, s, test::scaled({}, 0.02)));
+      const UncertainLine3 direct = *intersection(added.seen[0].plane, added.seen[1].plane);
+      added.start = direct.mean;
+      added.start_cov = direct.cov;
+    }
+    const std::vector<Meeting> meetings{{0, 1, {0.9999, kSigma_m}}};
+    EXPECT_EQ(adjust_network(scene.stereo, lines, meetings, {})[0].n_meetings, expected) << misses;
+  }
+}
+
 TEST(Network, MeetingsThatTogetherContradictTheImagesOfAGuardedLineAreDropped) {
   // Precise neighbours support each other in pulling a line of less precision off what its images show.
   // Each meeting alone is within chance, together they are not.
