@@ -29,6 +29,7 @@ struct ReconstructArguments {
 };
 
 struct MatchedPair {
+  std::array<cv::Mat, 2> images;
   std::array<std::vector<EdgeSegment>, 2> segments;
   std::vector<LineMatch> matches;
 };
@@ -65,14 +66,14 @@ std::vector<LineMatch> read_line_matches(const std::string& path,
 }
 
 MatchedPair matched_pair(const io::PatchFile& patch, const ReconstructArguments& a) {
-  const std::array<cv::Mat, 2> images{patch_image(patch, 0), patch_image(patch, 1)};
   MatchedPair pair;
-  for (std::size_t i = 0; i < 2; ++i) pair.segments[i] = segments_of(patch, i, images[i], a);
+  pair.images = {patch_image(patch, 0), patch_image(patch, 1)};
+  for (std::size_t i = 0; i < 2; ++i) pair.segments[i] = segments_of(patch, i, pair.images[i], a);
   if (!a.matches.empty()) {
     pair.matches = read_line_matches(a.matches, pair.segments);
     return pair;
   }
-  const PatchMatches matches = match_patch(patch, images, pair.segments, a.matching);
+  const PatchMatches matches = match_patch(patch, pair.images, pair.segments, a.matching);
   for (const io::MatchRow& row : matches.used().rows) pair.matches.push_back(row.scored.match);
   return pair;
 }
@@ -86,8 +87,8 @@ int run_reconstruct(ReconstructArguments a) {
   const io::PatchFile patch = io::read_patch(a.patch);
   check_patch(patch);
   const MatchedPair pair = matched_pair(patch, a);
-  const io::LineSet lines =
-      reconstruct_patch(patch, pair.segments, pair.matches, a.reconstruct, a.matching.pairwise);
+  const io::LineSet lines = reconstruct_patch(patch, pair.segments, pair.matches, pair.images,
+                                              a.reconstruct, a.matching.pairwise);
   io::write_lines(a.out, lines, *io::line_format(a.format));
   const auto with_geometry =
       std::count_if(lines.lines.begin(), lines.lines.end(),

@@ -4,6 +4,7 @@
 #include "apps/common/patch_views.h"
 #include "reconstruct/estimate/reconstruct_lines.h"
 #include "reconstruct/match/connect_matches.h"
+#include "reconstruct/match/sample_flanks.h"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,7 @@ std::vector<UncertainSegment2> geometry_of(const std::vector<EdgeSegment>& segme
 io::LineSet reconstruct_patch(const io::PatchFile& patch,
                               const std::array<std::vector<EdgeSegment>, 2>& segments,
                               const std::vector<LineMatch>& matches,
+                              const std::array<cv::Mat, 2>& images,
                               const reconstruct::ReconstructOptions& options,
                               const reconstruct::MatchOptions& match_options) {
   const LocalFrame frame = patch_frame(patch);
@@ -81,9 +83,14 @@ io::LineSet reconstruct_patch(const io::PatchFile& patch,
   const auto [lowest_m, highest_m] = patch_heights_m(patch, frame);
   in_patch.lowest_height_m = lowest_m;
   in_patch.highest_height_m = highest_m;
+  std::vector<reconstruct::FlankStrips> strips;
+  if (options.flanks) {
+    strips = reconstruct::sample_flanks(cameras, images, segments, matches, {lowest_m, highest_m},
+                                        options.max_aligned_angle_deg);
+  }
   return line_set_of(
-      reconstruct::reconstruct_lines(cameras, geometry, matches, connections, in_patch), frame,
-      patch.crs, reconstruct::name(options.method));
+      reconstruct::reconstruct_lines(cameras, geometry, matches, connections, in_patch, strips),
+      frame, patch.crs, reconstruct::name(options.method));
 }
 
 }  // namespace ridgeline::apps

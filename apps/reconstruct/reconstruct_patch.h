@@ -8,6 +8,8 @@
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/match/options.h"
 
+#include <opencv2/core/mat.hpp>
+
 #include <array>
 #include <vector>
 
@@ -21,6 +23,7 @@ namespace ridgeline::apps {
 io::LineSet reconstruct_patch(const io::PatchFile& patch,
                               const std::array<std::vector<EdgeSegment>, 2>& segments,
                               const std::vector<LineMatch>& matches,
+                              const std::array<cv::Mat, 2>& images,
                               const reconstruct::ReconstructOptions& options,
                               const reconstruct::MatchOptions& match_options);
 

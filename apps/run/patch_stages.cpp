@@ -136,13 +136,13 @@ void PatchStages::match() {
   }
 }
 
-void PatchStages::reconstruct(reconstruct::Method method) const {
+void PatchStages::reconstruct(reconstruct::Method method) {
   const auto extracted = segments();
   const std::vector<LineMatch> matches = read_line_matches(path(kMatches));
   reconstruct::ReconstructOptions options = options_.reconstruct;
   options.method = method;
-  const io::LineSet lines =
-      reconstruct_patch(patch_, extracted, matches, options, options_.matching.pairwise);
+  const io::LineSet lines = reconstruct_patch(patch_, extracted, matches, {image(0), image(1)},
+                                              options, options_.matching.pairwise);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormat format : options_.line_formats) {
     for (const io::LineFormatInfo& info : io::line_formats()) {

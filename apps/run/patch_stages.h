@@ -31,7 +31,7 @@ class PatchStages {
 
   void extract();
   void match();
-  void reconstruct(reconstruct::Method method) const;
+  void reconstruct(reconstruct::Method method);
   /// Rows of Table 1, one per matcher and one of both, if the patch has reference
   /// matches; verdicts.csv has what each of them is.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;

@@ -25,6 +25,7 @@ std::vector<DepthPart> parts_of(const DepthProfile& profile,
   std::vector<DepthPart> parts(profile.lines.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     DepthPart& part = parts[p];
+    part.line = profile.lines[p];
     if (p > 0) part.from = profile.cuts[p - 1];
     if (p < profile.cuts.size()) part.to = profile.cuts[p];
     for (std::size_t i = 0; i < question.evidence.size(); ++i) {

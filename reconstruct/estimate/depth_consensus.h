@@ -12,7 +12,8 @@ namespace ridgeline::reconstruct {
 /// One of the lines that an aligned match shows.
 struct DepthPart {
   std::optional<std::size_t> from,
-      to;                             ///< evidence where it is cut; empty at the ends of the match
+      to;  ///< evidence where it is cut; empty at the ends of the match
+  DepthLine line;
   std::vector<std::size_t> supports;  ///< evidence of it within chance of the line
   bool horizontal = false;            ///< within the scatter of lines that are built horizontal
 };
@@ -34,8 +35,9 @@ struct DepthConsensus {
 /// row_profile(), each with its prior; to its logarithm their score adds
 ///
 ///     log(d (1 - prior) + prior * gain * b(distance / its sigma))     per evidence,
-///     log(0.05 + 0.95 max_k b((Z - Z_k) / sigma_height))              for the height Z of each end,
-///     -chi^2 / 2                                                      of the other image's misclosure
+///     log(0.3 + 0.7 max_k b((Z - Z_k) / sigma_height))                for the height Z of each end,
+///     -2.5 log(1 + chi^2 / 3)                                         of the other image's misclosure
+///     FlankCorrelation::log_likelihood()                              of the strips beside the line
 ///
 /// with b(z) = exp(-z^2 / 2) and d = 1, for points above the line however
 /// 1 - (1 - doubt_above) * meeting * (1 - b): where a line ends at another one in the images it may

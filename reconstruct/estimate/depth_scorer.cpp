@@ -126,7 +126,7 @@ double DepthScorer::score_of_cut(std::size_t cut,
 }
 
 double DepthScorer::score_of_end(int which, const DepthLine& line) const {
-  constexpr double kElsewhere = 0.05;  // of ends that are at the height of no line nearby
+  constexpr double kElsewhere = 0.3;  // of ends that are at the height of no line nearby
   if (question_.heights_nearby.empty()) return 0.0;
   const double z = height(line, which);
   double nearest = std::numeric_limits<double>::infinity();
@@ -138,9 +138,10 @@ double DepthScorer::score_of_end(int which, const DepthLine& line) const {
 }
 
 /// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
-/// degrees of freedom; bounded, so that no single match decides against all points.
+/// degrees of freedom, as that of Student's distribution: what adjoins an edge, a shadow or a gutter,
+/// displaces it by more than its covariance tells, and no single match decides against all points.
 double DepthScorer::other_misclosure(const DepthLine& h) const {
-  constexpr double kBound = 30.0;
+  constexpr double kFreedoms = 3.0;
   const UncertainLine2& other = question_.line[1].line;
   Vector6d line;
   line << h.direction, h.through.cross(h.direction);
@@ -150,7 +151,7 @@ double DepthScorer::other_misclosure(const DepthLine& h) const {
   const Eigen::Vector2d difference = basis.transpose() * image;
   const Eigen::Matrix2d cov = basis.transpose() * other.cov * basis;
   const double squared = difference.dot(cov.inverse() * difference);
-  return squared < kBound ? squared : kBound;
+  return (kFreedoms + 2.0) * std::log1p(squared / kFreedoms);
 }
 
 double DepthScorer::score(const DepthProfile& profile) const {
@@ -173,6 +174,11 @@ double DepthScorer::score(const DepthProfile& profile) const {
   double misclosure = 0.0;
   for (const DepthLine& line : profile.lines) {
     misclosure = std::max(misclosure, other_misclosure(line));
+  }
+  if (question_.flanks != nullptr) {
+    sum += question_.flanks->log_likelihood([&](double parameter) -> const DepthLine& {
+      return profile.lines[line_at(profile, parameter)];
+    });
   }
   return sum - 0.5 * misclosure;
 }

@@ -3,6 +3,8 @@
 
 #include "reconstruct/estimate/candidate_points.h"
 #include "reconstruct/estimate/depth_evidence.h"
+#include "reconstruct/estimate/depth_line.h"
+#include "reconstruct/estimate/flanks/flank_correlation.h"
 #include "reconstruct/estimate/options.h"
 
 #include <Eigen/Core>
@@ -19,12 +21,7 @@ struct DepthQuestion {
   std::span<const DepthEvidence> evidence;
   std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
   const ReconstructOptions& options;
-};
-
-/// A line in the projection plane of the base segment, conditioned frame.
-struct DepthLine {
-  Eigen::Vector3d through = Eigen::Vector3d::Zero();
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector
+  const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
 };
 
 /// What an aligned match may show, from its start to its end: one line or several.

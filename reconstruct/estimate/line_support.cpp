@@ -65,19 +65,19 @@ std::array<Eigen::Vector2d, 2> ends_in_images(const StereoLines& lines,
   return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != back)};
 }
 
-/// The point that the starts (0) or the ends (1) of both segments show; empty if none before the
-/// cameras and within the heights.
-std::optional<UncertainPoint3> end_in_object(const StereoLines& lines,
-                                             const ObservedPair& line,
-                                             int which,
-                                             const ReconstructOptions& options) {
-  const std::array<Eigen::Vector2d, 2> ends = ends_in_images(lines, line, which);
+/// What both images show at points of their segments; empty if not before the cameras and within the
+/// heights.
+/// @param sigma_px  along the line
+std::optional<UncertainPoint3> point_in_object(const StereoLines& lines,
+                                               const ObservedPair& line,
+                                               const std::array<Eigen::Vector2d, 2>& x,
+                                               double sigma_px,
+                                               const ReconstructOptions& options) {
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const View& view = lines.stereo.views[j];
     observations.push_back(
-        {view.image_from_object,
-         end_in_image(line[j], ends[j], options.sigma_end_px / view.image.scale_px)});
+        {view.image_from_object, end_in_image(line[j], x[j], sigma_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
   if (!estimated || !plausible(lines, estimated->point.mean, options)) return std::nullopt;
@@ -139,9 +139,16 @@ struct Heard {
   std::vector<DepthEvidence> evidence;  ///< of the points, then of the ends
 };
 
+/// Whether the border of an image cuts the starts (0) or the ends (1) of both segments.
+bool is_cut(const FlankStrips& strips, int which, bool runs_back) {
+  const auto left = static_cast<std::size_t>(which);
+  return strips.left.is_cut[left] || strips.right.is_cut[runs_back ? 1 - left : left];
+}
+
 Heard hear(const StereoLines& lines,
            const ObservedPair& line,
            std::span<const int> neighbours,
+           const FlankStrips* strips,
            const ReconstructOptions& options) {
   Heard heard{lines, line, {}, {}, {}, {}};
   for (const CandidatePoint& c : candidate_points(lines, line, neighbours, options)) {
@@ -154,7 +161,9 @@ Heard hear(const StereoLines& lines,
     heard.evidence.push_back(e);
   }
   for (const int which : {0, 1}) {
-    if (const auto end = end_in_object(lines, line, which, options)) {
+    if (strips != nullptr && is_cut(*strips, which, runs_back(lines, line))) continue;
+    if (const auto end = point_in_object(lines, line, ends_in_images(lines, line, which),
+                                         options.sigma_end_px, options)) {
       heard.ends.push_back(*end);
       heard.which_ends.push_back(which);
       heard.evidence.push_back(evidence_of(*end, which, options.end_prior));
@@ -180,8 +189,28 @@ ObservedPair seen_part(const Heard& heard, const DepthPart& part) {
   return seen;
 }
 
+/// Takes points of the line that the strips beside it show in both images; false if they show none.
+bool add_flank_points(const Heard& heard,
+                      const FlankCorrelation& flanks,
+                      const DepthPart& part,
+                      const ReconstructOptions& options,
+                      LineSupport& support) {
+  const auto found = flanks.homologous(part.line, part.horizontal);
+  if (!found) return false;
+  for (const FlankCorrelation::Homologous& x : *found) {
+    if (const auto point =
+            point_in_object(heard.lines, heard.line, x, options.sigma_flank_px, options)) {
+      support.ends.push_back({*point});
+      support.ends_in_images.push_back(x);
+    }
+  }
+  support.has_flanks = !support.ends.empty();
+  return support.has_flanks;
+}
+
 LineSupport support_of(const Heard& heard,
                        const DepthPart& part,
+                       const FlankCorrelation* flanks,
                        const ReconstructOptions& options) {
   LineSupport support;
   support.seen = seen_part(heard, part);
@@ -197,6 +226,7 @@ LineSupport support_of(const Heard& heard,
   support.points = best_of_regions(agreeing, options);
   if (part.horizontal) support.sigma_slope = options.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
+  if (flanks != nullptr && add_flank_points(heard, *flanks, part, options, support)) return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
     if (i < heard.points.size()) continue;
@@ -220,6 +250,7 @@ std::vector<LineSupport> line_support(const StereoLines& lines,
                                       const ObservedPair& line,
                                       std::span<const int> neighbours,
                                       std::span<const double> heights_nearby,
+                                      const FlankStrips* strips,
                                       const ReconstructOptions& options) {
   if (!options.consensus) {
     LineSupport support;
@@ -227,16 +258,20 @@ std::vector<LineSupport> line_support(const StereoLines& lines,
     support.points = best_of_regions(candidate_points(lines, line, neighbours, options), options);
     return {support};
   }
-  const Heard heard = hear(lines, line, neighbours, options);
-  const auto consensus = agree_on_depth({lines, line, heard.evidence, heights_nearby, options});
+  const Heard heard = hear(lines, line, neighbours, strips, options);
+  std::optional<FlankCorrelation> flanks;
+  if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
+  const auto consensus = agree_on_depth(
+      {lines, line, heard.evidence, heights_nearby, options, flanks ? &*flanks : nullptr});
   if (!consensus) {
     LineSupport nothing;
     nothing.seen = line;
     return {nothing};
   }
   std::vector<LineSupport> all;
+  const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {
-    all.push_back(support_of(heard, part, options));
+    all.push_back(support_of(heard, part, flanks && is_whole ? &*flanks : nullptr, options));
     if (consensus->margin < options.min_depth_margin) all.back().ambiguous = true;
   }
   return all;

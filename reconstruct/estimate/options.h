@@ -40,6 +40,9 @@ struct ReconstructOptions {
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
+  /// The consensus hears how the strips beside the line correlate at each depth. See FlankCorrelation.
+  bool flanks = true;
+  double sigma_flank_px = 0.5;   ///< of points of the line found so, along the line
   double max_point_prior = 0.7;  ///< that two lines which cross in both images meet, at W = 1
   double end_prior = 0.75;       ///< that the ends of both segments show the same point
   double sigma_end_px = 1.0;     ///< along the line, if they do
@@ -55,13 +58,13 @@ struct ReconstructOptions {
   double sigma_height_m = 0.2;      ///< of lines at the same height
   double max_nearby_sigma_m = 0.4;  ///< of the height of a line that others are compared with
   /// Most that agreement with the line raises the odds of evidence by.
-  double agreement_gain = 2.0;
+  double agreement_gain = 4.0;
   double gable_share = 0.8;        ///< of gables among what has the shape of one
   double step_share = 0.07;        ///< of places where one crosses: steps of a row
   double min_cut_weight = 0.3;     ///< W of the point where a match is cut
   double min_cut_length_px = 7.0;  ///< of each part
   /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
-  double min_depth_margin = 1.0;
+  double min_depth_margin = 2.5;
   /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth.
   double lowest_height_m = -1e5;
   double highest_height_m = 1e5;
@@ -89,6 +92,10 @@ struct ReconstructOptions {
               "lines less certain than this at an end are given between the right ends"},
         Field{"consensus", &O::consensus, false, true,
               "use points that agree on the depth of their line; off: as published"},
+        Field{"flanks", &O::flanks, false, true,
+              "consensus: compare the strips beside the line in both images"},
+        Field{"sigma_flank_px", &O::sigma_flank_px, 1e-3, 1e3,
+              "consensus: scatter of points found by that along the line"},
         Field{"max_point_prior", &O::max_point_prior, 0.01, 0.99,
               "consensus: prior probability of the best point"},
         Field{"end_prior", &O::end_prior, 0.01, 0.99,
@@ -134,6 +141,7 @@ struct ReconstructOptions {
 inline ReconstructOptions published_options() {
   ReconstructOptions options;
   options.consensus = false;
+  options.flanks = false;
   options.max_end_sigma_m = 1e6;
   return options;
 }

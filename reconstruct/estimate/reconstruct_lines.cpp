@@ -146,8 +146,9 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
 Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
+  if (support.has_flanks && !support.points_fix_direction) return Status::kFlanks;
   if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
-  if (!support.ends.empty()) return Status::kSegmentEnds;
+  if (!support.ends.empty() && !support.has_flanks) return Status::kSegmentEnds;
   return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
 
@@ -271,6 +272,8 @@ const char* name(Status status) {
       return "joint";
     case Status::kOnePoint:
       return "one_point";
+    case Status::kFlanks:
+      return "flanks";
     case Status::kSegmentEnds:
       return "segment_ends";
     case Status::kHorizontal:
@@ -298,9 +301,13 @@ std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const std::vector<UncertainSegment2>> segments,
     std::span<const LineMatch> matches,
     std::span<const PairConnection> connections,
-    const ReconstructOptions& options) {
+    const ReconstructOptions& options,
+    std::span<const FlankStrips> strips) {
   check(cameras.size() == 2, "reconstruct_lines: cameras = ", cameras.size(), ", must be 2");
   check(segments.size() == 2, "reconstruct_lines: images = ", segments.size(), ", must be 2");
+  check(strips.empty() || strips.size() == matches.size(),
+        "reconstruct_lines: strips = ", strips.size(), ", must be one per match, ", matches.size(),
+        ", or none");
   validate(options);
   const Neighbours neighbours = neighbours_of(connections, matches.size());
   if (matches.empty()) return {};
@@ -326,7 +333,8 @@ std::vector<ReconstructedLine> reconstruct_lines(
     }
     const ObservedPair& line = lines.lines[i];
     const std::vector<LineSupport> parts =
-        line_support(lines, line, neighbours[i], heights_near(lines, line, ends, options), options);
+        line_support(lines, line, neighbours[i], heights_near(lines, line, ends, options),
+                     strips.empty() ? nullptr : &strips[i], options);
     by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
   if (options.method == Method::kNetwork) {

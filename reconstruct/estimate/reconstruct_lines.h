@@ -4,6 +4,7 @@
 #include "reconstruct/estimate/options.h"
 #include "reconstruct/estimate/point_weight.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/flank_strips.h"
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
@@ -28,6 +29,7 @@ enum class Status : std::uint8_t {
   kDirect,          ///< intersection of the projection planes
   kJoint,           ///< planes and two or three points; horizontality too where these agree on it
   kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
+  kFlanks,          ///< points fix no direction; the strips beside the line do
   kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
   kHorizontal,      ///< points fix no direction; the line taken as horizontal
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`
@@ -86,6 +88,7 @@ struct ReconstructedLine {
 /// @param cameras      image_from_local of the left (base) and the right image, free of error
 /// @param segments     of the left and the right image
 /// @param connections  pairs of matches, in either order; repetitions change nothing
+/// @param strips       beside each match, for the depth of aligned ones (FlankCorrelation); or none
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of
 /// range, a connection of a match with itself or a matched segment without length or precision.
@@ -94,6 +97,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const std::vector<UncertainSegment2>> segments,
     std::span<const LineMatch> matches,
     std::span<const PairConnection> connections,
-    const ReconstructOptions& options = {});
+    const ReconstructOptions& options = {},
+    std::span<const FlankStrips> strips = {});
 
 }  // namespace ridgeline::reconstruct
