@@ -10,7 +10,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kFewestSamples = 8;
+constexpr int kFewestSamples = 20;
 constexpr int kMostSamples = 120;
 constexpr double kGain = 12.0;
 constexpr double kFullLength_px = 30.0;  // short strips correlate by chance

@@ -42,7 +42,7 @@ class FlankCorrelation {
   /// The line of a profile at a parameter of the left segment.
   using LineAt = std::function<const DepthLine&(double parameter)>;
   /// 0 for the best profile, log(0.02) for one that explains nothing, and for all where there are no
-  /// strips, or none of 8 px, or without texture, or the heights are not to be told apart.
+  /// strips, or none of 20 px, or without texture, or the heights are not to be told apart.
   [[nodiscard]] double log_likelihood(const LineAt& profile) const;
 
   /// The lines that the strips speak for most, horizontal and sloping ones, three each at most.
