@@ -45,7 +45,7 @@ struct DepthConsensus {
 /// Evidence at a cut belongs to either line and counts for the better one; other evidence within 6 px
 /// of it adds log(1 + prior * (gain - 1) * b) of the better one, which is never below 0.
 ///
-/// The gain is small, so that it is not the number of points that decides: false ones agree as well,
+/// The gain is limited, so that it is not the number of points that decides: false ones agree as well,
 /// those of an eave with the ground lines that it hides are all on the ground. Z_k are the heights of
 /// the lines nearby: eaves, ridges and streets come at few heights.
 ///

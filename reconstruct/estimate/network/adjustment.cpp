@@ -22,8 +22,6 @@ NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
       lines_(std::move(lines)),
       meetings_(std::move(meetings)),
       sigma_slope_(options.sigma_slope),
-      // both ends are uncertain along their segments
-      sigma_end_(std::numbers::sqrt2 * options.sigma_end_px / stereo.views[1].image.scale_px),
       height_((0.5 * (options.lowest_height_m + options.highest_height_m) -
                stereo.object.centre_m.z()) /
               stereo.object.scale_m),
@@ -65,10 +63,13 @@ void NetworkAdjustment::for_each_condition(std::size_t line,
     add(height, sigma_height_);
   }
   if (lines_[line]->is_horizontal) add(rise(at), sigma_slope_);
+  // the point is uncertain along both segments
+  const double sigma_end =
+      std::numbers::sqrt2 * lines_[line]->sigma_ends_px / stereo_.views[1].image.scale_px;
   for (std::size_t e = 0; e < c.left_ends.size(); ++e) {
     add(end_parallax(at, c.left_ends[e], stereo_.views[1], lines_[line]->seen[1].segment,
                      lines_[line]->ends[e][1]),
-        sigma_end_);
+        sigma_end);
   }
 }
 

@@ -68,7 +68,7 @@ class NetworkAdjustment {
   const StereoViews& stereo_;
   std::vector<const NetworkLine*> lines_;
   std::vector<Meeting> meetings_;
-  double sigma_slope_, sigma_end_, height_, sigma_height_;  // conditioned
+  double sigma_slope_, height_, sigma_height_;  // conditioned
   std::vector<LineConditions> conditions_;
   std::vector<Vector6d> estimates_;
   std::vector<Basis> bases_;

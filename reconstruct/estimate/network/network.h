@@ -25,6 +25,7 @@ struct NetworkLine {
   bool is_horizontal = false;
   /// Ends of the left and the right segment that are taken to show the same point.
   std::vector<std::array<Eigen::Vector2d, 2>> ends;
+  double sigma_ends_px = 1.0;  ///< of each of them along the line
   /// Determined by its images alone; meetings that contradict them are dropped.
   bool is_guarded = false;
 };

@@ -34,13 +34,17 @@ void start_from(const ReconstructedLine& joint,
   line.start = project_to_pluecker_quadric(joined.mean.normalized());
 }
 
-NetworkLine network_line(const StereoLines& lines, std::size_t match, const JointLine& joint) {
+NetworkLine network_line(const StereoLines& lines,
+                         std::size_t match,
+                         const JointLine& joint,
+                         const ReconstructOptions& options) {
   NetworkLine line;
   line.seen = lines.lines[match];
   for (std::size_t j = 0; j < 2; ++j) line.seen[j].segment = joint.support.seen[j].segment;
   start_from(joint.line, lines.stereo.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
+  line.sigma_ends_px = joint.support.has_flanks ? options.sigma_flank_px : options.sigma_end_px;
   line.is_guarded = joint.line.line_class == LineClass::kNotAligned;
   return line;
 }
@@ -52,14 +56,16 @@ struct Members {
   std::vector<std::vector<int>> of_match;
 };
 
-Members members_of(const StereoLines& lines, std::vector<std::vector<JointLine>>& by_match) {
+Members members_of(const StereoLines& lines,
+                   std::vector<std::vector<JointLine>>& by_match,
+                   const ReconstructOptions& options) {
   Members members;
   members.of_match.resize(by_match.size());
   for (std::size_t match = 0; match < by_match.size(); ++match) {
     for (JointLine& joint : by_match[match]) {
       if (!joint.line.segment_in_local) continue;
       members.of_match[match].push_back(static_cast<int>(members.lines.size()));
-      members.lines.push_back(network_line(lines, match, joint));
+      members.lines.push_back(network_line(lines, match, joint, options));
       members.results.push_back(&joint);
     }
   }
@@ -119,7 +125,7 @@ void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      const ReconstructOptions& options,
                      std::vector<std::vector<JointLine>>& by_match) {
-  const Members members = members_of(lines, by_match);
+  const Members members = members_of(lines, by_match, options);
   const std::vector<Meeting> meetings = meetings_of(lines, connections, members, options);
   const std::vector<AdjustedInNetwork> adjusted =
       adjust_network(lines.stereo, members.lines, meetings, options);
