@@ -189,7 +189,9 @@ FlankCorrelation::Places FlankCorrelation::raised(const Places& places,
 
 /// How the sides correlate along horizontal profiles, from the lowest one up.
 void FlankCorrelation::search_horizontal() {
-  for (double rise = lowest_; rise <= highest_; rise += kStep) {
+  const auto n = static_cast<std::size_t>((highest_ - lowest_) / kStep) + 1;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double rise = lowest_ + static_cast<double>(k) * kStep;
     const Places places = raised(level_, rise, rise);
     for (const std::size_t side : {0U, 1U}) {
       horizontal_[side].push_back(gain(strips_->best(side, places)));

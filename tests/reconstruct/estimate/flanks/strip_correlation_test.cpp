@@ -27,7 +27,7 @@ FlankStrips make_strips(double shear = 0.0, bool swapped = false) {
   strips.right.n_along = kRight;
   strips.left.n_bands = strips.right.n_bands = 1;
   for (const std::size_t side : {0U, 1U}) {
-    std::vector<double> wave(2 * kRight);
+    std::vector<double> wave(std::size_t{2} * kRight);
     for (double& value : wave) value = random.normal(0.1);
     for (std::size_t i = 4; i < wave.size(); ++i) wave[i] = 0.7 * wave[i - 1] + wave[i];
     const auto at = [&](double x) {
@@ -58,6 +58,7 @@ std::vector<int> all_columns() {
 
 std::vector<double> places_from(double first) {
   std::vector<double> places;
+  places.reserve(kLeft);
   for (int i = 0; i < kLeft; ++i) places.push_back(first + 2.0 * i);
   return places;
 }
@@ -92,7 +93,8 @@ TEST(StripCorrelation, CountsOnlyWhatTheRightImageShows) {
   for (std::vector<float>& side : cut.right.sides) {
     for (int row = 0; row < FlankStrip::kRows; ++row) {
       for (int i = border; i < kRight; ++i) {
-        side[static_cast<std::size_t>(row * kRight + i)] = std::numeric_limits<float>::quiet_NaN();
+        side[static_cast<std::size_t>(row) * kRight + static_cast<std::size_t>(i)] =
+            std::numeric_limits<float>::quiet_NaN();
       }
     }
   }
