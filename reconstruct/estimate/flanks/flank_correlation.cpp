@@ -11,7 +11,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kFewestSamples = 20;
-constexpr int kMostSamples = 120;
+constexpr int kMostSamples = 60;
 constexpr double kGain = 12.0;
 constexpr double kFullLength_px = 30.0;  // short strips correlate by chance
 constexpr double kBelow = 3.0;           // what a depth of its own costs the lower side
@@ -214,9 +214,11 @@ std::array<double, 2> FlankCorrelation::gains_below(double rise_at_start,
 /// The best profiles that are straight in the places, over the whole strip.
 void FlankCorrelation::search(double most_slope) {
   std::array<std::vector<Candidate>, 2> candidates;  // horizontal, sloping
-  const int n_slopes = static_cast<int>(most_slope / kStep);
+  constexpr double kSlopeStep =
+      2.0 * kStep;  // a pixel at either end: no farther than score() looks
+  const int n_slopes = static_cast<int>(most_slope / kSlopeStep);
   for (int slope = -n_slopes; slope <= n_slopes; ++slope) {
-    const double rise = slope * kStep;
+    const double rise = slope * kSlopeStep;
     for (std::size_t k = 0; k < horizontal_[0].size(); ++k) {
       const double at_start = lowest_ + static_cast<double>(k) * kStep - 0.5 * rise;
       const auto gain_of = [&](std::size_t side) {

@@ -9,7 +9,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kRows = FlankStrip::kRows;
-constexpr double kSlopeStep = 0.5;                // of the sides
+constexpr double kSlopeStep = 0.8;                // of the sides
 constexpr double kNoiseVariance = 0.008 * 0.008;  // of a band
 
 /// Of one row and band; samples outside of the image take the mean of the others.
@@ -129,6 +129,7 @@ StripCorrelation::Side StripCorrelation::side_of(const FlankStrips& strips,
       const std::vector<float> right =
           without_gaps(strips.right.row(right_side, row, band), n_right_);
       sums.left.push_back(running_sums(left));
+      sums.left_variance += moments(sums.left.back(), 0, n_samples()).variance;
       sums.right.push_back(running_sums(right));
       for (std::size_t slope = 0; slope < kSlopes; ++slope) {
         add_products(left, shifted(right, shift(slope, row)), sums.products[slope]);
@@ -138,44 +139,60 @@ StripCorrelation::Side StripCorrelation::side_of(const FlankStrips& strips,
   return sums;
 }
 
+std::optional<StripCorrelation::Cover> StripCorrelation::cover(
+    const Side& side, std::span<const double> places) const {
+  Cover c{0, n_samples(), 0.0, 0.0};
+  while (c.first < c.end && !is_inside(side, places[c.first])) ++c.first;
+  while (c.end > c.first && !is_inside(side, places[c.end - 1])) --c.end;
+  if (2 * (c.end - c.first) < n_samples()) return std::nullopt;
+  const auto [low, high] = std::minmax(places[c.first], places[c.end - 1]);
+  const auto from = static_cast<std::size_t>(low);
+  const auto to = static_cast<std::size_t>(high) + 2;
+  const bool is_whole = c.first == 0 && c.end == n_samples();
+  double left_variance = noise_ + (is_whole ? side.left_variance : 0.0);
+  double right_variance = noise_;
+  for (std::size_t i = 0; i < side.left.size(); ++i) {
+    const Moments right = moments(side.right[i], from, to);
+    right_variance += right.variance;
+    if (is_whole) continue;  // of mean zero
+    const Moments left = moments(side.left[i], c.first, c.end);
+    c.product_of_means += left.mean * right.mean;
+    left_variance += left.variance;
+  }
+  c.norm = std::sqrt(left_variance * right_variance);
+  return c;
+}
+
+double StripCorrelation::correlation(const Side& side,
+                                     std::size_t slope,
+                                     std::span<const double> places,
+                                     const Cover& cover) const {
+  double product = 0.0;
+  for (std::size_t s = cover.first; s < cover.end; ++s) {
+    if (!is_inside(side, places[s])) continue;
+    const auto place = static_cast<int>(places[s]);
+    const double share = places[s] - place;
+    const float* products =
+        side.products[slope].data() + s * static_cast<std::size_t>(n_right_) + place;
+    product += (1.0 - share) * products[0] + share * products[1];
+  }
+  return (product / static_cast<double>(cover.end - cover.first) - cover.product_of_means) /
+         cover.norm;
+}
+
 double StripCorrelation::at_slope(std::size_t side,
                                   std::size_t slope,
                                   std::span<const double> places) const {
-  const Side& sums = sides_[side];
-  double product = 0.0;
-  std::size_t first = n_samples();
-  std::size_t end = 0;
-  for (std::size_t s = 0; s < n_samples(); ++s) {
-    if (!(places[s] >= sums.first_inside && places[s] < sums.end_inside - 1.0)) continue;
-    first = std::min(first, s);
-    end = s + 1;
-    const auto place = static_cast<std::size_t>(places[s]);
-    const double share = places[s] - std::floor(places[s]);
-    const float* products =
-        sums.products[slope].data() + s * static_cast<std::size_t>(n_right_) + place;
-    product += (1.0 - share) * products[0] + share * products[1];
-  }
-  if (2 * end < 2 * first + n_samples()) return 0.0;
-  const auto [low, high] = std::minmax(places[first], places[end - 1]);
-  const auto from = static_cast<std::size_t>(low);
-  const auto to = static_cast<std::size_t>(high) + 2;
-  double covariance = product / static_cast<double>(end - first);
-  double left_variance = noise_;
-  double right_variance = noise_;
-  for (std::size_t i = 0; i < sums.left.size(); ++i) {
-    const Moments left = moments(sums.left[i], first, end);
-    const Moments right = moments(sums.right[i], from, to);
-    covariance -= left.mean * right.mean;
-    left_variance += left.variance;
-    right_variance += right.variance;
-  }
-  return covariance / std::sqrt(left_variance * right_variance);
+  const auto covered = cover(sides_[side], places);
+  return covered ? correlation(sides_[side], slope, places, *covered) : 0.0;
 }
 
 double StripCorrelation::best(std::size_t side, std::span<const double> places) const {
+  const auto covered = cover(sides_[side], places);
+  if (!covered) return 0.0;
   double best = -1.0;
   for (std::size_t slope = 0; slope < kSlopes; ++slope) {
-    best = std::max(best, at_slope(side, slope, places));
+    best = std::max(best, correlation(sides_[side], slope, places, *covered));
   }
   return best;
 }

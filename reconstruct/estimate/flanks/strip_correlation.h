@@ -4,6 +4,7 @@
 #include "reconstruct/geometry/flank_strips.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,7 +34,7 @@ class StripCorrelation {
     return at_slope(side, kLevel, places);
   }
   /// Slopes of the side that are tried: from falling away from the line as a roof to rising so.
-  static constexpr std::size_t kSlopes = 5;
+  static constexpr std::size_t kSlopes = 3;
   /// The same for a side of one of these slopes.
   [[nodiscard]] double at_slope(std::size_t side,
                                 std::size_t slope,
@@ -42,7 +43,7 @@ class StripCorrelation {
   [[nodiscard]] double best(std::size_t side, std::span<const double> places) const;
 
  private:
-  static constexpr std::size_t kLevel = 2;  ///< of them
+  static constexpr std::size_t kLevel = 1;  ///< of them
 
   /// Running sums along a row.
   struct RowSums {
@@ -54,11 +55,25 @@ class StripCorrelation {
   struct Side {
     std::array<std::vector<float>, kSlopes> products;  ///< [sample][place]
     std::vector<RowSums> left, right;                  ///< by row and band
+    double left_variance = 0.0;                        ///< of all samples, sum over the rows
     int first_inside = 0, end_inside = 0;              ///< places in the right image
   };
 
+  /// The samples whose places are in the right image, and what their correlation is referred to.
+  struct Cover {
+    std::size_t first, end;
+    double product_of_means, norm;
+  };
   static RowSums running_sums(const std::vector<float>& row);
   static Moments moments(const RowSums& row, std::size_t from, std::size_t to);
+  static bool is_inside(const Side& side, double place) {
+    return place >= side.first_inside && place < side.end_inside - 1.0;
+  }
+  [[nodiscard]] std::optional<Cover> cover(const Side& side, std::span<const double> places) const;
+  [[nodiscard]] double correlation(const Side& side,
+                                   std::size_t slope,
+                                   std::span<const double> places,
+                                   const Cover& cover) const;
   [[nodiscard]] double shift(std::size_t slope, int row) const;
   [[nodiscard]] Side side_of(const FlankStrips& strips,
                              std::size_t side,

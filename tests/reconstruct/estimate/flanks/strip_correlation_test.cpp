@@ -74,7 +74,7 @@ TEST(StripCorrelation, IsOneWhereBothStripsShowTheSameUnderAnotherGain) {
 
 TEST(StripCorrelation, FollowsASideThatFallsAway) {
   constexpr double kParallax = 0.5;
-  constexpr double kSlope = 0.5;                     // of those that are tried
+  constexpr double kSlope = 0.8;                     // of those that are tried
   constexpr double kShear = kSlope * kParallax * 2;  // in half pixels per pixel
   constexpr double kInterpolated = 0.95;             // between samples as rough as these
   const StripCorrelation strips(make_strips(kShear), all_columns(), false, kParallax);
