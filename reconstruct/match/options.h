@@ -28,8 +28,6 @@ struct MatchOptions {
   double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best rival
   /// Of a match against its rivals, to be kept; 0.9 if a segment is shorter than 12 px, 0.6 if it is
   /// shorter than three quarters of its mate.
-  /// Of a match against its rivals, to be kept; 0.9 if a segment is shorter than 12 px, 0.6 if it is
-  /// shorter than three quarters of its mate.
   double min_probability = 0.4;
   double min_votes = 0.5;                  ///< of its pairs, if its partners are matched
   double min_isolated_probability = 0.98;  ///< without such partners, where only its look tells
