@@ -84,7 +84,8 @@ io::LineSet reconstruct_patch(const io::PatchFile& patch,
   in_patch.lowest_height_m = lowest_m;
   in_patch.highest_height_m = highest_m;
   std::vector<reconstruct::FlankStrips> strips;
-  if (options.flanks) {
+  // only the consensus on depth hears them
+  if (options.flanks && options.consensus && options.method != reconstruct::Method::kDirect) {
     strips = reconstruct::sample_flanks(cameras, images, segments, matches, {lowest_m, highest_m},
                                         options.max_aligned_angle_deg);
   }
