@@ -10,7 +10,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 // Spreads of the geometric constraints between correct pairs: surfaces inclined by up to 45 degrees
-// and a base to height ratio of 0.26 (O).
+// and a base to height ratio of 0.26 (O). The argument `spread` multiplies them.
 constexpr double kAngleSigma_rad = 5.0 * M_PI / 180.0;
 constexpr double kDirectionSigma_rad = 8.0 * M_PI / 180.0;
 constexpr double kExtentLogSigma = 0.15;
@@ -86,13 +86,17 @@ double intersection_sigma_px(const UncertainSegment2& a,
   return shift.cwiseProduct(sigma_across.transpose()).norm();
 }
 
-std::optional<double> angle_similarity(const PairShape& left, const PairShape& right) {
+std::optional<double> angle_similarity(const PairShape& left,
+                                       const PairShape& right,
+                                       double spread) {
   const double a = turn_rad(direction(left.first), direction(left.second));
   const double b = turn_rad(direction(right.first), direction(right.second));
-  return gaussian(wrapped_rad(a - b), kAngleSigma_rad);
+  return gaussian(wrapped_rad(a - b), spread * kAngleSigma_rad);
 }
 
-std::optional<double> direction_similarity(const PairShape& left, const PairShape& right) {
+std::optional<double> direction_similarity(const PairShape& left,
+                                           const PairShape& right,
+                                           double spread) {
   constexpr double kSamePlace_px = 1.0;
   if (!left.clipped || !right.clipped) return std::nullopt;
   const Eigen::Vector2d a = midpoint(left.second) - midpoint(left.first);
@@ -100,14 +104,16 @@ std::optional<double> direction_similarity(const PairShape& left, const PairShap
   if (a.norm() < kSamePlace_px || b.norm() < kSamePlace_px) return std::nullopt;
   return gaussian(
       wrapped_rad(turn_rad(direction(left.first), a) - turn_rad(direction(right.first), b)),
-      kDirectionSigma_rad);
+      spread * kDirectionSigma_rad);
 }
 
-std::optional<double> extent_similarity(const PairShape& left, const PairShape& right) {
+std::optional<double> extent_similarity(const PairShape& left,
+                                        const PairShape& right,
+                                        double spread) {
   if (!left.clipped || !right.clipped) return std::nullopt;
   const double a = (length(left.first) + length(left.second)) / mean_end_distance(left);
   const double b = (length(right.first) + length(right.second)) / mean_end_distance(right);
-  return gaussian(std::log(a / b), kExtentLogSigma);
+  return gaussian(std::log(a / b), spread * kExtentLogSigma);
 }
 
 std::optional<double> colour_similarity(const EdgeSegment& left,

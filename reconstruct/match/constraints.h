@@ -37,16 +37,23 @@ double intersection_sigma_px(const UncertainSegment2& a,
                              const Eigen::Vector2d& intersection,
                              const Eigen::Vector2d& direction);
 
-/// 2: the angle from the first to the second segment, oriented. Always defined for a pair.
-std::optional<double> angle_similarity(const PairShape& left, const PairShape& right);
+/// 2: the angle from the first to the second segment, oriented. Always defined for a pair. Here and
+/// in 3 and 4, `spread` multiplies what correct pairs are expected to differ by.
+std::optional<double> angle_similarity(const PairShape& left,
+                                       const PairShape& right,
+                                       double spread = 1.0);
 
 /// 3: the direction from midpoint to midpoint, measured from the first segment. Absent if a member
 /// is near-aligned or the midpoints coincide.
-std::optional<double> direction_similarity(const PairShape& left, const PairShape& right);
+std::optional<double> direction_similarity(const PairShape& left,
+                                           const PairShape& right,
+                                           double spread = 1.0);
 
 /// 4: sum of the lengths over the mean distance of the end points of the one from those of the
 /// other. Absent if a member is near-aligned.
-std::optional<double> extent_similarity(const PairShape& left, const PairShape& right);
+std::optional<double> extent_similarity(const PairShape& left,
+                                        const PairShape& right,
+                                        double spread = 1.0);
 
 /// 5: colours beside one line: of the side that changes less, since occlusion changes the other.
 /// `reversed`: the right segment runs against the left one, so that its flanks change sides.

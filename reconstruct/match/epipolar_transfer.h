@@ -52,6 +52,9 @@ struct LocalTransfer {
   Eigen::Matrix2d jacobian;
   Eigen::Vector2d per_height;  ///< px/m
   double gsd_m = 0.0;          ///< size of a pixel of the first image on the level at z0
+
+  /// Parallax of a height over that height, both in pixels.
+  [[nodiscard]] double base_to_height() const { return per_height.norm() * gsd_m; }
 };
 LocalTransfer local_transfer(const EpipolarTransfer& transfer,
                              const Eigen::Vector2d& x_from,

@@ -4,9 +4,12 @@
 #include "reconstruct/match/close_lines.h"
 #include "reconstruct/match/final_choice.h"
 #include "reconstruct/match/hidden_strips.h"
+#include "reconstruct/match/matched_radiometry.h"
 #include "reconstruct/match/similarity_voting.h"
 
 #include <tbb/parallel_for.h>
+
+#include <algorithm>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -22,10 +25,18 @@ std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const 
   return all;
 }
 
-double gsd_m(const MatchView& left, const StereoSearch& search) {
+/// In the middle of the left image and of the heights.
+LocalTransfer central_transfer(const MatchView& left, const StereoSearch& search) {
   const Eigen::Vector2d centre(0.5 * left.image.cols, 0.5 * left.image.rows);
   const auto [lowest, highest] = search.height_range_m;
-  return local_transfer(search.right_from_left, centre, 0.5 * (lowest + highest)).gsd_m;
+  return local_transfer(search.right_from_left, centre, 0.5 * (lowest + highest));
+}
+
+/// How much more the shape of a pair changes between the images than at a base to height ratio of
+/// 0.26, for which the geometric constraints are calibrated; never less, as noise remains.
+double relief_spread(const LocalTransfer& transfer) {
+  constexpr double kCalibrated = 0.26;
+  return std::max(1.0, transfer.base_to_height() / kCalibrated);
 }
 
 }  // namespace
@@ -37,20 +48,25 @@ MatchResult match_pairwise(const MatchView& left,
   validate(options);
   check_images(left, right);
   const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
-  const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
+  const Radiometry radiometry = matched_radiometry(
+      left, right, search, relative_radiometry(left.segments, right.segments), options);
   std::vector<std::vector<Candidate>> candidates =
       match_candidates(left, right, search, radiometry, options);
   const std::array<CloseLines, 2> close{close_lines(ideal_segments(left)),
                                         close_lines(ideal_segments(right))};
   keep_order_of_close_lines(left, search, close, candidates);
   compare_across_hidden_strips({&left, &right}, search, radiometry, close, candidates);
+  const LocalTransfer transfer = central_transfer(left, search);
   const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
-  const PairScene scene{
-      left,       right,  search, {ImageSampler(left.image), ImageSampler(right.image), radiometry},
-      candidates, options};
+  const PairScene scene{left,
+                        right,
+                        search,
+                        {ImageSampler(left.image), ImageSampler(right.image), radiometry},
+                        candidates,
+                        options,
+                        relief_spread(transfer)};
   const std::vector<PairMatch> pair_matches = all_pair_matches(scene, pairs);
-  const Supports supports =
-      similarity_votes(left, right, candidates, pair_matches, gsd_m(left, search));
+  const Supports supports = similarity_votes(left, right, candidates, pair_matches, transfer);
   return final_choice(left, right, candidates, supports, pairs, options);
 }
 

@@ -22,7 +22,9 @@ struct MatchOptions {
   int min_partners = 3;
   int max_partners = 15;
   double min_pair_angle_deg = 10.0;  ///< as the t-term of Eq. 6
-  double max_pair_turn_deg = 15.0;   ///< difference of the angle enclosed by a pair
+  /// Difference of the angle enclosed by a pair up to a base to height ratio of 0.26, beyond in
+  /// proportion to it.
+  double max_pair_turn_deg = 15.0;
   double max_pair_epipolar_px = 5.0;
 
   double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best rival
@@ -55,7 +57,9 @@ struct MatchOptions {
         Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.1, 89.0,
               "smallest angle enclosed by a pair"},
         Field{"max_pair_turn_deg", &O::max_pair_turn_deg, 0.0, 90.0,
-              "largest difference of the enclosed angle between the images"},
+              "largest difference of the enclosed angle between the images; more beyond a base to "
+              "height "
+              "ratio of 0.26, in proportion"},
         Field{"max_pair_epipolar_px", &O::max_pair_epipolar_px, 0.0, 100.0,
               "largest distance of a pair's intersection point from its epipolar line"},
         Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,

@@ -135,13 +135,13 @@ std::optional<Constraints> constraints_of(const PairScene& scene,
                acute_angle_rad(Eigen::Vector2d(right.first.end - right.first.start),
                                Eigen::Vector2d(right.second.end - right.second.start))) /
       kRadPerDeg;
-  if (turn_deg > options.max_pair_turn_deg) return std::nullopt;
+  if (turn_deg > scene.spread * options.max_pair_turn_deg) return std::nullopt;
   const Radiometry& radiometry = scene.images.radiometry;
   Constraints found;
   found[0] = epipolar_similarity(misfit.distance_px, misfit.sigma_px);
-  found[1] = angle_similarity(left, right);
-  found[2] = direction_similarity(left, right);
-  found[3] = extent_similarity(left, right);
+  found[1] = angle_similarity(left, right, scene.spread);
+  found[2] = direction_similarity(left, right, scene.spread);
+  found[3] = extent_similarity(left, right, scene.spread);
   found[4] = mean(colour_similarity(a.left, a.right, a.overlap.reversed(), radiometry),
                   colour_similarity(b.left, b.right, b.overlap.reversed(), radiometry));
   found[5] = mean(contrast_similarity(a.left, a.right, a.overlap.reversed(), radiometry),

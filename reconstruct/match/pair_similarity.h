@@ -39,6 +39,8 @@ struct PairScene {
   ImagePair images;
   const std::vector<std::vector<Candidate>>& candidates;
   const MatchOptions& options;
+  double spread =
+      1.0;  ///< multiplies the spreads of the geometric constraints and the largest turn
 };
 
 /// The candidate pairs of a base pair, best first, at most five: two different right segments that

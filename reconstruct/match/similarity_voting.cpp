@@ -44,6 +44,7 @@ struct Network {
   std::vector<std::vector<Link>> links;            ///< per candidate, by partner
   std::vector<std::vector<Neighbour>> neighbours;  ///< per left segment
   double gsd_m = 0.0;
+  double same_height_m = 0.0;  ///< lines that meet in the image are this close in height
 };
 
 /// The closest points of two segments as parameters of each.
@@ -155,9 +156,12 @@ Network build_network(const MatchView& left,
                       const MatchView& right,
                       const std::vector<std::vector<Candidate>>& candidates,
                       std::span<const PairMatch> pairs,
-                      double gsd_m) {
+                      const LocalTransfer& transfer) {
+  constexpr double kGutters_m = 0.6;  // and other things between edges that meet
+  constexpr double kNoise_px = 2.0;   // of parallax
   Network network;
-  network.gsd_m = gsd_m;
+  network.gsd_m = transfer.gsd_m;
+  network.same_height_m = std::max(kGutters_m, kNoise_px / transfer.per_height.norm());
   network.first.push_back(0);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (const Candidate& candidate : candidates[i]) {
@@ -206,7 +210,6 @@ void add_votes(const Network& network,
 
 double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
   constexpr double kNear_px = 12.0;
-  constexpr double kSameHeight_m = 0.6;
   constexpr double kSlope = 0.7;
   const EpipolarOverlap& own = network.candidates[candidate]->overlap;
   if (own.aligned) return kUndecided;  // its height is what nobody knows yet
@@ -215,7 +218,7 @@ double height_support(const Network& network, std::span<const double> probabilit
   for (const Neighbour& neighbour : network.neighbours[network.left[candidate]]) {
     const double z = own.height_at(neighbour.own_t);
     const double weight = std::exp(-neighbour.distance_px / kNear_px);
-    const double spread_m = kSameHeight_m + kSlope * network.gsd_m * neighbour.distance_px;
+    const double spread_m = network.same_height_m + kSlope * network.gsd_m * neighbour.distance_px;
     for (Flat c = network.first[neighbour.segment]; c < network.first[neighbour.segment + 1]; ++c) {
       if (network.candidates[c]->overlap.aligned) continue;
       const double apart = (network.candidates[c]->overlap.height_at(neighbour.t) - z) / spread_m;
@@ -274,8 +277,8 @@ Supports similarity_votes(const MatchView& left,
                           const MatchView& right,
                           const std::vector<std::vector<Candidate>>& candidates,
                           std::span<const PairMatch> pairs,
-                          double gsd_m) {
-  const Network network = build_network(left, right, candidates, pairs, gsd_m);
+                          const LocalTransfer& transfer) {
+  const Network network = build_network(left, right, candidates, pairs, transfer);
   const std::size_t n = network.candidates.size();
   std::vector<Support> supports(n);
   std::vector<double> probability(n);

@@ -28,12 +28,15 @@ using Supports = std::vector<std::vector<Support>>;
 /// its height with its neighbours; its probability is its strength against that of its rivals: other
 /// mates for the left segment, other left segments for its mate. Collinear fragments of one edge are
 /// no rivals. The regression was fitted to the simulated training scenes (seeds 1 to 8) and then
-/// adjusted for the best quality of matching in them. Repeated to a fixed point, at most 20 passes. The same for any number of threads.
+/// adjusted for the best quality of matching in them. Repeated to a fixed point, at most 20 passes. The
+/// same for any number of threads.
+/// @param transfer  of the left image to the right one, anywhere in it: what a pixel is on the ground
+///                  and a pixel of parallax in height
 Supports similarity_votes(const MatchView& left,
                           const MatchView& right,
                           const std::vector<std::vector<Candidate>>& candidates,
                           std::span<const PairMatch> pairs,
-                          double gsd_m);
+                          const LocalTransfer& transfer);
 
 /// Whether two segments of an image are parts of one straight edge: all their ends within 1.5 px of
 /// the line between the two that are farthest apart.

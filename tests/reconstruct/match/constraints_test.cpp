@@ -57,6 +57,22 @@ TEST(AngleSimilarity, IgnoresRotationAndSeesTheSense) {
   EXPECT_NEAR(*angle_similarity(corner(), wider), std::exp(-0.5), 1e-3);
 }
 
+TEST(GeometricConstraints, TolerateMoreByTheSpread) {
+  PairShape wider = corner();
+  wider.second.end = 20.0 * Eigen::Vector2d(-std::sin(0.0873), std::cos(0.0873));  // 5 deg
+  PairShape apart = corner();
+  apart.second = {{0.0, 20.0}, {0.0, 30.0}};
+  // a Gaussian of twice the sigma is the fourth root of the Gaussian
+  EXPECT_NEAR(std::pow(*angle_similarity(corner(), wider, 2.0), 4.0),
+              *angle_similarity(corner(), wider), kTol);
+  EXPECT_NEAR(std::pow(*direction_similarity(corner(), apart, 2.0), 4.0),
+              *direction_similarity(corner(), apart), kTol);
+  EXPECT_NEAR(std::pow(*extent_similarity(corner(), apart, 2.0), 4.0),
+              *extent_similarity(corner(), apart), kTol);
+  EXPECT_LT(*direction_similarity(corner(), apart), 0.9);
+  EXPECT_LT(*extent_similarity(corner(), apart), 0.9);
+}
+
 TEST(DirectionSimilarity, ComparesTheDirectionFromMidpointToMidpoint) {
   EXPECT_NEAR(*direction_similarity(corner(), turned(corner(), -0.4, 1.2)), 1.0, kTol);
   PairShape shifted = corner();

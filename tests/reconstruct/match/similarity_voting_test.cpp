@@ -29,7 +29,10 @@ class SimilarityVotes : public ::testing::Test {
   }
 
   [[nodiscard]] Supports vote(const std::vector<PairMatch>& pairs = {}) const {
-    return similarity_votes(left_, right_, candidates_, pairs, kGsd_m);
+    LocalTransfer transfer;
+    transfer.gsd_m = kGsd_m;
+    transfer.per_height = {px_per_m_, 0.0};
+    return similarity_votes(left_, right_, candidates_, pairs, transfer);
   }
 
   static int add(MatchView& view, const Segment2& s) {
@@ -39,6 +42,7 @@ class SimilarityVotes : public ::testing::Test {
 
   MatchView left_, right_;
   std::vector<std::vector<Candidate>> candidates_;
+  double px_per_m_ = 3.25;  ///< of parallax; base to height ratio 0.26
 };
 
 const Segment2 kFirst{{0, 0}, {0, 40}};
@@ -91,6 +95,17 @@ TEST_F(SimilarityVotes, SupportAHeightThatNeighboursShare) {
   EXPECT_GT(supports[0][0].height, 0.6);
   EXPECT_LT(supports[0][1].height, 0.4);
   EXPECT_GT(supports[0][0].probability, supports[0][1].probability);
+}
+
+TEST_F(SimilarityVotes, TakeHeightsForTheSameThatTheParallaxHardlyTellsApart) {
+  add_left(kFirst);
+  add_left({{5, 0}, {5, 40}});
+  for (int i = 0; i < 2; ++i) add_right({{500.0 * i, 0.0}, {500.0 * i, 40.0}});
+  add_candidate(0, 0, 0.7, 10.0);
+  add_candidate(1, 1, 0.95, 12.0);
+  EXPECT_LT(vote()[0][0].height, 0.4);
+  px_per_m_ = 1.0;  // 2 px
+  EXPECT_GT(vote()[0][0].height, 0.5);
 }
 
 TEST_F(SimilarityVotes, LetTwoEdgesCompeteForOneMateButNotTwoFragments) {
