@@ -2,9 +2,9 @@
 // From rendered images to Tables 1 and 2 on villages that no weight was fitted to: the figures that
 // the README states. Seeds 1 to 8 are for calibration.
 //
-// The limits keep what is reached (measured: correctness 99.0 %, completeness 97.5 %, quality 96.6 %;
-// 74 % of the roof lines; not_aligned lines to 0.117 m by `joint` and 0.111 m by `network`, aligned ones
-// to 0.2 m without a gross error), less a few matches. What is aimed at is more: 85 % of the roof
+// The limits keep what is reached (measured: correctness 99.0 %, completeness 97.9 %, quality 97.0 %;
+// 74 % of the roof lines; not_aligned lines to 0.121 m by `joint` and 0.115 m by `network`, aligned ones
+// to 0.21 m with one gross error of 185), less a few matches. What is aimed at is more: 85 % of the roof
 // lines; not_aligned lines to 0.06 m; aligned lines to 0.15 m.
 #include "tests/support/csv_rows.h"
 #include "tests/support/run_program.h"
@@ -94,8 +94,8 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
             << "; correctness " << correctness << ", completeness " << completeness << ", quality "
             << quality << "\n";
   EXPECT_GE(correctness, 0.989);
-  EXPECT_GE(completeness, 0.97);
-  EXPECT_GE(quality, 0.96);
+  EXPECT_GE(completeness, 0.975);
+  EXPECT_GE(quality, 0.965);
 
   std::map<std::string, Pool> truth;
   for (const Row& row : table("reference_errors.csv")) {
