@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/match/candidates.h"
+#include "reconstruct/match/mate_flanks.h"
 #include "reconstruct/match/similarity_voting.h"
 
 #include <tbb/parallel_for.h>
@@ -65,10 +66,9 @@ double flank_difference(const Scene& scene,
   const auto grey = [&](const Flank& flank) {
     return mean_of(scene.radiometry.left_from_right(flank.colour), n_bands);
   };
-  const Flank& mate_of_left = reversed ? right.right : right.left;
-  const Flank& mate_of_right = reversed ? right.left : right.right;
-  return std::min(std::abs(mean_of(left.left.colour, n_bands) - grey(mate_of_left)),
-                  std::abs(mean_of(left.right.colour, n_bands) - grey(mate_of_right)));
+  const auto [mate_of_left, mate_of_right] = mate_flanks(right, reversed);
+  return std::min(std::abs(mean_of(left.left.colour, n_bands) - grey(*mate_of_left)),
+                  std::abs(mean_of(left.right.colour, n_bands) - grey(*mate_of_right)));
 }
 
 ChioOutcome screening(const Scene& scene,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/constraints.h"
 
+#include "reconstruct/match/mate_flanks.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -57,9 +59,9 @@ struct Sides {
   Colour left, right;
 };
 Sides mapped_sides(const EdgeSegment& right, bool reversed, const Radiometry& radiometry) {
-  const Flank& on_left = reversed ? right.right : right.left;
-  const Flank& on_right = reversed ? right.left : right.right;
-  return {radiometry.left_from_right(on_left.colour), radiometry.left_from_right(on_right.colour)};
+  const auto [on_left, on_right] = mate_flanks(right, reversed);
+  return {radiometry.left_from_right(on_left->colour),
+          radiometry.left_from_right(on_right->colour)};
 }
 
 }  // namespace

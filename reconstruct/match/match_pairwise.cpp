@@ -9,8 +9,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-
 namespace ridgeline::reconstruct {
 namespace {
 
@@ -30,13 +28,6 @@ LocalTransfer central_transfer(const MatchView& left, const StereoSearch& search
   const Eigen::Vector2d centre(0.5 * left.image.cols, 0.5 * left.image.rows);
   const auto [lowest, highest] = search.height_range_m;
   return local_transfer(search.right_from_left, centre, 0.5 * (lowest + highest));
-}
-
-/// How much more the shape of a pair changes between the images than at a base to height ratio of
-/// 0.26, for which the geometric constraints are calibrated; never less, as noise remains.
-double relief_spread(const LocalTransfer& transfer) {
-  constexpr double kCalibrated = 0.26;
-  return std::max(1.0, transfer.base_to_height() / kCalibrated);
 }
 
 }  // namespace

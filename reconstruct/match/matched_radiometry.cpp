@@ -2,6 +2,7 @@
 #include "reconstruct/match/matched_radiometry.h"
 
 #include "reconstruct/match/candidates.h"
+#include "reconstruct/match/mate_flanks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +47,8 @@ void add_colours(const EdgeSegment& left,
                  const Candidate& candidate,
                  std::vector<ColourPair>& pairs) {
   constexpr double kSameTexture = 0.7;  // correlation that chance hardly reaches
-  const bool reversed = candidate.overlap.reversed();
   const std::array<const Flank*, 2> own{&left.left, &left.right};
-  const std::array<const Flank*, 2> mate{reversed ? &right.right : &right.left,
-                                         reversed ? &right.left : &right.right};
+  const std::array<const Flank*, 2> mate = mate_flanks(right, candidate.overlap.reversed());
   for (const int side : {0, 1}) {
     const auto& seen = candidate.look.sides[side];
     if (seen && seen->ncc >= kSameTexture) {

@@ -171,6 +171,11 @@ double vote_of(double similarity) {
   return 1.0 / (1.0 + std::exp(-kSlope * (similarity - kEven)));
 }
 
+double relief_spread(const LocalTransfer& transfer) {
+  constexpr double kCalibrated = 0.26;
+  return std::max(1.0, transfer.base_to_height() / kCalibrated);
+}
+
 std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair) {
   std::vector<PairMatch> matches;
   const std::vector<Candidate>& firsts = scene.candidates[pair.first];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/constraints.h"
 
+#include "reconstruct/match/pair_similarity.h"
 #include "tests/reconstruct/match/stereo_pair.h"
 #include "tests/support/random.h"
 
@@ -71,6 +72,15 @@ TEST(GeometricConstraints, TolerateMoreByTheSpread) {
               *extent_similarity(corner(), apart), kTol);
   EXPECT_LT(*direction_similarity(corner(), apart), 0.9);
   EXPECT_LT(*extent_similarity(corner(), apart), 0.9);
+}
+
+TEST(ReliefSpread, GrowsWithTheBaseToHeightRatioFromThatOfTheCalibrationOn) {
+  LocalTransfer transfer;
+  transfer.gsd_m = 0.1;
+  transfer.per_height = {0.0, 5.2};  // px/m: base to height ratio 0.52
+  EXPECT_NEAR(relief_spread(transfer), 2.0, kTol);
+  transfer.gsd_m = 0.02;  // 0.104
+  EXPECT_EQ(relief_spread(transfer), 1.0);
 }
 
 TEST(DirectionSimilarity, ComparesTheDirectionFromMidpointToMidpoint) {
