@@ -77,16 +77,16 @@ io::LineSet reconstruct_patch(const io::PatchFile& patch,
   const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, frame);
   const std::array<std::vector<UncertainSegment2>, 2> geometry{geometry_of(segments[0]),
                                                                geometry_of(segments[1])};
-  const std::vector<PairConnection> connections =
-      reconstruct::connect_matches(segments[0], segments[1], matches, cameras, match_options);
+  const std::array<double, 2> heights_m = patch_heights_m(patch, frame);
+  const std::vector<PairConnection> connections = reconstruct::connect_matches(
+      segments[0], segments[1], matches, cameras, heights_m, match_options);
   reconstruct::ReconstructOptions in_patch = options;
-  const auto [lowest_m, highest_m] = patch_heights_m(patch, frame);
-  in_patch.lowest_height_m = lowest_m;
-  in_patch.highest_height_m = highest_m;
+  in_patch.lowest_height_m = heights_m[0];
+  in_patch.highest_height_m = heights_m[1];
   std::vector<reconstruct::FlankStrips> strips;
   // only the consensus on depth hears them
   if (options.flanks && options.consensus && options.method != reconstruct::Method::kDirect) {
-    strips = reconstruct::sample_flanks(cameras, images, segments, matches, {lowest_m, highest_m},
+    strips = reconstruct::sample_flanks(cameras, images, segments, matches, heights_m,
                                         options.max_aligned_angle_deg);
   }
   return line_set_of(

@@ -43,8 +43,8 @@ ChioResult chio_match(const MatchView& left,
                       const MatchOptions& match_options = {});
 
 /// What the third and the fourth process find beside the matches of another matcher: lines at the
-/// height of matched lines of the same structures, and of such nearby. A match that Core itself would
-/// not make lends no height.
+/// height of matched lines of the same structures, and of such nearby. A match that is none of
+/// Core's candidates lends no height.
 ChioResult propagate_heights(const MatchView& left,
                              const MatchView& right,
                              const std::array<double, 2>& height_range_in_local_m,

@@ -34,15 +34,10 @@ struct Scene {
   const ChioOptions& options;
 };
 
-/// Base over height at the segment: parallax in ground pixels per metre of height.
-double base_to_height(const LocalTransfer& transfer) {
-  return transfer.per_height.norm() * transfer.gsd_m;
-}
-
 /// A slope turns a line between the views; the paper's limit makes no allowance for that.
 double azimuth_limit_rad(const LocalTransfer& transfer, const ChioOptions& options) {
   const double turn_rad =
-      options.paper ? 0.0 : std::atan(options.max_rate * base_to_height(transfer));
+      options.paper ? 0.0 : std::atan(options.max_rate * transfer.base_to_height());
   return options.max_azimuth_deg * kRadPerDeg + turn_rad;
 }
 
@@ -112,11 +107,8 @@ void sort_by_preference(std::vector<CoreCandidate>& list, const ChioOptions& opt
 CoreCandidates candidates_of(const Scene& scene,
                              const EdgeSegment& left,
                              const std::vector<Candidate>& found) {
-  const auto [lowest_m, highest_m] = scene.search.height_range_m;
   const Screened screened{
-      left,
-      local_transfer(scene.search.right_from_left, midpoint(left.line.segment),
-                     0.5 * (lowest_m + highest_m)),
+      left, local_transfer(scene.search, midpoint(left.line.segment)),
       searched_points(scene.search.right_from_left, ImageSampler(scene.left.image), left)};
   CoreCandidates result;
   result.gsd_m = screened.transfer.gsd_m;

@@ -57,8 +57,10 @@ class Iteration {
     const Neighbourhood adjacent = adjacent_segments(left_segments_, structures_);
     const Neighbourhood near = segments_in_range(left_segments_, candidates_, options_.range_m);
     for (const HeightLimit limit : limits) {
-      while (until_nothing_changes(3, adjacent, limit) + until_nothing_changes(4, near, limit) >
-             0) {
+      int n_found = 1;
+      while (n_found > 0) {
+        n_found = until_nothing_changes(3, adjacent, limit);
+        n_found += until_nothing_changes(4, near, limit);
       }
     }
   }

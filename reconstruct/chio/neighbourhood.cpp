@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio/neighbourhood.h"
 
-#include "reconstruct/match/segment_index.h"
+#include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
 
@@ -25,8 +25,9 @@ Neighbourhood adjacent_segments(std::span<const Segment2> segments,
 Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m) {
-  const SegmentIndex index(segments);
   Neighbourhood neighbourhood(segments.size());
+  if (!(range_m > 0.0)) return neighbourhood;  // segments that cross are 0 apart, at any heights
+  const SegmentIndex index(segments);
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
     if (candidates[i].list.empty()) return;
     const double range_px = range_m / candidates[i].gsd_m;

@@ -27,7 +27,7 @@ using Neighbourhood = std::vector<std::vector<Neighbour>>;
 Neighbourhood adjacent_segments(std::span<const Segment2> segments,
                                 std::span<const Structure> structures);
 
-/// Segments closer than `range_m` in the image, by the size of its ground pixels.
+/// Segments closer than `range_m` in the image, by the size of its ground pixels; none for 0.
 Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m);

@@ -2,8 +2,8 @@
 #include "reconstruct/chio/structures.h"
 
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/match/base_pairs.h"
-#include "reconstruct/match/segment_index.h"
 
 #include <algorithm>
 #include <array>

@@ -237,7 +237,8 @@ LineSupport support_of(const Heard& heard,
   }
   const bool is_cut = part.from || part.to;
   if (support.points.empty()) {
-    support.ambiguous = is_cut || !has_telling_ends(heard.lines, heard.line, options);
+    support.ambiguous =
+        is_cut || support.ends.empty() || !has_telling_ends(heard.lines, heard.line, options);
   } else {
     support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
   }

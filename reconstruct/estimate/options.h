@@ -14,7 +14,8 @@ enum class Method : std::uint8_t { kDirect, kJoint, kNetwork };
 inline constexpr std::array kMethods{Method::kDirect, Method::kJoint, Method::kNetwork};
 const char* name(Method method);  ///< "direct" | "joint" | "network"
 
-/// The method of Ok et al. 2011, section 3, with two additions, `consensus` and `max_end_sigma_m`.
+/// The method of Ok et al. 2011, section 3. Ours are `consensus` with all that belongs to it,
+/// `flanks`, `max_end_sigma_m` and Method::kNetwork.
 struct ReconstructOptions {
   Method method = Method::kJoint;
   /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
@@ -65,7 +66,8 @@ struct ReconstructOptions {
   double min_cut_length_px = 7.0;  ///< of each part
   /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
   double min_depth_margin = 2.5;
-  /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth.
+  /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth. Of
+  /// the patch, not options of a user: not among the fields.
   double lowest_height_m = -1e5;
   double highest_height_m = 1e5;
 
@@ -131,9 +133,7 @@ struct ReconstructOptions {
         Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
               "consensus: shortest part of a match that is cut"},
         Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
-              "consensus: a line is ambiguous if another depth comes closer; log of the odds"},
-        Field{"lowest_height_m", &O::lowest_height_m, -1e5, 1e5, "lowest height of a point"},
-        Field{"highest_height_m", &O::highest_height_m, -1e5, 1e5, "highest height of a point"}};
+              "consensus: a line is ambiguous if another depth comes closer; log of the odds"}};
   }
 };
 

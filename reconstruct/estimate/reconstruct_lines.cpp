@@ -6,6 +6,7 @@
 #include "reconstruct/estimate/line_support.h"
 #include "reconstruct/estimate/network/network_lines.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
 
@@ -152,42 +153,48 @@ Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
 
-/// An end of a line of known height, in the conditioned frames.
-struct KnownEnd {
-  Eigen::Vector2d x_in_left;
-  double height;
-};
-
-std::vector<KnownEnd> known_ends(const StereoLines& lines,
-                                 std::span<const ReconstructedLine> results,
-                                 const ReconstructOptions& options) {
-  const ObjectConditioning& object = lines.stereo.object;
-  std::vector<KnownEnd> ends;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const ReconstructedLine& line = results[i];
-    if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
-    if (*line.direct_sigma_z_m > options.max_nearby_sigma_m) continue;
-    const Segment2& seen = lines.lines[i][0].segment;
-    const Segment3& in_local = *line.segment_in_local;
-    ends.push_back({seen.start, object.conditioned_from_local(in_local.start).z()});
-    ends.push_back({seen.end, object.conditioned_from_local(in_local.end).z()});
-  }
-  return ends;
-}
-
-std::vector<double> heights_near(const StereoLines& lines,
-                                 const ObservedPair& line,
-                                 std::span<const KnownEnd> ends,
-                                 const ReconstructOptions& options) {
-  const double radius = options.nearby_px / lines.stereo.views[0].image.scale_px;
-  std::vector<double> heights;
-  for (const KnownEnd& end : ends) {
-    if (distance(line[0].segment, end.x_in_left) <= radius) {
-      heights.push_back(end.height);
+/// The ends of lines of known height, by their place in the left image.
+class KnownEnds {
+ public:
+  KnownEnds(const StereoLines& lines,
+            std::span<const ReconstructedLine> results,
+            const ReconstructOptions& options) {
+    for (const ReconstructedLine& line : results) {
+      if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
+      if (*line.direct_sigma_z_m > options.max_nearby_sigma_m) continue;
+      add(lines.stereo, line.segment_in_local->start);
+      add(lines.stereo, line.segment_in_local->end);
     }
+    index_ = SegmentIndex(ends_px_);
   }
-  return heights;
-}
+
+  /// Heights of the ends near an image line, in the conditioned object frame.
+  [[nodiscard]] std::vector<double> heights_near(const Segment2& seen_px, double radius_px) const {
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius_px);
+    const Eigen::AlignedBox2d box(seen_px.start.cwiseMin(seen_px.end) - reach,
+                                  seen_px.start.cwiseMax(seen_px.end) + reach);
+    std::vector<double> heights;
+    for (const int i : index_.in_box(box)) {
+      const auto end = static_cast<std::size_t>(i);
+      if (distance(seen_px, ends_px_[end].start) <= radius_px) heights.push_back(heights_[end]);
+    }
+    return heights;
+  }
+
+ private:
+  /// The line may end where the right segment does: its place in the left image is the end's own.
+  void add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local) {
+    const Eigen::Vector3d x = stereo.object.conditioned_from_local(end_in_local);
+    const Eigen::Vector2d x_px =
+        stereo.views[0].image.image_from_conditioned(project(stereo.views[0].image_from_object, x));
+    ends_px_.push_back({x_px, x_px});
+    heights_.push_back(x.z());
+  }
+
+  std::vector<Segment2> ends_px_;  ///< of no length
+  std::vector<double> heights_;
+  SegmentIndex index_{{}};
+};
 
 void give_up(Status why, ReconstructedLine& result) {
   result.status = why;
@@ -322,7 +329,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
   });
   if (options.method == Method::kDirect) return results;
 
-  const std::vector<KnownEnd> ends = known_ends(lines, results, options);
+  const KnownEnds ends(lines, results, options);
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     if (results[i].line_class != LineClass::kAligned) {
@@ -332,9 +339,9 @@ std::vector<ReconstructedLine> reconstruct_lines(
       return;
     }
     const ObservedPair& line = lines.lines[i];
-    const std::vector<LineSupport> parts =
-        line_support(lines, line, neighbours[i], heights_near(lines, line, ends, options),
-                     strips.empty() ? nullptr : &strips[i], options);
+    const std::vector<LineSupport> parts = line_support(
+        lines, line, neighbours[i], ends.heights_near(results[i].seen_px[0], options.nearby_px),
+        strips.empty() ? nullptr : &strips[i], options);
     by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
   if (options.method == Method::kNetwork) {

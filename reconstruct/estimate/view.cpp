@@ -30,7 +30,7 @@ Eigen::Vector3d closest_point(const Ray& a, const Ray& b) {
   return a.origin + distance * a.direction;
 }
 
-/// Mean of the midpoints, and half the diagonal of the bounding box about it.
+/// Mean of the midpoints, and the largest distance of an end from it.
 ImageConditioning image_conditioning(std::span<const Segment2> patch) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Segment2& segment : patch) sum += midpoint(segment);

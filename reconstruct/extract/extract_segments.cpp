@@ -63,12 +63,13 @@ double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
   return sum / std::sqrt(static_cast<double>(trace.size()));
 }
 
-/// The parts of a trace that are straight to a fraction of a pixel.
+/// The parts of a trace that are straight to a fraction of a pixel. Two samples make any line.
 std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptions& options) {
   const Points points = positions(trace);
   const std::vector<std::size_t> borders = bends(points, options);
   std::vector<EdgeTrace> parts;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    if (borders[i + 1] - borders[i] < 3) continue;
     const std::span<const Eigen::Vector2d> part =
         std::span(points).subspan(borders[i], borders[i + 1] - borders[i]);
     if (principal_axes(part).lambda_min > options.max_lambda_min_px2) continue;

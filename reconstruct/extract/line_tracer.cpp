@@ -32,20 +32,22 @@ std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
   return points;
 }
 
-/// A line as a function of the axis that it is nearer to.
+/// A line as a function of a row or of a column.
 struct LineTracer::Line {
   bool steep = false;  ///< steps are rows
   Eigen::Vector2d along, normal;
   double at_zero = 0.0, slope = 0.0;
 
   explicit Line(const PrincipalAxes& axes)
-      : steep(std::abs(axes.along.y()) > std::abs(axes.along.x())), along(axes.along) {
+      : Line(axes, std::abs(axes.along.y()) > std::abs(axes.along.x())) {}
+  Line(const PrincipalAxes& axes, bool in_rows) : steep(in_rows), along(axes.along) {
     normal = {-along.y(), along.x()};
     const int major = steep ? 1 : 0;
     slope = along[1 - major] / along[major];
     at_zero = axes.centroid[1 - major] - slope * axes.centroid[major];
   }
-  explicit Line(const EdgeTrace& trace) : Line(principal_axes(positions(trace))) {}
+  /// Through samples, whose steps keep their meaning: near 45 degrees the nearer axis may change.
+  void refit(const EdgeTrace& trace) { *this = Line(principal_axes(positions(trace)), steep); }
 
   [[nodiscard]] double minor_at(int step) const { return at_zero + slope * step; }
   [[nodiscard]] cv::Point pixel(int step, int minor) const {
@@ -130,7 +132,7 @@ void LineTracer::extend(EdgeTrace& trace, Line& line, int direction) const {
     beyond.clear();
     gap = 0;
     if (trace.size() < refit_at) continue;
-    line = Line(trace);
+    line.refit(trace);
     refit_at = static_cast<std::size_t>(kRefitGrowth * double(trace.size()));
   }
 }
@@ -149,13 +151,11 @@ std::optional<EdgeTrace> LineTracer::trace(std::span<const Eigen::Vector2d> poin
   if (static_cast<double>(n_claimed) > kMaxClaimed * static_cast<double>(found.size())) {
     return std::nullopt;
   }
-  line = Line(found);
-  const bool steep = line.steep;
+  line.refit(found);
   extend(found, line, +1);
   std::reverse(found.begin(), found.end());
   extend(found, line, -1);
-  line = Line(found);
-  if (line.steep != steep) return std::nullopt;
+  line.refit(found);
   const auto [low, high] = std::minmax({found.front().step, found.back().step});
   found = samples_between(line, low, high);
   if (found.size() < 3) return std::nullopt;

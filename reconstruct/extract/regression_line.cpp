@@ -137,6 +137,7 @@ struct Autocorrelation {
   /// f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have correlations
   /// r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average; solved for f.
   [[nodiscard]] double inflation() const {
+    if (!(products[0] > 0.0)) return 1.0;  // all lines fit exactly
     double sum = 0.0;
     for (int lag = 1; lag <= kMaxLag; ++lag) {
       sum += products[lag] / counts[lag] / (products[0] / counts[0]);

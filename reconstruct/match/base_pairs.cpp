@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/base_pairs.h"
 
-#include "reconstruct/match/segment_index.h"
+#include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
 

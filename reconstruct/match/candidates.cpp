@@ -2,7 +2,7 @@
 #include "reconstruct/match/candidates.h"
 
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/match/segment_index.h"
+#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/match/side_past_wall.h"
 
 #include <tbb/parallel_for.h>
@@ -39,7 +39,7 @@ Eigen::AlignedBox2d band_box(const SearchedSegment& left,
   return Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
 }
 
-double mean_ncc(const EdgeLook& look) {
+double sum_of_ncc(const EdgeLook& look) {
   double sum = 0.0;
   for (const auto& side : look.sides) sum += side ? side->ncc : 0.0;
   return sum;
@@ -63,7 +63,7 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
        aligned_overlaps(searched, right.line.segment, search.stereo.height_range_m,
                         options.epipolar_tolerance_px, kParallaxStep_px)) {
     const double ncc =
-        mean_ncc(edge_look(search.images, left, right, overlap, transfer, kCoarseGrid));
+        sum_of_ncc(edge_look(search.images, left, right, overlap, transfer, kCoarseGrid));
     if (best && ncc <= best_ncc) continue;
     best = overlap;
     best_ncc = ncc;
@@ -128,9 +128,7 @@ std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& le
       searched_segment(search.stereo, left.line.segment);
   if (!searched) return candidates;
   const auto& heights_m = search.stereo.height_range_m;
-  const LocalTransfer transfer =
-      local_transfer(search.stereo.right_from_left, midpoint(left.line.segment),
-                     0.5 * (heights_m[0] + heights_m[1]));
+  const LocalTransfer transfer = local_transfer(search.stereo, midpoint(left.line.segment));
   const Eigen::AlignedBox2d box =
       band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
   for (const int id : search.index.in_box(box)) {

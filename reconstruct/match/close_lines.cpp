@@ -2,7 +2,7 @@
 #include "reconstruct/match/close_lines.h"
 
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/match/segment_index.h"
+#include "reconstruct/geometry/segment_index.h"
 
 #include <algorithm>
 #include <cmath>

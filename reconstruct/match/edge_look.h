@@ -20,6 +20,8 @@ struct EdgeLook {
   /// Correlation of the mean profiles across the line, -1..1: tells it from parallel lines a few
   /// pixels away, as gutters make them. Absent where the profile leaves one of the images.
   std::optional<double> profile_ncc;
+  /// Sides that look_past_wall() has replaced: not of what lies beside the line in both images.
+  std::array<bool, 2> is_past_wall{};
 };
 
 /// Compares each side of a left segment with the same side of a right one over their epipolar

@@ -75,6 +75,11 @@ StereoSearch::StereoSearch(const ProjectionMatrix& left,
         "projection matrices: no epipolar geometry, must be central cameras in two places");
 }
 
+LocalTransfer local_transfer(const StereoSearch& search, const Eigen::Vector2d& x_left) {
+  const auto [lowest_m, highest_m] = search.height_range_m;
+  return local_transfer(search.right_from_left, x_left, 0.5 * (lowest_m + highest_m));
+}
+
 double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
                             const Eigen::Vector2d& x,
                             const Eigen::Vector2d& y) {

@@ -11,8 +11,10 @@
 namespace ridgeline::reconstruct {
 
 /// The last step of the matching: left segments take their most probable mate, in order of
-/// probability, if it reaches min_probability, its next rival does not come closer than
-/// max_distance_ratio and no other edge has taken it. A mate may serve several fragments of one left
+/// probability, if it reaches min_probability, its next mate does not come closer than
+/// max_distance_ratio and no other edge has taken it. (Other left segments that want the mate are
+/// rivals in the probability already; the same ratio for them as well, tried, lost more right matches
+/// than wrong ones.) A mate may serve several fragments of one left
 /// edge, and a left segment may have several fragments of one right edge as mates, each with a part of
 /// its own; a further mate from a probability of 0.7 on. The
 /// shortest segments, below 12 px, take one from 0.9 on, those below three quarters of their mate's length

@@ -23,13 +23,6 @@ std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const 
   return all;
 }
 
-/// In the middle of the left image and of the heights.
-LocalTransfer central_transfer(const MatchView& left, const StereoSearch& search) {
-  const Eigen::Vector2d centre(0.5 * left.image.cols, 0.5 * left.image.rows);
-  const auto [lowest, highest] = search.height_range_m;
-  return local_transfer(search.right_from_left, centre, 0.5 * (lowest + highest));
-}
-
 }  // namespace
 
 MatchResult match_pairwise(const MatchView& left,
@@ -47,7 +40,8 @@ MatchResult match_pairwise(const MatchView& left,
                                         close_lines(ideal_segments(right))};
   keep_order_of_close_lines(left, search, close, candidates);
   compare_across_hidden_strips({&left, &right}, search, radiometry, close, candidates);
-  const LocalTransfer transfer = central_transfer(left, search);
+  const LocalTransfer transfer =
+      local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});
   const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
   const PairScene scene{left,
                         right,

@@ -51,7 +51,7 @@ void add_colours(const EdgeSegment& left,
   const std::array<const Flank*, 2> mate = mate_flanks(right, candidate.overlap.reversed());
   for (const int side : {0, 1}) {
     const auto& seen = candidate.look.sides[side];
-    if (seen && seen->ncc >= kSameTexture) {
+    if (seen && !candidate.look.is_past_wall[side] && seen->ncc >= kSameTexture) {
       pairs.push_back({own[side]->colour, mate[side]->colour});
     }
   }

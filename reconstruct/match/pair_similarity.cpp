@@ -41,7 +41,7 @@ Clipped clip(const Member& a, const Member& b, bool in_file) {
 }
 
 /// Side of the patch along a member: from the intersection point to the far end, in both images.
-/// `right_scale` is 1 for a near-aligned member, whose ends do not correspond: it is taken as level.
+/// The ends of a near-aligned member do not correspond: it is taken as level.
 struct Sides {
   Eigen::Vector2d left, right;
 };

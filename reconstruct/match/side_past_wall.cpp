@@ -66,7 +66,9 @@ void look_past_wall(const ImagePair& images,
     if (!found) continue;
     found->ncc -= kByChance.ncc;
     found->colour_difference += kByChance.colour_difference;
-    if (found->agreement() > look.sides[worse]->agreement()) look.sides[worse] = found;
+    if (found->agreement() <= look.sides[worse]->agreement()) continue;
+    look.sides[worse] = found;
+    look.is_past_wall[worse] = true;
   }
 }
 

@@ -27,9 +27,9 @@ using Supports = std::vector<std::vector<Support>>;
 /// candidate's strength is a logistic regression over its own look, its votes and the agreement of
 /// its height with its neighbours; its probability is its strength against that of its rivals: other
 /// mates for the left segment, other left segments for its mate. Collinear fragments of one edge are
-/// no rivals. The regression was fitted to the simulated training scenes (seeds 1 to 8) and then
-/// adjusted for the best quality of matching in them. Repeated to a fixed point, at most 20 passes. The
-/// same for any number of threads.
+/// no rivals, nor are mates that lie on one line side by side, of which one is taken. The regression was
+/// fitted to the simulated training scenes (seeds 1 to 8) and then adjusted for the best quality of
+/// matching in them. Repeated to a fixed point, at most 20 passes. The same for any number of threads.
 /// @param transfer  of the left image to the right one, anywhere in it: what a pixel is on the ground
 ///                  and a pixel of parallax in height
 Supports similarity_votes(const MatchView& left,

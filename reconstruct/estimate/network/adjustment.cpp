@@ -132,15 +132,39 @@ Eigen::SparseMatrix<double> NetworkAdjustment::normal_matrix(Eigen::VectorXd& ri
   return matrix;
 }
 
-bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
+std::vector<Vector6d> NetworkAdjustment::moved(const Eigen::VectorXd& step, double factor) const {
+  std::vector<Vector6d> lines(lines_.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Eigen::Vector4d own = step.segment<4>(static_cast<Eigen::Index>(4 * i));
+    lines[i] = project_to_pluecker_quadric(estimates_[i] + factor * bases_[i] * own);
+  }
+  return lines;
+}
+
+bool NetworkAdjustment::take_step(const Eigen::VectorXd& step, double& sum) {
   constexpr int kMostHalvings = 10;
   constexpr double kRounding = 1e-9;  // of a sum whose unit is one standard deviation squared
+  double factor = 1.0;
+  for (int halving = 0; halving <= kMostHalvings; ++halving, factor *= 0.5) {
+    const std::vector<Vector6d> next = moved(step, factor);
+    const double next_sum = sum_of_squares(next);
+    if (!(next_sum <= sum * (1.0 + kRounding) + kRounding)) continue;
+    sum = next_sum;
+    estimates_ = next;
+    for (std::size_t i = 0; i < lines_.size(); ++i) bases_[i] = line_tangent_basis(next[i]);
+    return true;
+  }
+  return false;
+}
+
+bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
+  converged_ = false;
   double current = sum_of_squares(estimates_);
   for (int pass = 0; pass < most_passes; ++pass) {
     Eigen::VectorXd right;
     const Eigen::SparseMatrix<double> matrix = normal_matrix(right);
     const auto factors = SparseInverse::of(matrix);
-    if (!factors) return false;
+    if (!factors || !std::isfinite(current)) return false;
     const Eigen::VectorXd step = factors->solve(right);
     double largest = 0.0;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -149,24 +173,11 @@ bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
       const Eigen::Vector4d own = step.segment<4>(at);
       largest = std::max(largest, own.dot(lower.selfadjointView<Eigen::Lower>() * own));
     }
-    double factor = 1.0;
-    std::vector<Vector6d> next(lines_.size());
-    for (int halving = 0; halving <= kMostHalvings; ++halving, factor *= 0.5) {
-      for (std::size_t i = 0; i < lines_.size(); ++i) {
-        next[i] = project_to_pluecker_quadric(
-            estimates_[i] + factor * bases_[i] * step.segment<4>(static_cast<Eigen::Index>(4 * i)));
-      }
-      const double sum = sum_of_squares(next);
-      if (sum <= current * (1.0 + kRounding) + kRounding) {
-        current = sum;
-        estimates_ = next;
-        for (std::size_t i = 0; i < lines_.size(); ++i) bases_[i] = line_tangent_basis(next[i]);
-        break;
-      }
-    }
-    if (std::sqrt(largest) < tolerance_sigma) break;
+    const bool is_taken = take_step(step, current);
+    converged_ = std::sqrt(largest) < tolerance_sigma;
+    if (converged_ || !is_taken) break;
   }
-  return std::isfinite(current);
+  return true;
 }
 
 bool NetworkAdjustment::invert() {

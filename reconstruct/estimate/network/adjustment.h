@@ -28,9 +28,10 @@ class NetworkAdjustment {
   /// Factor of the information of each meeting, 0 to 1.
   std::vector<double> weights;
 
-  /// False if the equations are singular. Stops when no line moves by more than this in its standard
-  /// deviations.
+  /// False if the equations are singular. Converged when no line moves by more than this in its
+  /// standard deviations; stops as well after so many passes and where no step lowers the sum.
   bool minimise(double tolerance_sigma, int most_passes);
+  [[nodiscard]] bool converged() const { return converged_; }
   /// Computes what covariance() and predicted() give; false if the equations are singular.
   bool invert();
 
@@ -63,6 +64,11 @@ class NetworkAdjustment {
   void for_each_condition(std::size_t line, const Vector6d& at, const Add& add) const;
   [[nodiscard]] double sum_of_squares(const std::vector<Vector6d>& at) const;
   [[nodiscard]] Eigen::SparseMatrix<double> normal_matrix(Eigen::VectorXd& right) const;
+  /// The lines after a share of a step.
+  [[nodiscard]] std::vector<Vector6d> moved(const Eigen::VectorXd& step, double factor) const;
+  /// Halves the step until the sum of squares does not grow; false, and nothing moves, if it always
+  /// does.
+  bool take_step(const Eigen::VectorXd& step, double& sum);
   [[nodiscard]] Eigen::Matrix4d covariance_block(std::size_t row, std::size_t column) const;
 
   const StereoViews& stereo_;
@@ -73,6 +79,7 @@ class NetworkAdjustment {
   std::vector<Vector6d> estimates_;
   std::vector<Basis> bases_;
   std::optional<SparseInverse> inverse_;
+  bool converged_ = false;  ///< by the last minimise()
 };
 
 }  // namespace ridgeline::reconstruct

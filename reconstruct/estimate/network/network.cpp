@@ -171,8 +171,8 @@ bool contradicts_images(const NetworkLine& line, const Vector6d& estimate, const
 }
 
 /// Drops the worst meeting of each guarded line that contradicts its images, until none does.
-/// `reverted`: lines that have lost all of them.
-bool guard(NetworkAdjustment& adjustment, std::vector<bool>& reverted) {
+/// `has_dropped`: lines that have lost one at least.
+bool guard(NetworkAdjustment& adjustment, std::vector<bool>& has_dropped) {
   const std::size_t n = adjustment.n_lines();
   while (true) {
     if (!adjustment.invert()) return false;
@@ -193,7 +193,7 @@ bool guard(NetworkAdjustment& adjustment, std::vector<bool>& reverted) {
       if (!contradicts_images(adjustment.line(i), adjustment.estimate(i), adjustment.covariance(i)))
         continue;
       adjustment.weights[meeting[i]] = 0.0;
-      reverted[i] = true;
+      has_dropped[i] = true;
       dropped = true;
     }
     if (!dropped) return true;
@@ -211,7 +211,7 @@ void adjust_group(const StereoViews& stereo,
   NetworkAdjustment adjustment(stereo, members, group.meetings, options);
   std::vector<bool> has_dropped(members.size(), false);
   if (!decide_meetings(adjustment, options) || !reject_false_meetings(adjustment) ||
-      !guard(adjustment, has_dropped)) {
+      !guard(adjustment, has_dropped) || !adjustment.converged()) {
     return;
   }
   for (std::size_t i = 0; i < members.size(); ++i) {

@@ -41,7 +41,7 @@ struct AdjustedInNetwork {
   int n_meetings = 0;           ///< accepted
   double omega = 0.0;           ///< of its image conditions, squared normalised deviations
   bool guard_reverted = false;  ///< all its meetings contradicted its images
-  bool adjusted = false;        ///< false: no meeting was offered, or the equations are singular
+  bool adjusted = false;        ///< false: no meeting offered, equations singular or not converged
 };
 
 /// All lines in one adjustment by their images, the accepted meetings, horizontality and
@@ -54,6 +54,9 @@ struct AdjustedInNetwork {
 /// Then the meeting whose normalised residual is the largest of its two lines' is rejected while it
 /// exceeds 3.29 (Baarda's data snooping, 0.1 %), and a guarded line loses meetings until its shift from
 /// what its images alone give is within chance (chi-square, 99.9 %).
+///
+/// Of system.md 11 this leaves out alternative starts, conditions between lines and planes or of
+/// parallel and perpendicular lines, and heights that are carried on within the adjustment.
 ///
 /// Lines without a chain of meetings between them are independent: one sparse system for each group,
 /// groups in parallel. Results do not depend on the number of threads.

@@ -47,8 +47,12 @@ TEST(EdgePoints, AreIdealWhereTheSegmentIsIdeal) {
   EdgeSegment edge = test::edge({{10.0, 30.0}, {40.0, 30.0}});
   const Eigen::Vector2d shift(3.0, -5.0);  // what a lens would make of it
   edge.line.segment = {edge.in_image.start + shift, edge.in_image.end + shift};
-  for (const EdgePoint& point : edge_points(ImageSampler(image), edge)) {
+  const std::vector<EdgePoint> points = edge_points(ImageSampler(image), edge);
+  ASSERT_EQ(points.size(), 30U);
+  for (const EdgePoint& point : points) {
     EXPECT_NEAR(point.x_px.y(), 25.0, 0.1);
+    EXPECT_GT(point.x_px.x(), 13.0);
+    EXPECT_LT(point.x_px.x(), 43.0);
   }
 }
 

@@ -62,6 +62,22 @@ TEST(Accuracy, StatedSigmasAreThoseOfTheErrors) {
   EXPECT_NEAR(s.angle_z2, 1.0, 0.2);
 }
 
+TEST(Accuracy, EdgesNear45DegreesAreFoundOverTheirLength) {
+  constexpr double kCorners_px = 6.0;  // 2 px at each are rounded, and the noise
+  for (const std::uint64_t seed : {111, 112, 113}) {
+    const test::BlurredScene scene = test::diagonal_scene(seed, {.noise = 0.02, .size_px = 150});
+    const auto segments = extract_segments(normalised_image(scene.raw));
+    for (const Segment2& edge : scene.edges) {
+      double found_px = 0.0;
+      for (const test::EdgeError& error : test::edge_errors({edge}, segments)) {
+        found_px += error.length_px;
+        EXPECT_LT(std::abs(error.across_px), 0.2);
+      }
+      EXPECT_NEAR(found_px, length(edge), kCorners_px) << seed << ": " << edge.start.transpose();
+    }
+  }
+}
+
 TEST(Accuracy, FaintEdgesAreFoundInNoise) {
   // the step is three times the noise of a pixel in each band
   const Found found = found_edges({.noise = 0.02, .contrast = 0.06}, Detector::kOurs);

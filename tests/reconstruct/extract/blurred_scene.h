@@ -75,10 +75,26 @@ inline void add_edges(const Rectangle& r, std::vector<Segment2>& edges) {
   for (std::size_t i = 0; i < 4; ++i) edges.push_back({corners[i], corners[(i + 1) % 4]});
 }
 
+/// What the camera makes of it: 8 bits of each band.
+inline cv::Mat raw_image(const cv::Mat& image, double noise, Random& random) {
+  cv::Mat raw(image.size(), CV_8UC3);
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      for (int band = 0; band < 3; ++band) {
+        const double value = image.at<cv::Vec3d>(y, x)[band] + random.normal(noise);
+        raw.at<cv::Vec3b>(y, x)[band] = cv::saturate_cast<std::uint8_t>(255.0 * value);
+      }
+    }
+  }
+  return raw;
+}
+
+inline const cv::Scalar kGround(0.5, 0.45, 0.48);
+
 inline BlurredScene blurred_scene(std::uint64_t seed, const BlurredSceneOptions& options = {}) {
   constexpr int kCell_px = 100;
   Random random(seed);
-  cv::Mat image(options.size_px, options.size_px, CV_64FC3, cv::Scalar(0.5, 0.45, 0.48));
+  cv::Mat image(options.size_px, options.size_px, CV_64FC3, kGround);
   BlurredScene scene;
   for (int y = kCell_px / 2; y < options.size_px; y += kCell_px) {
     for (int x = kCell_px / 2; x < options.size_px; x += kCell_px) {
@@ -87,15 +103,28 @@ inline BlurredScene blurred_scene(std::uint64_t seed, const BlurredSceneOptions&
       add_edges(r, scene.edges);
     }
   }
-  scene.raw.create(image.size(), CV_8UC3);
-  for (int y = 0; y < image.rows; ++y) {
-    for (int x = 0; x < image.cols; ++x) {
-      for (int band = 0; band < 3; ++band) {
-        const double value = image.at<cv::Vec3d>(y, x)[band] + random.normal(options.noise);
-        scene.raw.at<cv::Vec3b>(y, x)[band] = cv::saturate_cast<std::uint8_t>(255.0 * value);
-      }
-    }
+  scene.raw = raw_image(image, options.noise, random);
+  return scene;
+}
+
+/// A row of rectangles whose sides run at 45 degrees and up to one degree off, in steps of a tenth;
+/// their rows and columns are far apart.
+inline BlurredScene diagonal_scene(std::uint64_t seed, const BlurredSceneOptions& options = {}) {
+  constexpr int kRectangles = 21;
+  Random random(seed);
+  cv::Mat image(options.size_px, kRectangles * options.size_px, CV_64FC3, kGround);
+  BlurredScene scene;
+  for (int i = 0; i < kRectangles; ++i) {
+    Rectangle r = random_rectangle({(i + 0.5) * options.size_px, 0.5 * options.size_px},
+                                   options.contrast, random);
+    const double angle_rad = (45.0 + 0.1 * (i - kRectangles / 2)) * M_PI / 180.0;
+    r.u = {std::cos(angle_rad), std::sin(angle_rad)};
+    r.half_length_px = 0.4 * options.size_px;
+    r.half_width_px = 0.2 * options.size_px;
+    draw(r, options.blur_px, image);
+    add_edges(r, scene.edges);
   }
+  scene.raw = raw_image(image, options.noise, random);
   return scene;
 }
 

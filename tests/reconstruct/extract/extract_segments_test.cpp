@@ -62,6 +62,19 @@ TEST(ExtractSegments, AStepIsOneSegmentBetweenThePixels) {
   }
 }
 
+TEST(ExtractSegments, AStepWithoutNoiseIsAsUncertainAsTheSystematicPart) {
+  const ExtractOptions options;
+  for (const bool in_rows : {false, true}) {
+    const cv::Mat raw = white_from_column(50, 100);
+    const std::vector<EdgeSegment> segments = extract(in_rows ? cv::Mat(raw.t()) : raw);
+    ASSERT_THAT(segments, SizeIs(1));
+    const UncertainSegment2& line = segments[0].line;
+    EXPECT_NEAR(line.sigma_q_px, options.systematic_across_px, 1e-3);
+    EXPECT_GT(line.sigma_phi_rad, 0.0);
+    EXPECT_LT(line.sigma_phi_rad, 1e-3);  // 0.02 px at the ends of 100 px
+  }
+}
+
 TEST(ExtractSegments, TheBrighterSideIsOnTheRight) {
   // x right, y down: white on the right of a line that runs up
   const std::vector<EdgeSegment> segments = extract(white_from_column(50, 100));

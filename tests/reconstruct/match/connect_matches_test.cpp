@@ -8,7 +8,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// A corner at 10 m height and a line on the ground beside it.
+/// Matched lines as both images show them.
 class ConnectMatches : public ::testing::Test {
  protected:
   void add(const Segment3& line) {
@@ -17,7 +17,8 @@ class ConnectMatches : public ::testing::Test {
     matches_.push_back({static_cast<int>(matches_.size()), static_cast<int>(matches_.size())});
   }
   [[nodiscard]] std::vector<PairConnection> connect(const MatchOptions& options = {}) const {
-    return connect_matches(left_, right_, matches_, {pair_.left, pair_.right}, options);
+    return connect_matches(left_, right_, matches_, {pair_.left, pair_.right}, pair_.heights_m,
+                           options);
   }
 
   test::StereoPair pair_;
@@ -48,6 +49,26 @@ TEST_F(ConnectMatches, DoesNotConnectFragmentsThatShareAMate) {
   matches_[1] = {0, 1};
   EXPECT_TRUE(connect().empty());
 }
+
+TEST_F(ConnectMatches, WidensTheLargestTurnWithTheBase) {
+  // an eave along the base and a verge across it, which the base turns by atan(B/H times its slope)
+  const auto is_connected = [&](double base_m, double slope) {
+    constexpr double kVerge_m = 4.0;
+    pair_ = test::StereoPair(0.0, base_m);
+    left_.clear();
+    right_.clear();
+    matches_.clear();
+    add({{0, 0, 10}, {3, 0, 10}});
+    add({{3, 0, 10}, {3, kVerge_m, 10 + slope * kVerge_m}});
+    return !connect().empty();
+  };
+  EXPECT_TRUE(is_connected(test::StereoPair::kBase_m, 0.8));       // 12 degrees
+  EXPECT_FALSE(is_connected(test::StereoPair::kBase_m, 1.2));      // 17 of 15
+  EXPECT_TRUE(is_connected(test::StereoPair::kWideBase_m, 0.8));   // 26 of 35
+  EXPECT_FALSE(is_connected(test::StereoPair::kWideBase_m, 1.5));  // 42
+}
+
+TEST_F(ConnectMatches, OfNoMatchesAreNone) { EXPECT_TRUE(connect().empty()); }
 
 TEST_F(ConnectMatches, RejectsIndicesOutOfRange) {
   add({{0, 0, 10}, {3, 3, 10}});

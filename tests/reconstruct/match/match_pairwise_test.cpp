@@ -111,10 +111,23 @@ TEST(MatchPairwise, NeverGivesOneMateToTwoEdges) {
   PaintedPair pair = two_roofs();
   // a second left line beside the east edge of the high roof, on the ground: it has no mate
   pair.add_segment(0, {{-2.0, -4.0, 0.0}, {-2.0, 3.0, 0.0}});
+  const MatchResult result = match(pair);
+  ASSERT_EQ(result.matches.size(), 8U);
   std::set<int> rights;
-  for (const ScoredMatch& m : match(pair).matches) {
+  for (const ScoredMatch& m : result.matches) {
     EXPECT_TRUE(rights.insert(m.match.right).second) << m.match.right;
   }
+}
+
+TEST(MatchPairwise, LetsPairsVoteThatAWideBaseTurns) {
+  // the verges rise by 0.5: between them and the eaves, 17 degrees of turn and more at B/H 0.6
+  PaintedPair::Roof roof{-1.0, -3.0, 6.0, 3.0, 4.0};
+  roof.rise = 0.5;
+  PaintedPair pair({roof}, test::StereoPair::kWideBase_m);
+  pair.add_outline(roof);
+  const MatchResult result = match(pair);
+  ASSERT_EQ(result.matches.size(), 4U);
+  for (const ScoredMatch& m : result.matches) EXPECT_GT(m.votes, 0.0) << m.match.left;
 }
 
 TEST(MatchPairwise, IsTheSameForAnyNumberOfThreads) {

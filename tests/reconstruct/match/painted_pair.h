@@ -13,16 +13,20 @@
 
 namespace ridgeline::test {
 
-/// Images of flat roofs over level ground, with textures fixed to the surfaces and black walls, and
+/// Images of roofs of one plane over level ground, with textures fixed to the surfaces and black walls, and
 /// segments as an extraction would find them.
 class PaintedPair {
  public:
   struct Roof {
     double west, south, east, north, height_m;
+    double rise = 0.0;  ///< to the north; `height_m` is that of the south edge
+
+    [[nodiscard]] double height_at(double y_m) const { return height_m + rise * (y_m - south); }
   };
   static constexpr int kSize_px = 400;
 
-  explicit PaintedPair(std::vector<Roof> roofs) : roofs_(std::move(roofs)) {
+  explicit PaintedPair(std::vector<Roof> roofs, double base_m = StereoPair::kBase_m)
+      : cameras_(0.0, base_m), roofs_(std::move(roofs)) {
     // the plan's origin falls into the middle of both images
     ProjectionMatrix shift = ProjectionMatrix::Zero();
     for (ProjectionMatrix* camera : {&cameras_.left, &cameras_.right}) {
@@ -32,7 +36,7 @@ class PaintedPair {
     }
     for (const std::size_t i : {0U, 1U}) {
       views[i].image_from_local = i == 0 ? cameras_.left : cameras_.right;
-      views[i].image = paint(views[i].image_from_local, i == 0 ? 0.0 : StereoPair::kBase_m);
+      views[i].image = paint(views[i].image_from_local, i == 0 ? 0.0 : base_m);
     }
   }
 
@@ -51,11 +55,12 @@ class PaintedPair {
 
   /// The four edges of a roof.
   void add_outline(const Roof& r) {
-    const double z = r.height_m;
-    add_line({{r.west, r.south, z}, {r.east, r.south, z}});
-    add_line({{r.east, r.south, z}, {r.east, r.north, z}});
-    add_line({{r.east, r.north, z}, {r.west, r.north, z}});
-    add_line({{r.west, r.north, z}, {r.west, r.south, z}});
+    const double south = r.height_at(r.south);
+    const double north = r.height_at(r.north);
+    add_line({{r.west, r.south, south}, {r.east, r.south, south}});
+    add_line({{r.east, r.south, south}, {r.east, r.north, north}});
+    add_line({{r.east, r.north, north}, {r.west, r.north, north}});
+    add_line({{r.west, r.north, north}, {r.west, r.south, south}});
   }
 
   std::array<reconstruct::MatchView, 2> views;
@@ -89,7 +94,9 @@ class PaintedPair {
   [[nodiscard]] float colour_along(double camera_x_m, const Eigen::Vector2d& on_ground) const {
     for (std::size_t r = 0; r < roofs_.size(); ++r) {
       const Roof& roof = roofs_[r];
-      const double share = 1.0 - roof.height_m / StereoPair::kHeight_m;
+      // of the ray from the camera to the ground, where it meets the plane of the roof
+      const double share = (StereoPair::kHeight_m - roof.height_at(0.0)) /
+                           (StereoPair::kHeight_m + roof.rise * on_ground.y());
       const double x = camera_x_m + share * (on_ground.x() - camera_x_m);
       const double y = share * on_ground.y();
       if (x > roof.west && x < roof.east && y > roof.south && y < roof.north) {

@@ -55,6 +55,7 @@ TEST_P(SidePastAWall, IsTheGroundThatTheOtherCameraSeesBesideTheEdge) {
   // the same texture, less what the choice of a height costs
   EXPECT_GT(past.sides[worse_]->ncc, 0.5);
   EXPECT_GT(past.sides[worse_]->colour_agreement(), 0.5);
+  EXPECT_TRUE(past.is_past_wall[worse_]);
 }
 
 TEST_P(SidePastAWall, IsNotLookedForBelowTheRangeOfHeights) {
@@ -62,9 +63,15 @@ TEST_P(SidePastAWall, IsNotLookedForBelowTheRangeOfHeights) {
   EXPECT_LT(past.sides[worse_]->ncc, 0.5);
 }
 
+TEST_P(SidePastAWall, IsNotOneWithoutRoomForAWall) {
+  constexpr double kLessThanTwoPixels_m = 0.5;
+  EXPECT_THAT(past_wall(kLessThanTwoPixels_m).is_past_wall, testing::Each(false));
+}
+
 TEST_P(SidePastAWall, LeavesTheSideOfTheRoofAsItIs) {
   const EdgeLook past = past_wall(kEaves_m + 5.0);
   EXPECT_EQ(past.sides[1 - worse_]->ncc, look_.sides[1 - worse_]->ncc);
+  EXPECT_FALSE(past.is_past_wall[1 - worse_]);
   EXPECT_EQ(past.profile_ncc, look_.profile_ncc);
 }
 
@@ -73,6 +80,7 @@ TEST_P(SidePastAWall, IsNotAskedForWhereItAgreesAnyway) {
   look_.sides[worse_]->colour_difference = 0.03;  // agreement of 0.55
   const EdgeLook past = past_wall(kEaves_m + 5.0);
   EXPECT_EQ(past.sides[worse_]->ncc, 0.5);
+  EXPECT_FALSE(past.is_past_wall[worse_]);
 }
 
 INSTANTIATE_TEST_SUITE_P(InTheRightAndInTheLeftImage, SidePastAWall, ::testing::Bool());

@@ -12,19 +12,21 @@
 
 namespace ridgeline::test {
 
-/// Two vertical frames 800 m above z = 0, base 208 m along x (B/H 0.26), f = 10,000 px, so that a
-/// metre is 12.5 px on the ground and moves 3.25 px per metre of height. The left image has the
+/// Two vertical frames 800 m above z = 0, base 208 m along x unless told (B/H 0.26), f = 10,000 px, so
+/// that a metre is 12.5 px on the ground and moves 3.25 px per metre of height. The left image has the
 /// origin at pixel (0, 0), the right one too for z = 0. `kappa_rad` turns the right image.
 struct StereoPair {
   static constexpr double kFocal_px = 10000.0;
   static constexpr double kHeight_m = 800.0;
   static constexpr double kBase_m = 208.0;
+  static constexpr double kWideBase_m = 480.0;  ///< B/H 0.6
 
   ProjectionMatrix left = camera(0.0, 0.0);
   ProjectionMatrix right;
   std::array<double, 2> heights_m{-5.0, 45.0};
 
-  explicit StereoPair(double kappa_rad = 0.0) : right(camera(kBase_m, kappa_rad)) {}
+  explicit StereoPair(double kappa_rad = 0.0, double base_m = kBase_m)
+      : right(camera(base_m, kappa_rad)) {}
 
   static ProjectionMatrix camera(double x_m, double kappa_rad) {
     Eigen::Matrix3d rotation = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();  // looks down

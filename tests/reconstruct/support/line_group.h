@@ -5,6 +5,7 @@
 #include "tests/reconstruct/support/stereo_scene.h"
 #include "tests/support/random.h"
 
+#include <span>
 #include <vector>
 
 namespace ridgeline::test {
@@ -18,8 +19,10 @@ struct LineGroup {
   std::vector<PairConnection> connections;
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
-      const reconstruct::ReconstructOptions& options = reconstruct::published_options()) const {
-    return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections, options);
+      const reconstruct::ReconstructOptions& options = reconstruct::published_options(),
+      std::span<const reconstruct::FlankStrips> strips = {}) const {
+    return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections, options,
+                                          strips);
   }
 };
 

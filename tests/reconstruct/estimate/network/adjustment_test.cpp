@@ -95,6 +95,18 @@ TEST_F(MeetingLines, NothingPredictsAMeetingOfALineOfUnknownPrecision) {
   EXPECT_TRUE(std::isinf(adjustment.predicted_at_start(0).sigma));
 }
 
+TEST_F(MeetingLines, HaveConvergedOnceAPassMovesNoLineByMoreThanTheTolerance) {
+  NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, {});
+  EXPECT_FALSE(adjustment.converged());
+  ASSERT_TRUE(adjustment.minimise(1e-6, 1));
+  EXPECT_FALSE(adjustment.converged());
+  ASSERT_TRUE(adjustment.minimise(1e-6, 50));
+  EXPECT_TRUE(adjustment.converged());
+  // the last call decides: a pass that may not be made finds nothing
+  ASSERT_TRUE(adjustment.minimise(1e-6, 0));
+  EXPECT_FALSE(adjustment.converged());
+}
+
 TEST_F(MeetingLines, AreMoreCertainThanAlone) {
   NetworkAdjustment alone(scene.stereo, pointers(lines), {}, {});
   NetworkAdjustment together(scene.stereo, pointers(lines), meetings, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/match/segment_index.h"
+#include "reconstruct/geometry/segment_index.h"
 
 #include <algorithm>
 #include <cmath>
