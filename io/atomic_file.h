@@ -11,7 +11,8 @@ namespace ridgeline::io {
 
 /// An output file that appears whole or not at all: bytes go to a temporary file in the same
 /// folder, commit() renames it onto `path`. Without commit() nothing is left and what stood at
-/// `path` stays. Missing folders are made.
+/// `path` stays. Missing folders are made. Of a symbolic link the file that it names is written. What
+/// is no file, as /dev/stdout or a pipe, is never replaced: commit() sends the bytes there.
 class AtomicFile {
  public:
   /// Throws IoError if the folder cannot be made or written to.
@@ -30,8 +31,11 @@ class AtomicFile {
   void commit();
 
  private:
-  std::string path_;
+  void send_to_device();
+
+  std::string path_;  ///< links resolved
   std::string temporary_path_;
+  bool is_device_ = false;
   std::ofstream stream_;
   bool committed_ = false;
 };

@@ -95,6 +95,10 @@ cv::Mat read_image(const std::string& path) {
   const StrictJpeg strict;
   const GDALDatasetUniquePtr dataset = open(path, quiet);
   const ImageFacts facts = facts_of(path, *dataset);
+  if (facts.width_px < 2 || facts.height_px < 2) {
+    throw IoError(path, fmt::format("{} x {} pixels; must be at least 2 x 2", facts.width_px,
+                                    facts.height_px));
+  }
   const int depth = facts.bits == 8 ? CV_8U : CV_16U;
   cv::Mat image(facts.height_px, facts.width_px, CV_MAKETYPE(depth, facts.n_bands));
   const auto band_step = static_cast<GSpacing>(image.elemSize1());

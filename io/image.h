@@ -29,7 +29,7 @@ ImageFacts image_facts(const std::string& path);
 
 /// The pixels, CV_8UC(n) or CV_16UC(n), n = 1..4, bands in the order of the file, values as stored.
 /// Georeference, overviews, masks and nodata values are not read. Throws IoError as image_facts(),
-/// and if the pixels cannot be decoded, be it by a missing end of the file.
+/// for fewer than 2 x 2 pixels and if they cannot be decoded, be it by a missing end of the file.
 cv::Mat read_image(const std::string& path);
 
 }  // namespace ridgeline::io

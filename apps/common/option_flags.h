@@ -4,10 +4,12 @@
 #include "reconstruct/geometry/field.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 namespace ridgeline::apps {
 
@@ -18,19 +20,34 @@ inline std::string flag_of(std::string_view field_name) {
   return flag;
 }
 
-/// One flag per field of an options struct, with its help and default; ranges are checked by
-/// validate() where the options are used, so that every caller gets the same message. A command
-/// with several such structs tells them apart by a prefix: "extract_" gives --extract-....
+/// Without a description, which would stand in the help of every option. NaN is in no range.
+template <typename T>
+CLI::Validator in_range(T lowest, T highest) {
+  return CLI::Validator(
+      [lowest, highest](const std::string& text) {
+        T value{};
+        if (!CLI::detail::lexical_cast(text, value)) return "'" + text + "' is no number";
+        if (value >= lowest && value <= highest) return std::string();
+        return fmt::format("{}, must be in [{:g}, {:g}]", text, static_cast<double>(lowest),
+                           static_cast<double>(highest));
+      },
+      "");
+}
+
+/// One flag per field of an options struct, with its help, default and range. A command with several
+/// such structs tells them apart by a prefix: "extract_" gives --extract-....
 template <typename Options>
 void add_flags(CLI::App& app,
                Options& options,
                const std::string& group,
                const std::string& prefix = "") {
   for_each_field<Options>([&](const auto& field) {
-    app.add_option(flag_of(prefix + std::string(field.name)), options.*field.member,
-                   std::string(field.help))
-        ->capture_default_str()
-        ->group(group);
+    CLI::Option* option = app.add_option(flag_of(prefix + std::string(field.name)),
+                                         options.*field.member, std::string(field.help));
+    option->capture_default_str()->group(group);
+    if constexpr (!std::is_same_v<decltype(field.lowest), const bool>) {
+      option->check(in_range(field.lowest, field.highest));
+    }
   });
 }
 

@@ -4,7 +4,6 @@
 #include "io/atomic_file.h"
 #include "io/error.h"
 
-#include <algorithm>
 #include <system_error>
 
 namespace ridgeline::apps {
@@ -17,20 +16,28 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& inpu
   if (!fs::is_directory(folder_)) {
     throw io::IoError(folder_.string(), "cannot be made a folder for the results");
   }
-  for (const std::string& input : inputs) inputs_.push_back(fs::weakly_canonical(input));
+  for (const std::string& input : inputs) inputs_.push_back(fs::weakly_canonical(input).string());
 }
 
 std::string OutputFolder::path(std::string_view name) const {
-  const fs::path file = folder_ / name;
+  return output_file((folder_ / name).string(), inputs_);
+}
+
+std::string output_file(const std::string& file, const std::vector<std::string>& others) {
   const fs::path canonical = fs::weakly_canonical(file);
-  if (std::find(inputs_.begin(), inputs_.end(), canonical) != inputs_.end()) {
-    throw io::IoError(file.string(), "is an input and would be written over; choose another --out");
+  for (const std::string& other : others) {
+    if (other.empty() || fs::weakly_canonical(other) != canonical) continue;
+    throw io::IoError(file,
+                      "is an input, or another output, and would be written over; choose another "
+                      "name");
   }
-  return file.string();
+  return file;
 }
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {
   io::write_file(path(name), content);
 }
+
+void OutputFolder::remove(std::string_view name) const { fs::remove(path(name)); }
 
 }  // namespace ridgeline::apps

@@ -18,10 +18,16 @@ class OutputFolder {
   /// The path of a file to be written. Throws IoError if it is one of the inputs.
   [[nodiscard]] std::string path(std::string_view name) const;
   void write(std::string_view name, std::string_view content) const;
+  /// Takes away what an earlier run has left there, if anything, which would look like of this one.
+  void remove(std::string_view name) const;
 
  private:
   std::filesystem::path folder_;
-  std::vector<std::filesystem::path> inputs_;  ///< canonical
+  std::vector<std::string> inputs_;  ///< canonical
 };
+
+/// A single output file, which must not be an input or another output; empty ones are none. Throws
+/// IoError if it is.
+std::string output_file(const std::string& file, const std::vector<std::string>& others);
 
 }  // namespace ridgeline::apps

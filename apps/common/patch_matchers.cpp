@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace ridgeline::apps {
 namespace {
@@ -31,6 +33,10 @@ std::vector<io::MatchRow> rows_of(const std::vector<ScoredMatch>& matches, Match
   return rows;
 }
 
+std::pair<int, int> ids(const ScoredMatch& scored) {
+  return {scored.match.left, scored.match.right};
+}
+
 /// The matches of `pairwise`, and those that the height of these makes possible.
 MatchList pairwise_list(const reconstruct::MatchView& left,
                         const reconstruct::MatchView& right,
@@ -52,8 +58,7 @@ MatchList pairwise_list(const reconstruct::MatchView& left,
     list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
   }
   std::sort(list.rows.begin(), list.rows.end(), [](const io::MatchRow& a, const io::MatchRow& b) {
-    return std::pair(a.scored.match.left, a.scored.match.right) <
-           std::pair(b.scored.match.left, b.scored.match.right);
+    return ids(a.scored) < ids(b.scored);
   });
   return list;
 }
@@ -65,18 +70,20 @@ std::vector<ScoredMatch> scored_matches(const MatchList& list) {
   return matches;
 }
 
-/// A match that both have found is of "pairwise+chio".
+/// A match that both have found is of "pairwise+chio", or of "pairwise_height+chio".
 MatchList combined(const std::vector<EdgeSegment>& left,
                    const MatchList& pairwise,
                    const reconstruct::ChioResult& chio) {
   MatchList both{kBothMatchers, {}, pairwise.reasons};
+  std::map<std::pair<int, int>, std::string> finders;
+  for (const io::MatchRow& row : pairwise.rows) finders[ids(row.scored)] = row.matcher;
   for (const reconstruct::CombinedMatch& match :
        reconstruct::combine_matches(left, scored_matches(pairwise), chio.lines)) {
-    const auto left_id = static_cast<std::size_t>(match.scored.match.left);
-    both.rows.push_back({match.scored, match.source == MatchSource::kPairwise ? "pairwise"
-                                       : match.source == MatchSource::kChio   ? "chio"
-                                                                              : "pairwise+chio"});
-    both.reasons[left_id] = "matched";
+    std::string finder = name(Matcher::kChio);
+    if (match.source == MatchSource::kPairwise) finder = finders.at(ids(match.scored));
+    if (match.source == MatchSource::kBoth) finder = finders.at(ids(match.scored)) + '+' + finder;
+    both.rows.push_back({match.scored, finder});
+    both.reasons[static_cast<std::size_t>(match.scored.match.left)] = "matched";
   }
   return both;
 }

@@ -18,6 +18,15 @@ namespace ridgeline::apps {
 /// same number of bands; the cameras look at the heights to be searched. Throws IoError.
 void check_patch(const io::PatchFile& patch);
 
+struct InputFile {
+  const char* role;  ///< in run.json
+  std::string path;
+};
+/// The files that a patch is made of, its own first; patterns expanded. Throws IoError for a pattern
+/// that matches none.
+std::vector<InputFile> input_files(const io::PatchFile& patch);
+std::vector<std::string> paths_of(const std::vector<InputFile>& files);
+
 /// Local frame of the patch: the point that the middle of the base image shows at the mean height,
 /// rounded to 100 m.
 LocalFrame patch_frame(const io::PatchFile& patch);

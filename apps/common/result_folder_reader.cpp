@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/result_folder_reader.h"
 
+#include "apps/common/evaluated_methods.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
 #include "io/text_file.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
+#include <set>
 #include <stdexcept>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
+
+using evaluate::Json;
 
 evaluate::Evaluation read_evaluation(const fs::path& file) {
   try {
@@ -23,10 +24,7 @@ evaluate::Evaluation read_evaluation(const fs::path& file) {
 }
 
 /// The data that two runs must share, by file name: everything but the judged lines.
-void read_run_record(const fs::path& file, evaluate::ResultFolder& results) {
-  if (!fs::exists(file)) return;
-  const auto json = nlohmann::json::parse(io::read_text_file(file.string()), nullptr, false);
-  if (!json.is_object()) throw io::IoError(file.string(), "is not JSON; must be a run's record");
+void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFolder& results) {
   try {
     for (const auto& input : json.at("inputs")) {
       if (input.at("role") == "lines") continue;
@@ -34,36 +32,32 @@ void read_run_record(const fs::path& file, evaluate::ResultFolder& results) {
       results.input_hashes[path.filename().string()] = input.at("sha256").get<std::string>();
     }
     results.duration_s = json.at("seconds").get<double>();
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const Json::exception& error) {
     throw io::IoError(file.string(), std::string("is no run's record: ") + error.what());
   }
 }
 
 }  // namespace
 
-std::vector<fs::path> evaluation_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  constexpr int kDeepest = 1;  // DIR/PATCH/evaluation.METHOD.json
-  for (auto it = fs::recursive_directory_iterator(folder); it != fs::end(it); ++it) {
-    if (it.depth() >= kDeepest) it.disable_recursion_pending();
-    const std::string name = it->path().filename().string();
-    if (name.starts_with("evaluation.") && name.ends_with(".json")) files.push_back(it->path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 evaluate::ResultFolder read_result_folder(const std::string& folder) {
   if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");
   evaluate::ResultFolder results;
   results.name = fs::path(folder).lexically_normal().string();
-  for (const fs::path& file : evaluation_files(folder)) {
-    results.evaluations.push_back(read_evaluation(file));
+  const fs::path record = fs::path(folder) / "run.json";
+  const Json run = fs::exists(record) ? read_json_object(record) : Json::object();
+  const EvaluatedMethods evaluated(folder, run.contains("command") && run["command"] == "evaluate");
+  std::set<EvaluatedMethods::PatchAndMethod> found;
+  for (const EvaluationFile& file : evaluated.files()) {
+    evaluate::Evaluation evaluation = read_evaluation(file.path);
+    if (!evaluated.contains({evaluation.patch, evaluation.method})) continue;
+    found.emplace(evaluation.patch, evaluation.method);
+    results.evaluations.push_back(std::move(evaluation));
   }
   if (results.evaluations.empty()) {
     throw io::IoError(folder, "holds no evaluation.*.json; must be the --out of an evaluation");
   }
-  read_run_record(fs::path(folder) / "run.json", results);
+  evaluated.check_all_found(found);
+  if (fs::exists(record)) read_run_record(run, record, results);
   return results;
 }
 

@@ -26,6 +26,7 @@ class RunRecord {
   /// Throws IoError if it cannot be read.
   void add_input(const std::string& role, const std::string& path);
   void add_warnings(const std::vector<std::string>& warnings);
+  [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
   /// Ends the stage that runs now: its wall time since the last one, and the peak memory so far.
   void end_stage(const std::string& name);
 

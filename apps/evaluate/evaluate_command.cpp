@@ -131,13 +131,6 @@ void add_judge_options(CLI::App& app, EvaluateArguments& a) {
   add_flags(app, a.judge, "Judge");
 }
 
-void check_summary(const evaluate::SummaryOptions& summary) {
-  check(std::isfinite(summary.gross_m) && summary.gross_m > 0.0, "--gross-m = ", summary.gross_m,
-        ", must be finite and > 0");
-  check(std::isfinite(summary.sigma_sys_m) && summary.sigma_sys_m >= 0.0,
-        "--sigma-sys-m = ", summary.sigma_sys_m, ", must be finite and >= 0");
-}
-
 LocalFrame frame_of(const std::vector<double>& origin) {
   const Eigen::Vector3d x(origin[0], origin[1], origin[2]);
   check((x.array() == x.array().round()).all(), "--origin = ", origin[0], ",", origin[1], ",",
@@ -190,7 +183,7 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.judge.method = consensus_named(a.sample_consensus);
   options.summary = a.summary;
   validate(options.judge);
-  check_summary(options.summary);
+  validate(options.summary);
   return options;
 }
 

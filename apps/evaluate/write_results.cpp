@@ -40,6 +40,11 @@ bool has_several_methods(std::span<const Evaluation> evaluations) {
 
 }  // namespace
 
+std::vector<std::string> evaluation_names(const std::string& method) {
+  return {fmt::format("evaluation.{}.json", method), fmt::format("evaluation.{}.csv", method),
+          fmt::format("accuracy.{}.md", method)};
+}
+
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
   std::vector<std::string> names{
       "table2.md",    "table2.csv",           "table2.json",
@@ -47,9 +52,7 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
       "run.json",     "tolerances.csv",       "tolerances.md",
       "reference.md", "reference_errors.csv", "reference_completeness.csv"};
   for (const std::string& path : line_paths) {
-    names.push_back(fmt::format("evaluation.{}.json", stem_of(path)));
-    names.push_back(fmt::format("evaluation.{}.csv", stem_of(path)));
-    names.push_back(fmt::format("accuracy.{}.md", stem_of(path)));
+    for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
   }
   return names;
 }
@@ -58,11 +61,11 @@ void write_evaluations(std::span<const Evaluation> evaluations,
                        const OutputFolder& out,
                        const std::string& subfolder) {
   for (const Evaluation& e : evaluations) {
-    out.write(fmt::format("{}evaluation.{}.json", subfolder, e.method), evaluate::to_json(e));
-    out.write(fmt::format("{}evaluation.{}.csv", subfolder, e.method), evaluate::to_line_csv(e));
-    out.write(fmt::format("{}accuracy.{}.md", subfolder, e.method),
-              evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
-                  evaluate::to_markdown(evaluate::stratify(e)));
+    const std::vector<std::string> names = evaluation_names(e.method);
+    out.write(subfolder + names[0], evaluate::to_json(e));
+    out.write(subfolder + names[1], evaluate::to_line_csv(e));
+    out.write(subfolder + names[2], evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
+                                        evaluate::to_markdown(evaluate::stratify(e)));
   }
 }
 
@@ -75,7 +78,13 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
   }
   out.write("tolerances.csv", evaluate::tolerances_to_csv(tolerances));
   out.write("tolerances.md", evaluate::tolerances_to_markdown(tolerances));
-  if (references.empty()) return;
+  if (references.empty()) {
+    for (const char* name :
+         {"reference_errors.csv", "reference_completeness.csv", "reference.md"}) {
+      out.remove(name);
+    }
+    return;
+  }
   out.write("reference_errors.csv", evaluate::reference_errors_to_csv(references));
   out.write("reference_completeness.csv", evaluate::reference_completeness_to_csv(references));
   out.write("reference.md", evaluate::reference_to_markdown(references));
@@ -92,6 +101,9 @@ std::string write_table2(std::span<const Evaluation> evaluations, const OutputFo
     const evaluate::Table2 paired = evaluate::make_table2(on_common_lines_by_patch(evaluations));
     out.write("table2.common.md", evaluate::to_markdown(paired));
     out.write("table2.common.csv", evaluate::to_csv(paired));
+  } else {
+    out.remove("table2.common.md");
+    out.remove("table2.common.csv");
   }
   return markdown;
 }

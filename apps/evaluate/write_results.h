@@ -15,6 +15,9 @@ namespace ridgeline::apps {
 /// checked before it.
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths);
 
+/// evaluation.METHOD.json, evaluation.METHOD.csv, accuracy.METHOD.md.
+std::vector<std::string> evaluation_names(const std::string& method);
+
 /// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line) and accuracy.METHOD.md (the
 /// labelled accuracy numbers and the strata) of each evaluation, below `subfolder` ("" or "PATCH/").
 void write_evaluations(std::span<const evaluate::Evaluation> evaluations,

@@ -52,23 +52,24 @@ reconstruct::PixelMap pixel_map(const ExtractArguments& a) {
   };
 }
 
-/// Refuses to write over the inputs.
-std::string output_path(const std::filesystem::path& file, const ExtractArguments& a) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  return OutputFolder(folder, {a.image, a.patch}).path(file.filename().string());
+/// Neither an input nor the other output.
+void check_outputs(const ExtractArguments& a) {
+  (void)output_file(a.out, {a.image, a.patch});
+  if (!a.overlay.empty()) (void)output_file(a.overlay, {a.image, a.patch, a.out});
 }
 
 int run_extract(const ExtractArguments& a) {
   reconstruct::ExtractOptions options = a.options;
   options.detector = reconstruct::detector_named(a.detector);
   validate(options);
+  check_outputs(a);
   const reconstruct::PixelMap ideal_from_image = pixel_map(a);
   const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image));
   const std::vector<EdgeSegment> segments =
       reconstruct::extract_segments(image, ideal_from_image, options);
-  io::write_segments(output_path(a.out, a), segments);
+  io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {
-    io::write_png(output_path(a.overlay, a), segment_overlay(image, segments));
+    io::write_png(a.overlay, segment_overlay(image, segments));
   }
   double total_px = 0.0;
   for (const EdgeSegment& segment : segments) total_px += length(segment.in_image);

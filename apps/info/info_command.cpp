@@ -2,7 +2,9 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "io/cloud/cloud_facts.h"
+#include "io/cloud/read_cloud.h"
 #include "io/error.h"
+#include "io/image.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
 #include "io/patch.h"
@@ -79,18 +81,51 @@ void print_lines(const std::string& path) {
   print_warnings(set.warnings);
 }
 
+/// "970 x 977 px, 3 bands of 8 bit, GTiff", or that it is missing.
+std::string image_text(const std::string& path) {
+  if (!std::filesystem::exists(path)) return "missing";
+  const io::ImageFacts facts = io::image_facts(path);
+  return fmt::format("{} x {} px, {} bands of {} bit, {}", facts.width_px, facts.height_px,
+                     facts.n_bands, facts.bits, facts.format);
+}
+
+void print_image(const std::string& path) {
+  const io::ImageFacts facts = io::image_facts(path);
+  fmt::print("{}: {}\n  size        {} x {} px\n  bands       {} of {} bit\n", path, facts.format,
+             facts.width_px, facts.height_px, facts.n_bands, facts.bits);
+}
+
+std::vector<std::string> missing_files(const io::PatchFile& patch) {
+  std::vector<std::string> warnings;
+  const auto look_for = [&](const std::string& file) {
+    if (!std::filesystem::exists(file)) warnings.push_back(file + " does not exist");
+  };
+  for (const io::PatchImage& image : patch.images) look_for(image.path);
+  for (const std::string& pattern : patch.lidar) {
+    try {
+      for (const std::string& file : io::expand_patterns({pattern})) look_for(file);
+    } catch (const io::IoError& error) {
+      warnings.emplace_back(error.what());
+    }
+  }
+  if (patch.reference_matches) look_for(*patch.reference_matches);
+  if (patch.reference_lines) look_for(*patch.reference_lines);
+  return warnings;
+}
+
 void print_patch(const std::string& path) {
   const io::PatchFile patch = io::read_patch(path);
   fmt::print("{}: patch {}\n  heights     {:g} .. {:g} m\n", path, patch.id,
              patch.height_range_m[0], patch.height_range_m[1]);
   for (const io::PatchImage& image : patch.images) {
     const Eigen::Vector4d centre = projection_centre(image.image_from_world);
-    fmt::print("  image       {}: {}, projection centre {:.3f} {:.3f} {:.3f}\n", image.id,
-               image.path, centre.x() / centre.w(), centre.y() / centre.w(),
+    fmt::print("  image       {}: {}, {}, projection centre {:.3f} {:.3f} {:.3f}\n", image.id,
+               image.path, image_text(image.path), centre.x() / centre.w(), centre.y() / centre.w(),
                centre.z() / centre.w());
   }
   fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));
   print_crs(io::describe(patch.crs));
+  print_warnings(missing_files(patch));
 }
 
 std::string lower_extension(const std::string& path) {
@@ -122,6 +157,10 @@ void print_text_file(const std::string& path, double max_resolution_m) {
 void print_facts(const std::string& path, double max_resolution_m) {
   const std::string extension = lower_extension(path);
   if (extension == ".yaml" || extension == ".yml") return print_patch(path);
+  if (extension == ".tif" || extension == ".tiff" || extension == ".png" || extension == ".jpg" ||
+      extension == ".jpeg") {
+    return print_image(path);
+  }
   if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz") {
     return print_cloud(path, max_resolution_m);
   }
@@ -138,7 +177,8 @@ Run add_info(CLI::App& subcommand) {
     double max_resolution_m = 0.0;
   };
   auto arguments = std::make_shared<Arguments>();
-  subcommand.add_option("files", arguments->files, "clouds, line files, patch files")->required();
+  subcommand.add_option("files", arguments->files, "clouds, images, line files, patch files")
+      ->required();
   subcommand
       .add_option("--max-resolution", arguments->max_resolution_m,
                   "quick look: of COPC only the levels down to this point distance, m; 0: all")

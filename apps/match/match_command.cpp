@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
+#include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/match/match_overlay.h"
 #include "io/atomic_file.h"
@@ -55,15 +56,28 @@ void print_processes(const reconstruct::ChioResult& result,
              count([](const Acquired& a) { return a.relaxed; }));
 }
 
+/// Neither inputs nor each other, and all of them can be made.
+void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
+  std::vector<std::string> others = paths_of(input_files(patch));
+  for (const std::string& file : {a.out, a.overlay, a.provenance}) {
+    if (!file.empty()) others.push_back(output_file(file, others));
+  }
+  const std::vector<Matcher>& matchers = a.matching.matchers;
+  check(a.provenance.empty() ||
+            std::find(matchers.begin(), matchers.end(), Matcher::kChio) != matchers.end(),
+        "provenance: lines of pairwise have none; needs --matcher chio");
+}
+
 int run_match(MatchArguments a) {
   a.matching.matchers = matchers_named(a.matchers);
   validate_matching(a.matching);
-  const PatchViews patch = load_patch_views(io::read_patch(a.patch), a.extract);
+  const io::PatchFile file = io::read_patch(a.patch);
+  check_outputs(a, file);
+  const PatchViews patch = load_patch_views(file, a.extract);
   const PatchMatches result =
       match_views(patch.views[0], patch.views[1], patch.height_range_in_local_m, a.matching);
   io::write_matches(a.out, result.used().rows);
   if (!a.provenance.empty()) {
-    check(result.chio.has_value(), "provenance: lines of pairwise have none; needs --matcher chio");
     io::write_file(a.provenance, chio_csv(*result.chio, patch.frame));
   }
   if (!a.overlay.empty()) {

@@ -86,6 +86,9 @@ int run_reconstruct(ReconstructArguments a) {
   a.reconstruct.method = method_named(a.method);
   const io::PatchFile patch = io::read_patch(a.patch);
   check_patch(patch);
+  std::vector<std::string> inputs = paths_of(input_files(patch));
+  inputs.push_back(a.matches);
+  (void)output_file(a.out, inputs);
   const MatchedPair pair = matched_pair(patch, a);
   const io::LineSet lines = reconstruct_patch(patch, pair.segments, pair.matches, pair.images,
                                               a.reconstruct, a.matching.pairwise);

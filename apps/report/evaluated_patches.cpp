@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/evaluated_patches.h"
 
-#include "apps/common/result_folder_reader.h"
+#include "apps/common/evaluated_methods.h"
 #include "apps/evaluate/judged_lines.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
-#include "io/text_file.h"
 
 #include <algorithm>
 #include <set>
@@ -18,59 +17,16 @@ namespace {
 
 using evaluate::Json;
 
-/// What the last run into a folder has evaluated, in its order.
-class EvaluatedMethods {
- public:
-  EvaluatedMethods(const fs::path& folder, const RunInputs& inputs) : inputs_(inputs) {
-    const fs::path file = folder / "table2.json";
-    if (!fs::exists(file)) return;
-    is_known_ = true;
-    try {
-      for (const Json& row : read_json_object(file).value("rows", Json::array())) {
-        const auto patch = row.at("patch").get<std::string>();
-        patch_rank_.try_emplace(patch, patch_rank_.size());
-        rank_.try_emplace({patch, row.at("method").get<std::string>()}, rank_.size());
-      }
-    } catch (const Json::exception& error) {
-      throw io::IoError(file.string(), std::string("is no Table 2: ") + error.what());
-    }
-  }
-
-  /// By where a file lies and what it is called: `evaluate` writes into the folder, `run` into a
-  /// subfolder for each patch. A file of another run may be damaged and is not even opened.
-  [[nodiscard]] bool may_hold(const std::string& subfolder, const std::string& method) const {
-    if (!is_known_) return true;
-    if (inputs_.is_of_files() && !subfolder.empty()) return false;
-    return std::any_of(rank_.begin(), rank_.end(), [&](const auto& entry) {
-      const auto& [evaluated_patch, evaluated_method] = entry.first;
-      return evaluated_method == method &&
-             (subfolder.empty() || evaluated_patch + "/" == subfolder);
+void arrange(std::vector<ReportPatch>& patches, const EvaluatedMethods& evaluated) {
+  std::stable_sort(patches.begin(), patches.end(), [&](const auto& a, const auto& b) {
+    return evaluated.rank(a.id) < evaluated.rank(b.id);
+  });
+  for (ReportPatch& patch : patches) {
+    std::stable_sort(patch.methods.begin(), patch.methods.end(), [&](const auto& a, const auto& b) {
+      return evaluated.rank({patch.id, a.name}) < evaluated.rank({patch.id, b.name});
     });
   }
-
-  [[nodiscard]] bool contains(const std::string& patch, const std::string& method) const {
-    return !is_known_ || rank_.contains({patch, method});
-  }
-
-  void arrange(std::vector<ReportPatch>& patches) const {
-    if (!is_known_) return;
-    std::stable_sort(patches.begin(), patches.end(), [&](const auto& a, const auto& b) {
-      return patch_rank_.at(a.id) < patch_rank_.at(b.id);
-    });
-    for (ReportPatch& patch : patches) {
-      std::stable_sort(patch.methods.begin(), patch.methods.end(),
-                       [&](const auto& a, const auto& b) {
-                         return rank_.at({patch.id, a.name}) < rank_.at({patch.id, b.name});
-                       });
-    }
-  }
-
- private:
-  const RunInputs& inputs_;
-  bool is_known_ = false;
-  std::map<std::string, std::size_t> patch_rank_;
-  std::map<std::pair<std::string, std::string>, std::size_t> rank_;
-};
+}
 
 std::vector<std::optional<io::Line>> in_order_of(const std::vector<std::string>& ids,
                                                  const io::LineSet& set) {
@@ -138,53 +94,42 @@ ReportPatch& patch_of(const std::string& subfolder,
   return patch;
 }
 
-void read_evaluation(const fs::path& file,
-                     const std::string& subfolder,
+void read_evaluation(const EvaluationFile& file,
                      const RunInputs& inputs,
                      const EvaluatedMethods& evaluated,
+                     std::set<EvaluatedMethods::PatchAndMethod>& found,
                      std::vector<ReportPatch>& patches) {
   try {
     ReportMethod method;
-    method.evaluation = read_json_object(file);
+    method.evaluation = read_json_object(file.path);
     method.name = method.evaluation.at("method").get<std::string>();
-    if (!evaluated.contains(method.evaluation.at("patch").get<std::string>(), method.name)) return;
-    ReportPatch& patch = patch_of(subfolder, method.evaluation, patches);
-    read_lines_of(file, inputs, method, patch);
+    const auto patch_id = method.evaluation.at("patch").get<std::string>();
+    if (!evaluated.contains({patch_id, method.name})) return;
+    found.emplace(patch_id, method.name);
+    ReportPatch& patch = patch_of(file.subfolder, method.evaluation, patches);
+    read_lines_of(file.path, inputs, method, patch);
     patch.methods.push_back(std::move(method));
   } catch (const Json::exception& error) {
-    throw io::IoError(file.string(), std::string("is no evaluation: ") + error.what());
+    throw io::IoError(file.path.string(), std::string("is no evaluation: ") + error.what());
   }
-}
-
-/// METHOD of evaluation.METHOD.json.
-std::string method_in_name(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  return stem.substr(stem.find('.') + 1);
 }
 
 }  // namespace
 
-Json read_json_object(const fs::path& file) {
-  Json json = Json::parse(io::read_text_file(file.string()), nullptr, false);
-  if (!json.is_object()) throw io::IoError(file.string(), "is no JSON object");
-  return json;
-}
-
 std::vector<ReportPatch> read_evaluated_patches(const fs::path& folder, const RunInputs& inputs) {
-  const EvaluatedMethods evaluated(folder, inputs);
+  const EvaluatedMethods evaluated(folder, inputs.is_of_files());
   std::vector<ReportPatch> patches;
-  for (const fs::path& file : evaluation_files(folder)) {
-    const std::string subfolder =
-        fs::equivalent(file.parent_path(), folder) ? "" : file.parent_path().filename() / "";
-    if (!evaluated.may_hold(subfolder, method_in_name(file))) continue;
-    read_evaluation(file, subfolder, inputs, evaluated, patches);
+  std::set<EvaluatedMethods::PatchAndMethod> found;
+  for (const EvaluationFile& file : evaluated.files()) {
+    read_evaluation(file, inputs, evaluated, found, patches);
   }
   if (patches.empty()) {
     throw io::IoError(folder.string(),
                       "holds no evaluation.*.json of its table2.json; must be the --out of run or "
                       "evaluate");
   }
-  evaluated.arrange(patches);
+  evaluated.check_all_found(found);
+  arrange(patches, evaluated);
   return patches;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/report_input.h"
 
+#include "apps/common/evaluated_methods.h"
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
 #include "apps/evaluate/judge_files.h"

@@ -8,6 +8,8 @@
 #include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
+#include "io/cloud/cloud_files.h"
+#include "io/error.h"
 #include "io/lines/read_lines.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
@@ -37,9 +39,10 @@ class PatchRun {
         out_(out),
         progress_(progress),
         record_(record),
-        stages_(patch, options, out.path(patch.id)),
+        stages_(patch, options, out),
         cache_(out.path(patch.id), options.resume) {
-    patch_key_ = stage_key({io::sha256_of_file(patch.path)});
+    patch_key_ = stage_key({io::sha256_of_file(patch.path), options.assume_crs.definition});
+    if (patch_.reference_lines) references_ = read_references();
   }
 
   PatchResult run() {
@@ -101,7 +104,11 @@ class PatchRun {
   /// All methods at once: the cloud is read once.
   void evaluate() {
     std::vector<std::string> files;
-    for (const Method method : options_.methods) files.push_back(evaluation_file(method));
+    for (const Method method : options_.methods) {
+      for (const std::string& file : evaluation_names(reconstruct::name(method))) {
+        files.push_back(file);
+      }
+    }
     stage("evaluate", evaluation_key(), files, [&] {
       write_evaluations(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(), out_,
                         patch_.id + "/");
@@ -109,7 +116,8 @@ class PatchRun {
     for (const Method method : options_.methods) {
       result_.evaluations.push_back(
           evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method)))));
-      result_.truth.push_back(compare(method, result_.evaluations.back()));
+      result_.truth.push_back(
+          compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
     }
   }
 
@@ -140,6 +148,7 @@ class PatchRun {
     options.patch = patch_;
     options.patch_name = patch_.id;
     options.cloud.frame = stages_.frame();
+    options.cloud.assume_crs = options_.assume_crs;
     options.judge = options_.judge;
     options.summary = options_.summary;
     JudgedFiles judged = judge_files(options, record_);
@@ -174,12 +183,17 @@ class PatchRun {
                            stages_.frame(), patch_);
   }
 
-  [[nodiscard]] TruthRows compare(Method method, const evaluate::Evaluation& evaluation) const {
-    std::optional<std::vector<evaluate::ReferenceLine>> references;
-    if (patch_.reference_lines) {
-      references = reference_lines_of(io::read_lines(*patch_.reference_lines), stages_.frame());
+  [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() const {
+    const io::LineSet set =
+        io::read_lines(*patch_.reference_lines, {.assume_crs = options_.assume_crs});
+    const io::CrsAgreement agreement = io::compare(set.crs, patch_.crs);
+    if (!agreement.compatible) {
+      throw io::IoError(set.path,
+                        fmt::format("reference lines and patch do not match: {}; transform one of "
+                                    "them, or declare the CRS with --assume-crs",
+                                    agreement.reason));
     }
-    return compare_with_truth(evaluation, lines_of(method), references);
+    return reference_lines_of(set, stages_.frame());
   }
 
   [[nodiscard]] std::string in_folder(const std::string& file) const {
@@ -195,10 +209,30 @@ class PatchRun {
   StageCache cache_;
   std::string patch_key_, extract_key_, match_key_;
   std::vector<std::string> lines_keys_;
+  std::optional<std::vector<evaluate::ReferenceLine>> references_;
   PatchResult result_;
 };
 
 }  // namespace
+
+void check_run(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out) {
+  PatchStages(patch, options, out).check_outputs();
+  for (const Method method : options.methods) {
+    for (const std::string& file : evaluation_names(reconstruct::name(method))) {
+      (void)out.path(patch.id + "/" + file);
+    }
+  }
+  if (patch.lidar.empty()) return;
+  io::ReadOptions cloud;
+  cloud.assume_crs = options.assume_crs;
+  const io::Crs crs = io::CloudFiles(patch.lidar, cloud).crs();
+  const io::CrsAgreement agreement = io::compare(patch.crs, crs);
+  if (agreement.compatible) return;
+  throw io::IoError(patch.path,
+                    fmt::format("patch and cloud do not match: {}; correct one of them, "
+                                "or declare the CRS with --assume-crs",
+                                agreement.reason));
+}
 
 std::size_t count_steps(const RunOptions& options) { return 3 + options.methods.size(); }
 

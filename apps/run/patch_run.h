@@ -9,6 +9,7 @@
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
+#include "io/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/patch.h"
 #include "reconstruct/estimate/options.h"
@@ -29,6 +30,7 @@ struct RunOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
+  io::Crs assume_crs;  ///< declares or overrides that of patch, cloud and reference lines
   bool resume = false;
   bool report = true;  ///< report.html and the figures
 };
@@ -43,6 +45,10 @@ struct PatchResult {
 
 /// Steps that run_patch() announces to the progress bar.
 std::size_t count_steps(const RunOptions& options);
+
+/// What can be found wrong before the work begins. Throws IoError for outputs that are inputs, a cloud
+/// that cannot be read or is of another CRS than the patch.
+void check_run(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out);
 
 /// Images -> segments -> matches -> 3D lines by each method -> judged lines (Ok et al. 2011), and
 /// the files of one patch in the folder of its id. A patch without LIDAR gets its lines; their

@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
+#include <algorithm>
 
 namespace ridgeline::apps {
 namespace {
@@ -47,8 +47,19 @@ std::string verdicts_csv(const std::vector<LineMatch>& matches,
 
 PatchStages::PatchStages(const io::PatchFile& patch,
                          const RunOptions& options,
-                         std::filesystem::path folder)
-    : patch_(patch), options_(options), folder_(std::move(folder)), frame_(patch_frame(patch)) {}
+                         const OutputFolder& out)
+    : patch_(patch), options_(options), out_(out), frame_(patch_frame(patch)) {}
+
+void PatchStages::check_outputs() const {
+  const auto check_files = [this](const std::vector<std::string>& files) {
+    for (const std::string& file : files) (void)path(file);
+  };
+  check_files(segment_files());
+  check_files(match_files());
+  check_files({"verdicts.csv"});
+  for (const std::string& name : list_names()) check_files({list_file("verdicts", name)});
+  for (const reconstruct::Method method : options_.methods) check_files(line_files(method));
+}
 
 std::vector<std::string> PatchStages::segment_files() const {
   return {fmt::format("segments.{}.csv", patch_.images[0].id),
@@ -92,7 +103,9 @@ std::vector<std::string> PatchStages::line_files(reconstruct::Method method) con
   return files;
 }
 
-std::string PatchStages::path(const std::string& file) const { return (folder_ / file).string(); }
+std::string PatchStages::path(const std::string& file) const {
+  return out_.path(patch_.id + "/" + file);
+}
 
 const cv::Mat& PatchStages::image(std::size_t i) {
   if (images_[i].empty()) images_[i] = patch_image(patch_, i);
@@ -119,7 +132,7 @@ void PatchStages::remove_match_lists() const {
       files.push_back(list_file(stem, name(matcher)));
     }
   }
-  for (const std::string& file : files) std::filesystem::remove(path(file));
+  for (const std::string& file : files) out_.remove(patch_.id + "/" + file);
 }
 
 void PatchStages::match() {

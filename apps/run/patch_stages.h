@@ -9,7 +9,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +19,13 @@ namespace ridgeline::apps {
 /// of the stages before it, unless they ran in this object.
 class PatchStages {
  public:
-  PatchStages(const io::PatchFile& patch, const RunOptions& options, std::filesystem::path folder);
+  /// The files are in the subfolder of `out` that is named after the patch's id.
+  PatchStages(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out);
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
+
+  /// Throws IoError if one of the files that the stages write is an input.
+  void check_outputs() const;
 
   [[nodiscard]] std::vector<std::string> segment_files() const;
   [[nodiscard]] std::vector<std::string> match_files() const;
@@ -39,13 +42,14 @@ class PatchStages {
  private:
   [[nodiscard]] std::vector<std::string> list_names() const;
   void remove_match_lists() const;
+  /// Throws IoError if the file is an input.
   [[nodiscard]] std::string path(const std::string& file) const;
   const cv::Mat& image(std::size_t i);
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
-  std::filesystem::path folder_;
+  const OutputFolder& out_;
   LocalFrame frame_;
   std::array<cv::Mat, 2> images_;  ///< normalised; read when first needed
 };

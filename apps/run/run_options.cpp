@@ -49,6 +49,8 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->check(CLI::IsMember(line_format_names()));
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
+  app.add_option("--assume-crs", flags.options.assume_crs.definition,
+                 "CRS of patches, clouds and reference lines in place of their own");
   add_report_flag(app, flags.options.report);
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
       ->check(CLI::PositiveNumber)
@@ -79,6 +81,7 @@ RunOptions run_options(const RunFlags& flags) {
   validate_matching(options.matching);
   validate(options.reconstruct);
   validate(options.judge);
+  validate(options.summary);
   return options;
 }
 

@@ -5,8 +5,8 @@
 #include "apps/common/patch_views.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
-#include "io/cloud/read_cloud.h"
 #include "io/error.h"
+#include "io/sha256.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
@@ -17,11 +17,13 @@
 namespace ridgeline::apps {
 namespace {
 
-std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files) {
+std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
+                                        const io::Crs& assume_crs) {
   std::vector<io::PatchFile> patches;
   std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
     io::PatchFile patch = io::read_patch(file);
+    if (assume_crs.known()) patch.crs = assume_crs;
     const auto [other, is_new] = file_of_id.emplace(patch.id, file);
     if (!is_new) {
       throw io::IoError(file, fmt::format("id {} is that of {}, too; results are named after it",
@@ -33,23 +35,10 @@ std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files) {
   return patches;
 }
 
-struct Input {
-  const char* role;
-  std::string path;
-};
-
-std::vector<Input> inputs_of(const std::vector<io::PatchFile>& patches) {
-  std::vector<Input> inputs;
+std::vector<InputFile> inputs_of(const std::vector<io::PatchFile>& patches) {
+  std::vector<InputFile> inputs;
   for (const io::PatchFile& patch : patches) {
-    inputs.push_back({"patch", patch.path});
-    for (const io::PatchImage& image : patch.images) inputs.push_back({"image", image.path});
-    if (!patch.lidar.empty()) {
-      for (const std::string& file : io::expand_patterns(patch.lidar)) {
-        inputs.push_back({"cloud", file});
-      }
-    }
-    if (patch.reference_matches) inputs.push_back({"reference", *patch.reference_matches});
-    if (patch.reference_lines) inputs.push_back({"reference", *patch.reference_lines});
+    for (InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
   }
   return inputs;
 }
@@ -71,6 +60,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["chio"] = echo(options.matching.chio);
   json["reconstruct"] = echo(options.reconstruct);
   json["judge"] = echo(options.judge);
+  json["assume_crs"] = options.assume_crs.definition;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;
   return json;
@@ -84,8 +74,14 @@ std::string write_table1(const evaluate::Table1& table, const OutputFolder& out)
   return markdown;
 }
 
-void warn_of_surplus_images(const std::vector<io::PatchFile>& patches) {
+void warn_of_images(const std::vector<io::PatchFile>& patches) {
   for (const io::PatchFile& patch : patches) {
+    const std::string& left = patch.images[0].path;
+    const std::string& right = patch.images[1].path;
+    if (io::sha256_of_file(left) == io::sha256_of_file(right)) {
+      spdlog::warn("{}: {} and {} hold the same picture; two views are needed", patch.path, left,
+                   right);
+    }
     if (patch.images.size() == 2) continue;
     spdlog::warn("{}: {} images; lines are matched between the first two, {} and {}", patch.path,
                  patch.images.size(), patch.images[0].id, patch.images[1].id);
@@ -100,13 +96,15 @@ void run_patches(const std::string& command,
                  const std::string& folder) {
   RunRecord record(command);
   record.set_options(echo_options(options));
-  const std::vector<io::PatchFile> patches = read_patches(patch_files);
-  warn_of_surplus_images(patches);
-  const std::vector<Input> inputs = inputs_of(patches);
-  std::vector<std::string> paths;
-  paths.reserve(inputs.size());
-  for (const Input& input : inputs) paths.push_back(input.path);
-  const OutputFolder out(folder, paths);
+  const std::vector<io::PatchFile> patches = read_patches(patch_files, options.assume_crs);
+  warn_of_images(patches);
+  const std::vector<InputFile> inputs = inputs_of(patches);
+  const OutputFolder out(folder, paths_of(inputs));
+  for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);
+  for (const std::string& name : result_names({})) (void)out.path(name);
+  for (const io::PatchFile& patch : patches) check_run(patch, options, out);
+  for (const InputFile& input : inputs) record.add_input(input.role, input.path);
+  record.end_stage("hash_inputs");
 
   Progress progress(patches.size() * count_steps(options));
   evaluate::Table1 table1;
@@ -121,6 +119,7 @@ void run_patches(const std::string& command,
     n_skipped += result.n_skipped_stages;
   }
   progress.clear();
+  for (const std::string& warning : record.warnings()) spdlog::warn("{}", warning);
   if (options.resume) spdlog::info("{} finished stages skipped", n_skipped);
 
   // always written: an old table beside new ones would mislead
@@ -128,7 +127,6 @@ void run_patches(const std::string& command,
   if (!table1.rows.empty()) fmt::print("{}\n", markdown1);
   fmt::print("{}", write_table2(evaluations, out));
   write_truth(truth, out);
-  for (const Input& input : inputs) record.add_input(input.role, input.path);
   record.end_stage("write");
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();

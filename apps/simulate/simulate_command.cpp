@@ -115,6 +115,7 @@ void add_image_options(CLI::App& app, SimulateArguments& a) {
       ->capture_default_str()
       ->group(group);
   add_flags(app, a.stereo.sensor, group);
+  app.get_option("--bits")->check(CLI::IsMember({8, 16}));
   add_flags(app, a.stereo.render, group);
   add_flags(app, a.stereo.flight, group);
 }

@@ -149,6 +149,13 @@ std::vector<std::size_t> members_of_no_class(std::span<const LineEvaluation> lin
 
 }  // namespace
 
+void validate(const SummaryOptions& options) {
+  check(std::isfinite(options.gross_m) && options.gross_m > 0.0, "--gross-m = ", options.gross_m,
+        ", must be finite and > 0");
+  check(std::isfinite(options.sigma_sys_m) && options.sigma_sys_m >= 0.0,
+        "--sigma-sys-m = ", options.sigma_sys_m, ", must be finite and >= 0");
+}
+
 std::optional<double> Summary::evaluated_share() const {
   if (n_lines == 0) return std::nullopt;
   return static_cast<double>(n_evaluated) / static_cast<double>(n_lines);

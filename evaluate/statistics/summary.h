@@ -27,6 +27,9 @@ struct SummaryOptions {
   double sigma_sys_m = 0.0;  ///< systematic part of the LIDAR accuracy: datum, strip offset
 };
 
+/// Throws std::invalid_argument naming the value that cannot be.
+void validate(const SummaryOptions& options);
+
 /// The figures of one cell: the lines of a class or stratum of one method on one patch.
 /// e = mean |distance| of a line to its planes (Ok et al. 2011), v = its signed mean. A figure
 /// that the lines do not give is empty, never 0.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <system_error>
 
 namespace ridgeline::io {
@@ -30,6 +31,15 @@ bool is_pattern(const std::string& text) {
          !std::filesystem::exists(text, ignored);  // a real file may be named "tile[1].las"
 }
 
+/// A file that two patterns match is one tile: its points count once.
+std::vector<std::string> without_repeats(std::vector<std::string> paths) {
+  std::set<std::filesystem::path> seen;
+  std::erase_if(paths, [&](const std::string& path) {
+    return !seen.insert(std::filesystem::weakly_canonical(path)).second;
+  });
+  return paths;
+}
+
 }  // namespace
 
 std::vector<std::string> expand_patterns(const std::vector<std::string>& paths_or_patterns) {
@@ -41,7 +51,7 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& paths_o
       paths.push_back(text);
     }
   }
-  return paths;
+  return without_repeats(std::move(paths));
 }
 
 }  // namespace ridgeline::io

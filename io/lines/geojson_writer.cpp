@@ -58,12 +58,16 @@ std::string properties_text(const Line& line) {
   return text;
 }
 
+/// RFC 7946: a feature that has no place has the geometry null.
+std::string geometry_text(const Segment3& segment) {
+  if (!all_finite(segment)) return "null";
+  return fmt::format("{{\"type\":\"LineString\",\"coordinates\":[{},{}]}}", position(segment.start),
+                     position(segment.end));
+}
+
 std::string feature_text(const Line& line) {
-  return fmt::format(
-      "{{\"type\":\"Feature\",\"properties\":{{{}}},"
-      "\"geometry\":{{\"type\":\"LineString\",\"coordinates\":[{},{}]}}}}",
-      properties_text(line), position(line.segment_in_world.start),
-      position(line.segment_in_world.end));
+  return fmt::format("{{\"type\":\"Feature\",\"properties\":{{{}}},\"geometry\":{}}}",
+                     properties_text(line), geometry_text(line.segment_in_world));
 }
 
 /// "urn:ogc:def:crs:EPSG::25832" where all parts are EPSG's, else the definition as it is.

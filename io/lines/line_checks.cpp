@@ -37,6 +37,12 @@ bool lacks_only_z(const Segment3& s) {
          (std::isnan(s.start.z()) || std::isnan(s.end.z()));
 }
 
+/// Whether its tool gave it no place and says so by its status.
+bool is_left_out(const Line& line) {
+  const Segment3& s = line.segment_in_world;
+  return !line.status.empty() && s.start.array().isNaN().all() && s.end.array().isNaN().all();
+}
+
 std::size_t count_repeated_ids(const std::vector<Line>& lines) {
   std::set<std::string_view> known;
   for (const Line& line : lines) known.insert(line.id);
@@ -65,7 +71,7 @@ void add_coordinate_warnings(LineSet& set) {
   for (const Line& line : set.lines) {
     const Segment3& s = line.segment_in_world;
     if (lacks_only_z(s)) ++n_without_z;
-    if (!all_finite(s)) ++n_non_finite;
+    if (!all_finite(s) && !is_left_out(line)) ++n_non_finite;
     all_zero = all_zero && s.start.z() == 0.0 && s.end.z() == 0.0;
   }
   const std::size_t n = set.lines.size();

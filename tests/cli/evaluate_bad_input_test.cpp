@@ -133,7 +133,7 @@ TEST_F(EvaluateBadInput, OptionOutOfRangeIsNamedWithValueAndRule) {
     return evaluate(kLines, "out", {option, value});
   };
   EXPECT_REFUSED(with("--corridor-half-width-m", "-1"),
-                 HasSubstr("corridor_half_width_m = -1, must be in [0.1, 100]"));
+                 HasSubstr("--corridor-half-width-m: -1, must be in [0.1, 100]"));
   EXPECT_REFUSED(with("--corridor-half-width-m", "wide"), HasSubstr("wide"));
   EXPECT_REFUSED(with("--classes", "777"), HasSubstr("777 not in range 0 to 255"));
   EXPECT_REFUSED(with("--bounds", "5,2,3,4"), HasSubstr("must not be inverted"));

@@ -4,6 +4,11 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <iterator>
+#include <thread>
 
 namespace ridgeline::cli {
 namespace {
@@ -62,12 +67,36 @@ TEST_F(ExtractCommand, RefusesWrongInput) {
   write_square("square.png");
   EXPECT_REFUSED(run({"extract", "missing.png", "--out", "a.csv"}), HasSubstr("does not exist"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--min-length-px", "-4"}),
-                 HasSubstr("min_length_px"));
+                 HasSubstr("--min-length-px: -4, must be in [3, 100000]"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "square.png"}),
                  HasSubstr("would be written over"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--image-id", "left"}),
                  HasSubstr("needs --patch"));
+  EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.csv"}),
+                 HasSubstr("would be written over"));
+  ASSERT_TRUE(cv::imwrite(path("pixel.png").string(), cv::Mat(1, 1, CV_8UC1, cv::Scalar(70))));
+  EXPECT_REFUSED(run({"extract", "pixel.png", "--out", "a.csv"}),
+                 HasSubstr("pixel.png: 1 x 1 pixels; must be at least 2 x 2"));
   EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
+}
+
+TEST_F(ExtractCommand, WritesIntoAPipeAndThroughALinkWithoutReplacingThem) {
+  write_square("square.png");
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] {
+    std::ifstream pipe(path("pipe"));
+    received.assign(std::istreambuf_iterator<char>(pipe), {});
+  });
+  EXPECT_EQ(run({"extract", "square.png", "--out", "pipe"}).exit_code, 0);
+  reader.join();
+  EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+
+  write(path("real.csv"), "");
+  std::filesystem::create_symlink("real.csv", path("link.csv"));
+  EXPECT_EQ(run({"extract", "square.png", "--out", "link.csv"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.csv")));
+  EXPECT_EQ(read(path("real.csv")), received);
 }
 
 }  // namespace

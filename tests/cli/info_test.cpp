@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/png_writer.h"
 #include "tests/cli/cli_fixture.h"
+
+#include <opencv2/core.hpp>
 
 namespace ridgeline::cli {
 namespace {
@@ -69,7 +72,16 @@ TEST_F(Info, TellsThePatchWithItsProjectionCentres) {
            "  - {id: right, path: r.tif, projection_matrix: "
            "[[1000, 0, 0, -50000], [0, 1000, 0, 0], [0, 0, -1, 800]]}\n"),
       AllOf(HasSubstr("patch north"), HasSubstr("240 .. 270 m"), HasSubstr("image       left"),
-            HasSubstr("projection centre 50.000 0.000 800.000"), HasSubstr("UTM zone 32N")));
+            HasSubstr("projection centre 50.000 0.000 800.000"), HasSubstr("UTM zone 32N"),
+            HasSubstr("warning     lidar.las does not exist")));
+}
+
+TEST_F(Info, TellsTheSizeAndBandsOfAnImage) {
+  io::write_png(path("grey.png").string(), cv::Mat(30, 40, CV_8UC1, cv::Scalar(70)));
+  const ProgramResult result = run({"info", "grey.png"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("grey.png: PNG"), HasSubstr("size        40 x 30 px"),
+                                HasSubstr("bands       1 of 8 bit")));
 }
 
 TEST_F(Info, RefusesWhatItCannotReadByName) {

@@ -61,7 +61,13 @@ TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
 TEST_F(Match, SaysWhatIsWrongWithItsInput) {
   EXPECT_REFUSED(run({"match", "none.yaml", "--out", "m.csv"}), HasSubstr("none.yaml"));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--min-overlap", "2"}),
-                 HasSubstr("min_overlap = 2"));
+                 HasSubstr("--min-overlap: 2, must be in [0, 1]"));
+  for (const char* input : {"pair/patch.yaml", "pair/left.tif", "pair/matches.csv"}) {
+    EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", input}),
+                   AllOf(HasSubstr(input), HasSubstr("would be written over")));
+  }
+  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--overlay", "m.csv"}),
+                 HasSubstr("would be written over"));
   std::filesystem::remove(path("pair/right.tif"));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv"}), HasSubstr("right.tif"));
   EXPECT_FALSE(std::filesystem::exists(path("m.csv")));

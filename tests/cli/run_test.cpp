@@ -88,6 +88,9 @@ TEST_F(RunPatch, WritesTheFilesOfTheContractAndPrintsBothTables) {
                             "matches.csv", "segments.left.csv", "segments.right.csv"}));
   EXPECT_THAT(result.out, AllOf(HasSubstr(read(path("out/table1.md"))),
                                 HasSubstr(read(path("out/table2.md")))));
+  // RFC 7946: a feature without a place has no geometry
+  EXPECT_THAT(read(path("out/1/lines.joint.geojson")),
+              AllOf(HasSubstr("\"geometry\":null"), Not(HasSubstr("[null"))));
   EXPECT_THAT(read(path("out/1/matches.csv")),
               testing::StartsWith("left_id,right_id,score,votes,matcher\n"));
 }
@@ -158,7 +161,24 @@ TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
   ASSERT_EQ(run_patch("out", {"--propagate-heights", "0", "--no-report"}).exit_code, 0);
   EXPECT_THAT(read(path("out/1/matches.csv")), Not(HasSubstr("pairwise_height")));
   EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
-  EXPECT_REFUSED(run_patch("out", {"--chio-min-pieces", "0"}), HasSubstr("min_pieces = 0"));
+  EXPECT_REFUSED(run_patch("out", {"--chio-min-pieces", "0"}),
+                 HasSubstr("--chio-min-pieces: 0, must be in [1, 1000]"));
+}
+
+TEST_F(RunPatch, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
+  ASSERT_EQ(run_patch("one", {"--no-report"}).exit_code, 0);
+  ASSERT_EQ(run_patch("both", {"--no-report", "--matcher", "pairwise,chio"}).exit_code, 0);
+  const auto count = [&](const char* file) {
+    const std::string text = read(path(file));
+    std::size_t n = 0;
+    for (auto at = text.find("pairwise_height"); at != std::string::npos;
+         at = text.find("pairwise_height", at + 1)) {
+      ++n;
+    }
+    return n;
+  };
+  ASSERT_GT(count("one/1/matches.csv"), 0U);
+  EXPECT_EQ(count("both/1/matches.csv"), count("one/1/matches.csv"));
 }
 
 TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnly) {
@@ -198,9 +218,71 @@ TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
   EXPECT_THAT(repaired.err, HasSubstr("4 finished stages skipped"));
   EXPECT_EQ(results_in("out"), first);
 
+  for (const char* name : {"evaluation.joint.csv", "accuracy.joint.md"}) {
+    fs::remove(path("out/1") / name);
+    EXPECT_THAT(run_patch("out", {"--resume"}).err, HasSubstr("4 finished stages skipped")) << name;
+    EXPECT_EQ(results_in("out"), first);
+  }
+
   // another option of the matching leaves the extraction alone
   const ProgramResult other = run_patch("out", {"--resume", "--match-min-probability", "0.9"});
   EXPECT_THAT(other.err, HasSubstr("1 finished stages skipped"));
+}
+
+TEST_F(RunPatch, InputsAreNeverWrittenOver) {
+  const auto before = results_in("patch");
+  fs::create_directory(path("in"));
+  fs::rename(path("patch"), path("in/1"));
+  EXPECT_REFUSED(run({"run", "in/1/patch.yaml", "--out", "in"}),
+                 AllOf(HasSubstr("in/1/matches.csv"), HasSubstr("would be written over")));
+  EXPECT_REFUSED(run({"reconstruct", "in/1/patch.yaml", "--out", "in/1/truth.geojson"}),
+                 HasSubstr("would be written over"));
+  EXPECT_EQ(results_in("in/1"), before);
+}
+
+TEST_F(RunPatch, MethodsOfAnEarlierRunAreNoResultsOfTheLast) {
+  ASSERT_EQ(run_patch("out", {"--methods", "direct,network"}).exit_code, 0);
+  ASSERT_EQ(run_patch("out", {"--methods", "direct,joint"}).exit_code, 0);
+  write(path("gates.yaml"), "gates: [{method: network, metric: rms_m, max: 10.0}]\n");
+  const ProgramResult result = run({"gate", "out", "--gates", "gates.yaml"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.out, HasSubstr("missing"));
+
+  fs::remove(path("out/1/evaluation.joint.json"));
+  for (const char* command : {"report", "compare"}) {
+    EXPECT_REFUSED(run({command, "out"}), HasSubstr("names method joint of patch 1"));
+  }
+}
+
+TEST_F(RunPatch, WrongInputsAreFoundBeforeTheWorkBegins) {
+  EXPECT_REFUSED(run_patch("out", {"--gross-m", "nan"}), HasSubstr("--gross-m = nan"));
+  edit_patch("lidar.las", "none.las");
+  EXPECT_REFUSED(run_patch("out"), HasSubstr("none.las"));
+  edit_patch("none.las", "lidar.las");
+  edit_patch("25832", "2154");
+  EXPECT_REFUSED(run_patch("out"),
+                 AllOf(HasSubstr("patch and cloud do not match"), HasSubstr("--assume-crs")));
+  EXPECT_FALSE(fs::exists(path("out/1/segments.left.csv")));
+  EXPECT_EQ(run_patch("out", {"--assume-crs", "EPSG:25832", "--no-report"}).exit_code, 0);
+}
+
+TEST_F(RunPatch, TrueLinesOfAnotherCrsAreRefused) {
+  std::string text = read(path("patch/truth.geojson"));
+  write(path("patch/truth.geojson"), text.replace(text.find("25832"), 5, "25833"));
+  EXPECT_REFUSED(run_patch("out"), AllOf(HasSubstr("truth.geojson"), HasSubstr("do not match")));
+}
+
+TEST_F(RunPatch, ATileNamedTwiceCountsOnce) {
+  ASSERT_EQ(run_patch("once", {"--no-report"}).exit_code, 0);
+  edit_patch("lidar.las", "\"*.las\"\n  - lidar.las");
+  ASSERT_EQ(run_patch("twice", {"--no-report"}).exit_code, 0);
+  EXPECT_EQ(read(path("once/table2.csv")), read(path("twice/table2.csv")));
+}
+
+TEST_F(RunPatch, OnePictureForBothCamerasIsWarnedOf) {
+  fs::copy_file(path("patch/left.tif"), path("patch/right.tif"),
+                fs::copy_options::overwrite_existing);
+  EXPECT_THAT(run_patch("out", {"--no-report"}).err, HasSubstr("hold the same picture"));
 }
 
 TEST_F(RunPatch, GivesTheSameBytesForAnyNumberOfThreads) {

@@ -81,6 +81,7 @@ TEST_F(Usage, SimulateRefusesWhatCannotBeASceneWithTheRule) {
   EXPECT_REFUSED(simulate("--crs", "nonsense"), HasSubstr("\"nonsense\""));
   EXPECT_REFUSED(simulate("--origin-m", "0.5,0,0"), HasSubstr("must be integers"));
   EXPECT_REFUSED(simulate("--seed", "-1"), HasSubstr("--seed"));
+  EXPECT_REFUSED(simulate("--bits", "12"), HasSubstr("--bits: 12 not in {8,16}"));
   std::filesystem::create_directories(path("s"));
   EXPECT_TRUE(std::filesystem::is_empty(path("s")));
 }
