@@ -79,9 +79,10 @@ MatchList combined(const std::vector<EdgeSegment>& left,
   for (const io::MatchRow& row : pairwise.rows) finders[ids(row.scored)] = row.matcher;
   for (const reconstruct::CombinedMatch& match :
        reconstruct::combine_matches(left, scored_matches(pairwise), chio.lines)) {
-    std::string finder = name(Matcher::kChio);
-    if (match.source == MatchSource::kPairwise) finder = finders.at(ids(match.scored));
-    if (match.source == MatchSource::kBoth) finder = finders.at(ids(match.scored)) + '+' + finder;
+    std::string finder;
+    if (match.source != MatchSource::kChio) finder = finders.at(ids(match.scored));
+    if (match.source == MatchSource::kBoth) finder += '+';
+    if (match.source != MatchSource::kPairwise) finder += name(Matcher::kChio);
     both.rows.push_back({match.scored, finder});
     both.reasons[static_cast<std::size_t>(match.scored.match.left)] = "matched";
   }
