@@ -139,6 +139,39 @@ TEST(ExtractSegments, ALongEdgeThatIsCoveredInPlacesIsOneSegment) {
   EXPECT_EQ(n_long, 1);
 }
 
+/// A step that is covered in places and frayed at its end.
+cv::Mat frayed_step(int seed) {
+  constexpr int kSize_px = 60;
+  constexpr int kFrayed_px = 40;  // from this row on
+  cv::RNG random(static_cast<std::uint64_t>(seed));
+  cv::Mat raw(kSize_px, kSize_px, CV_8UC1, cv::Scalar(80));
+  const double slope = random.uniform(-1.0, 1.0);
+  const auto edge_at = [&](int y) { return 0.5 * kSize_px + slope * (y - 0.5 * kSize_px); };
+  for (int y = 0; y < kSize_px; ++y) {
+    for (int x = 0; x < kSize_px; ++x) {
+      const double off = y > kFrayed_px ? random.uniform(-1.0, 1.0) : 0.0;
+      if (x > edge_at(y) + off) raw.at<std::uint8_t>(y, x) = 200;
+    }
+  }
+  for (int i = random.uniform(0, 12); i > 0; --i) {
+    const int y = random.uniform(2, kSize_px - 5);
+    const int x = static_cast<int>(edge_at(y)) - random.uniform(1, 6);
+    const int width = random.uniform(2, 12);
+    const cv::Rect cover(x, y, width, random.uniform(1, 5));
+    raw(cover & cv::Rect({0, 0}, raw.size())).setTo(random.uniform(60, 220));
+  }
+  return raw;
+}
+
+TEST(ExtractSegments, AreLinesThroughThreeEdgePixelsAtLeastHoweverShort) {
+  // of 4000 those that have a bend beside which two edge pixels, 3 px apart, are left
+  ExtractOptions options;
+  options.min_length_px = 3.0;
+  for (const int seed : {829, 978, 989, 1132, 1691, 2106}) {
+    EXPECT_NO_THROW(extract_segments(normalised_image(frayed_step(seed)), {}, options)) << seed;
+  }
+}
+
 TEST(ExtractSegments, DoesNotDependOnTheNumberOfThreads) {
   const cv::Mat image = normalised_image(test::blurred_scene(3).raw);
   const auto serial = [&] {
