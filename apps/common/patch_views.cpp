@@ -5,6 +5,8 @@
 #include "reconstruct/extract/extract_segments.h"
 #include "reconstruct/extract/normalised_image.h"
 
+#include <tbb/parallel_for.h>
+
 namespace ridgeline::apps {
 
 LocalFrame patch_frame(const io::PatchFile& patch) {
@@ -52,10 +54,10 @@ PatchViews load_patch_views(const io::PatchFile& patch,
   pair.frame = patch_frame(patch);
   pair.height_range_in_local_m = patch_heights_m(patch, pair.frame);
   const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, pair.frame);
-  for (std::size_t i = 0; i < 2; ++i) {
+  tbb::parallel_for(std::size_t{0}, cameras.size(), [&](std::size_t i) {
     const cv::Mat image = patch_image(patch, i);
     pair.views[i] = {cameras[i], image, extract_patch_image(patch, i, image, options)};
-  }
+  });
   return pair;
 }
 

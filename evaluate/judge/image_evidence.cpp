@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -45,50 +44,44 @@ double search_radius_m(const PointGrid& grid, const Eigen::Vector2d& x) {
                     kLargest_m);
 }
 
-std::vector<Eigen::Vector3d> points_below(const PointGrid& grid,
-                                          const ImageEvidence& images,
-                                          double radius_m) {
-  const double low = images.height_range_m[0];
-  const double high = images.height_range_m[1];
-  // A ray's place at a height is up to half a spacing from the next segment of the sweep.
-  const double reach_m = 1.5 * radius_m;
-  const std::vector<Segment2> sweep = plan_sweep(images, radius_m);
-  std::vector<PointGrid::Point> found;
-  for (const Segment2& segment : sweep) {
-    grid.visit_near(segment, reach_m, [&](const PointGrid::Point& p) {
-      if (p.x.z() >= low && p.x.z() <= high) found.push_back(p);
-    });
-  }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return std::tuple(-a.x.z(), a.x.x(), a.x.y(), a.index) <
-           std::tuple(-b.x.z(), b.x.x(), b.x.y(), b.index);
-  });
-  std::vector<Eigen::Vector3d> points;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (i == 0 || found[i].index != found[i - 1].index) points.push_back(found[i].x);
-  }
-  return points;
-}
-
 /// Height of the surface over a share of the segment.
 struct Sample {
   double s, z_m;
 };
 
-std::vector<Sample> first_hits(const std::vector<Eigen::Vector3d>& from_above,
+/// What rays through `n_samples` points of the base segment meet first from above: the highest point
+/// within `radius_m` of each.
+std::vector<Sample> first_hits(const PointGrid& grid,
                                const ImageEvidence& images,
                                int n_samples,
                                double radius_m) {
   const Segment2& base = images.segments_px[0];
+  const auto [low, high] = images.height_range_m;
+  const auto share = [&](int i) { return (i + 0.5) / n_samples; };
+  std::vector<Ray> rays;
+  for (int i = 0; i < n_samples; ++i) {
+    rays.push_back(ray_of(images, base.start + share(i) * (base.end - base.start)));
+  }
+  std::vector<double> highest_m(rays.size(), -HUGE_VAL);
+  const auto meet = [&, low = low, high = high](const PointGrid::Point& p) {
+    const double z_m = p.x.z();
+    const Eigen::Vector2d x = p.x.head<2>();
+    if (!(z_m >= low && z_m <= high)) return;
+    // at one height all rays pass between the outermost ones
+    if (distance(Segment2{rays.front().at(z_m), rays.back().at(z_m)}, x) > radius_m) return;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (z_m <= highest_m[i]) continue;
+      if ((rays[i].at(z_m) - x).squaredNorm() <= radius_m * radius_m) highest_m[i] = z_m;
+    }
+  };
+  // A ray's place at a height is up to half a spacing from the next segment of the sweep.
+  const double reach_m = 1.5 * radius_m;
+  for (const Segment2& segment : plan_sweep(images, radius_m)) {
+    grid.visit_near(segment, reach_m, meet);
+  }
   std::vector<Sample> hits;
   for (int i = 0; i < n_samples; ++i) {
-    const double s = (i + 0.5) / n_samples;
-    const Ray ray = ray_of(images, base.start + s * (base.end - base.start));
-    for (const Eigen::Vector3d& p : from_above) {
-      if ((ray.at(p.z()) - p.head<2>()).squaredNorm() > radius_m * radius_m) continue;
-      hits.push_back({s, p.z()});
-      break;
-    }
+    if (std::isfinite(highest_m[i])) hits.push_back({share(i), highest_m[i]});
   }
   return hits;
 }
@@ -150,8 +143,7 @@ std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& ima
   if (!all_finite(midway)) return std::nullopt;
   const int n_samples = std::clamp(static_cast<int>(length(midway) / kSpacing_m), 4, 40);
   const double radius_m = search_radius_m(grid, midpoint(plan(midway)));
-  const std::vector<Sample> inliers =
-      consensus(first_hits(points_below(grid, images, radius_m), images, n_samples, radius_m));
+  const std::vector<Sample> inliers = consensus(first_hits(grid, images, n_samples, radius_m));
   if (static_cast<double>(inliers.size()) < kLeastShare * n_samples) return std::nullopt;
   const HeightLine line = regression(inliers);
   const Segment2& base = images.segments_px[0];

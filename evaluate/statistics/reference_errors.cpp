@@ -3,6 +3,7 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/parameter_intervals.h"
+#include "evaluate/statistics/segment_tree.h"
 #include "evaluate/statistics/summary.h"
 
 #include <Eigen/Geometry>
@@ -16,40 +17,69 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Larger distance of the ends of `segment` from the image of the reference line, extended by the
-/// same distance beyond its ends; infinite where they are not beside it.
-double distance_in_image(const ProjectionMatrix& image_from_local,
-                         const Segment2& segment_px,
-                         const Segment3& reference,
-                         double margin_px) {
-  const Segment2 seen = project(image_from_local, reference);
-  const double length_px = length(seen);
+constexpr double kBeyondEnds_px = 5.0;  // an extracted end may run on along a neighbour's edge
+
+/// Larger distance of the ends of `segment` from the image of the reference line, extended beyond
+/// its ends; infinite where they are not beside it.
+double distance_in_image(const Segment2& segment_px, const Segment2& reference_px) {
+  const double length_px = length(reference_px);
   if (!(length_px > 0.0)) return HUGE_VAL;
-  const Eigen::Vector2d along = (seen.end - seen.start) / length_px;
+  const Eigen::Vector2d along = (reference_px.end - reference_px.start) / length_px;
   double largest = 0.0;
   for (const Eigen::Vector2d& end : {segment_px.start, segment_px.end}) {
-    const Eigen::Vector2d offset = end - seen.start;
+    const Eigen::Vector2d offset = end - reference_px.start;
     const double s = offset.dot(along);
-    if (s < -margin_px || s > length_px + margin_px) return HUGE_VAL;
+    if (s < -kBeyondEnds_px || s > length_px + kBeyondEnds_px) return HUGE_VAL;
     largest = std::max(largest, std::abs(offset.x() * along.y() - offset.y() * along.x()));
   }
   return largest;
 }
 
-std::optional<std::size_t> reference_of(const JudgedLine& line,
+/// The reference lines as one image shows them.
+struct ReferenceImage {
+  ProjectionMatrix image_from_local;
+  std::vector<Segment2> lines_px;
+  SegmentTree<Segment2> by_place;
+};
+
+ReferenceImage reference_image(const ProjectionMatrix& image_from_local,
+                               std::span<const ReferenceLine> references) {
+  std::vector<Segment2> lines_px;
+  for (const ReferenceLine& r : references) {
+    lines_px.push_back(project(image_from_local, r.segment));
+  }
+  SegmentTree<Segment2> by_place(lines_px);
+  return {image_from_local, std::move(lines_px), std::move(by_place)};
+}
+
+/// For each base image of the lines; they are few, as many lines come from one pair.
+std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
+                                             std::span<const ReferenceLine> references) {
+  std::vector<ReferenceImage> images;
+  for (const JudgedLine& line : lines) {
+    if (!line.images) continue;
+    const ProjectionMatrix& p = line.images->image_from_local[0];
+    const auto is_of_p = [&](const ReferenceImage& i) { return i.image_from_local == p; };
+    if (std::none_of(images.begin(), images.end(), is_of_p)) {
+      images.push_back(reference_image(p, references));
+    }
+  }
+  return images;
+}
+
+std::optional<std::size_t> reference_of(const ImageEvidence& line,
+                                        const ReferenceImage& base,
                                         std::span<const ReferenceLine> references,
                                         const ReferenceOptions& options) {
-  constexpr double kBeyondEnds_px = 5.0;  // an extracted end may run on along a neighbour's edge
-  if (!line.images) return std::nullopt;
+  const auto& [on_base, on_other] = line.segments_px;
   std::optional<std::size_t> best;
   double nearest_px = options.max_distance_px;
-  for (std::size_t r = 0; r < references.size(); ++r) {
-    double worse_px = 0.0;
-    for (std::size_t i = 0; i < 2; ++i) {
-      worse_px = std::max(
-          worse_px, distance_in_image(line.images->image_from_local[i], line.images->segments_px[i],
-                                      references[r].segment, kBeyondEnds_px));
-    }
+  for (const std::size_t r : base.by_place.near(on_base, kBeyondEnds_px + nearest_px)) {
+    const double on_base_px = distance_in_image(on_base, base.lines_px[r]);
+    if (on_base_px > nearest_px) continue;
+    const double worse_px = std::max(
+        on_base_px,
+        distance_in_image(on_other, project(line.image_from_local[1], references[r].segment)));
     if (worse_px > nearest_px) continue;
     nearest_px = worse_px;
     best = r;
@@ -103,17 +133,17 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
 }
 
 bool is_reconstructed(const Segment3& reference,
-                      std::span<const JudgedLine> lines,
+                      std::span<const Segment3> lines,
+                      const SegmentTree<Segment3>& lines_by_place,
                       const ReferenceOptions& options) {
   const Eigen::Vector3d direction = reference.end - reference.start;
   std::vector<ParameterInterval> covered;
-  for (const JudgedLine& line : lines) {
-    if (!has_geometry(line)) continue;
-    const Eigen::Vector3d other = line.segment.end - line.segment.start;
+  for (const std::size_t i : lines_by_place.near(reference, options.tolerance_m)) {
+    const Eigen::Vector3d other = lines[i].end - lines[i].start;
     if (acute_angle_rad(direction, other) > options.max_angle_deg * std::numbers::pi / 180.0) {
       continue;
     }
-    const auto part = part_near(reference, line.segment, options.tolerance_m);
+    const auto part = part_near(reference, lines[i], options.tolerance_m);
     if (part) covered.push_back(*part);
   }
   return total_length(join(std::move(covered))) >= options.min_covered;
@@ -122,9 +152,14 @@ bool is_reconstructed(const Segment3& reference,
 std::vector<ReferenceCompleteness> completeness_of(std::span<const JudgedLine> lines,
                                                    std::span<const ReferenceLine> references,
                                                    const ReferenceOptions& options) {
+  std::vector<Segment3> reconstructed;
+  for (const JudgedLine& line : lines) {
+    if (has_geometry(line)) reconstructed.push_back(line.segment);
+  }
+  const SegmentTree<Segment3> by_place(reconstructed);
   std::vector<char> found(references.size(), 0);
   tbb::parallel_for(std::size_t{0}, references.size(), [&](std::size_t r) {
-    found[r] = is_reconstructed(references[r].segment, lines, options) ? 1 : 0;
+    found[r] = is_reconstructed(references[r].segment, reconstructed, by_place, options) ? 1 : 0;
   });
   std::map<std::string, ReferenceCompleteness> by_kind;
   ReferenceCompleteness all{"all"};
@@ -151,9 +186,15 @@ std::vector<ReferenceCompleteness> completeness_of(std::span<const JudgedLine> l
 std::vector<std::optional<std::size_t>> reference_of_each(std::span<const JudgedLine> lines,
                                                           std::span<const ReferenceLine> references,
                                                           const ReferenceOptions& options) {
+  const std::vector<ReferenceImage> images = reference_images(lines, references);
   std::vector<std::optional<std::size_t>> result(lines.size());
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
-    result[i] = reference_of(lines[i], references, options);
+    if (!lines[i].images) return;
+    const ImageEvidence& line = *lines[i].images;
+    const auto base = std::find_if(images.begin(), images.end(), [&](const ReferenceImage& image) {
+      return image.image_from_local == line.image_from_local[0];
+    });
+    if (base != images.end()) result[i] = reference_of(line, *base, references, options);
   });
   return result;
 }

@@ -5,7 +5,7 @@ set(evaluate_statistics_sources
   statistics/distribution.cpp statistics/evaluation.cpp statistics/frame_check.cpp
   statistics/interval.cpp statistics/matching_quality.cpp statistics/parameter_intervals.cpp
   statistics/reference_errors.cpp tables/reference_table.cpp
-  statistics/strata.cpp statistics/summary.cpp statistics/tolerance_measures.cpp
+  statistics/segment_tree.cpp statistics/strata.cpp statistics/summary.cpp statistics/tolerance_measures.cpp
   tables/accuracy_table.cpp tables/evaluation_json.cpp tables/evaluation_parse.cpp
   tables/format.cpp tables/line_csv.cpp tables/summary_json.cpp tables/table1.cpp tables/table2.cpp
   tables/tolerance_table.cpp)
@@ -16,6 +16,6 @@ set(evaluate_statistics_headers
   statistics/evaluation.h statistics/frame_check.h statistics/interval.h
   statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h
   statistics/reference_errors.h tables/reference_table.h
-  statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
+  statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
   tables/accuracy_table.h tables/evaluation_json.h tables/format.h
   tables/result_folder.h tables/table1.h tables/table2.h tables/tolerance_table.h)

@@ -3,10 +3,9 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/parameter_intervals.h"
+#include "evaluate/statistics/segment_tree.h"
 #include "reconstruct/geometry/check.h"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -16,11 +15,6 @@
 namespace ridgeline::evaluate {
 namespace {
 
-namespace bg = boost::geometry;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
-using Tree = bg::index::rtree<std::pair<Box, std::size_t>, bg::index::rstar<16>>;
-
 constexpr int kLimapSamples = 1000;
 
 /// What is near one segment: share with the condition on direction, samples without it.
@@ -28,19 +22,6 @@ struct Nearness {
   double share = 0.0;
   int n_samples = 0;
 };
-
-Box box_around(const Segment3& s, double margin) {
-  const Eigen::Vector3d low = s.start.cwiseMin(s.end).array() - margin;
-  const Eigen::Vector3d high = s.start.cwiseMax(s.end).array() + margin;
-  return {Point(low.x(), low.y(), low.z()), Point(high.x(), high.y(), high.z())};
-}
-
-Tree build_tree(std::span<const Segment3> segments) {
-  std::vector<std::pair<Box, std::size_t>> boxes;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    boxes.emplace_back(box_around(segments[i], 0), i);
-  return Tree(boxes);
-}
 
 Nearness nearness(const Segment3& segment,
                   std::span<const Segment3> others,
@@ -70,13 +51,9 @@ std::vector<std::vector<Nearness>> nearness_of_all(std::span<const Segment3> seg
   if (tolerances_m.empty()) return result;
   const double reach_m = *std::max_element(tolerances_m.begin(), tolerances_m.end());
   const double max_angle_rad = options.max_angle_deg * std::numbers::pi / 180.0;
-  const Tree tree = build_tree(others);
+  const SegmentTree<Segment3> tree(others);
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
-    std::vector<std::size_t> candidates;
-    for (auto it = tree.qbegin(bg::index::intersects(box_around(segments[i], reach_m)));
-         it != tree.qend(); ++it) {
-      candidates.push_back(it->second);
-    }
+    const std::vector<std::size_t> candidates = tree.near(segments[i], reach_m);
     for (std::size_t k = 0; k < tolerances_m.size(); ++k) {
       result[k][i] = nearness(segments[i], others, candidates, tolerances_m[k], max_angle_rad);
     }

@@ -33,16 +33,16 @@ bool assign_geometry(const StereoViews& stereo,
                      const ReconstructOptions& options,
                      ReconstructedLine& result) {
   const std::array<View, 2>& views = stereo.views;
-  auto left = endpoints(estimate, views[0], seen[0], views);
+  const auto left = endpoints(estimate, views[0], seen[0], views);
   if (!left) return false;
   const auto right = endpoints(estimate, views[1], seen[1], views);
   const ObjectConditioning& object = stereo.object;
   result.between_right_ends =
       right && result.line_class == LineClass::kNotAligned &&
       (result.between_right_ends || is_extrapolated(*left, *right, object.scale_m, options));
-  if (result.between_right_ends) left = right;
-  result.segment_in_local = local_from_conditioned(object, left->segment);
-  result.covariance_m2 = object.scale_m * object.scale_m * left->cov;
+  const UncertainSegment3& used = result.between_right_ends ? *right : *left;
+  result.segment_in_local = local_from_conditioned(object, used.segment);
+  result.covariance_m2 = object.scale_m * object.scale_m * used.cov;
   result.right_segment_in_local.reset();
   if (right) result.right_segment_in_local = local_from_conditioned(object, right->segment);
   return true;

@@ -5,6 +5,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
+#include <vector>
+
 namespace ridgeline::reconstruct {
 namespace {
 
@@ -30,31 +33,54 @@ Kernels kernels(double sigma_px) {
   return k;
 }
 
-/// Principal axis of the tensor [xx xy; xy yy] with length sqrt(lambda_1).
-cv::Vec2f principal_axis(float xx, float xy, float yy) {
-  const float half_difference = 0.5F * (xx - yy);
-  const float root = std::sqrt(half_difference * half_difference + xy * xy);
-  const float lambda = 0.5F * (xx + yy) + root;
-  // Of the two rows of G - lambda I, the one that is not cancelled.
-  cv::Vec2f axis = half_difference >= 0.0F ? cv::Vec2f(half_difference + root, xy)
-                                           : cv::Vec2f(xy, root - half_difference);
-  const float length = std::sqrt(axis.dot(axis));
-  return length > 0.0F ? axis * (std::sqrt(lambda) / length) : cv::Vec2f(std::sqrt(lambda), 0.0F);
+/// A row of structure tensors, [xx xy; xy yy] and the gradient (x, y) of the sum of the bands: by
+/// component, which lets the compiler work on several pixels at a time.
+struct TensorRow {
+  explicit TensorRow(int n) : xx(n), xy(n), yy(n), x(n), y(n) {}
+  std::vector<float> xx, xy, yy, x, y;
+};
+
+void sum_bands(const float* dx, const float* dy, int n_bands, TensorRow& row) {
+  for (std::size_t i = 0; i < row.xx.size(); ++i, dx += n_bands, dy += n_bands) {
+    float xx = 0.0F;
+    float xy = 0.0F;
+    float yy = 0.0F;
+    float x = 0.0F;
+    float y = 0.0F;
+    for (int band = 0; band < n_bands; ++band) {
+      xx += dx[band] * dx[band];
+      xy += dx[band] * dy[band];
+      yy += dy[band] * dy[band];
+      x += dx[band];
+      y += dy[band];
+    }
+    row.xx[i] = xx;
+    row.xy[i] = xy;
+    row.yy[i] = yy;
+    row.x[i] = x;
+    row.y[i] = y;
+  }
 }
 
-cv::Vec2f gradient_of(const float* dx, const float* dy, int n_bands) {
-  float xx = 0.0F;
-  float xy = 0.0F;
-  float yy = 0.0F;
-  cv::Vec2f grey(0.0F, 0.0F);
-  for (int band = 0; band < n_bands; ++band) {
-    xx += dx[band] * dx[band];
-    xy += dx[band] * dy[band];
-    yy += dy[band] * dy[band];
-    grey += cv::Vec2f(dx[band], dy[band]);
+/// Of each tensor the principal axis with length sqrt(lambda_1), on the side of the grey gradient.
+void principal_axes(const TensorRow& row, float* axes) {
+  for (std::size_t i = 0; i < row.xx.size(); ++i) {
+    const float xy = row.xy[i];
+    const float half_difference = 0.5F * (row.xx[i] - row.yy[i]);
+    const float root = std::sqrt(half_difference * half_difference + xy * xy);
+    const float strength = std::sqrt(0.5F * (row.xx[i] + row.yy[i]) + root);
+    // Of the two rows of G - lambda I, the one that is not cancelled.
+    const bool is_first = half_difference >= 0.0F;
+    const float x = is_first ? half_difference + root : xy;
+    const float y = is_first ? xy : root - half_difference;
+    const float length = std::sqrt(x * x + y * y);
+    const float scale = strength / length;
+    const float axis_x = length > 0.0F ? x * scale : strength;
+    const float axis_y = length > 0.0F ? y * scale : 0.0F;
+    const float sign = axis_x * row.x[i] + axis_y * row.y[i] < 0.0F ? -1.0F : 1.0F;
+    axes[2 * i] = sign * axis_x;
+    axes[2 * i + 1] = sign * axis_y;
   }
-  const cv::Vec2f axis = principal_axis(xx, xy, yy);
-  return axis.dot(grey) < 0.0F ? -axis : axis;
 }
 
 }  // namespace
@@ -71,15 +97,10 @@ cv::Mat colour_gradient(const cv::Mat& image, double sigma_px) {
   cv::sepFilter2D(image, dy, CV_32F, k.smooth, k.derive, {-1, -1}, 0.0, cv::BORDER_REPLICATE);
   const int n_bands = image.channels();
   cv::Mat gradient(image.size(), CV_32FC2);
+  TensorRow row(image.cols);
   for (int y = 0; y < image.rows; ++y) {
-    const auto* row_dx = dx.ptr<float>(y);
-    const auto* row_dy = dy.ptr<float>(y);
-    auto* row = gradient.ptr<cv::Vec2f>(y);
-    for (int x = 0; x < image.cols; ++x) {
-      row[x] = gradient_of(row_dx, row_dy, n_bands);
-      row_dx += n_bands;
-      row_dy += n_bands;
-    }
+    sum_bands(dx.ptr<float>(y), dy.ptr<float>(y), n_bands, row);
+    principal_axes(row, gradient.ptr<float>(y));
   }
   return gradient;
 }

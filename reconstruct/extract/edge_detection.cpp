@@ -33,27 +33,13 @@ cv::Rect grown(const cv::Rect& tile, int margin_px, const cv::Size& size_px) {
          cv::Rect({0, 0}, size_px);
 }
 
-cv::Mat lambda_of(const NoiseGrid& noise, const cv::Rect& block, double factor) {
-  cv::Mat lambda(block.size(), CV_32FC1);
-  for (int y = 0; y < block.height; ++y) {
-    auto* row = lambda.ptr<float>(y);
-    for (int x = 0; x < block.width; ++x) {
-      row[x] = static_cast<float>(factor) * noise.at(block.x + x, block.y + y);
-    }
-  }
-  return lambda;
-}
-
-/// The gradient of a block after diffusion.
+/// The gradient of an image after diffusion.
 cv::Mat diffused_gradient(const cv::Mat& image,
-                          const cv::Rect& block,
-                          const NoiseGrid& noise,
+                          const cv::Mat& noise,
                           const ExtractOptions& options) {
-  if (options.diffusion_levels == 0) {
-    return colour_gradient(image(block), options.gradient_sigma_px);
-  }
-  const cv::Mat lambda = lambda_of(noise, block, options.diffusion_lambda);
-  return colour_gradient(colour_diffusion(image(block), lambda, options.diffusion_levels),
+  if (options.diffusion_levels == 0) return colour_gradient(image, options.gradient_sigma_px);
+  const cv::Mat lambda = options.diffusion_lambda * noise;
+  return colour_gradient(colour_diffusion(image, lambda, options.diffusion_levels),
                          options.gradient_sigma_px);
 }
 
@@ -64,14 +50,17 @@ std::vector<EdgePixel> edge_pixels_of_tile(const cv::Mat& image,
   const int margin_px = diffusion_reach_px(options.diffusion_levels) +
                         gradient_reach_px(options.gradient_sigma_px) + 1;
   const cv::Rect block = grown(tile, margin_px, image.size());
-  const cv::Mat gradient = diffused_gradient(image, block, noise, options);
+  const cv::Mat noise_in_block = noise.in(block);
+  const cv::Mat gradient = diffused_gradient(image(block), noise_in_block, options);
   const cv::Rect inner(1, 1, image.cols - 2, image.rows - 2);
   const cv::Rect searched = tile & inner;
   const Eigen::Vector2f origin(static_cast<float>(block.x), static_cast<float>(block.y));
   std::vector<EdgePixel> pixels;
   for (int y = searched.y; y < searched.br().y; ++y) {
+    const auto* noise_in_row = noise_in_block.ptr<float>(y - block.y);
     for (int x = searched.x; x < searched.br().x; ++x) {
-      const float threshold = static_cast<float>(options.low_noise_factor) * noise.at(x, y);
+      const float threshold =
+          static_cast<float>(options.low_noise_factor) * noise_in_row[x - block.x];
       auto pixel = edge_pixel_at(gradient, x - block.x, y - block.y, threshold);
       if (!pixel) continue;
       pixel->x = x;

@@ -36,6 +36,15 @@ Position position(int x, int n_blocks) {
   return {first, std::min(first + 1, n_blocks - 1), inside - static_cast<float>(first)};
 }
 
+float between(const cv::Mat& blocks, const Position& column, const Position& row) {
+  const auto along_row = [&](int r) {
+    const auto* values = blocks.ptr<float>(r);
+    return values[column.first] + column.share * (values[column.second] - values[column.first]);
+  };
+  const float first = along_row(row.first);
+  return first + row.share * (along_row(row.second) - first);
+}
+
 }  // namespace
 
 NoiseGrid::NoiseGrid(const cv::Mat& gradient, float lowest)
@@ -52,14 +61,19 @@ NoiseGrid::NoiseGrid(const cv::Mat& gradient, float lowest)
 }
 
 float NoiseGrid::at(int x, int y) const {
-  const Position column = position(x, blocks_.cols);
-  const Position row = position(y, blocks_.rows);
-  const auto along_row = [&](int r) {
-    const auto* values = blocks_.ptr<float>(r);
-    return values[column.first] + column.share * (values[column.second] - values[column.first]);
-  };
-  const float first = along_row(row.first);
-  return first + row.share * (along_row(row.second) - first);
+  return between(blocks_, position(x, blocks_.cols), position(y, blocks_.rows));
+}
+
+cv::Mat NoiseGrid::in(const cv::Rect& area) const {
+  std::vector<Position> columns;
+  for (int x = area.x; x < area.br().x; ++x) columns.push_back(position(x, blocks_.cols));
+  cv::Mat values(area.size(), CV_32FC1);
+  for (int y = 0; y < area.height; ++y) {
+    const Position row = position(area.y + y, blocks_.rows);
+    auto* out = values.ptr<float>(y);
+    for (int x = 0; x < area.width; ++x) out[x] = between(blocks_, columns[x], row);
+  }
+  return values;
 }
 
 }  // namespace ridgeline::reconstruct

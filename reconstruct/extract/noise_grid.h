@@ -20,6 +20,9 @@ class NoiseGrid {
   /// At a pixel of the image; constant beyond the middles of the outer blocks.
   [[nodiscard]] float at(int x, int y) const;
 
+  /// The values of `area`, CV_32FC1.
+  [[nodiscard]] cv::Mat in(const cv::Rect& area) const;
+
  private:
   cv::Mat blocks_;  ///< CV_32FC1
 };

@@ -107,6 +107,7 @@ EdgeLook edge_look(const ImagePair& images,
   EdgeLook look;
   for (const int side : {0, 1}) {
     const double sign = side == 0 ? -1.0 : 1.0;
+    const Strip on_left = sample_strip(images.left, frame.on_left, sign * frame.side_in_left, grid);
     for (int slope = 0; slope < grid.n_slopes; ++slope) {
       const double height_per_px = (slope == 0   ? 0.0
                                     : slope == 1 ? kSlope
@@ -114,7 +115,10 @@ EdgeLook edge_look(const ImagePair& images,
                                    transfer.gsd_m;
       frame.side_in_right =
           transfer.jacobian * frame.side_in_left + height_per_px * transfer.per_height;
-      const std::optional<SideLook> found = look_of_side(images, frame, sign, grid);
+      const Strip on_right =
+          sample_strip(images.right, frame.on_right, sign * frame.side_in_right, grid);
+      const std::optional<SideLook> found =
+          compare(on_left, on_right, images.radiometry, images.left.n_bands());
       std::optional<SideLook>& best = look.sides[side];
       if (found && (!best || found->ncc > best->ncc)) best = found;
     }

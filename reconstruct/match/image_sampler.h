@@ -31,15 +31,34 @@ class ImageSampler {
     const float* upper = image_->ptr<float>(row) + static_cast<std::ptrdiff_t>(column) * n_bands_;
     const float* lower =
         image_->ptr<float>(row + 1) + static_cast<std::ptrdiff_t>(column) * n_bands_;
-    for (int band = 0; band < n_bands_; ++band) {
-      const float top = upper[band] + fx * (upper[band + n_bands_] - upper[band]);
-      const float bottom = lower[band] + fx * (lower[band + n_bands_] - lower[band]);
-      colour[band] = top + fy * (bottom - top);
+    switch (n_bands_) {
+      case 1:
+        blend<1>(upper, lower, fx, fy, colour);
+        break;
+      case 2:
+        blend<2>(upper, lower, fx, fy, colour);
+        break;
+      case 3:
+        blend<3>(upper, lower, fx, fy, colour);
+        break;
+      default:
+        blend<4>(upper, lower, fx, fy, colour);
     }
     return true;
   }
 
  private:
+  /// A number of bands that the compiler knows makes this, the innermost loop of matching, a
+  /// straight run.
+  template <int kBands>
+  static void blend(const float* upper, const float* lower, float fx, float fy, Colour& colour) {
+    for (int band = 0; band < kBands; ++band) {
+      const float top = upper[band] + fx * (upper[band + kBands] - upper[band]);
+      const float bottom = lower[band] + fx * (lower[band + kBands] - lower[band]);
+      colour[band] = top + fy * (bottom - top);
+    }
+  }
+
   const cv::Mat* image_;
   int n_bands_;
 };

@@ -18,20 +18,10 @@ double px_per_m_of_drop(const StripFrame& frame, double sign, const LocalTransfe
   return -outwards * normal.dot(transfer.per_height);
 }
 
-/// The strips on a level that much lower: beside the line where no wall hides it, farther out in the
-/// other image.
-StripFrame lowered(StripFrame frame,
-                   double drop_m,
-                   bool wall_in_right,
-                   const LocalTransfer& transfer) {
-  const Eigen::Vector2d shift_px = -drop_m * transfer.per_height;
-  if (wall_in_right) {
-    for (Eigen::Vector2d& x : frame.on_right) x += shift_px;
-  } else {
-    const Eigen::Vector2d back_px = transfer.jacobian.inverse() * shift_px;
-    for (Eigen::Vector2d& x : frame.on_left) x -= back_px;
-  }
-  return frame;
+std::vector<Eigen::Vector2d> shifted(std::vector<Eigen::Vector2d> points,
+                                     const Eigen::Vector2d& by) {
+  for (Eigen::Vector2d& x : points) x += by;
+  return points;
 }
 
 }  // namespace
@@ -60,9 +50,24 @@ void look_past_wall(const ImagePair& images,
   const double narrowest_m = kNarrowest_px / std::abs(px_per_m);
   const double lowest_m = std::min(kFarthest_px / parallax_px_per_m, most_drop_m);
   const double step_m = kStep_px / parallax_px_per_m;
+  const Eigen::Vector2d side_in_left = sign * frame.side_in_left;
+  const Eigen::Vector2d side_in_right = sign * frame.side_in_right;
+  const Eigen::Matrix2d left_from_right = transfer.jacobian.inverse();
+  Strip on_left = sample_strip(images.left, frame.on_left, side_in_left, kGrid);
+  Strip on_right = sample_strip(images.right, frame.on_right, side_in_right, kGrid);
   for (int k = 0; narrowest_m + k * step_m <= lowest_m; ++k) {
-    std::optional<SideLook> found = look_of_side(
-        images, lowered(frame, narrowest_m + k * step_m, px_per_m > 0.0, transfer), sign, kGrid);
+    // the strips on a level that much lower: beside the line where no wall hides it, farther out in
+    // the other image
+    const Eigen::Vector2d shift_px = -(narrowest_m + k * step_m) * transfer.per_height;
+    if (px_per_m > 0.0) {
+      on_right =
+          sample_strip(images.right, shifted(frame.on_right, shift_px), side_in_right, kGrid);
+    } else {
+      const Eigen::Vector2d back_px = -left_from_right * shift_px;
+      on_left = sample_strip(images.left, shifted(frame.on_left, back_px), side_in_left, kGrid);
+    }
+    std::optional<SideLook> found =
+        compare(on_left, on_right, images.radiometry, images.left.n_bands());
     if (!found) continue;
     found->ncc -= kByChance.ncc;
     found->colour_difference += kByChance.colour_difference;

@@ -65,29 +65,38 @@ StripFrame strip_frame(const EdgeSegment& left,
   return frame;
 }
 
-std::optional<SideLook> look_of_side(const ImagePair& images,
-                                     const StripFrame& frame,
-                                     double sign,
-                                     const StripGrid& grid) {
-  std::array<BandSums, kMaxBands> sums{};
-  int n_samples = 0;
-  Colour a{};
-  Colour b{};
-  for (std::size_t i = 0; i < frame.on_left.size(); ++i) {
-    for (int k = 0; k < grid.n_offsets; ++k) {
-      const double offset = sign * (grid.first_offset_px + k * grid.offset_step_px);
-      if (!images.left.sample(frame.on_left[i] + offset * frame.side_in_left, a) ||
-          !images.right.sample(frame.on_right[i] + offset * frame.side_in_right, b)) {
-        continue;
-      }
-      ++n_samples;
-      b = images.radiometry.left_from_right(b);
-      for (int band = 0; band < images.left.n_bands(); ++band) sums[band].add(a[band], b[band]);
+Strip sample_strip(const ImageSampler& image,
+                   std::span<const Eigen::Vector2d> on_line,
+                   const Eigen::Vector2d& side,
+                   const StripGrid& grid) {
+  Strip strip;
+  strip.colours.resize(on_line.size() * grid.n_offsets);
+  strip.is_inside.resize(strip.colours.size());
+  std::size_t next = 0;
+  for (const Eigen::Vector2d& x : on_line) {
+    for (int k = 0; k < grid.n_offsets; ++k, ++next) {
+      const double offset_px = grid.first_offset_px + k * grid.offset_step_px;
+      strip.is_inside[next] =
+          image.sample(x + offset_px * side, strip.colours[next]) ? char{1} : char{0};
     }
   }
-  const auto wanted = static_cast<int>(frame.on_left.size()) * grid.n_offsets;
-  if (2 * n_samples < wanted) return std::nullopt;
-  return side_look(sums, images.left.n_bands(), n_samples);
+  return strip;
+}
+
+std::optional<SideLook> compare(const Strip& left,
+                                const Strip& right,
+                                const Radiometry& radiometry,
+                                int n_bands) {
+  std::array<BandSums, kMaxBands> sums{};
+  std::size_t n_samples = 0;
+  for (std::size_t i = 0; i < left.colours.size(); ++i) {
+    if (!left.is_inside[i] || !right.is_inside[i]) continue;
+    ++n_samples;
+    const Colour mapped = radiometry.left_from_right(right.colours[i]);
+    for (int band = 0; band < n_bands; ++band) sums[band].add(left.colours[i][band], mapped[band]);
+  }
+  if (2 * n_samples < left.colours.size()) return std::nullopt;
+  return side_look(sums, n_bands, static_cast<int>(n_samples));
 }
 
 }  // namespace ridgeline::reconstruct

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -66,12 +67,24 @@ StripFrame strip_frame(const EdgeSegment& left,
                        const EpipolarOverlap& overlap,
                        int most_along);
 
-/// Compares a strip on the side of the frame (sign 1) or on the opposite one (-1). Nothing if more
-/// than half of it leaves one of the images.
-std::optional<SideLook> look_of_side(const ImagePair& images,
-                                     const StripFrame& frame,
-                                     double sign,
-                                     const StripGrid& grid);
+/// Colours beside a line, row by row along it; those outside of the image are none.
+struct Strip {
+  std::vector<Colour> colours;
+  std::vector<char> is_inside;
+};
+
+/// @param side  one pixel away from the line
+Strip sample_strip(const ImageSampler& image,
+                   std::span<const Eigen::Vector2d> on_line,
+                   const Eigen::Vector2d& side,
+                   const StripGrid& grid);
+
+/// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
+/// images.
+std::optional<SideLook> compare(const Strip& left,
+                                const Strip& right,
+                                const Radiometry& radiometry,
+                                int n_bands);
 
 /// Sums of a normalised cross correlation of one band.
 struct BandSums {

@@ -83,6 +83,24 @@ TEST(CompareWithReferences, LineThatTheImagesShowElsewhereHasNoReference) {
   EXPECT_FALSE(found.classes[2].rms_m.has_value());
 }
 
+TEST(ReferenceErrors, LinesOfSeveralPairsAreEachComparedInTheirOwnImages) {
+  // in its own images each line lies on its reference line, in those of the other one elsewhere
+  std::vector<JudgedLine> lines{reconstructed(kRidge, kRidge, "aligned"),
+                                reconstructed(kEave, kEave, "aligned")};
+  const std::array<ProjectionMatrix, 2> other{camera_at(40.0), camera_at(250.0)};
+  lines[1].images = {other, {project(other[0], kEave), project(other[1], kEave)}, {-10.0, 30.0}};
+  const auto found =
+      reference_of_each(lines, std::vector<ReferenceLine>{{kEave, "eave"}, {kRidge, "ridge"}});
+  EXPECT_EQ(found, (std::vector<std::optional<std::size_t>>{1, 0}));
+}
+
+TEST(ReferenceErrors, ReferenceLineThatIsNotFiniteBelongsToNoLine) {
+  const std::vector<JudgedLine> lines{reconstructed(kRidge, kRidge, "aligned")};
+  const Segment3 endless{{0, 0, 8}, {HUGE_VAL, 0, 8}};
+  EXPECT_EQ(reference_of_each(lines, std::vector<ReferenceLine>{{endless, "ridge"}}),
+            (std::vector<std::optional<std::size_t>>{std::nullopt}));
+}
+
 TEST(CompareWithReferences, CompletenessCountsHalfOfTheLengthOfVisibleLines) {
   // the ends reach 0.3 m farther, which is the tolerance
   const Segment3 most{{0, 0, 8.2}, {5.1, 0, 8.2}};
