@@ -4,6 +4,7 @@
 #include "apps/common/patch_views.h"
 #include "reconstruct/estimate/reconstruct_lines.h"
 #include "reconstruct/match/connect_matches.h"
+#include "reconstruct/match/profile_registration.h"
 #include "reconstruct/match/sample_flanks.h"
 
 #include <fmt/format.h>
@@ -89,9 +90,14 @@ io::LineSet reconstruct_patch(const io::PatchFile& patch,
     strips = reconstruct::sample_flanks(cameras, images, segments, matches, heights_m,
                                         options.max_aligned_angle_deg);
   }
-  return line_set_of(
-      reconstruct::reconstruct_lines(cameras, geometry, matches, connections, in_patch, strips),
-      frame, patch.crs, reconstruct::name(options.method));
+  std::vector<double> right_shifts_px;
+  if (options.register_profiles) {
+    right_shifts_px = reconstruct::registered_shifts_px(cameras, images, segments, matches,
+                                                        heights_m, options.max_aligned_angle_deg);
+  }
+  return line_set_of(reconstruct::reconstruct_lines(cameras, geometry, matches, connections,
+                                                    in_patch, strips, right_shifts_px),
+                     frame, patch.crs, reconstruct::name(options.method));
 }
 
 }  // namespace ridgeline::apps

@@ -15,7 +15,7 @@ inline constexpr std::array kMethods{Method::kDirect, Method::kJoint, Method::kN
 const char* name(Method method);  ///< "direct" | "joint" | "network"
 
 /// The method of Ok et al. 2011, section 3. Ours are `consensus` with all that belongs to it,
-/// `flanks`, `max_end_sigma_m` and Method::kNetwork.
+/// `flanks`, `register_profiles`, `max_end_sigma_m` and Method::kNetwork.
 struct ReconstructOptions {
   Method method = Method::kJoint;
   /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
@@ -38,6 +38,9 @@ struct ReconstructOptions {
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the
   /// right segment: its left one continues far beyond a short right one. Not in the paper.
   double max_end_sigma_m = 0.5;
+  /// Right segments of not_aligned matches are moved to where their image shows what the left ones lie
+  /// on, by the colour profiles across the lines. See registered_shifts_px(). Not in the paper.
+  bool register_profiles = true;
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
@@ -92,6 +95,8 @@ struct ReconstructOptions {
         Field{"max_point_omega", &O::max_point_omega, 0.0, 1e6, "limit of that test, chi-square"},
         Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
               "lines less certain than this at an end are given between the right ends"},
+        Field{"register_profiles", &O::register_profiles, false, true,
+              "not_aligned: move the right edge to where the profiles across it agree"},
         Field{"consensus", &O::consensus, false, true,
               "use points that agree on the depth of their line; off: as published"},
         Field{"flanks", &O::flanks, false, true,
@@ -142,6 +147,7 @@ inline ReconstructOptions published_options() {
   ReconstructOptions options;
   options.consensus = false;
   options.flanks = false;
+  options.register_profiles = false;
   options.max_end_sigma_m = 1e6;
   return options;
 }

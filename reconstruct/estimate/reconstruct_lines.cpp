@@ -28,10 +28,31 @@ std::size_t checked_index(const char* what, int index, std::size_t size) {
   return static_cast<std::size_t>(index);
 }
 
-std::array<const UncertainSegment2*, 2> matched_segments(Segments segments,
-                                                         const LineMatch& match) {
-  return {&segments[0][checked_index("match: left segment", match.left, segments[0].size())],
-          &segments[1][checked_index("match: right segment", match.right, segments[1].size())]};
+UncertainSegment2 shifted(const UncertainSegment2& segment, double across_px) {
+  const Eigen::Vector2d u = (segment.segment.end - segment.segment.start).normalized();
+  const Eigen::Vector2d by = across_px * Eigen::Vector2d(-u.y(), u.x());
+  UncertainSegment2 moved = segment;
+  for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
+    *x += by;
+  return moved;
+}
+
+using Mates = std::array<UncertainSegment2, 2>;  ///< left, right
+
+std::vector<Mates> matched_segments(Segments segments,
+                                    std::span<const LineMatch> matches,
+                                    std::span<const double> right_shifts_px) {
+  std::vector<Mates> all;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const std::size_t left =
+        checked_index("match: left segment", matches[i].left, segments[0].size());
+    const std::size_t right =
+        checked_index("match: right segment", matches[i].right, segments[1].size());
+    const double shift_px = right_shifts_px.empty() ? 0.0 : right_shifts_px[i];
+    all.push_back({segments[0][left],
+                   shift_px == 0.0 ? segments[1][right] : shifted(segments[1][right], shift_px)});
+  }
+  return all;
 }
 
 /// Parameter at which the epipolar line of a point of the right image crosses the line of a left
@@ -61,13 +82,12 @@ void clip_to_mate(ObservedPair& pair, const Eigen::Matrix3d& right_from_left) {
 }
 
 StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
-                         Segments segments,
+                         const std::vector<Mates>& pairs,
                          std::span<const LineMatch> matches,
                          LineCovariance form) {
   std::array<std::vector<Segment2>, 2> patch;
-  for (const LineMatch& match : matches) {
-    const auto mates = matched_segments(segments, match);
-    for (std::size_t j = 0; j < 2; ++j) patch[j].push_back(mates[j]->segment);
+  for (const Mates& mates : pairs) {
+    for (std::size_t j = 0; j < 2; ++j) patch[j].push_back(mates[j].segment);
   }
   StereoLines lines;
   lines.stereo = condition(cameras.first<2>(), {patch[0], patch[1]});
@@ -76,10 +96,10 @@ StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
       fundamental_matrix(views[0].image_from_object, views[1].image_from_object);
   std::map<int, int> num_mates;
   for (const LineMatch& match : matches) ++num_mates[match.left];
-  for (const LineMatch& match : matches) {
-    const auto mates = matched_segments(segments, match);
-    lines.lines.push_back({observe(views[0], *mates[0], form), observe(views[1], *mates[1], form)});
-    if (num_mates[match.left] > 1) clip_to_mate(lines.lines.back(), lines.right_from_left);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    lines.lines.push_back(
+        {observe(views[0], pairs[i][0], form), observe(views[1], pairs[i][1], form)});
+    if (num_mates[matches[i].left] > 1) clip_to_mate(lines.lines.back(), lines.right_from_left);
   }
   return lines;
 }
@@ -309,16 +329,21 @@ std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const LineMatch> matches,
     std::span<const PairConnection> connections,
     const ReconstructOptions& options,
-    std::span<const FlankStrips> strips) {
+    std::span<const FlankStrips> strips,
+    std::span<const double> right_shifts_px) {
   check(cameras.size() == 2, "reconstruct_lines: cameras = ", cameras.size(), ", must be 2");
   check(segments.size() == 2, "reconstruct_lines: images = ", segments.size(), ", must be 2");
   check(strips.empty() || strips.size() == matches.size(),
         "reconstruct_lines: strips = ", strips.size(), ", must be one per match, ", matches.size(),
         ", or none");
+  check(right_shifts_px.empty() || right_shifts_px.size() == matches.size(),
+        "reconstruct_lines: right_shifts_px = ", right_shifts_px.size(),
+        ", must be one per match, ", matches.size(), ", or none");
   validate(options);
   const Neighbours neighbours = neighbours_of(connections, matches.size());
   if (matches.empty()) return {};
-  const StereoLines lines = stereo_lines(cameras, segments, matches, options.line_covariance);
+  const std::vector<Mates> pairs = matched_segments(segments, matches, right_shifts_px);
+  const StereoLines lines = stereo_lines(cameras, pairs, matches, options.line_covariance);
 
   std::vector<ReconstructedLine> results(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
@@ -345,8 +370,8 @@ std::vector<ReconstructedLine> reconstruct_lines(
     by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
   if (options.method == Method::kNetwork) {
-    adjust_together(stereo_lines(cameras, segments, matches, LineCovariance::kCentroid),
-                    connections, options, by_match);
+    adjust_together(stereo_lines(cameras, pairs, matches, LineCovariance::kCentroid), connections,
+                    options, by_match);
   }
   return flattened(by_match);
 }

@@ -89,6 +89,8 @@ struct ReconstructedLine {
 /// @param segments     of the left and the right image
 /// @param connections  pairs of matches, in either order; repetitions change nothing
 /// @param strips       beside each match, for the depth of aligned ones (FlankCorrelation); or none
+/// @param right_shifts_px  of each match, moves its right segment along n = (-u_y, u_x): where the image
+///                         shows what the left one lies on (registered_shifts_px()); or none
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of
 /// range, a connection of a match with itself or a matched segment without length or precision.
@@ -98,6 +100,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const LineMatch> matches,
     std::span<const PairConnection> connections,
     const ReconstructOptions& options = {},
-    std::span<const FlankStrips> strips = {});
+    std::span<const FlankStrips> strips = {},
+    std::span<const double> right_shifts_px = {});
 
 }  // namespace ridgeline::reconstruct

@@ -278,6 +278,29 @@ TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
   EXPECT_TRUE(group.reconstruct().empty());
 }
 
+TEST(ReconstructLines, MovesRightSegmentsBeforeAllElse) {
+  constexpr double kShiftPx = 1.5;
+  for (const Method method : kMethods) {
+    ReconstructOptions options = direct_options();
+    options.method = method;
+    const LineGroup good = make_group(line_at(40.0), kThreeNeighbours);
+    LineGroup group = good;
+    UncertainSegment2& moved = group.segments[1][0];
+    const Eigen::Vector2d u = (moved.segment.end - moved.segment.start).normalized();
+    const Eigen::Vector2d by = -kShiftPx * Eigen::Vector2d(-u.y(), u.x());
+    for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
+      *x += by;
+    const std::vector<double> shifts_px{kShiftPx, 0.0, 0.0, 0.0};
+    const ReconstructedLine truth = good.reconstruct(options)[0];
+    EXPECT_GT(error_m(group.reconstruct(options)[0], *truth.segment_in_local), 0.1);
+    const ReconstructedLine line = group.reconstruct(options, {}, shifts_px)[0];
+    EXPECT_LT(error_m(line, *truth.segment_in_local), kRecoveredM) << name(method);
+    EXPECT_LT((line.seen_px[1].start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
+    EXPECT_LT((*line.covariance_m2 - *truth.covariance_m2).norm(),
+              kRecoveredM * truth.covariance_m2->norm());
+  }
+}
+
 TEST(ReconstructLines, RejectsWrongInput) {
   const LineGroup good = make_group(line_at(4.0), kThreeNeighbours);
   const auto rejected = [](const LineGroup& group,
@@ -308,6 +331,8 @@ TEST(ReconstructLines, RejectsWrongInput) {
   options.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");
+  EXPECT_THROW(static_cast<void>(good.reconstruct(options, {}, std::vector{0.0})),
+               std::invalid_argument);
   EXPECT_THROW(reconstruct_lines(std::span(good.scene.cameras).first(1), good.segments,
                                  good.matches, good.connections),
                std::invalid_argument);

@@ -20,9 +20,10 @@ struct LineGroup {
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
       const reconstruct::ReconstructOptions& options = reconstruct::published_options(),
-      std::span<const reconstruct::FlankStrips> strips = {}) const {
+      std::span<const reconstruct::FlankStrips> strips = {},
+      std::span<const double> right_shifts_px = {}) const {
     return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections, options,
-                                          strips);
+                                          strips, right_shifts_px);
   }
 };
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/line_match.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// How far beside the right segment of a match the right image shows the edge that the left one lies
+/// on: an edge may have been found at one border of a road marking in one image and at the other border
+/// in the other one, or at neither. Where both images show both surfaces beside a line, the colour
+/// profiles across it are the same and tell (area-based matching, reduced to the one direction that a
+/// line fixes). By match, pixels along n = (-u_y, u_x) of the right segment; 0 for matches up to
+/// `max_angle_deg` to the epipolar line, without overlap or too near to the border, and where the
+/// profiles agree as well as they are, or nowhere since the images show different surfaces.
+/// @param cameras         image_from_local, of ideal pixels
+/// @param images          CV_32FC(1..4), the same number of bands in both
+/// @param height_range_m  in the local frame
+std::vector<double> registered_shifts_px(const std::array<ProjectionMatrix, 2>& cameras,
+                                         const std::array<cv::Mat, 2>& images,
+                                         const std::array<std::vector<EdgeSegment>, 2>& segments,
+                                         std::span<const LineMatch> matches,
+                                         const std::array<double, 2>& height_range_m,
+                                         double max_angle_deg);
+
+}  // namespace ridgeline::reconstruct
