@@ -221,12 +221,12 @@ void FlankCorrelation::search(double most_slope) {
     const double rise = slope * kSlopeStep;
     for (std::size_t k = 0; k < horizontal_[0].size(); ++k) {
       const double at_start = lowest_ + static_cast<double>(k) * kStep - 0.5 * rise;
-      const auto gain_of = [&](std::size_t side) {
-        if (slope == 0) return horizontal_[side][k];
-        return gain(strips_->level(side, raised(level_, at_start, at_start + rise)));
-      };
-      const double score =
-          score_of({gain_of(0), gain_of(1)}, gains_below(at_start, at_start + rise));
+      std::array<double, 2> gains{horizontal_[0][k], horizontal_[1][k]};
+      if (slope != 0) {
+        const Places places = raised(level_, at_start, at_start + rise);
+        gains = {gain(strips_->level(0, places)), gain(strips_->level(1, places))};
+      }
+      const double score = score_of(gains, gains_below(at_start, at_start + rise));
       candidates[slope == 0 ? 0 : 1].push_back({score, at_start, at_start + rise});
       max_score_ = std::max(max_score_, score);
     }
