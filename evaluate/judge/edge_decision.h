@@ -12,7 +12,7 @@
 namespace ridgeline::evaluate {
 
 /// Which planes judge a line, from plan geometry and the points alone: the line's height plays no
-/// part, so that a line cannot choose the plane that flatters it (system.md 13).
+/// part, so that a line cannot choose the plane that flatters it.
 struct EdgeDecision {
   Status status = Status::kNoPlane;  ///< `evaluated`, or why no plane was chosen
   std::string reason;
@@ -43,7 +43,7 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b);
 /// follows; where several do, the upper one, because an edge seen from the air belongs to the upper
 /// surface.
 /// With the image segments of the line, the plane whose edge they show decides a step instead; where
-/// they tell the planes not apart it is the upper one, flag `plane_ambiguous` (system.md 13.6). A plane
+/// they tell the planes not apart it is the upper one, flag `plane_ambiguous`. A plane
 /// whose points end farther from the line than step_offset_m, or that accompanies less of it than the
 /// others but min_coverage of it, judges only if the images show the line on it and not on these, flag
 /// `seen_instead` (which judge_line() gives to a line that it looked for in another place, too).

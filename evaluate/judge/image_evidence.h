@@ -11,7 +11,7 @@
 
 namespace ridgeline::evaluate {
 
-/// The base segment on the LIDAR surface (monoplotting, system.md 13.2): the rays through samples of
+/// The base segment on the LIDAR surface (monoplotting): the rays through samples of
 /// the segment end at the first point of the cloud that they come close to, and a line is fitted
 /// robustly to the heights so found. Close is a radius in plan that holds about two points.
 /// No answer where most rays meet no point, or no straight line explains them, or the result has no
@@ -29,10 +29,10 @@ ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane);
 /// How badly the plane explains the pair of segments, in chi-square units: the ends of the base
 /// segment are carried by the plane into the other image and compared with the segment there,
 /// across it, and along it with a limit, because ends are found where an occlusion or a lack of
-/// contrast puts them (system.md 13.6).
+/// contrast puts them.
 double image_cost(const ImageEvidence& images, const Plane3& plane);
 
-/// Margin of image_cost() by which the images tell two planes apart (system.md 13.6).
+/// Margin of image_cost() by which the images tell two planes apart.
 inline constexpr double kImageMargin = 4.0;
 
 /// Plan views of the base segment at heights from the lowest to the highest: the points that

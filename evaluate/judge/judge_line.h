@@ -18,7 +18,7 @@ struct JudgedResult {
   std::vector<std::vector<std::uint64_t>> inlier_keys;
 };
 
-/// The method (Ok et al. 2011, section 4; system.md 13) for one line:
+/// The method (Ok et al. 2011, section 4) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over
 /// their connected points -> step edge (one plane) or ridge (two) -> average orthogonal distance.
 /// The corridor lies where the image segment of the line meets the cloud. If the images show the line on

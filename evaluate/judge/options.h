@@ -12,7 +12,7 @@ namespace ridgeline::evaluate {
 /// MLESAC finds the wrong plane in two of three patches, so they are not offered.
 enum class SampleConsensus : std::uint8_t { kMsac, kRansac, kProsac };
 
-/// How lines are judged (system.md 13). Lengths in metres of the local frame.
+/// How lines are judged, see judge_line(). Lengths in metres of the local frame.
 struct JudgeOptions {
   SampleConsensus method = SampleConsensus::kMsac;
 

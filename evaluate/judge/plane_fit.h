@@ -23,7 +23,7 @@ struct PlaneFit {
 
   /// Standard deviation of the plane, along its normal, at the foot of `x`: with plane coordinates
   /// (u, v) of x from the centroid, sigma0 sqrt(1/n + u^2/Suu + v^2/Svv). It grows linearly outside
-  /// the points. Neighbouring returns are correlated, so it is optimistic (evaluation.md 3).
+  /// the points. Neighbouring returns are correlated, so it is optimistic.
   [[nodiscard]] double sigma_at(const Eigen::Vector3d& x) const;
 };
 

@@ -200,7 +200,7 @@ std::vector<Summary> summarize_classes(std::span<const LineEvaluation> lines,
                               summary_of(members_of(lines, kAligned), kAligned)};
   Summary total = summary_of(all, kTotal);
   assert_pooled(total, std::vector{result[0], result[1], summary_of(no_class, "no class")});
-  if (no_class.size() == lines.size()) result.clear();
+  if (!lines.empty() && no_class.size() == lines.size()) result.clear();
   result.push_back(std::move(total));
   return result;
 }

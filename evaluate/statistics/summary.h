@@ -75,8 +75,8 @@ Summary summarize(std::span<const LineEvaluation> lines,
                   std::string line_class,
                   const SummaryOptions& options);
 
-/// `not_aligned`, `aligned` and `total`, in this order; only `total` if no line is of the first two
-/// classes. Lines of another class count in `total` alone. The pooled identity is asserted.
+/// `not_aligned`, `aligned` and `total`, in this order; only `total` if there are lines and none is of
+/// the first two classes. Lines of another class count in `total` alone. The pooled identity is asserted.
 std::vector<Summary> summarize_classes(std::span<const LineEvaluation> lines,
                                        const SummaryOptions& options);
 

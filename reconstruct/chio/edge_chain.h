@@ -55,7 +55,7 @@ std::vector<SearchedPoint> searched_points(const EpipolarTransfer& right_from_le
                                            const ImageSampler& left_image,
                                            const EdgeSegment& left);
 
-/// The chain of a candidate (Chio and Wang 2000, section 3, as told in system.md 12.1-12.3): each
+/// The chain of a candidate (Chio and Wang 2000, section 3): each
 /// left point's epipolar line cuts the right segment, forward intersection gives P(i). Points that
 /// would lie beyond the ends of the right segment by more than a pixel are left out. A piece is
 /// reliable if its horizontal length is at least min_piece_gsd (or at most, see options) and its

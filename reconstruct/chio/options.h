@@ -7,9 +7,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// Iterative matching and linking in object space (Chio and Wang 2000, section 4; system.md,
-/// section 12). The thresholds are the paper's, of images with a ground pixel of 0.24 m; its lengths
-/// are in ground pixels here. What the paper does not state is marked "ours".
+/// Iterative matching and linking in object space (Chio and Wang 2000, section 4). The thresholds are
+/// the paper's, of images with a ground pixel of 0.24 m; its lengths are in ground pixels here. What
+/// the paper does not state is marked "ours".
 struct ChioOptions {
   /// Thresholds to the letter, and among the candidates the one with most reliable pieces, then with
   /// the steadiest rate. Else rates are allowed what their noise makes of them at the base of the

@@ -28,7 +28,7 @@ struct DepthConsensus {
 
 /// An artificial point of an aligned line proves nothing by itself: where the line is parallel to
 /// the epipolar lines, every crossing of it in both images passes the epipolar test, whether the
-/// lines meet in space or not (system.md 8). Points that agree do prove something. Nor does a
+/// lines meet in space or not. Points that agree do prove something. Nor does a
 /// straight segment prove one line: the verges of a gable, the eaves of a stepped row lie on one
 /// straight line in both images. This finds the profile, one line or several, in the base segment's
 /// projection plane that explains most. Hypotheses: straight_profiles(), gable_profiles(),

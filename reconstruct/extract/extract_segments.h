@@ -16,8 +16,8 @@ namespace ridgeline::reconstruct {
 /// the distortion is known. Empty: they are the same.
 using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
-/// The straight edges of an image with their uncertainty (Ok et al. 2011, section 2; system.md,
-/// section 3), in a fixed order. An image without texture has none.
+/// The straight edges of an image with their uncertainty (Ok et al. 2011, section 2), in a
+/// fixed order. An image without texture has none.
 /// `image`: CV_32FC(n) of normalised_image(), n = 1..4, not empty. Throws std::invalid_argument
 /// for another type and for options out of range.
 std::vector<EdgeSegment> extract_segments(const cv::Mat& image,

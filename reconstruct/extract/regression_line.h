@@ -50,7 +50,7 @@ struct SystematicError {
   double ends_px = 0.0;    ///< sigma of an end across the line, against the centroid
 };
 
-/// The segment between the outermost points with its uncertainty (system.md, section 3.6): the
+/// The segment between the outermost points with its uncertainty: the
 /// variance of a point is the one of the line's own residuals, drawn to the typical one as if that
 /// came from ten more independent points.
 UncertainSegment2 uncertain_segment(const RegressionLine& line,

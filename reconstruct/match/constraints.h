@@ -11,7 +11,7 @@
 
 namespace ridgeline::reconstruct {
 
-// The eight pair-wise constraints (Ok et al. 2011, section 2; system.md, section 4): how well a pair
+// The eight pair-wise constraints (Ok et al. 2011, section 2): how well a pair
 // of segments of the left image agrees with a pair of the right one. Each is in [0, 1], 1 for
 // perfect agreement, and absent where it is not defined.
 

@@ -27,7 +27,7 @@ struct MatchResult {
   std::vector<MatchOutcome> outcomes;  ///< per left segment
 };
 
-/// Pair-wise matching of line segments (Ok et al. 2011, section 2; system.md, sections 4 and 5).
+/// Pair-wise matching of line segments (Ok et al. 2011, section 2).
 ///
 /// Candidates come from the epipolar geometry and the range of heights; pairs of neighbouring
 /// segments are compared with pairs of candidates by eight constraints; the votes of the pairs,

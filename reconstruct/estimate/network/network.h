@@ -55,8 +55,8 @@ struct AdjustedInNetwork {
 /// exceeds 3.29 (Baarda's data snooping, 0.1 %), and a guarded line loses meetings until its shift from
 /// what its images alone give is within chance (chi-square, 99.9 %).
 ///
-/// Of system.md 11 this leaves out alternative starts, conditions between lines and planes or of
-/// parallel and perpendicular lines, and heights that are carried on within the adjustment.
+/// There are no alternative starts, no conditions between lines and planes or of parallel and
+/// perpendicular lines, and no heights that are carried on within the adjustment.
 ///
 /// Lines without a chain of meetings between them are independent: one sparse system for each group,
 /// groups in parallel. Results do not depend on the number of threads.

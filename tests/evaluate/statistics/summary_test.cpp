@@ -88,7 +88,15 @@ TEST(SummarizeClasses, GivesTotalAloneWhereNoLineIsClassed) {
   ASSERT_EQ(classes.size(), 1U);
   EXPECT_EQ(classes[0].line_class, "total");
   EXPECT_EQ(classes[0].n_evaluated, 2U);
-  EXPECT_EQ(summarize_classes({}, {}).size(), 1U);
+}
+
+TEST(SummarizeClasses, GivesAllClassesOfNoLines) {
+  const std::vector<Summary> classes = summarize_classes({}, {});
+  ASSERT_EQ(classes.size(), 3U);
+  for (const char* line_class : {"not_aligned", "aligned", "total"}) {
+    ASSERT_NE(find_class(classes, line_class), nullptr) << line_class;
+    EXPECT_EQ(find_class(classes, line_class)->n_lines, 0U);
+  }
 }
 
 TEST(SummarizeClasses, CountsLinesOfAnotherClassInTheTotal) {
