@@ -138,6 +138,17 @@ TEST(UncertainSegment, AShortLineOfLuckyPointsIsNotExact) {
   EXPECT_GT(s.sigma_q_px, 0.05);
 }
 
+TEST(UncertainSegment, OfLinesThatAllFitExactlyIsStillUncertain) {
+  Points points;
+  for (int i = 0; i <= 40; ++i) points.emplace_back(i, 0.0);
+  const RegressionLine line = regression_line(points);
+  const UncertainSegment2 s =
+      uncertain_segment(line, edge_noise(std::vector(3, line)), SystematicError{0.0, 0.0});
+  EXPECT_GT(s.sigma_q_px, 0.0);
+  EXPECT_LT(s.sigma_q_px, 1e-3);
+  EXPECT_GT(s.sigma_phi_rad, 0.0);
+}
+
 TEST(UncertainSegment, AddsTheSystematicParts) {
   Points points;
   for (int i = 0; i <= 40; ++i) points.emplace_back(i, 0.0);
