@@ -3,6 +3,7 @@
 
 #include "reconstruct/chio/edge_chain.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -12,13 +13,13 @@ namespace {
 /// edge_noise() has it for aerial images.
 constexpr double kCorrelation = 2.8;
 
-void add_reliable_points(const EdgeChain& chain, std::vector<Eigen::Vector3d>& points) {
+void add_reliable_points(const EdgeChain& chain, std::vector<ChainPoint>& points) {
   int last = -1;
   for (const EdgePiece& piece : chain.pieces) {
     if (!piece.reliable) continue;
     for (const int i : {piece.first, piece.first + 1}) {
       if (i <= last) continue;
-      points.push_back(chain.points[i].x_in_local);
+      points.push_back(chain.points[i]);
       last = i;
     }
   }
@@ -57,12 +58,17 @@ std::optional<FittedLine> line_through_links(int left_id,
   const EdgeSegment& edge = left.segments[left_id];
   const std::vector<SearchedPoint> searched =
       searched_points(search.right_from_left, ImageSampler(left.image), edge);
-  std::vector<Eigen::Vector3d> points;
+  std::vector<ChainPoint> on_line;
   for (const int id : right_ids) {
     add_reliable_points(edge_chain(search.right_from_left, searched, edge.line,
                                    right.segments[id].line, gsd_m, options),
-                        points);
+                        on_line);
   }
+  // fragments are linked in any order; the line runs the way of the left segment
+  std::stable_sort(on_line.begin(), on_line.end(),
+                   [](const ChainPoint& a, const ChainPoint& b) { return a.step < b.step; });
+  std::vector<Eigen::Vector3d> points;
+  for (const ChainPoint& p : on_line) points.push_back(p.x_in_local);
   std::optional<FittedLine> line = fit_line(points, kCorrelation);
   if (!line) return line;
   const UncertainSegment2& mate = right.segments[right_ids.front()].line;
