@@ -26,7 +26,8 @@ function(ridgeline_module name)
   target_precompile_headers(ridgeline_${name} PRIVATE ${ridgeline_common_headers})
 endfunction()
 
-# ridgeline_vectorise(NAME): for modules that loop over pixels. Others gain nothing and take longer to compile.
+# ridgeline_vectorise(NAME): for modules that loop over pixels or samples of them, which -O2 of GCC 12 leaves
+# scalar. Others gain nothing and take longer to compile.
 function(ridgeline_vectorise name)
   target_compile_options(ridgeline_${name} PRIVATE $<$<CONFIG:Release>:-O3;-fno-math-errno;-fno-trapping-math>)
 endfunction()

@@ -54,9 +54,9 @@ PatchViews load_patch_views(const io::PatchFile& patch,
   pair.frame = patch_frame(patch);
   pair.height_range_in_local_m = patch_heights_m(patch, pair.frame);
   const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, pair.frame);
-  tbb::parallel_for(std::size_t{0}, cameras.size(), [&](std::size_t i) {
-    const cv::Mat image = patch_image(patch, i);
-    pair.views[i] = {cameras[i], image, extract_patch_image(patch, i, image, options)};
+  const std::array images{patch_image(patch, 0), patch_image(patch, 1)};
+  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
+    pair.views[i] = {cameras[i], images[i], extract_patch_image(patch, i, images[i], options)};
   });
   return pair;
 }

@@ -15,7 +15,6 @@
 #include "io/text_file.h"
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <filesystem>
 
@@ -114,14 +113,12 @@ class PatchRun {
       write_evaluations(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(), out_,
                         patch_.id + "/");
     });
-    result_.evaluations.resize(options_.methods.size());
-    result_.truth.resize(options_.methods.size());
-    tbb::parallel_for(std::size_t{0}, options_.methods.size(), [&](std::size_t i) {
-      const Method method = options_.methods[i];
-      result_.evaluations[i] =
-          evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method))));
-      result_.truth[i] = compare_with_truth(result_.evaluations[i], lines_of(method), references_);
-    });
+    for (const Method method : options_.methods) {
+      result_.evaluations.push_back(
+          evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method)))));
+      result_.truth.push_back(
+          compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
+    }
   }
 
   static std::string evaluation_file(Method method) {

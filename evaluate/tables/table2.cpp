@@ -89,18 +89,29 @@ std::string companions_markdown(const Table2& table) {
   return text;
 }
 
+/// Whether lines of any result are of the two classes; a result without lines has them, too, but tells
+/// nothing beside others.
+bool has_classes(const Table2& table) {
+  const auto is_empty = [](const PatchMethodResult& result) {
+    const Summary* total = find_class(result.classes, kTotal);
+    return total == nullptr || total->n_lines == 0;
+  };
+  const bool all_empty = std::all_of(table.results.begin(), table.results.end(), is_empty);
+  return std::any_of(table.results.begin(), table.results.end(), [&](const auto& result) {
+    return (all_empty || !is_empty(result)) && find_class(result.classes, kAligned) != nullptr;
+  });
+}
+
 }  // namespace
 
 Table2Layout lay_out(const Table2& table) {
   Table2Layout layout;
   std::vector<std::string> patches;
-  bool has_classes = false;
   for (const PatchMethodResult& result : table.results) {
     append_new(patches, result.patch);
     append_new(layout.methods, result.method);
-    has_classes = has_classes || find_class(result.classes, kAligned) != nullptr;
   }
-  if (has_classes) layout.classes = {std::string(kNotAligned), std::string(kAligned)};
+  if (has_classes(table)) layout.classes = {std::string(kNotAligned), std::string(kAligned)};
   layout.classes.emplace_back(kTotal);
   for (const std::string& patch : patches) {
     Table2Layout::Row row{patch, {}};

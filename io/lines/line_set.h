@@ -24,7 +24,8 @@ struct Line {
   std::string building;    ///< building id: the cluster of the bootstrap
   std::string status;
   std::string left_id, right_id;  ///< image segments
-  /// Their ends in the base and in the other image, ideal pixels.
+  /// Their ends in the base and in the other image as the line was made from them, ideal pixels: our
+  /// own right ones may be moved across (registered_shifts_px()).
   std::optional<Segment2> left_px, right_px;
   std::optional<double> epipolar_angle_deg;
   /// Of a true line: share of its length that the base and the other image show, 0..1.

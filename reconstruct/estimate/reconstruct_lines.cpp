@@ -81,24 +81,26 @@ void clip_to_mate(ObservedPair& pair, const Eigen::Matrix3d& right_from_left) {
                      left.start + to * (left.end - left.start)};
 }
 
+/// @param patch  the mates as extracted, which the conditioning is taken from
 StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
-                         const std::vector<Mates>& pairs,
+                         const std::vector<Mates>& patch,
+                         const std::vector<Mates>& observed,
                          std::span<const LineMatch> matches,
                          LineCovariance form) {
-  std::array<std::vector<Segment2>, 2> patch;
-  for (const Mates& mates : pairs) {
-    for (std::size_t j = 0; j < 2; ++j) patch[j].push_back(mates[j].segment);
+  std::array<std::vector<Segment2>, 2> seen;
+  for (const Mates& mates : patch) {
+    for (std::size_t j = 0; j < 2; ++j) seen[j].push_back(mates[j].segment);
   }
   StereoLines lines;
-  lines.stereo = condition(cameras.first<2>(), {patch[0], patch[1]});
+  lines.stereo = condition(cameras.first<2>(), {seen[0], seen[1]});
   const std::array<View, 2>& views = lines.stereo.views;
   lines.right_from_left =
       fundamental_matrix(views[0].image_from_object, views[1].image_from_object);
   std::map<int, int> num_mates;
   for (const LineMatch& match : matches) ++num_mates[match.left];
   for (std::size_t i = 0; i < matches.size(); ++i) {
-    lines.lines.push_back(
-        {observe(views[0], pairs[i][0], form), observe(views[1], pairs[i][1], form)});
+    const auto& [left, right] = observed[i];
+    lines.lines.push_back({observe(views[0], left, form), observe(views[1], right, form)});
     if (num_mates[matches[i].left] > 1) clip_to_mate(lines.lines.back(), lines.right_from_left);
   }
   return lines;
@@ -150,6 +152,21 @@ void reconstruct_direct(const StereoLines& lines,
   if (!estimate || !assign_geometry(lines.stereo, line, *estimate, options, result)) return;
   result.status = Status::kDirect;
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
+}
+
+/// Of each match, from the given views of it.
+std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
+                                            std::span<const ObservedPair> observed,
+                                            std::span<const LineMatch> matches,
+                                            const ReconstructOptions& options) {
+  std::vector<ReconstructedLine> results(matches.size());
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    ReconstructedLine& result = results[i];
+    result.match = matches[i];
+    classify(lines, i, options, result);
+    reconstruct_direct(lines, observed[i], options, result);
+  });
+  return results;
 }
 
 UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& object) {
@@ -339,39 +356,43 @@ std::vector<ReconstructedLine> reconstruct_lines(
   check(right_shifts_px.empty() || right_shifts_px.size() == matches.size(),
         "reconstruct_lines: right_shifts_px = ", right_shifts_px.size(),
         ", must be one per match, ", matches.size(), ", or none");
+  for (const double shift_px : right_shifts_px) {
+    check(std::isfinite(shift_px), "reconstruct_lines: right_shifts_px = ", shift_px,
+          ", must be finite");
+  }
   validate(options);
   const Neighbours neighbours = neighbours_of(connections, matches.size());
   if (matches.empty()) return {};
-  const std::vector<Mates> pairs = matched_segments(segments, matches, right_shifts_px);
-  const StereoLines lines = stereo_lines(cameras, pairs, matches, options.line_covariance);
+  const std::vector<Mates> extracted = matched_segments(segments, matches, {});
+  const std::vector<Mates> registered = matched_segments(segments, matches, right_shifts_px);
+  // the consensus on the depth of aligned lines takes what they meet as it was extracted
+  const StereoLines lines =
+      stereo_lines(cameras, extracted, extracted, matches, options.line_covariance);
+  const std::vector<ObservedPair> observed =
+      stereo_lines(cameras, extracted, registered, matches, options.line_covariance).lines;
 
-  std::vector<ReconstructedLine> results(matches.size());
-  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    ReconstructedLine& result = results[i];
-    result.match = matches[i];
-    classify(lines, i, options, result);
-    reconstruct_direct(lines, lines.lines[i], options, result);
-  });
+  const std::vector<ReconstructedLine> results = direct_lines(lines, observed, matches, options);
   if (options.method == Method::kDirect) return results;
 
-  const KnownEnds ends(lines, results, options);
+  const KnownEnds ends(lines, direct_lines(lines, lines.lines, matches, options), options);
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     if (results[i].line_class != LineClass::kAligned) {
       LineSupport images_alone;
-      images_alone.seen = lines.lines[i];
+      images_alone.seen = observed[i];
       by_match[i] = {{results[i], images_alone}};
       return;
     }
-    const ObservedPair& line = lines.lines[i];
-    const std::vector<LineSupport> parts = line_support(
-        lines, line, neighbours[i], ends.heights_near(results[i].seen_px[0], options.nearby_px),
-        strips.empty() ? nullptr : &strips[i], options);
+    const std::vector<LineSupport> parts =
+        line_support(lines, observed[i], neighbours[i],
+                     ends.heights_near(results[i].seen_px[0], options.nearby_px),
+                     strips.empty() ? nullptr : &strips[i], options);
     by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
   if (options.method == Method::kNetwork) {
-    adjust_together(stereo_lines(cameras, pairs, matches, LineCovariance::kCentroid), connections,
-                    options, by_match);
+    adjust_together(
+        stereo_lines(cameras, extracted, registered, matches, LineCovariance::kCentroid),
+        connections, options, by_match);
   }
   return flattened(by_match);
 }

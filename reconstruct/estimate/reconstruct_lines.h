@@ -90,10 +90,12 @@ struct ReconstructedLine {
 /// @param connections  pairs of matches, in either order; repetitions change nothing
 /// @param strips       beside each match, for the depth of aligned ones (FlankCorrelation); or none
 /// @param right_shifts_px  of each match, moves its right segment along n = (-u_y, u_x): where the image
-///                         shows what the left one lies on (registered_shifts_px()); or none
+///                         shows what the left one lies on (registered_shifts_px()); or none. The points
+///                         of other lines are made with the segment as it is.
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of
-/// range, a connection of a match with itself or a matched segment without length or precision.
+/// range, a connection of a match with itself, a matched segment without length or precision, strips
+/// or shifts of another number than the matches or a shift that is not finite.
 std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const ProjectionMatrix> cameras,
     std::span<const std::vector<UncertainSegment2>> segments,

@@ -67,6 +67,13 @@ double epipolar_angle_rad(const ProjectionMatrix& own,
       Eigen::Vector2d(epipole.head<2>() - epipole.z() * midpoint(segment_in_own)));
 }
 
+double epipolar_angle_rad(const std::array<ProjectionMatrix, 2>& cameras,
+                          const Segment2& left,
+                          const Segment2& right) {
+  return std::min(epipolar_angle_rad(cameras[0], cameras[1], left),
+                  epipolar_angle_rad(cameras[1], cameras[0], right));
+}
+
 double epipolar_angle_rad(std::span<const ProjectionMatrix> image_from_world,
                           const Segment3& segment_in_world) {
   check(image_from_world.size() >= 2, "epipolar_angle_rad: cameras = ", image_from_world.size(),
@@ -76,9 +83,8 @@ double epipolar_angle_rad(std::span<const ProjectionMatrix> image_from_world,
     for (std::size_t k = i + 1; k < image_from_world.size(); ++k) {
       const ProjectionMatrix& pi = image_from_world[i];
       const ProjectionMatrix& pk = image_from_world[k];
-      const double pair = std::min(epipolar_angle_rad(pi, pk, project(pi, segment_in_world)),
-                                   epipolar_angle_rad(pk, pi, project(pk, segment_in_world)));
-      largest = std::max(largest, pair);
+      largest = std::max(largest, epipolar_angle_rad({pi, pk}, project(pi, segment_in_world),
+                                                     project(pk, segment_in_world)));
     }
   }
   return largest;

@@ -45,6 +45,11 @@ double epipolar_angle_rad(const ProjectionMatrix& own,
                           const ProjectionMatrix& other,
                           const Segment2& segment_in_own);
 
+/// The smaller one of the two segments of a match.
+double epipolar_angle_rad(const std::array<ProjectionMatrix, 2>& cameras,
+                          const Segment2& left,
+                          const Segment2& right);
+
 /// Angle in [0, pi/2] between a line seen by a pair of cameras and the epipolar line through its
 /// midpoint, the smaller one of both images; a line is `aligned` up to 10 degrees (Ok et al. 2011,
 /// section 3; the way to combine the two images is ours).

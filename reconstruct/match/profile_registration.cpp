@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/match/profile_registration.h"
 
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/match/epipolar_overlap.h"
 #include "reconstruct/match/strip_look.h"
@@ -77,10 +78,9 @@ double registered_shift_px(std::span<const Colour> left, std::span<const Colour>
 double shift_of_match(const StereoSearch& search,
                       const std::array<ImageSampler, 2>& images,
                       const EdgeSegment& left,
-                      const EdgeSegment& right,
-                      double max_angle_rad) {
+                      const EdgeSegment& right) {
   const auto searched = searched_segment(search, left.line.segment);
-  if (!searched || is_near_aligned(*searched, right.line.segment, max_angle_rad)) return 0.0;
+  if (!searched) return 0.0;
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return 0.0;
   const StripFrame frame = strip_frame(left, right, *overlap, kMostAlong);
@@ -104,13 +104,18 @@ std::vector<double> registered_shifts_px(const std::array<ProjectionMatrix, 2>& 
                                          std::span<const LineMatch> matches,
                                          const std::array<double, 2>& height_range_m,
                                          double max_angle_deg) {
+  check(images[0].channels() == images[1].channels(),
+        "bands of the images = ", images[0].channels(), " and ", images[1].channels(),
+        ", must be equal");
   const StereoSearch search(cameras[0], cameras[1], height_range_m);
   const std::array<ImageSampler, 2> samplers{ImageSampler(images[0]), ImageSampler(images[1])};
   std::vector<double> shifts_px(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    shifts_px[i] = shift_of_match(
-        search, samplers, segments[0].at(static_cast<std::size_t>(matches[i].left)),
-        segments[1].at(static_cast<std::size_t>(matches[i].right)), max_angle_deg * kRadPerDeg);
+    const EdgeSegment& left = segments[0].at(static_cast<std::size_t>(matches[i].left));
+    const EdgeSegment& right = segments[1].at(static_cast<std::size_t>(matches[i].right));
+    const double angle_rad = epipolar_angle_rad(cameras, left.line.segment, right.line.segment);
+    if (angle_rad <= max_angle_deg * kRadPerDeg) return;
+    shifts_px[i] = shift_of_match(search, samplers, left, right);
   });
   return shifts_px;
 }

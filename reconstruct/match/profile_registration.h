@@ -23,6 +23,8 @@ namespace ridgeline::reconstruct {
 /// @param cameras         image_from_local, of ideal pixels
 /// @param images          CV_32FC(1..4), the same number of bands in both
 /// @param height_range_m  in the local frame
+/// Throws std::invalid_argument for other numbers of bands, std::out_of_range for an index that no
+/// segment has.
 std::vector<double> registered_shifts_px(const std::array<ProjectionMatrix, 2>& cameras,
                                          const std::array<cv::Mat, 2>& images,
                                          const std::array<std::vector<EdgeSegment>, 2>& segments,

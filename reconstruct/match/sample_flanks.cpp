@@ -105,9 +105,7 @@ std::vector<FlankStrips> sample_flanks(const std::array<ProjectionMatrix, 2>& ca
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     const EdgeSegment& left = segments[0].at(static_cast<std::size_t>(matches[i].left));
     const EdgeSegment& right = segments[1].at(static_cast<std::size_t>(matches[i].right));
-    const double angle_rad =
-        std::min(epipolar_angle_rad(cameras[0], cameras[1], left.line.segment),
-                 epipolar_angle_rad(cameras[1], cameras[0], right.line.segment));
+    const double angle_rad = epipolar_angle_rad(cameras, left.line.segment, right.line.segment);
     if (angle_rad > max_angle_deg * kRadPerDeg) return;
     strips[i] = sample_match(cameras, images, left, right, height_range_m);
   });

@@ -95,6 +95,30 @@ TEST_F(RunPatch, WritesTheFilesOfTheContractAndPrintsBothTables) {
               testing::StartsWith("left_id,right_id,score,votes,matcher\n"));
 }
 
+TEST_F(RunPatch, RegistersTheRightEdgesOfNotAlignedLinesUnlessToldNotTo) {
+  ASSERT_EQ(run_patch("on").exit_code, 0);
+  ASSERT_EQ(run_patch("off", {"--reconstruct-register-profiles", "false"}).exit_code, 0);
+  for (const char* file : {"1/lines.direct.geojson", "1/lines.joint.geojson"}) {
+    const auto on = read_json(path("on") / file).at("features");
+    const auto off = read_json(path("off") / file).at("features");
+    ASSERT_EQ(on.size(), off.size());
+    std::size_t n_moved = 0;
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      const auto& registered = on[i].at("properties");
+      const auto& extracted = off[i].at("properties");
+      EXPECT_EQ(registered.at("left_px"), extracted.at("left_px"));
+      if (registered.at("right_px") == extracted.at("right_px")) {
+        EXPECT_EQ(on[i].at("geometry"), off[i].at("geometry")) << registered;
+        continue;
+      }
+      ++n_moved;
+      EXPECT_EQ(registered.at("class"), "not_aligned");
+      EXPECT_NE(on[i].at("geometry"), off[i].at("geometry"));
+    }
+    EXPECT_GT(n_moved, 0U) << file;
+  }
+}
+
 TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
   const ProgramResult result = run_patch("out", {"--matcher", "pairwise,chio"});
   ASSERT_EQ(result.exit_code, 0) << result.err;

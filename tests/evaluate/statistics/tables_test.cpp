@@ -83,6 +83,17 @@ TEST(Table2Markdown, HasOneColumnPerMethodWhereNothingIsClassed) {
   EXPECT_THAT(text, HasSubstr("| patch | other_tool total |\n|---|--:|\n| 2 | - (0/1) |\n"));
 }
 
+TEST(Table2Markdown, OfResultsWithoutLinesHasClassesUnlessOthersHaveNone) {
+  Evaluation empty;
+  empty.patch = "3";
+  empty.method = "none";
+  empty = with_summaries(std::move(empty));
+  EXPECT_THAT(to_markdown(make_table2(std::vector{empty})),
+              HasSubstr("| 3 | - (0/0) | - (0/0) | - (0/0) |\n"));
+  EXPECT_THAT(to_markdown(make_table2(std::vector{unclassed_evaluation(), empty})),
+              HasSubstr("| patch | other_tool total | none total |\n"));
+}
+
 TEST(Table2Csv, HasTheContractsColumnsAndEmptyFieldsForMissingFigures) {
   const std::vector evaluations{small_evaluation(), unclassed_evaluation()};
   const std::string text = to_csv(make_table2(evaluations));

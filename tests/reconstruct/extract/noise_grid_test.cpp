@@ -7,30 +7,35 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// A gradient whose strength is `left` in the left half of the image and `right` in the other one.
-cv::Mat halves(float left, float right) {
-  cv::Mat gradient(150, 4 * NoiseGrid::kBlock_px, CV_32FC2, cv::Scalar(left, 0.0F));
-  gradient.colRange(2 * NoiseGrid::kBlock_px, gradient.cols).setTo(cv::Scalar(0.0F, right));
+/// A gradient whose strength is `left` in the left half of the image, `right` in the other one, and twice
+/// that in the lower half.
+cv::Mat quarters(float left, float right) {
+  constexpr int kHalf = 2 * NoiseGrid::kBlock_px;
+  cv::Mat gradient(2 * kHalf, 2 * kHalf, CV_32FC2, cv::Scalar(left, 0.0F));
+  gradient.colRange(kHalf, gradient.cols).setTo(cv::Scalar(0.0F, right));
+  gradient.rowRange(kHalf, gradient.rows) *= 2.0;
   return gradient;
 }
 
 TEST(NoiseGrid, IsTheSigmaOfTheGradientBetweenTheMiddlesOfBlocks) {
   constexpr float kRayleighMedian = 1.1774F;
   constexpr float kFloat = 1e-5F;  // of single precision
-  const NoiseGrid noise(halves(0.1F, 0.3F), 0.0F);
+  const NoiseGrid noise(quarters(0.1F, 0.3F), 0.0F);
   EXPECT_NEAR(noise.at(0, 0), 0.1F / kRayleighMedian, kFloat);
-  EXPECT_NEAR(noise.at(255, 149), 0.3F / kRayleighMedian, kFloat);
-  // half a pixel past the border of the halves: a 128th of the way of a block
+  EXPECT_NEAR(noise.at(255, 0), 0.3F / kRayleighMedian, kFloat);
+  EXPECT_NEAR(noise.at(255, 255), 0.6F / kRayleighMedian, kFloat);
+  // half a pixel past the borders: a 128th of the way of a block
   EXPECT_NEAR(noise.at(128, 70), (0.2F + 0.2F / 128.0F) / kRayleighMedian, kFloat);
+  EXPECT_NEAR(noise.at(70, 128), (0.15F + 0.1F / 128.0F) / kRayleighMedian, kFloat);
 }
 
 TEST(NoiseGrid, IsNeverBelowTheLowest) {
-  EXPECT_EQ(NoiseGrid(halves(0.0F, 0.0F), 0.002F).at(60, 60), 0.002F);
+  EXPECT_EQ(NoiseGrid(quarters(0.0F, 0.0F), 0.002F).at(60, 60), 0.002F);
 }
 
 TEST(NoiseGrid, OfAnAreaIsThatOfItsPixels) {
-  const NoiseGrid noise(halves(0.1F, 0.3F), 0.0F);
-  const cv::Rect area(50, 20, 180, 100);
+  const NoiseGrid noise(quarters(0.1F, 0.3F), 0.0F);
+  const cv::Rect area(50, 40, 180, 150);
   const cv::Mat values = noise.in(area);
   ASSERT_EQ(values.size(), area.size());
   for (int y = 0; y < area.height; ++y) {
