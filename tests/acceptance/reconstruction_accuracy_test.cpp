@@ -3,7 +3,7 @@
 // the README states. Seeds 1 to 8 are for calibration.
 //
 // The limits keep what is reached (measured: correctness 99.0 %, completeness 97.9 %, quality 97.0 %;
-// 74 % of the roof lines; not_aligned lines to 0.121 m by `joint` and 0.115 m by `network`, aligned ones
+// 75 % of the roof lines; not_aligned lines to 0.118 m by `joint` and 0.113 m by `network`, aligned ones
 // to 0.21 m with one gross error of 185), less a few matches. What is aimed at is more: 85 % of the roof
 // lines; not_aligned lines to 0.06 m; aligned lines to 0.15 m.
 #include "tests/support/csv_rows.h"
@@ -112,7 +112,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
               << 100.0 * pool.gross_share() << " % gross); against LIDAR " << lidar[key].rms()
               << " m (" << lidar[key].n << " lines)\n";
   }
-  EXPECT_LE(truth["joint not_aligned"].rms(), 0.13);
+  EXPECT_LE(truth["joint not_aligned"].rms(), 0.125);
   EXPECT_LE(truth["joint not_aligned"].gross_share(), 0.01);
   EXPECT_LE(truth["joint aligned"].gross_share(), 0.01);
   EXPECT_LE(truth["joint aligned"].rms(), 0.21);
