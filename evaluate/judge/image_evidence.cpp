@@ -59,6 +59,7 @@ std::vector<Sample> first_hits(const PointGrid& grid,
   const auto [low, high] = images.height_range_m;
   const auto share = [&](int i) { return (i + 0.5) / n_samples; };
   std::vector<Ray> rays;
+  rays.reserve(static_cast<std::size_t>(n_samples));
   for (int i = 0; i < n_samples; ++i) {
     rays.push_back(ray_of(images, base.start + share(i) * (base.end - base.start)));
   }

@@ -68,6 +68,7 @@ std::optional<FittedLine> line_through_links(int left_id,
   std::stable_sort(on_line.begin(), on_line.end(),
                    [](const ChainPoint& a, const ChainPoint& b) { return a.step < b.step; });
   std::vector<Eigen::Vector3d> points;
+  points.reserve(on_line.size());
   for (const ChainPoint& p : on_line) points.push_back(p.x_in_local);
   std::optional<FittedLine> line = fit_line(points, kCorrelation);
   if (!line) return line;

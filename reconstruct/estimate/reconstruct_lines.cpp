@@ -43,6 +43,7 @@ std::vector<Mates> matched_segments(Segments segments,
                                     std::span<const LineMatch> matches,
                                     std::span<const double> right_shifts_px) {
   std::vector<Mates> all;
+  all.reserve(matches.size());
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const std::size_t left =
         checked_index("match: left segment", matches[i].left, segments[0].size());

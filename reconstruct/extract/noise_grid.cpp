@@ -66,6 +66,7 @@ float NoiseGrid::at(int x, int y) const {
 
 cv::Mat NoiseGrid::in(const cv::Rect& area) const {
   std::vector<Position> columns;
+  columns.reserve(static_cast<std::size_t>(area.width));
   for (int x = area.x; x < area.br().x; ++x) columns.push_back(position(x, blocks_.cols));
   cv::Mat values(area.size(), CV_32FC1);
   for (int y = 0; y < area.height; ++y) {
