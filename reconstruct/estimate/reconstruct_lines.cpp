@@ -372,7 +372,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
   const std::vector<ObservedPair> observed =
       stereo_lines(cameras, extracted, registered, matches, options.line_covariance).lines;
 
-  const std::vector<ReconstructedLine> results = direct_lines(lines, observed, matches, options);
+  std::vector<ReconstructedLine> results = direct_lines(lines, observed, matches, options);
   if (options.method == Method::kDirect) return results;
 
   const KnownEnds ends(lines, direct_lines(lines, lines.lines, matches, options), options);

@@ -108,7 +108,7 @@ constexpr std::size_t kMinForStatistics = 30;
 constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
 /// Of a point. Edges of a drawing may fit their lines exactly; no line is known exactly.
-constexpr double kSmallestVariance_px2 = 1e-6;
+constexpr double kExact_px = 1e-3;
 constexpr double kSigmaAlong_px = 1.0;
 
 /// Two parameters take as many independent points, each of which is `correlation` points.
@@ -180,7 +180,7 @@ UncertainSegment2 uncertain_segment(const RegressionLine& line,
   const double own_weight = degrees_of_freedom(line, noise.correlation) / noise.correlation;
   const double own = variance_px2(line, noise.correlation);
   const double mean =
-      std::max(kSmallestVariance_px2, (own_weight * own + kShrinkage * noise.variance_px2) /
+      std::max(kExact_px * kExact_px, (own_weight * own + kShrinkage * noise.variance_px2) /
                                           (own_weight + kShrinkage) * noise.correlation);
   const double half_length = 0.5 * (line.last - line.first);
   UncertainSegment2 segment;
