@@ -7,6 +7,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <future>
+#include <utility>
+
 namespace ridgeline::apps {
 
 LocalFrame patch_frame(const io::PatchFile& patch) {
@@ -22,6 +25,12 @@ LocalFrame patch_frame(const io::PatchFile& patch) {
 
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
   return reconstruct::normalised_image(io::read_image(patch.images.at(i).path));
+}
+
+std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch) {
+  auto right = std::async(std::launch::async, [&patch] { return patch_image(patch, 1); });
+  cv::Mat left = patch_image(patch, 0);
+  return {std::move(left), right.get()};
 }
 
 std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
@@ -54,7 +63,7 @@ PatchViews load_patch_views(const io::PatchFile& patch,
   pair.frame = patch_frame(patch);
   pair.height_range_in_local_m = patch_heights_m(patch, pair.frame);
   const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, pair.frame);
-  const std::array images{patch_image(patch, 0), patch_image(patch, 1)};
+  const std::array<cv::Mat, 2> images = patch_images(patch);
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
     pair.views[i] = {cameras[i], images[i], extract_patch_image(patch, i, images[i], options)};
   });

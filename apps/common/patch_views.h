@@ -34,6 +34,9 @@ LocalFrame patch_frame(const io::PatchFile& patch);
 /// The first (base) or second image of the patch, normalised.
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i);
 
+/// Those of the first two, read at once. Of two that cannot be read the error names the first.
+std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch);
+
 /// Its segments, without the distortion of its lens.
 std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
                                              std::size_t i,

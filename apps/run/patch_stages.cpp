@@ -121,10 +121,10 @@ std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
 void PatchStages::extract() {
   const std::vector<std::string> files = segment_files();
   // both at once: of one image, what is traced in the order of lengths would keep one core only
-  const std::array images{image(0), image(1)};
+  images_ = patch_images(patch_);
   std::array<std::vector<EdgeSegment>, 2> extracted;
   tbb::parallel_for(std::size_t{0}, extracted.size(), [&](std::size_t i) {
-    extracted[i] = extract_patch_image(patch_, i, images[i], options_.extract);
+    extracted[i] = extract_patch_image(patch_, i, images_[i], options_.extract);
   });
   for (std::size_t i = 0; i < 2; ++i) io::write_segments(path(files[i]), extracted[i]);
 }
