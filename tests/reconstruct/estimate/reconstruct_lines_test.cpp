@@ -278,7 +278,7 @@ TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
   EXPECT_TRUE(group.reconstruct().empty());
 }
 
-TEST(ReconstructLines, MovesRightSegmentsBeforeAllElse) {
+TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
   constexpr double kShiftPx = 1.5;
   for (const Method method : kMethods) {
     ReconstructOptions options = direct_options();
@@ -298,6 +298,22 @@ TEST(ReconstructLines, MovesRightSegmentsBeforeAllElse) {
     EXPECT_LT((line.seen_px[1].start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
     EXPECT_LT((*line.covariance_m2 - *truth.covariance_m2).norm(),
               kRecoveredM * truth.covariance_m2->norm());
+  }
+}
+
+TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
+  const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);
+  const std::vector<double> shifts_px{0.0, 1.5, -1.5, 1.5};
+  for (const ReconstructOptions& options : {published_options(), ReconstructOptions{}}) {
+    const std::vector<ReconstructedLine> plain = group.reconstruct(options);
+    const std::vector<ReconstructedLine> moved = group.reconstruct(options, {}, shifts_px);
+    ASSERT_TRUE(plain[0].segment_in_local && moved[0].segment_in_local);
+    EXPECT_EQ(moved[0].segment_in_local->start, plain[0].segment_in_local->start);
+    EXPECT_EQ(moved[0].segment_in_local->end, plain[0].segment_in_local->end);
+    EXPECT_EQ(*moved[0].covariance_m2, *plain[0].covariance_m2);
+    for (const std::size_t neighbour : {1U, 2U, 3U}) {
+      EXPECT_GT(error_m(moved[neighbour], *plain[neighbour].segment_in_local), 0.1);
+    }
   }
 }
 
