@@ -12,7 +12,7 @@ test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
 browser_packages=(chromium)
 command -v npm >/dev/null || browser_packages+=(nodejs npm)
 check_packages=(clang-format-14 clang-tidy-14)
-fuzz_packages=(clang-14 libclang-rt-14-dev)
+clang_packages=(clang-14 libclang-rt-14-dev)
 
 missing_packages() {
   local package

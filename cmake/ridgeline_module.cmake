@@ -3,7 +3,9 @@ add_library(ridgeline_flags INTERFACE)
 target_compile_features(ridgeline_flags INTERFACE cxx_std_20)
 target_compile_options(ridgeline_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  $<$<BOOL:${RIDGELINE_WERROR}>:-Werror>)
+  $<$<BOOL:${RIDGELINE_WERROR}>:-Werror>
+  # GCC takes every source of a unity file but the file itself for a header
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>)
 
 # What nearly every file includes; Eigen alone takes a second and a half to parse.
 set(ridgeline_common_headers <Eigen/Dense> <algorithm> <cmath> <map> <memory> <optional> <span>
@@ -32,14 +34,32 @@ function(ridgeline_vectorise name)
   target_compile_options(ridgeline_${name} PRIVATE $<$<CONFIG:Release>:-O3;-fno-math-errno;-fno-trapping-math>)
 endfunction()
 
-# ridgeline_test(NAME SOURCES a_test.cpp... [DEPENDS t...] [LABELS l...]): one GoogleTest binary, its
-# cases found by ctest. The label `slow` keeps a test out of the sanitizers' run.
+# ridgeline_test(NAME SOURCES a_test.cpp... [DEPENDS t...] [LABELS l...]): one GoogleTest binary. Its cases
+# are found by ctest; with RIDGELINE_TEST_SHARDS the binary runs as so many tests instead, which saves the
+# start of a process for every case. Binaries with the label `slow` are left out without
+# RIDGELINE_BUILD_SLOW_TESTS.
 function(ridgeline_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
-  add_executable(${name} ${arg_SOURCES})
+  if("slow" IN_LIST arg_LABELS AND NOT RIDGELINE_BUILD_SLOW_TESTS)
+    set(left_out EXCLUDE_FROM_ALL)
+  endif()
+  add_executable(${name} ${left_out} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support GTest::gmock
                         GTest::gtest_main ridgeline_flags)
   target_precompile_headers(${name} REUSE_FROM ridgeline_test_headers)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 600 LABELS "${arg_LABELS}")
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # their helpers share names
+  if(left_out)
+    return()
+  endif()
+  if(NOT RIDGELINE_TEST_SHARDS)
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES
+                         PROPERTIES TIMEOUT 600 LABELS "${arg_LABELS}")
+    return()
+  endif()
+  math(EXPR last_shard "${RIDGELINE_TEST_SHARDS} - 1")
+  foreach(shard RANGE ${last_shard})
+    add_test(NAME ${name}_${shard} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(${name}_${shard} PROPERTIES TIMEOUT 1200 LABELS "${arg_LABELS}" ENVIRONMENT
+                         "GTEST_TOTAL_SHARDS=${RIDGELINE_TEST_SHARDS};GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

@@ -11,29 +11,16 @@
 #include <limits>
 
 namespace ridgeline::io {
-namespace {
-
-std::vector<std::string_view> fields_of(std::string_view row) {
-  std::vector<std::string_view> fields;
-  while (true) {
-    const std::size_t comma = row.find(',');
-    fields.push_back(trimmed(row.substr(0, comma)));
-    if (comma == std::string_view::npos) return fields;
-    row.remove_prefix(comma + 1);
-  }
-}
-
-}  // namespace
 
 CsvTable::CsvTable(const std::string& path) : path_(path), content_(read_bytes(path)) {
   const std::vector<TextRow> rows = rows_of(content_);
   if (rows.empty())
     throw IoError(path, "empty; a header with the names of the columns is expected");
-  for (const std::string_view name : fields_of(rows.front().text)) {
+  for (const std::string_view name : plain_fields_of(rows.front().text)) {
     names_.push_back(lower_case(name));
   }
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    rows_.push_back({rows[i].number, fields_of(rows[i].text)});
+    rows_.push_back({rows[i].number, plain_fields_of(rows[i].text)});
     if (rows_.back().fields.size() != names_.size()) {
       throw IoError(place_of(i - 1), fmt::format("{} fields, the header has {}",
                                                  rows_.back().fields.size(), names_.size()));

@@ -81,7 +81,7 @@ std::vector<ReferenceEdge> edges_of(const CsvTable& table) {
   return edges;
 }
 
-std::string text_of(const Segment2& s) {
+std::string pixel_text(const Segment2& s) {
   return fmt::format("{:.3f},{:.3f},{:.3f},{:.3f}", s.start.x(), s.start.y(), s.end.x(), s.end.y());
 }
 
@@ -123,8 +123,8 @@ void write_reference_edges(const std::string& path, std::span<const ReferenceEdg
   }
   text += "\n";
   for (const ReferenceEdge& edge : edges) {
-    text +=
-        fmt::format("{},{},{},{}\n", edge.id, edge.kind, text_of(edge.left), text_of(edge.right));
+    text += fmt::format("{},{},{},{}\n", edge.id, edge.kind, pixel_text(edge.left),
+                        pixel_text(edge.right));
   }
   write_file(path, text);
 }

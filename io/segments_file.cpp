@@ -93,21 +93,11 @@ std::string row_of(std::size_t id, const EdgeSegment& segment) {
   return row + '\n';
 }
 
-std::vector<std::string_view> fields_of(std::string_view row) {
-  std::vector<std::string_view> fields;
-  for (std::size_t end = row.find(','); end != std::string_view::npos; end = row.find(',')) {
-    fields.push_back(trimmed(row.substr(0, end)));
-    row.remove_prefix(end + 1);
-  }
-  fields.push_back(trimmed(row));
-  return fields;
-}
-
 /// The fields of a row by the names of their columns.
 class Row {
  public:
   Row(const std::vector<std::string_view>& names, std::string_view text, std::string where)
-      : names_(names), fields_(fields_of(text)), where_(std::move(where)) {
+      : names_(names), fields_(plain_fields_of(text)), where_(std::move(where)) {
     if (fields_.size() == names_.size()) return;
     throw IoError(where_,
                   fmt::format("{} fields; the first row has {}", fields_.size(), names_.size()));
@@ -171,7 +161,7 @@ std::vector<EdgeSegment> read_segments(const std::string& path) {
   const std::string content = read_bytes(path);
   const std::vector<TextRow> rows = rows_of(content);
   if (rows.empty()) throw IoError(path, "is empty; a header of column names is expected");
-  const std::vector<std::string_view> names = fields_of(rows.front().text);
+  const std::vector<std::string_view> names = plain_fields_of(rows.front().text);
   std::vector<EdgeSegment> segments;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Row row(names, rows[i].text, place(path, rows[i].number));

@@ -12,7 +12,7 @@
 namespace ridgeline::io {
 namespace {
 
-std::string text_of(const std::string& path, const YAML::Node& node, const std::string& name) {
+std::string scalar_text(const std::string& path, const YAML::Node& node, const std::string& name) {
   if (!node.IsScalar() || node.Scalar().empty()) fail_yaml(path, node, name + " must be a text");
   return node.Scalar();
 }
@@ -74,7 +74,7 @@ YAML::Node YamlMap::node(const char* key) const {
   return *value;
 }
 
-std::string YamlMap::text(const char* key) const { return text_of(path_, node(key), key); }
+std::string YamlMap::text(const char* key) const { return scalar_text(path_, node(key), key); }
 
 double YamlMap::number(const char* key) const { return number_of(path_, node(key), key); }
 
@@ -84,9 +84,9 @@ std::vector<double> YamlMap::numbers(const char* key, std::size_t count) const {
 
 std::vector<std::string> YamlMap::texts(const char* key) const {
   const YAML::Node value = node(key);
-  if (!value.IsSequence()) return {text_of(path_, value, key)};
+  if (!value.IsSequence()) return {scalar_text(path_, value, key)};
   std::vector<std::string> texts;
-  for (const YAML::Node& item : value) texts.push_back(text_of(path_, item, key));
+  for (const YAML::Node& item : value) texts.push_back(scalar_text(path_, item, key));
   return texts;
 }
 

@@ -23,7 +23,7 @@ struct Figure {
   std::optional<double> evaluated_share;
 };
 
-void validate(const Gate& gate) {
+void check_gate(const Gate& gate) {
   check(is_accuracy_metric(gate.metric) || is_matching_metric(gate.metric), "metric: ", gate.metric,
         "; must be one of ",
         fmt::format("{}, {}", fmt::join(accuracy_metrics(), ", "),
@@ -280,7 +280,7 @@ bool GateReport::passed() const {
 GateReport apply_gates(std::span<const Gate> gates,
                        const ResultFolder& results,
                        const ResultFolder* baseline) {
-  for (const Gate& gate : gates) validate(gate);
+  for (const Gate& gate : gates) check_gate(gate);
   if (baseline != nullptr) check_same_inputs(results, *baseline);
   GateReport report;
   for (const Gate& gate : gates) {

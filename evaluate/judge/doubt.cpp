@@ -7,7 +7,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kLowest_m = 0.2;  // above or below the chosen surface
+constexpr double kAboveSurface_m = 0.2;  // above or below the chosen surface
 
 /// Chi-square across the line of the images against the plane that suits them best, for a pixel of
 /// noise; 0 where no plane can be compared.
@@ -109,7 +109,7 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
   constexpr double kThreePixels = 9.0;    // at one end, 2.1 at both
   const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);
   const auto stands = [](const Placed& point) {
-    return point.above_m > kLowest_m && point.above_m < kCanopy_m;
+    return point.above_m > kAboveSurface_m && point.above_m < kCanopy_m;
   };
   const bool seen_off_surface = images && least_cost(candidates, decision, *images) > kThreePixels;
   if (exceeds(kHedge, points, options.step_offset_m, stands) ||
@@ -117,7 +117,7 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
     return "points stand along the line on the surface that it would be judged by";
   }
   if (!is_contradicted(candidates, decision, images)) return std::nullopt;
-  const auto apart = [](const Placed& point) { return std::abs(point.above_m) > kLowest_m; };
+  const auto apart = [](const Placed& point) { return std::abs(point.above_m) > kAboveSurface_m; };
   if (exceeds(kHedge, points, options.step_offset_m, apart) ||
       exceeds(kHedge, points, options.corridor_half_width_m, apart)) {
     return "the images show the line on no plane, and no plane explains the points beside it";

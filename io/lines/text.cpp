@@ -57,6 +57,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+std::vector<std::string_view> plain_fields_of(std::string_view row) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const std::size_t comma = row.find(',');
+    fields.push_back(trimmed(row.substr(0, comma)));
+    if (comma == std::string_view::npos) return fields;
+    row.remove_prefix(comma + 1);
+  }
+}
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {

@@ -26,6 +26,9 @@ std::string place(const std::string& path, int row_number);
 std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 
+/// Fields between commas, trimmed, without quotes.
+std::vector<std::string_view> plain_fields_of(std::string_view row);
+
 /// Words between runs of blanks and tabs.
 std::vector<std::string_view> words_of(std::string_view text);
 

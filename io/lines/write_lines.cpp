@@ -20,7 +20,7 @@ constexpr std::array kFormats{LineFormatInfo{LineFormat::kGeoJson, "geojson", ".
                               LineFormatInfo{LineFormat::kObj, "obj", ".obj"},
                               LineFormatInfo{LineFormat::kPly, "ply", ".ply"}};
 
-std::string text_of(const LineSet& set, LineFormat format) {
+std::string file_text(const LineSet& set, LineFormat format) {
   switch (format) {
     case LineFormat::kCsv:
       return csv_text(set);
@@ -53,7 +53,7 @@ std::optional<LineFormat> line_format(std::string_view name) {
 }
 
 void write_lines(const std::string& path, const LineSet& set, LineFormat format) {
-  if (!is_ogr(format)) return write_file(path, text_of(set, format));
+  if (!is_ogr(format)) return write_file(path, file_text(set, format));
   const ScratchFolder scratch(path);
   write_ogr(path, scratch.draft(), set, format);
   scratch.publish();

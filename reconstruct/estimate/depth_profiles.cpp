@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/estimate/depth_profiles.h"
 
+#include "reconstruct/estimate/bell.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +14,6 @@ constexpr double kShortestStepPx = 15.0;
 constexpr double kUnreached = -std::numeric_limits<double>::infinity();
 
 double squared(double x) { return x * x; }
-double bell(double z) { return std::exp(-0.5 * z * z); }
 
 /// Of lines that are not built horizontal: roofs of 20 to 50 degrees mostly, and streets.
 double sloping(double slope) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/estimate/depth_scorer.h"
 
+#include "reconstruct/estimate/bell.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -15,9 +17,6 @@ namespace {
 constexpr double kSupportSigma = 3.0;
 /// Lines that end on one another are seen to do so within this.
 constexpr double kCutReachPx = 6.0;
-
-/// 1 at no deviation.
-double bell(double z) { return std::exp(-0.5 * z * z); }
 
 }  // namespace
 

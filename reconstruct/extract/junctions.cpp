@@ -17,9 +17,9 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr double kReach_px = 6.0;      ///< an edge ends a little before the one that it meets
-constexpr double kGap_px = 3.0;        ///< a strip that crosses an edge interrupts it
-constexpr double kShortestPart = 2.5;  ///< of min_length_px: short parts are matched badly
+constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the one that it meets
+constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
+constexpr double kShortestPart = 2.5;     ///< of min_length_px: short parts are matched badly
 constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
 
 /// An end of an edge.
@@ -56,7 +56,7 @@ class EndIndex {
   }
 
  private:
-  static int cell_of(double x) { return static_cast<int>(std::floor(x / kReach_px)); }
+  static int cell_of(double x) { return static_cast<int>(std::floor(x / kMeetingReach_px)); }
   static std::uint64_t key(int x, int y) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32U) |
            static_cast<std::uint32_t>(y);
@@ -79,7 +79,7 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
       if (end.edge == edge || sine < std::sin(kMinAngle_rad)) return;
       const Eigen::Vector2d offset = end.x_px - x;
       // the sample beside the end
-      if (offset.norm() > kReach_px || std::abs(axes.along.dot(offset)) > 1.0) return;
+      if (offset.norm() > kMeetingReach_px || std::abs(axes.along.dot(offset)) > 1.0) return;
       touched[i] = true;
     });
     if (i > 0 && (x - trace[i - 1].position_px).norm() > kGap_px) touched[i] = true;

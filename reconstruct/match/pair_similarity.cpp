@@ -42,17 +42,17 @@ Clipped clip(const Member& a, const Member& b, bool in_file) {
 
 /// Side of the patch along a member: from the intersection point to the far end, in both images.
 /// The ends of a near-aligned member do not correspond: it is taken as level.
-struct Sides {
+struct PatchSides {
   Eigen::Vector2d left, right;
 };
-Sides patch_sides(const Segment2& left,
-                  const Segment2& right,
-                  const Eigen::Vector2d& x_left,
-                  const Eigen::Vector2d& x_right,
-                  bool aligned) {
+PatchSides patch_sides(const Segment2& left,
+                       const Segment2& right,
+                       const Eigen::Vector2d& x_left,
+                       const Eigen::Vector2d& x_right,
+                       bool aligned) {
   const bool start_is_far = (left.start - x_left).norm() > (left.end - x_left).norm();
-  Sides sides{(start_is_far ? left.start : left.end) - x_left,
-              (start_is_far ? right.start : right.end) - x_right};
+  PatchSides sides{(start_is_far ? left.start : left.end) - x_left,
+                   (start_is_far ? right.start : right.end) - x_right};
   const double shrink = std::min(1.0, kLongestSide_px / sides.left.norm());
   sides.left *= shrink;
   if (aligned) {
@@ -74,11 +74,11 @@ void add_patch_constraints(const PairScene& scene,
   const auto x_left = intersection(pair.left[0], pair.left[1], 0.0);
   const auto x_right = intersection(pair.right[0], pair.right[1], 0.0);
   if (!x_left || !x_right) return;
-  const Sides first =
+  const PatchSides first =
       patch_sides(pair.left[0], pair.right[0], *x_left, *x_right, a.overlap.aligned);
-  const Sides second =
+  const PatchSides second =
       patch_sides(pair.left[1], pair.right[1], *x_left, *x_right, b.overlap.aligned);
-  for (const Sides* side : {&first, &second}) {
+  for (const PatchSides* side : {&first, &second}) {
     if (std::min(side->left.norm(), side->right.norm()) < kShortestSide_px) return;
   }
   const auto left = pair_patch(scene.images.left, {*x_left, first.left, second.left});
