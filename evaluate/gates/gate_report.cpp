@@ -24,7 +24,7 @@ std::string details(const GateResult& r) {
   return fmt::format(
       "gate: {}\npatch: {}\nclass: {}\nmethod: {}\nverdict: {}\nvalue: {}\n95 % interval: {}\n"
       "limit: {}\nbaseline: {}\nn: {}\ncoverage: {}\n{}\n",
-      r.rule, r.patch, r.line_class.empty() ? kMissing : std::string_view(r.line_class), r.method,
+      r.rule, r.patch, r.line_class.empty() ? kNoValue : std::string_view(r.line_class), r.method,
       name(r.verdict), number(r.value),
       r.ci95 ? fmt::format("{} - {}", number(r.ci95->low), number(r.ci95->high)) : "-",
       number(r.limit), number(r.baseline), r.n, number(r.evaluated_share), r.explanation);

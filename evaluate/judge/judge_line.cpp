@@ -33,14 +33,14 @@ struct Refusal {
 
 /// Why a line cannot be judged whatever the cloud holds.
 std::optional<Refusal> refuse(const JudgedLine& line, const JudgeOptions& options) {
-  constexpr double kSteepest = 0.05;  // plan length / length: steeper has no direction in plan
+  constexpr double kNearVertical = 0.05;  // plan length / length: steeper has no direction in plan
   if (!line.reconstructed) {
     return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
   }
   if (!all_finite(line.segment)) return Refusal{Status::kNonFinite, "a coordinate is not finite"};
   const double length_m = length(line.segment);
   if (!(length_m > 0.0)) return Refusal{Status::kDegenerate, "both ends are the same point"};
-  if (length(plan(line.segment)) < kSteepest * length_m) {
+  if (length(plan(line.segment)) < kNearVertical * length_m) {
     return Refusal{Status::kDegenerate, "the line is vertical: it has no direction in plan"};
   }
   if (length_m < options.min_length_m) {

@@ -12,7 +12,7 @@ namespace {
 
 std::string flags_text(const AccuracyStatement& statement) {
   const std::vector<std::string> flags = statement.flags();
-  return flags.empty() ? std::string(kMissing) : fmt::format("{}", fmt::join(flags, ", "));
+  return flags.empty() ? std::string(kNoValue) : fmt::format("{}", fmt::join(flags, ", "));
 }
 
 /// "RMSE 0.156 m (ASPRS Edition 2 style)" and 1.9600 RMSE (NSSDA, vertical: one dimension).
@@ -28,7 +28,7 @@ std::string style_sentence(const AccuracyStatement& total) {
 }
 
 std::string interval_text(const Summary& s) {
-  if (!s.ci95_m) return std::string(kMissing);
+  if (!s.ci95_m) return std::string(kNoValue);
   return fmt::format("{} - {}{}", metres(s.ci95_m->low), metres(s.ci95_m->high),
                      s.few_clusters() ? " (too few clusters)" : "");
 }

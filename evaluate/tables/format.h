@@ -12,12 +12,12 @@ namespace ridgeline::evaluate {
 inline constexpr int kMetreDecimals = 3;
 
 /// What stands for a figure that does not exist; never 0.000.
-inline constexpr std::string_view kMissing = "-";
+inline constexpr std::string_view kNoValue = "-";
 
 /// Fixed-point decimal; `missing` for an empty or non-finite value. Never "-0.000".
-std::string fixed(std::optional<double> value, int decimals, std::string_view missing = kMissing);
+std::string fixed(std::optional<double> value, int decimals, std::string_view missing = kNoValue);
 
-inline std::string metres(std::optional<double> value_m, std::string_view missing = kMissing) {
+inline std::string metres(std::optional<double> value_m, std::string_view missing = kNoValue) {
   return fixed(value_m, kMetreDecimals, missing);
 }
 

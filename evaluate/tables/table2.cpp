@@ -30,12 +30,12 @@ const Summary* find_cell(const Table2& table,
 
 /// "0.152 (12/14)": RMS, evaluated lines of all.
 std::string cell_text(const Summary* cell) {
-  if (cell == nullptr) return std::string(kMissing);
+  if (cell == nullptr) return std::string(kNoValue);
   return fmt::format("{} ({}/{})", metres(cell->rms_m), cell->n_evaluated, cell->n_lines);
 }
 
 std::string interval_text(const Summary& s) {
-  if (!s.ci95_m) return std::string(kMissing);
+  if (!s.ci95_m) return std::string(kNoValue);
   return fmt::format("{} - {}{}", metres(s.ci95_m->low), metres(s.ci95_m->high),
                      s.few_clusters() ? " (too few clusters)" : "");
 }
@@ -47,7 +47,7 @@ std::string excluded_text(const Summary& s) {
     if (status == Status::kEvaluated || s.n_by_status[i] == 0) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name(status), s.n_by_status[i]);
   }
-  return text.empty() ? std::string(kMissing) : escape_markdown(text);
+  return text.empty() ? std::string(kNoValue) : escape_markdown(text);
 }
 
 std::string published_form_markdown(const Table2& table) {

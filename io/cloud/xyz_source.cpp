@@ -21,11 +21,11 @@ std::vector<TextItem> parse_column_names(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of("#/ \t"), line.size()));
   std::vector<TextItem> items;
   if (line.empty() || std::isalpha(static_cast<unsigned char>(line.front())) == 0) return items;
-  constexpr std::string_view kSeparators = " \t\r,;\"";
+  constexpr std::string_view kAroundNames = " \t\r,;\"";
   for (std::size_t first = 0; first != std::string_view::npos;
-       first = line.find_first_not_of(kSeparators)) {
+       first = line.find_first_not_of(kAroundNames)) {
     line.remove_prefix(first);
-    const std::string_view name = line.substr(0, line.find_first_of(kSeparators));
+    const std::string_view name = line.substr(0, line.find_first_of(kAroundNames));
     items.push_back({.attribute = attribute_of_column(name)});
     line.remove_prefix(name.size());
   }
