@@ -47,7 +47,6 @@ function(ridgeline_test name)
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support GTest::gmock
                         GTest::gtest_main ridgeline_flags)
   target_precompile_headers(${name} REUSE_FROM ridgeline_test_headers)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # their helpers share names
   if(left_out)
     return()
   endif()

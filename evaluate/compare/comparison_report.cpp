@@ -10,12 +10,12 @@ namespace ridgeline::evaluate {
 namespace {
 
 std::string interval_text(const std::optional<Interval>& interval) {
-  if (!interval) return std::string(kMissing);
+  if (!interval) return std::string(kNoValue);
   return fmt::format("{} - {}", metres(interval->low), metres(interval->high));
 }
 
 std::string p_text(std::optional<double> p) {
-  if (!p) return std::string(kMissing);
+  if (!p) return std::string(kNoValue);
   return *p < 0.001 ? "< 0.001" : fixed(p, 3);
 }
 
@@ -40,7 +40,7 @@ std::string common_table(const Comparison& c) {
 std::string own_table(const Comparison& c) {
   std::string text = "| class | RMS A (evaluated/all) | RMS B (evaluated/all) |\n|---|--:|--:|\n";
   const auto cell = [](const Summary* s) {
-    return s == nullptr ? std::string(kMissing)
+    return s == nullptr ? std::string(kNoValue)
                         : fmt::format("{} ({}/{})", metres(s->rms_m), s->n_evaluated, s->n_lines);
   };
   const std::vector<Summary>& longer = c.own_a.size() >= c.own_b.size() ? c.own_a : c.own_b;
