@@ -16,7 +16,7 @@ constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
 constexpr int kHalfGradients = kReach + kHalfBase;
 constexpr int kGradients = 2 * kHalfGradients + 1;
 constexpr int kHalfProfile = kHalfGradients + kHalfDifference;
-constexpr int kProfile = 2 * kHalfProfile + 1;
+constexpr int kProfileBins = 2 * kHalfProfile + 1;
 
 /// Squared difference of two colours.
 double difference(const Colour& a, const Colour& b) {
@@ -33,8 +33,8 @@ double difference(const Colour& a, const Colour& b) {
 std::optional<double> edge_offset_px(const ImageSampler& image,
                                      const Eigen::Vector2d& x,
                                      const Eigen::Vector2d& normal) {
-  std::array<Colour, kProfile> profile{};
-  for (int k = 0; k < kProfile; ++k) {
+  std::array<Colour, kProfileBins> profile{};
+  for (int k = 0; k < kProfileBins; ++k) {
     const double offset_px = (k - kHalfProfile) * kStep_px;
     if (!image.sample(x + offset_px * normal, profile[k])) return std::nullopt;
   }

@@ -214,11 +214,11 @@ std::array<double, 2> FlankCorrelation::gains_below(double rise_at_start,
 /// The best profiles that are straight in the places, over the whole strip.
 void FlankCorrelation::search(double most_slope) {
   std::array<std::vector<Candidate>, 2> candidates;  // horizontal, sloping
-  constexpr double kSlopeStep =
+  constexpr double kSlopeSpacing =
       2.0 * kStep;  // a pixel at either end: no farther than score() looks
-  const int n_slopes = static_cast<int>(most_slope / kSlopeStep);
+  const int n_slopes = static_cast<int>(most_slope / kSlopeSpacing);
   for (int slope = -n_slopes; slope <= n_slopes; ++slope) {
-    const double rise = slope * kSlopeStep;
+    const double rise = slope * kSlopeSpacing;
     for (std::size_t k = 0; k < horizontal_[0].size(); ++k) {
       const double at_start = lowest_ + static_cast<double>(k) * kStep - 0.5 * rise;
       std::array<double, 2> gains{horizontal_[0][k], horizontal_[1][k]};
