@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/png_writer.h"
 #include "io/sha256.h"
 #include "tests/cli/cli_fixture.h"
-
-#include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <map>
@@ -56,23 +53,6 @@ class RunPatch : public Cli {
           io::sha256_of_file(entry.path().string());
     }
     return files;
-  }
-};
-
-/// Two cameras 800 m above the ground, 208 m apart; images of `size` px with one grey value.
-class FlatPatch : public Cli {
- protected:
-  void write_flat(int width, int height) const {
-    fs::create_directories(path("flat"));
-    for (const char* name : {"flat/left.png", "flat/right.png"}) {
-      io::write_png(path(name).string(), cv::Mat(height, width, CV_8UC3, cv::Scalar(90, 90, 90)));
-    }
-    write(path("flat/patch.yaml"),
-          "id: flat\nheight_range: [0, 50]\nimages:\n"
-          "  - {id: left, path: left.png, projection_matrix: "
-          "[[10000, 0, -100, 80000], [0, -10000, -100, 80000], [0, 0, -1, 800]]}\n"
-          "  - {id: right, path: right.png, projection_matrix: "
-          "[[10000, 0, -100, -2000000], [0, -10000, -100, 80000], [0, 0, -1, 800]]}\n");
   }
 };
 
@@ -355,55 +335,6 @@ TEST_F(RunPatch, InvertedHeightRangeIsRefused) {
 TEST_F(RunPatch, TwoPatchesOfOneIdAreRefused) {
   EXPECT_REFUSED(run({"run", "patch/patch.yaml", "patch/patch.yaml", "--out", "out"}),
                  HasSubstr("id 1"));
-}
-
-TEST_F(FlatPatch, ImagesWithoutTextureGiveNoLinesAndNoError) {
-  write_flat(400, 300);
-  const ProgramResult result = run({"run", "flat/patch.yaml", "--out", "out"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(read_json(path("out/flat/lines.joint.geojson"))["features"].empty());
-  EXPECT_THAT(read(path("out/table2.csv")), HasSubstr("flat,joint,total,0,0,,"));
-}
-
-TEST_F(FlatPatch, HeightsBehindTheCameraAreRefused) {
-  write_flat(40, 30);
-  std::string text = read(path("flat/patch.yaml"));
-  write(path("flat/patch.yaml"), text.replace(text.find("[0, 50]"), 7, "[700, 900]"));
-  EXPECT_REFUSED(run({"run", "flat/patch.yaml", "--out", "out"}),
-                 AllOf(HasSubstr("900"), HasSubstr("behind the camera")));
-}
-
-TEST_F(FlatPatch, ImageThatDoesNotFitItsCameraIsRefused) {
-  write_flat(40, 30);
-  write(path("flat/patch.yaml"),
-        "id: flat\nheight_range: [0, 50]\nimages:\n"
-        "  - {id: left, path: left.png, interior: {focal_length_mm: 120, pixel_size_um: 12, "
-        "size_px: [7680, 13824]}, exterior: {position_m: [0, 0, 800], "
-        "omega_phi_kappa_deg: [0, 0, 0]}}\n"
-        "  - {id: right, path: right.png, interior: {focal_length_mm: 120, pixel_size_um: 12, "
-        "size_px: [7680, 13824]}, exterior: {position_m: [208, 0, 800], "
-        "omega_phi_kappa_deg: [0, 0, 0]}}\n");
-  EXPECT_REFUSED(run({"run", "flat/patch.yaml", "--out", "out"}),
-                 AllOf(HasSubstr("left.png: 40 x 30"), HasSubstr("7680 x 13824")));
-}
-
-TEST_F(FlatPatch, MatricesThatAreNoCamerasAreRefused) {
-  write_flat(40, 30);
-  const std::string good = read(path("flat/patch.yaml"));
-  const auto with = [&](std::string_view from, std::string_view to) {
-    std::string text = good;
-    write(path("flat/patch.yaml"), text.replace(text.find(from), from.size(), to));
-    return run({"run", "flat/patch.yaml", "--out", "out"});
-  };
-  EXPECT_REFUSED(with("[0, 0, -1, 800]", "[0, 0, 0, 800]"), HasSubstr("rank"));
-  EXPECT_REFUSED(with("[10000, 0, -100, 80000]", "[.nan, 0, -100, 80000]"), HasSubstr("nan"));
-  EXPECT_REFUSED(with("-2000000", "80000"), HasSubstr("one place"));
-}
-
-TEST_F(FlatPatch, FileThatIsNoImageIsRefused) {
-  write_flat(40, 30);
-  write(path("flat/right.png"), "no image");
-  EXPECT_REFUSED(run({"run", "flat/patch.yaml", "--out", "out"}), HasSubstr("right.png"));
 }
 
 }  // namespace
