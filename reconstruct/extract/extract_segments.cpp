@@ -79,11 +79,13 @@ std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptio
   return parts;
 }
 
-/// One trace per edge.
+/// One trace per edge, beside those that are known.
 std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
                                        const GradientImage& image,
+                                       std::span<const DetectedEdge> known,
                                        const ExtractOptions& options) {
   LineTracer tracer(image, options);
+  for (const DetectedEdge& edge : known) tracer.claim(edge.trace);
   std::vector<DetectedEdge> edges;
   for (const Points& piece : pieces) {
     const auto trace = tracer.trace(piece);
@@ -99,11 +101,30 @@ std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
   return edges;
 }
 
+std::vector<DetectedEdge> edges_beside(std::span<const DetectedEdge> known,
+                                       const cv::Mat& image,
+                                       const ExtractOptions& options) {
+  const GradientImage gradient = gradient_image(image, options);
+  return traced_edges(detected_pieces(image, gradient.noise, options), gradient, known, options);
+}
+
+/// Of a second look: more smoothing, which leaves nothing for the diffusion to do.
+ExtractOptions for_faint_edges(ExtractOptions options) {
+  options.gradient_sigma_px = options.faint_gradient_sigma_px;
+  options.min_length_px = std::max(options.min_length_px, options.faint_min_length_px);
+  options.diffusion_levels = 0;
+  return options;
+}
+
 std::vector<DetectedEdge> our_edges(const cv::Mat& image, const ExtractOptions& options) {
   const cv::Mat colours = options.colour_boosting ? colour_boosted(image) : image;
-  const GradientImage gradient = gradient_image(colours, options);
-  std::vector<DetectedEdge> edges = cut_at_junctions(
-      traced_edges(detected_pieces(colours, gradient.noise, options), gradient, options), options);
+  std::vector<DetectedEdge> edges = edges_beside({}, colours, options);
+  if (options.faint_edges) {
+    std::vector<DetectedEdge> faint = edges_beside(edges, colours, for_faint_edges(options));
+    edges.insert(edges.end(), std::make_move_iterator(faint.begin()),
+                 std::make_move_iterator(faint.end()));
+  }
+  edges = cut_at_junctions(std::move(edges), options);
   return options.separate_edges ? separate_edges(std::move(edges), image) : edges;
 }
 

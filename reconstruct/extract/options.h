@@ -19,10 +19,15 @@ Detector detector_named(std::string_view name);
 struct ExtractOptions {
   Detector detector = Detector::kOurs;
 
-  int diffusion_levels = 3;            ///< of the non-linear diffusion before detection; 0: none
-  double diffusion_lambda = 2.0;       ///< edges this much stronger than the noise stop it
-  bool colour_boosting = false;        ///< detect in decorrelated colour derivatives
-  double gradient_sigma_px = 0.8;      ///< more loses close edges, less is noisier
+  int diffusion_levels = 3;        ///< of the non-linear diffusion before detection; 0: none
+  double diffusion_lambda = 2.0;   ///< edges this much stronger than the noise stop it
+  bool colour_boosting = false;    ///< detect in decorrelated colour derivatives
+  double gradient_sigma_px = 0.8;  ///< more loses close edges, less is noisier
+  /// A second look where the first one found nothing: ridges and hips between faces of nearly the
+  /// same colour.
+  bool faint_edges = true;
+  double faint_gradient_sigma_px = 1.6;
+  double faint_min_length_px = 25.0;   ///< shorter ones are mostly texture
   double low_noise_factor = 1.0;       ///< of a pixel of an edge
   double high_noise_factor = 2.0;      ///< of the strongest pixel of an edge
   double max_lambda_min_px2 = 0.15;    ///< straightness: variance across the line
@@ -52,6 +57,12 @@ struct ExtractOptions {
               "detect edges in decorrelated colour derivatives"},
         Field{"gradient_sigma_px", &O::gradient_sigma_px, 0.5, 5.0,
               "smoothing of the colour gradient"},
+        Field{"faint_edges", &O::faint_edges, false, true,
+              "look again with more smoothing, for edges too faint for the first look"},
+        Field{"faint_gradient_sigma_px", &O::faint_gradient_sigma_px, 0.5, 5.0,
+              "smoothing of the colour gradient in the second look"},
+        Field{"faint_min_length_px", &O::faint_min_length_px, 3.0, 1e5,
+              "shorter segments of the second look are dropped"},
         Field{"low_noise_factor", &O::low_noise_factor, 0.0, 1e3,
               "edge pixels are this many times as strong as the noise"},
         Field{"high_noise_factor", &O::high_noise_factor, 0.0, 1e3,
