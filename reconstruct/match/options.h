@@ -31,7 +31,7 @@ struct MatchOptions {
   /// Of a match against its rivals, to be kept; 0.9 if a segment is shorter than 12 px, 0.6 if it is
   /// shorter than three quarters of its mate.
   double min_probability = 0.4;
-  double min_votes = 0.5;                  ///< of its pairs, if its partners are matched
+  double min_votes = 0.3;                  ///< of its pairs, if its partners are matched
   double min_isolated_probability = 0.98;  ///< without such partners, where only its look tells
 
   static constexpr auto fields() {

@@ -231,7 +231,7 @@ double height_support(const Network& network, std::span<const double> probabilit
 
 /// Strength e^T of a candidate: odds of being right before its rivals are looked at.
 double strength(const Candidate& candidate, const Support& support) {
-  constexpr double kBias = -3.9;
+  constexpr double kBias = -3.5;
   constexpr double kLook = 0.8;
   constexpr double kVoteShare = 4.0;
   constexpr double kHeight = 7.2;
@@ -242,8 +242,7 @@ double strength(const Candidate& candidate, const Support& support) {
 
 }  // namespace
 
-bool are_fragments(const Segment2& a, const Segment2& b) {
-  constexpr double kOffset_px = 1.5;
+bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px) {
   const std::array<Eigen::Vector2d, 4> ends{a.start, a.end, b.start, b.end};
   Segment2 whole = a;
   for (const Eigen::Vector2d& from : ends) {
@@ -254,7 +253,7 @@ bool are_fragments(const Segment2& a, const Segment2& b) {
   const Eigen::Vector2d along = (whole.end - whole.start).normalized();
   return std::all_of(ends.begin(), ends.end(), [&](const Eigen::Vector2d& x) {
     const Eigen::Vector2d w = x - whole.start;
-    return std::abs(along.x() * w.y() - along.y() * w.x()) <= kOffset_px;
+    return std::abs(along.x() * w.y() - along.y() * w.x()) <= tolerance_px;
   });
 }
 
@@ -269,7 +268,9 @@ bool may_be_mates_of_one(const Segment2& a,
                          const EpipolarOverlap& a_overlap,
                          const Segment2& b,
                          const EpipolarOverlap& b_overlap) {
-  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b) &&
+  // windows run along the eave above them, in a wall of a few pixels
+  constexpr double kTolerance_px = 1.0;
+  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b, kTolerance_px) &&
          disjoint(a_overlap.on_left, b_overlap.on_left);
 }
 
