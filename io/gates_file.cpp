@@ -2,6 +2,7 @@
 #include "io/gates_file.h"
 
 #include "io/error.h"
+#include "io/yaml_check.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 #include <string_view>
@@ -135,15 +135,7 @@ class GatesReader {
 }  // namespace
 
 std::vector<GateEntry> read_gates_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path))
-    throw IoError(path.string(), "cannot be opened for reading");
-  try {
-    return GatesReader(path.string()).read(YAML::Load(file));
-  } catch (const YAML::Exception& error) {
-    throw IoError(path.string(),
-                  fmt::format("line {}: not YAML: {}", error.mark.line + 1, error.msg));
-  }
+  return GatesReader(path.string()).read(load_yaml(path.string()));
 }
 
 }  // namespace ridgeline::io

@@ -38,9 +38,13 @@ YAML::Node load_yaml(const std::string& path) {
   const std::string content = read_bytes(path);
   if (trimmed(content).empty()) throw IoError(path, "is empty");
   try {
-    return YAML::Load(content);
-  } catch (const YAML::ParserException& error) {
-    throw IoError(path, fmt::format("line {}: {}", error.mark.line + 1, error.msg));
+    const std::vector<YAML::Node> documents = YAML::LoadAll(content);
+    if (documents.size() > 1) {
+      fail_yaml(path, documents[1], "a second document begins ('---'); one is expected");
+    }
+    return documents.empty() ? YAML::Node() : documents.front();
+  } catch (const YAML::Exception& error) {
+    throw IoError(path, fmt::format("line {}: not YAML: {}", error.mark.line + 1, error.msg));
   }
 }
 

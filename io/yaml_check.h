@@ -18,7 +18,8 @@ namespace ridgeline::io {
                             const YAML::Node& node,
                             const std::string& message);
 
-/// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line.
+/// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, and if it is
+/// empty or has more than one document.
 YAML::Node load_yaml(const std::string& path);
 
 /// A mapping that is read strictly: a misspelt key must not silently become a default.

@@ -3,6 +3,7 @@
 
 #include "io/atomic_file.h"
 #include "io/error.h"
+#include "reconstruct/geometry/check.h"
 
 #include <system_error>
 
@@ -32,6 +33,11 @@ std::string output_file(const std::string& file, const std::vector<std::string>&
                       "name");
   }
   return file;
+}
+
+void check_is_png(const std::string& option, const std::string& file) {
+  check(file.empty() || fs::path(file).extension() == ".png", option, " = ", file,
+        ", must end in .png: PNG is what is written");
 }
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {

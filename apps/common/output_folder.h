@@ -30,4 +30,8 @@ class OutputFolder {
 /// IoError if it is.
 std::string output_file(const std::string& file, const std::vector<std::string>& others);
 
+/// Checks an option that names a picture to be written; empty is none. Throws std::invalid_argument
+/// unless it ends in .png: a PNG under another name misleads those who open it.
+void check_is_png(const std::string& option, const std::string& file);
+
 }  // namespace ridgeline::apps

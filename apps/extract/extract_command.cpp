@@ -56,6 +56,7 @@ reconstruct::PixelMap pixel_map(const ExtractArguments& a) {
 void check_outputs(const ExtractArguments& a) {
   (void)output_file(a.out, {a.image, a.patch});
   if (!a.overlay.empty()) (void)output_file(a.overlay, {a.image, a.patch, a.out});
+  check_is_png("--overlay", a.overlay);
 }
 
 int run_extract(const ExtractArguments& a) {

@@ -62,6 +62,7 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   for (const std::string& file : {a.out, a.overlay, a.provenance}) {
     if (!file.empty()) others.push_back(output_file(file, others));
   }
+  check_is_png("--overlay", a.overlay);
   const std::vector<Matcher>& matchers = a.matching.matchers;
   check(a.provenance.empty() ||
             std::find(matchers.begin(), matchers.end(), Matcher::kChio) != matchers.end(),

@@ -9,6 +9,7 @@
 #include "apps/simulate/village.h"
 #include "apps/simulate/write_stereo.h"
 #include "io/cloud/las_writer.h"
+#include "io/crs.h"
 #include "io/lines/write_lines.h"
 
 #include <fmt/core.h>
@@ -138,6 +139,9 @@ int run_simulate(SimulateArguments a) {
   a.stereo.sensor.seed = a.seed;
   a.village.extent_m = {a.extent_m[0], a.extent_m[1]};
   a.village.origin_m = {a.origin_m[0], a.origin_m[1], a.origin_m[2]};
+  const io::CrsFacts crs = io::describe({a.village.crs});
+  check(!crs.is_geographic, "--crs = ", a.village.crs, " (", crs.name,
+        "), its coordinates are degrees; must be a projected one");
   const simulate::Scene scene = simulate::make_village(a.village);
   const io::PointCloud cloud = simulate::scan_als(scene, a.als);
 

@@ -74,6 +74,8 @@ TEST_F(ExtractCommand, RefusesWrongInput) {
                  HasSubstr("needs --patch"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.csv"}),
                  HasSubstr("would be written over"));
+  EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.jpg"}),
+                 HasSubstr("--overlay = a.jpg, must end in .png"));
   ASSERT_TRUE(cv::imwrite(path("pixel.png").string(), cv::Mat(1, 1, CV_8UC1, cv::Scalar(70))));
   EXPECT_REFUSED(run({"extract", "pixel.png", "--out", "a.csv"}),
                  HasSubstr("pixel.png: 1 x 1 pixels; must be at least 2 x 2"));

@@ -68,6 +68,8 @@ TEST_F(Match, SaysWhatIsWrongWithItsInput) {
   }
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--overlay", "m.csv"}),
                  HasSubstr("would be written over"));
+  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--overlay", "m.jpg"}),
+                 HasSubstr("--overlay = m.jpg, must end in .png"));
   std::filesystem::remove(path("pair/right.tif"));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv"}), HasSubstr("right.tif"));
   EXPECT_FALSE(std::filesystem::exists(path("m.csv")));

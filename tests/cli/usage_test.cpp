@@ -79,6 +79,7 @@ TEST_F(Usage, SimulateRefusesWhatCannotBeASceneWithTheRule) {
   EXPECT_REFUSED(simulate("--extent-m", "60"), HasSubstr("--extent-m"));
   EXPECT_REFUSED(simulate("--density-per-m2", "0"), HasSubstr("density_per_m2 = 0"));
   EXPECT_REFUSED(simulate("--crs", "nonsense"), HasSubstr("\"nonsense\""));
+  EXPECT_REFUSED(simulate("--crs", "EPSG:4326"), HasSubstr("WGS 84"));
   EXPECT_REFUSED(simulate("--origin-m", "0.5,0,0"), HasSubstr("must be integers"));
   EXPECT_REFUSED(simulate("--seed", "-1"), HasSubstr("--seed"));
   EXPECT_REFUSED(simulate("--bits", "12"), HasSubstr("--bits: 12 not in {8,16}"));

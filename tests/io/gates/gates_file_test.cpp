@@ -94,7 +94,8 @@ TEST_F(ReadGatesFile, RejectsValuesOfTheWrongType) {
 }
 
 TEST_F(ReadGatesFile, RejectsAFileWithoutGates) {
-  EXPECT_THAT(message_of(""), HasSubstr("holds no map"));
+  EXPECT_THAT(message_of(""), HasSubstr("is empty"));
+  EXPECT_THAT(message_of("7"), HasSubstr("holds no map"));
   EXPECT_THAT(message_of("gates: []"), HasSubstr("at least one entry"));
   EXPECT_THAT(message_of("gates: 3"), HasSubstr("at least one entry"));
   EXPECT_THAT(message_of("gates: [{max: 1}"), HasSubstr("not YAML"));

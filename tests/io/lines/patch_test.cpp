@@ -165,6 +165,7 @@ TEST(ReadPatch, RefusesTwoCamerasInOnePlace) {
 TEST(ReadPatch, RefusesFilesThatAreNoPatch) {
   EXPECT_THAT(error_of(""), HasSubstr("is empty"));
   EXPECT_THAT(error_of("- 1\n- 2\n"), HasSubstr("a mapping is expected"));
+  EXPECT_THAT(error_of("id: a\n---\nid: b\n"), HasSubstr("line 3: a second document begins"));
   EXPECT_THAT(error_of("\x89PNG\r\n\x1a\n"), HasSubstr("patch.yaml: "));
   EXPECT_THAT(io_error_of([] { read_patch("/nowhere/patch.yaml"); }),
               HasSubstr("/nowhere/patch.yaml: no such file"));
