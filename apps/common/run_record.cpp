@@ -2,6 +2,7 @@
 #include "apps/common/run_record.h"
 
 #include "apps/common/version.h"
+#include "evaluate/tables/summary_json.h"
 #include "io/library_versions.h"
 #include "io/sha256.h"
 
@@ -89,7 +90,7 @@ std::string RunRecord::to_json() const {
   json["stages"] = stages_;
   json["seconds"] = seconds_since(start_);
   json["peak_memory_mib"] = peak_memory_mib();
-  return json.dump(2) + "\n";
+  return evaluate::dump(json);
 }
 
 }  // namespace ridgeline::apps

@@ -167,6 +167,7 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   if (!a.patch.empty()) {
     options.patch = io::read_patch(a.patch);
     options.patch_name = options.patch->id;
+    if (!a.assume_crs.empty()) options.patch->crs.definition = a.assume_crs;
     if (options.cloud_paths.empty()) options.cloud_paths = options.patch->lidar;
     options.reference_lines = options.patch->reference_lines;
   }
@@ -253,6 +254,8 @@ int run_evaluate(const EvaluateArguments& arguments) {
   if (arguments.report) {
     const std::optional<std::string> report = write_report_of_run(arguments.out);
     if (report) spdlog::info("report in {}", *report);
+  } else {
+    remove_report(arguments.out);
   }
   return kDone;
 }

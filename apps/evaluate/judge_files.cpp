@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -39,17 +40,19 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
   return sets;
 }
 
-void refuse_mismatch(const io::LineSet& set,
+/// `what`: "lines" or "patch", which `path` holds.
+void refuse_mismatch(std::string_view what,
+                     const std::string& path,
+                     const io::Crs& crs,
                      const io::Crs& cloud_crs,
                      std::vector<std::string>& warnings) {
-  const io::CrsAgreement agreement = io::compare(set.crs, cloud_crs);
+  const io::CrsAgreement agreement = io::compare(crs, cloud_crs);
   if (!agreement.compatible) {
-    throw io::IoError(set.path,
-                      fmt::format("lines and cloud do not match: {}; transform one of them, or "
-                                  "declare the CRS with --assume-crs",
-                                  agreement.reason));
+    throw io::IoError(path, fmt::format("{} and cloud do not match: {}; transform one of them, or "
+                                        "declare the CRS with --assume-crs",
+                                        what, agreement.reason));
   }
-  if (!agreement.warning.empty()) warnings.push_back(set.path + ": " + agreement.warning);
+  if (!agreement.warning.empty()) warnings.push_back(path + ": " + agreement.warning);
 }
 
 std::string bounds_text(const Eigen::AlignedBox3d& box) {
@@ -143,9 +146,12 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   judged.line_sets = read_line_files(options);
   io::CloudFiles cloud(options.cloud_paths, options.cloud);
   judged.frame = cloud.frame();
+  if (options.patch && options.patch->crs.known()) {
+    refuse_mismatch("patch", options.patch->path, options.patch->crs, cloud.crs(), judged.warnings);
+  }
   LineSets lines;
   for (const io::LineSet& set : judged.line_sets) {
-    refuse_mismatch(set, cloud.crs(), judged.warnings);
+    refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
     lines.push_back(judged_lines_of(set, judged.frame, options.patch));
   }
   record.end_stage("read_lines");
@@ -167,7 +173,7 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   if (options.reference_lines) {
     const io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
-    refuse_mismatch(set, cloud.crs(), judged.warnings);
+    refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
     references = reference_lines_of(set, judged.frame);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/common/output_folder.h"
 #include "apps/gate/gate_files.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/atomic_file.h"
@@ -14,6 +15,8 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
@@ -27,22 +30,30 @@ std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// The reports must not land on what was read: the gates or a file of the results.
-void refuse_writing_over_inputs(const GateArguments& a) {
+/// A file that `run` or `evaluate` writes into its folder.
+bool is_result(const std::string& file) {
+  const std::string name = fs::path(file).filename().string();
+  return name == "run.json" || name == "stages.json" || name == "report.html" ||
+         name.starts_with("evaluation.") || name.starts_with("table1.") ||
+         name.starts_with("table2.");
+}
+
+/// The reports must not land on what was read, the gates or a file of the results, nor on each
+/// other.
+void check_reports(const GateArguments& a) {
+  std::vector<std::string> others{a.gates};
   for (const std::string& report : {a.junit, a.summary, a.json}) {
-    if (report.empty() || !fs::exists(report)) continue;
-    const std::string name = fs::path(report).filename().string();
-    const bool is_result =
-        (name.starts_with("evaluation.") && name.ends_with(".json")) || name == "run.json";
-    if (is_result || fs::equivalent(report, a.gates)) {
+    if (report.empty()) continue;
+    if (fs::exists(report) && is_result(report)) {
       throw io::IoError(report, "is an input and would be written over; choose another name");
     }
+    others.push_back(output_file(report, others));
   }
 }
 
 int run_gate(const GateArguments& a) {
+  check_reports(a);
   const evaluate::GateReport report = apply_gate_files(a.gates, a.results, a.baseline);
-  refuse_writing_over_inputs(a);
   const std::string markdown = evaluate::to_markdown(report);
   if (!a.junit.empty()) io::write_file(a.junit, evaluate::to_junit(report, now_utc()));
   if (!a.summary.empty()) io::write_file(a.summary, markdown);

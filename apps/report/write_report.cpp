@@ -47,6 +47,8 @@ std::string title_of(const ReportInput& input) {
   return title;
 }
 
+constexpr const char* kReportFile = "report.html";
+
 }  // namespace
 
 void add_report_flag(CLI::App& app, bool& report) {
@@ -72,17 +74,20 @@ std::string write_report(const std::string& folder,
   // bytes that are not UTF-8 (file names, ids) become U+FFFD
   const std::string data = report_json(input, scenes, gates)
                                .dump(-1, ' ', false, evaluate::Json::error_handler_t::replace);
-  out.write("report.html", report_page(title_of(input), data));
-  return out.path("report.html");
+  out.write(kReportFile, report_page(title_of(input), data));
+  return out.path(kReportFile);
+}
+
+void remove_report(const std::string& folder) {
+  std::error_code none;
+  std::filesystem::remove(std::filesystem::path(folder) / kReportFile, none);
 }
 
 std::optional<std::string> write_report_of_run(const std::string& folder) {
   try {
     return write_report(folder);
   } catch (const std::exception& error) {
-    // an earlier run's page would show other figures than the tables beside it
-    std::error_code none;
-    std::filesystem::remove(std::filesystem::path(folder) / "report.html", none);
+    remove_report(folder);
     spdlog::warn("the results are complete, but their report is not written: {}", error.what());
     return std::nullopt;
   }

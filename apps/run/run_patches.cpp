@@ -134,6 +134,8 @@ void run_patches(const std::string& command,
   if (options.report) {
     const std::optional<std::string> report = write_report_of_run(results.string());
     if (report) fmt::print("Report: {}\n", *report);
+  } else {
+    remove_report(results.string());
   }
 }
 

@@ -30,9 +30,8 @@ StageCache::StageCache(fs::path folder, bool resume) : folder_(std::move(folder)
 bool StageCache::is_done(const std::string& stage, const std::string& key) const {
   if (!resume_ || !stages_.contains(stage)) return false;
   const nlohmann::json& record = stages_[stage];
-  if (!record.is_object() || record.value("key", "") != key || !record.contains("files")) {
-    return false;
-  }
+  if (!record.is_object() || !record.contains("key") || record["key"] != key) return false;
+  if (!record.contains("files") || !record["files"].is_object()) return false;
   for (const auto& [name, hash] : record["files"].items()) {
     const fs::path file = folder_ / name;
     if (!fs::is_regular_file(file) || hash != io::sha256_of_file(file.string())) return false;

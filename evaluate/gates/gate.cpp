@@ -51,11 +51,13 @@ void check_gate(const Gate& gate) {
 void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline) {
   check(!baseline.input_hashes.empty() && !results.input_hashes.empty(), "baseline ", baseline.name,
         ": no input hashes recorded; they must show the same inputs");
-  for (const auto& [file, hash] : results.input_hashes) {
-    const auto found = baseline.input_hashes.find(file);
-    check(found != baseline.input_hashes.end() && found->second == hash, "baseline ", baseline.name,
-          ": the input ", file,
-          found == baseline.input_hashes.end() ? " is not among its inputs" : " differs",
+  for (const auto& input : results.input_hashes) {
+    const std::string& file = input.first;
+    const bool has_name =
+        std::any_of(baseline.input_hashes.begin(), baseline.input_hashes.end(),
+                    [&](const auto& of_baseline) { return of_baseline.first == file; });
+    check(baseline.input_hashes.contains(input), "baseline ", baseline.name, ": the input ", file,
+          has_name ? " differs" : " is not among its inputs",
           "; a baseline must rest on the same inputs");
   }
   check(baseline.input_hashes.size() == results.input_hashes.size(), "baseline ", baseline.name,
@@ -144,8 +146,7 @@ GateResult settle(GateResult result, std::size_t n_min, Bound bound) {
   }
   if (result.n < n_min) {
     result.verdict = Verdict::kInsufficient;
-    result.explanation =
-        fmt::format("insufficient: n = {}, at least {} are needed", result.n, n_min);
+    result.explanation = fmt::format("n = {}, at least {} are needed", result.n, n_min);
     return result;
   }
   const bool holds =
@@ -179,16 +180,19 @@ GateResult against_baseline(const Gate& gate,
   constexpr double kLeastIncrease = 0.002;
   constexpr double kIncreaseShare = 0.05;
   const bool upper = bound == Bound::kUpper;
-  GateResult result = begin_result(gate, figure, upper ? "<= baseline + a" : ">= baseline - a");
-  result.baseline = baseline_value(gate, figure, baseline);
+  const std::optional<double> base = baseline_value(gate, figure, baseline);
+  const double default_increase = std::max(kLeastIncrease, kIncreaseShare * base.value_or(0.0));
+  const double default_decrease = is_matching_metric(gate.metric) ? 0.01 : 0.02;
+  const double a = allowance.value.value_or(upper ? default_increase : default_decrease);
+  GateResult result =
+      begin_result(gate, figure,
+                   fmt::format("{} baseline {} {:.4g}", upper ? "<=" : ">=", upper ? '+' : '-', a));
+  result.baseline = base;
   if (!result.baseline) {
     result.explanation =
         baseline == nullptr ? "no baseline is given" : "the baseline does not have the figure";
     return settle(std::move(result), gate.n_min, bound);
   }
-  const double default_increase = std::max(kLeastIncrease, kIncreaseShare * *result.baseline);
-  const double default_decrease = is_matching_metric(gate.metric) ? 0.01 : 0.02;
-  const double a = allowance.value.value_or(upper ? default_increase : default_decrease);
   result.limit = *result.baseline + (upper ? a : -a);
   result.baseline_can_be_tightened = result.value && (upper ? *result.value < *result.baseline - a
                                                             : *result.value > *result.baseline + a);

@@ -4,9 +4,10 @@
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
 
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -16,9 +17,9 @@ struct ResultFolder {
   std::string name;  ///< as shown to the user
   std::vector<Evaluation> evaluations;
   Table1 matching;  ///< no rows: the run did not match
-  /// File name -> hash of the data that two runs must share to be compared: images, clouds and
-  /// references, not the judged lines.
-  std::map<std::string, std::string> input_hashes;
+  /// File name and hash of the data that two runs must share to be compared: images, clouds and
+  /// references, not the judged lines. Files of several patches may have one name.
+  std::set<std::pair<std::string, std::string>> input_hashes;
   std::optional<double> duration_s;
 };
 

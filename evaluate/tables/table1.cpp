@@ -3,8 +3,11 @@
 
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
+#include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
+
+#include <stdexcept>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -14,6 +17,12 @@ constexpr int kShareDecimals = 3;  // the published tenths of a percent
 std::string share_with_interval(std::optional<double> share, const std::optional<Interval>& ci95) {
   if (!ci95) return percent(share);
   return fmt::format("{} ({} - {})", percent(share), percent(ci95->low), percent(ci95->high));
+}
+
+std::size_t number_of(const Json& row, const char* key) {
+  const Json& value = row.at(key);
+  check(value.is_number_unsigned(), key, ": ", value.dump(), "; must be a whole number >= 0");
+  return value.get<std::size_t>();
 }
 
 }  // namespace
@@ -70,6 +79,22 @@ std::string to_json(const Table1& table) {
                     {"quality_ci95", interval_json(q.quality_ci95)}});
   }
   return dump(Json{{"rows", std::move(rows)}});
+}
+
+Table1 parse_table1(std::string_view json) {
+  Table1 table;
+  try {
+    for (const Json& row : Json::parse(json).at("rows")) {
+      table.rows.push_back(
+          {row.at("patch").get<std::string>(),
+           row.at("matcher").get<std::string>(),
+           {number_of(row, "correct"), number_of(row, "false"), number_of(row, "missed")},
+           number_of(row, "unjudged")});
+    }
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(std::string("is no Table 1: ") + error.what());
+  }
+  return table;
 }
 
 }  // namespace ridgeline::evaluate

@@ -4,6 +4,7 @@
 #include "evaluate/statistics/matching_quality.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -29,5 +30,9 @@ std::string to_csv(const Table1& table);
 
 /// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}.
 std::string to_json(const Table1& table);
+
+/// Reads the counts of what to_json() wrote; the figures follow from them.
+/// Throws std::invalid_argument for text that is no such table.
+Table1 parse_table1(std::string_view json);
 
 }  // namespace ridgeline::evaluate

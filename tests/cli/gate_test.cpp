@@ -148,6 +148,9 @@ TEST_F(Gate, FolderWithoutResultsIsRefused) {
 TEST_F(Gate, DamagedResultsAreRefusedByName) {
   write(path("results/run.json"), "{}");
   EXPECT_REFUSED(gate(kEasy), AllOf(HasSubstr("results/run.json"), HasSubstr("inputs")));
+  write(path("results/table2.json"), R"({"passed": true, "gates": []})");
+  EXPECT_REFUSED(gate(kEasy), AllOf(HasSubstr("results/table2.json"), HasSubstr("is no Table 2")));
+  std::filesystem::remove(path("results/table2.json"));
   write(path("results/evaluation.lines.good.json"), "{");
   EXPECT_REFUSED(gate(kEasy), HasSubstr("results/evaluation.lines.good.json: not JSON"));
 }
@@ -156,6 +159,10 @@ TEST_F(Gate, ReportsNeverLandOnAnInput) {
   EXPECT_REFUSED(gate(kEasy, {"--junit", "gates.yaml"}), HasSubstr("would be written over"));
   EXPECT_THAT(read(path("gates.yaml")), HasSubstr("gates: ["));
   EXPECT_REFUSED(gate(kEasy, {"--json", "results/run.json"}), HasSubstr("would be written over"));
+  EXPECT_REFUSED(gate(kEasy, {"--json", "results/table2.json"}),
+                 HasSubstr("would be written over"));
+  EXPECT_REFUSED(gate(kEasy, {"--junit", "same", "--summary", "same"}),
+                 HasSubstr("would be written over"));
   EXPECT_REFUSED(gate(kEasy, {"--summary", "scene"}), HasSubstr("scene: is a folder"));
 }
 

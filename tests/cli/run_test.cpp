@@ -257,6 +257,52 @@ TEST_F(RunPatch, MethodsOfAnEarlierRunAreNoResultsOfTheLast) {
   }
 }
 
+TEST_F(RunPatch, GatesHoldTheFiguresOfMatching) {
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  const auto gate = [&](const std::string& entry) {
+    write(path("gates.yaml"), "gates: [" + entry + "]\n");
+    return run({"gate", "out", "--gates", "gates.yaml"}).exit_code;
+  };
+  EXPECT_EQ(gate("{metric: correctness, method: pairwise, min: 0.5}"), 0);
+  EXPECT_EQ(gate("{metric: completeness, min: 0.5}"), 0);
+  EXPECT_EQ(gate("{metric: quality, min: 1.01}"), 3);
+  EXPECT_EQ(gate("{metric: quality, method: chio, min: 0.5}"), 3);
+  write(path("out/table1.json"), R"({"rows": [{"patch": "1"}]})");
+  EXPECT_REFUSED(run({"gate", "out", "--gates", "gates.yaml"}),
+                 AllOf(HasSubstr("table1.json"), HasSubstr("is no Table 1")));
+}
+
+TEST_F(RunPatch, WithoutAReportThatOfAnEarlierRunIsGone) {
+  ASSERT_EQ(run_patch("out").exit_code, 0);
+  ASSERT_TRUE(fs::exists(path("out/report.html")));
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path("out/report.html")));
+}
+
+TEST_F(RunPatch, DamagedRecordOfStagesMeansDoneAnew) {
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  const auto stages = read_json(path("out/1/stages.json"));
+  for (const char* key : {"key", "files"}) {
+    auto damaged = stages;
+    for (auto& stage : damaged) stage[key] = nullptr;
+    write(path("out/1/stages.json"), damaged.dump());
+    const ProgramResult again = run_patch("out", {"--no-report", "--resume"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_THAT(again.err, HasSubstr("0 finished stages skipped")) << key;
+  }
+}
+
+TEST_F(RunPatch, PatchOfAnotherCrsThanTheCloudIsRefusedByEvaluateToo) {
+  const std::vector<std::string> arguments{"evaluate", "--lines",          "patch/truth.geojson",
+                                           "--patch",  "patch/patch.yaml", "--out",
+                                           "out",      "--no-report"};
+  ASSERT_EQ(run(arguments).exit_code, 0);
+  edit_patch("25832", "25833");
+  EXPECT_REFUSED(run(arguments),
+                 AllOf(HasSubstr("patch.yaml"), HasSubstr("patch and cloud do not match"),
+                       HasSubstr("--assume-crs")));
+}
+
 TEST_F(RunPatch, WrongInputsAreFoundBeforeTheWorkBegins) {
   EXPECT_REFUSED(run_patch("out", {"--gross-m", "nan"}), HasSubstr("--gross-m = nan"));
   edit_patch("lidar.las", "none.las");

@@ -126,6 +126,16 @@ TEST(Table2Latex, IsATabularWithEscapedNames) {
   EXPECT_THAT(text, HasSubstr("1 & 0.354 (2/2) & 1.200 (1/2) & 0.751 (3/4) & - & - & - \\\\\n"));
 }
 
+TEST(Table1, IsReadBackAsItWasWritten) {
+  const Table1 table{{{"1", "pairwise", {101, 3, 2}, 7}, {"b", "chio", {0, 0, 9}, 0}}};
+  EXPECT_EQ(to_json(parse_table1(to_json(table))), to_json(table));
+  for (const char* text : {"", "{}", R"({"rows": 3})", R"({"rows": [{"patch": "1"}]})",
+                           R"({"rows": [{"patch": "1", "matcher": "m", "correct": -1,
+                               "false": 0, "missed": 0, "unjudged": 0}]})"}) {
+    EXPECT_THROW((void)parse_table1(text), std::invalid_argument) << text;
+  }
+}
+
 TEST(Table1, GivesThePublishedPercentages) {
   const Table1 table{{{"1", "pairwise", {101, 3, 2}},
                       {"2", "pairwise", {94, 6, 5}},
