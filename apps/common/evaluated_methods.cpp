@@ -34,7 +34,8 @@ EvaluatedMethods::EvaluatedMethods(fs::path folder, bool of_files)
   if (!fs::exists(file)) return;
   is_known_ = true;
   try {
-    for (const Json& row : read_json_object(file).at("rows")) {
+    const Json table = read_json_object(file);
+    for (const Json& row : table.at("rows")) {
       const auto patch = row.at("patch").get<std::string>();
       patch_rank_.try_emplace(patch, patch_rank_.size());
       rank_.try_emplace({patch, row.at("method").get<std::string>()}, rank_.size());
