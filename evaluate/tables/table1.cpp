@@ -84,7 +84,8 @@ std::string to_json(const Table1& table) {
 Table1 parse_table1(std::string_view json) {
   Table1 table;
   try {
-    for (const Json& row : Json::parse(json).at("rows")) {
+    const Json parsed = Json::parse(json);
+    for (const Json& row : parsed.at("rows")) {
       table.rows.push_back(
           {row.at("patch").get<std::string>(),
            row.at("matcher").get<std::string>(),
