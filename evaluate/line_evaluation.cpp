@@ -3,6 +3,14 @@
 
 namespace ridgeline::evaluate {
 
+bool in_range(const Segment3& segment_in_local) {
+  static constexpr double kFarthest_m = 1e7;
+  const auto is_near = [](const Eigen::Vector3d& x) {
+    return (x.array().abs() <= kFarthest_m).all();  // false for NaN
+  };
+  return is_near(segment_in_local.start) && is_near(segment_in_local.end);
+}
+
 const char* name(Status status) {
   switch (status) {
     case Status::kEvaluated:
@@ -23,6 +31,8 @@ const char* name(Status status) {
       return "too_short";
     case Status::kNonFinite:
       return "non_finite";
+    case Status::kOutOfRange:
+      return "out_of_range";
     case Status::kDuplicateId:
       return "duplicate_id";
   }

@@ -27,9 +27,10 @@ enum class Status : std::uint8_t {
   kDegenerate,        ///< zero length, or vertical: no plan direction
   kTooShort,
   kNonFinite,
+  kOutOfRange,  ///< in_range() is false: no place on Earth in the cloud's system
   kDuplicateId,
 };
-inline constexpr int kNumStatuses = 10;
+inline constexpr int kNumStatuses = 11;
 
 /// `evaluated`, `no_lidar`, ... as in the files.
 const char* name(Status status);
@@ -45,6 +46,10 @@ struct ImageEvidence {
   std::array<Segment2, 2> segments_px;               ///< ideal pixels
   std::array<double, 2> height_range_m{};            ///< lowest, highest object height, local
 };
+
+/// Whether both ends lie within 10,000 km of the local origin in x, y and z. What is farther off is a
+/// fault of the file; its length may not even be finite.
+bool in_range(const Segment3& segment_in_local);
 
 /// A line to be judged. Local metres.
 struct JudgedLine {
@@ -81,7 +86,7 @@ struct LineEvaluation {
   Kind kind = Kind::kNone;
   std::vector<std::string> flags;    ///< merged, plane_ambiguous, extrapolated, ...
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
-  double length_m = 0.0;
+  double length_m = 0.0;             ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;
 
   double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)

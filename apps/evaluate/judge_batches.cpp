@@ -32,24 +32,28 @@ class Surroundings {
  public:
   explicit Surroundings(const evaluate::JudgeOptions& options)
       // the corner of the zone that a line's planes are fitted in
-      : radius_m_(std::numbers::sqrt2 *
+      : options_(options),
+        radius_m_(std::numbers::sqrt2 *
                   std::max(options.fit_half_width_m,
                            options.corridor_half_width_m + options.corridor_end_m)) {}
 
+  /// A line that cannot be judged needs no points, and memory for none.
   void add(const JudgedLine& line) {
     constexpr double kSweep_m = 1.0;
+    if (evaluate::refusal_of(line, options_)) return;
     if (line.images) {
       for (const Segment2& seen : evaluate::plan_sweep(*line.images, kSweep_m)) {
         footprints_.push_back(seen);
       }
       reach_m_ = 0.5 * kSweep_m;
     }
-    if (all_finite(line.segment)) footprints_.push_back(plan(line.segment));
+    footprints_.push_back(plan(line.segment));
   }
 
   [[nodiscard]] io::PlanMask mask() const { return {footprints_, radius_m_ + reach_m_}; }
 
  private:
+  const evaluate::JudgeOptions& options_;
   double radius_m_;
   double reach_m_ = 0.0;  ///< an edge seen in an image may lie between two segments of its sweep
   std::vector<Segment2> footprints_;
@@ -63,6 +67,22 @@ evaluate::PointGrid grid_of(io::PointCloud& cloud) {
   evaluate::PointGrid grid = evaluate::PointGrid::build(cloud.points.size(), position);
   cloud.points = {};  // the grid holds them now
   return grid;
+}
+
+/// All lines: those about the frame's origin, which is amid the points of the cloud, and those far from it.
+/// A few lines that a wrong coordinate has put elsewhere would make the raster around all of them coarse.
+std::pair<Batch, Batch> near_and_far(const LineSets& lines) {
+  constexpr double kFar_m = 3e5;
+  const auto is_near = [](const Segment3& s) {
+    return s.start.head<2>().cwiseAbs().cwiseMax(s.end.head<2>().cwiseAbs()).maxCoeff() <= kFar_m;
+  };
+  Batch near, far;
+  for (std::size_t set = 0; set < lines.size(); ++set) {
+    for (std::size_t line = 0; line < lines[set].size(); ++line) {
+      (is_near(lines[set][line].segment) ? near : far).push_back({set, line});
+    }
+  }
+  return {std::move(near), std::move(far)};
 }
 
 class BatchedJudge {
@@ -109,7 +129,7 @@ class BatchedJudge {
  private:
   [[nodiscard]] Eigen::Vector2d middle(const LineRef& ref) const {
     const Segment3& segment = lines_[ref.set][ref.line].segment;
-    return all_finite(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
+    return evaluate::in_range(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
   }
 
   /// By the median across the longer side of the box around the lines' midpoints.
@@ -170,12 +190,10 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes) {
-  Batch all;
-  for (std::size_t set = 0; set < lines.size(); ++set) {
-    for (std::size_t line = 0; line < lines[set].size(); ++line) all.push_back({set, line});
-  }
   BatchedJudge judge(cloud, lines, options, max_memory_bytes / kBytesPerPoint);
-  judge.judge(std::move(all));
+  auto [near, far] = near_and_far(lines);
+  judge.judge(std::move(near));
+  if (!far.empty()) judge.judge(std::move(far));
   return judge.take();
 }
 

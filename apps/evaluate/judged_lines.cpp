@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/evaluate/judged_lines.h"
 
+#include "io/error.h"
 #include "reconstruct/geometry/epipolar.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numbers>
@@ -56,7 +59,7 @@ JudgedLine judged_line(const io::Line& line,
   judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection" &&
                          line.status != "ambiguous_depth";
   judged.epipolar_angle_deg = line.epipolar_angle_deg;
-  if (!judged.epipolar_angle_deg && cameras.size() >= 2 && all_finite(segment_in_world)) {
+  if (!judged.epipolar_angle_deg && cameras.size() >= 2 && evaluate::in_range(judged.segment)) {
     judged.epipolar_angle_deg =
         epipolar_angle_rad(cameras, segment_in_world) * 180.0 / std::numbers::pi;
   }
@@ -74,7 +77,7 @@ std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& pat
 std::vector<Segment3> finite_segments(const std::vector<JudgedLine>& lines) {
   std::vector<Segment3> segments;
   for (const JudgedLine& line : lines) {
-    if (line.reconstructed && all_finite(line.segment)) segments.push_back(line.segment);
+    if (line.reconstructed && evaluate::in_range(line.segment)) segments.push_back(line.segment);
   }
   return segments;
 }
@@ -115,12 +118,16 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
   for (const io::Line& line : set.lines) {
     const Segment3 in_world = metric_segment(line, crs);
     if (!all_finite(in_world)) continue;
+    const Segment3 in_local{frame.local_from_world(in_world.start),
+                            frame.local_from_world(in_world.end)};
+    if (!evaluate::in_range(in_local)) {
+      throw io::IoError(set.path, fmt::format("reference line {} has a coordinate more than 10,000 "
+                                              "km from the cloud; correct it or leave it out",
+                                              line.id));
+    }
     const double visible =
         std::min(line.visible_left.value_or(1.0), line.visible_right.value_or(1.0));
-    references.push_back(
-        {{frame.local_from_world(in_world.start), frame.local_from_world(in_world.end)},
-         line.kind,
-         visible});
+    references.push_back({in_local, line.kind, visible});
   }
   return references;
 }

@@ -43,7 +43,7 @@ JudgedResult duplicate(const JudgedLine& line) {
   result.evaluation.epipolar_angle_deg = line.epipolar_angle_deg;
   result.evaluation.status = Status::kDuplicateId;
   result.evaluation.reason = "an earlier line has the same id";
-  if (all_finite(line.segment)) result.evaluation.length_m = length(line.segment);
+  if (in_range(line.segment)) result.evaluation.length_m = length(line.segment);
   return result;
 }
 

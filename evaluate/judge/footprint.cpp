@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace ridgeline::evaluate {
 
 Footprint footprint_of(const Segment3& segment) {
-  const Segment2 p = plan(segment);
+  Segment2 p = plan(segment);
+  // the same axes whichever end the file gives first
+  if (std::tuple(p.end.x(), p.end.y()) < std::tuple(p.start.x(), p.start.y())) {
+    std::swap(p.start, p.end);
+  }
   const double length_m = length(p);
   check(length_m > 0.0, "footprint_of: length in plan = ", length_m, " m, must be positive");
   const Eigen::Vector2d along = (p.end - p.start) / length_m;
@@ -31,6 +36,9 @@ std::vector<ZonePoint> points_beside(const PointGrid& grid,
     return std::tuple(a.x.x(), a.x.y(), a.x.z(), a.index) <
            std::tuple(b.x.x(), b.x.y(), b.x.z(), b.index);
   });
+  const auto repeated = std::ranges::unique(
+      points, {}, [](const ZonePoint& p) { return std::tuple(p.x.x(), p.x.y(), p.x.z()); });
+  points.erase(repeated.begin(), repeated.end());
   for (std::size_t i = 0; i < points.size(); ++i) points[i].rank = static_cast<std::uint32_t>(i);
   return points;
 }

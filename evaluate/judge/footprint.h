@@ -12,7 +12,8 @@
 namespace ridgeline::evaluate {
 
 /// The plan view of a line with its own axes: s along from the start, t across, positive to the
-/// left.
+/// left. The start is the end with the smaller x (with equal ones, the smaller y), so that a line
+/// given the other way round has the same axes.
 struct Footprint {
   Eigen::Vector2d start;
   Eigen::Vector2d along;   ///< unit
@@ -38,7 +39,8 @@ struct ZonePoint {
 
 /// All points with |t| <= half_width and -end <= s <= length + end, whatever their height: a line
 /// that is metres off in height meets the same points. In the order of x, then y, then z: the same
-/// points give the same zone however they are spread over files and in whatever order they come.
+/// points give the same zone however they are spread over files and in whatever order they come. Points at
+/// the same place, as tiles that overlap have, are one point.
 std::vector<ZonePoint> points_beside(const PointGrid& grid,
                                      const Footprint& footprint,
                                      double half_width_m,

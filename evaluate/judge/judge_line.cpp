@@ -26,30 +26,6 @@ std::string text(const Parts&... parts) {
   return stream.str();
 }
 
-struct Refusal {
-  Status status;
-  std::string reason;
-};
-
-/// Why a line cannot be judged whatever the cloud holds.
-std::optional<Refusal> refuse(const JudgedLine& line, const JudgeOptions& options) {
-  constexpr double kNearVertical = 0.05;  // plan length / length: steeper has no direction in plan
-  if (!line.reconstructed) {
-    return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
-  }
-  if (!all_finite(line.segment)) return Refusal{Status::kNonFinite, "a coordinate is not finite"};
-  const double length_m = length(line.segment);
-  if (!(length_m > 0.0)) return Refusal{Status::kDegenerate, "both ends are the same point"};
-  if (length(plan(line.segment)) < kNearVertical * length_m) {
-    return Refusal{Status::kDegenerate, "the line is vertical: it has no direction in plan"};
-  }
-  if (length_m < options.min_length_m) {
-    return Refusal{Status::kTooShort,
-                   text("length ", length_m, " m, must be at least ", options.min_length_m, " m")};
-  }
-  return std::nullopt;
-}
-
 std::size_t count_in_corridor(std::span<const ZonePoint> zone,
                               const Footprint& footprint,
                               const JudgeOptions& options) {
@@ -192,7 +168,7 @@ LineEvaluation undecided(const JudgedLine& line) {
   e.line_class = line.line_class;
   e.building = line.building;
   e.epipolar_angle_deg = line.epipolar_angle_deg;
-  if (all_finite(line.segment)) e.length_m = length(line.segment);
+  if (in_range(line.segment)) e.length_m = length(line.segment);
   return e;
 }
 
@@ -204,11 +180,32 @@ JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
 
 }  // namespace
 
+std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options) {
+  constexpr double kNearVertical = 0.05;  // plan length / length: steeper has no direction in plan
+  if (!line.reconstructed) {
+    return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
+  }
+  if (!all_finite(line.segment)) return Refusal{Status::kNonFinite, "a coordinate is not finite"};
+  if (!in_range(line.segment)) {
+    return Refusal{Status::kOutOfRange, "a coordinate is more than 10,000 km from the cloud"};
+  }
+  const double length_m = length(line.segment);
+  if (!(length_m > 0.0)) return Refusal{Status::kDegenerate, "both ends are the same point"};
+  if (length(plan(line.segment)) < kNearVertical * length_m) {
+    return Refusal{Status::kDegenerate, "the line is vertical: it has no direction in plan"};
+  }
+  if (length_m < options.min_length_m) {
+    return Refusal{Status::kTooShort,
+                   text("length ", length_m, " m, must be at least ", options.min_length_m, " m")};
+  }
+  return std::nullopt;
+}
+
 JudgedResult judge_line(const PointGrid& grid,
                         const JudgedLine& line,
                         const JudgeOptions& options) {
   LineEvaluation e = undecided(line);
-  if (const auto refusal = refuse(line, options)) {
+  if (const auto refusal = refusal_of(line, options)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
   // by its image segment on the LIDAR surface, so that all methods meet the same points; by the line

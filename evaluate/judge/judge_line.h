@@ -6,6 +6,8 @@
 #include "evaluate/line_evaluation.h"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -17,6 +19,13 @@ struct JudgedResult {
   /// The same points by a hash of their position, which tells them in any part of a cloud.
   std::vector<std::vector<std::uint64_t>> inlier_keys;
 };
+
+/// Why a line cannot be judged whatever the cloud holds; nothing if it can.
+struct Refusal {
+  Status status;
+  std::string reason;
+};
+std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options);
 
 /// The method (Ok et al. 2011, section 4) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over

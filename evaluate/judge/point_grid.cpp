@@ -2,6 +2,7 @@
 #include "evaluate/judge/point_grid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -42,11 +43,13 @@ std::size_t PointGrid::cell_of(const Eigen::Vector3d& x) const {
 }
 
 std::size_t PointGrid::count_within(const Eigen::Vector2d& x, double radius_m) const {
-  std::size_t count = 0;
+  std::vector<std::array<double, 3>> places;
   visit_near({x, x}, radius_m, [&](const Point& point) {
-    count += (point.x.head<2>() - x).squaredNorm() <= radius_m * radius_m ? 1 : 0;
+    if ((point.x.head<2>() - x).squaredNorm() > radius_m * radius_m) return;
+    places.push_back({point.x.x(), point.x.y(), point.x.z()});
   });
-  return count;
+  std::ranges::sort(places);
+  return places.size() - std::ranges::unique(places).size();
 }
 
 }  // namespace ridgeline::evaluate

@@ -37,7 +37,8 @@ class PointGrid {
   template <typename Visitor>
   void visit_near(const Segment2& segment, double radius_m, Visitor&& visit) const;
 
-  /// Number of points within `radius_m` of `x` in plan, bounds included.
+  /// Number of points within `radius_m` of `x` in plan, bounds included; points at the same place are
+  /// one.
   [[nodiscard]] std::size_t count_within(const Eigen::Vector2d& x, double radius_m) const;
 
  private:

@@ -36,7 +36,7 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
     if (line.status == Status::kEvaluated) distances_m.push_back(line.mean_distance_m);
     if (!was_looked_up(line.status)) continue;
     ++n_looked_up;
-    if (line.status != Status::kNoLidar) ++n_near;
+    if (line.status != Status::kNoLidar && line.status != Status::kOutOfRange) ++n_near;
   }
   FrameCheck result;
   result.median_distance_m = median(std::move(distances_m));

@@ -100,7 +100,7 @@ double mean_distance_m(const Segment3& segment, const Segment3& reference) {
   return sum_m / kSamples;
 }
 
-bool has_geometry(const JudgedLine& line) { return line.reconstructed && all_finite(line.segment); }
+bool has_geometry(const JudgedLine& line) { return line.reconstructed && in_range(line.segment); }
 
 bool is_of(const JudgedLine& line, std::string_view line_class) {
   return line_class == kTotal || line.line_class == line_class;

@@ -2,10 +2,12 @@
 #include "tests/support/run_program.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -41,22 +43,29 @@ std::string content_of(std::FILE* file) {
                          const char* folder,
                          std::vector<std::string>& environment,
                          int out,
-                         int err) {
+                         int err,
+                         unsigned time_limit_s) {
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   dup2(nothing, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
   for (std::string& variable : environment) putenv(variable.data());
+  alarm(time_limit_s);  // goes on in the program
   if (chdir(folder) == 0) execv(argv.front(), argv.data());
   _exit(kNotStarted);
 }
 
-int exit_code_of(pid_t child) {
+void wait_for(pid_t child, ProgramResult& result) {
+  const auto start = std::chrono::steady_clock::now();
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  rusage usage{};
+  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
   }
   constexpr int kSignalBase = 128;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalBase + WTERMSIG(status);
+  constexpr double kKibInMib = 1024.0;
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : kSignalBase + WTERMSIG(status);
+  result.peak_memory_mib = static_cast<double>(usage.ru_maxrss) / kKibInMib;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -64,7 +73,8 @@ int exit_code_of(pid_t child) {
 ProgramResult run_program(const std::string& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder,
-                          const std::vector<std::string>& environment) {
+                          const std::vector<std::string>& environment,
+                          unsigned time_limit_s) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -77,10 +87,10 @@ ProgramResult run_program(const std::string& program,
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) {
-    become(argv, folder.c_str(), variables, fileno(out.get()), fileno(err.get()));
+    become(argv, folder.c_str(), variables, fileno(out.get()), fileno(err.get()), time_limit_s);
   }
   ProgramResult result;
-  result.exit_code = exit_code_of(child);
+  wait_for(child, result);
   if (result.exit_code == kNotStarted) {
     throw std::system_error(ENOEXEC, std::generic_category(), program);
   }

@@ -7,18 +7,33 @@
 
 namespace ridgeline::test {
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RIDGELINE_IS_SANITIZED true
+#endif
+#endif
+#ifndef RIDGELINE_IS_SANITIZED
+#define RIDGELINE_IS_SANITIZED false
+#endif
+/// Whether the programs keep the shadows of the address sanitizer: limits of memory do not hold then.
+inline constexpr bool kIsSanitized = RIDGELINE_IS_SANITIZED;
+
 /// What a program left behind.
 struct ProgramResult {
   int exit_code = 0;  ///< 128 + n if signal n ended it, as a shell says
   std::string out, err;
+  double seconds = 0.0;
+  double peak_memory_mib = 0.0;
 };
 
 /// Runs `program` with `arguments` in `folder`, without a shell and with stdin at /dev/null, and
 /// waits for its end. `environment` holds NAME=value pairs that are set on top of this process's.
+/// With a `time_limit_s` above 0 SIGALRM ends it after that time.
 /// Throws std::system_error if the program cannot be started.
 ProgramResult run_program(const std::string& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder,
-                          const std::vector<std::string>& environment = {});
+                          const std::vector<std::string>& environment = {},
+                          unsigned time_limit_s = 0);
 
 }  // namespace ridgeline::test

@@ -102,6 +102,11 @@ TEST(JudgeLine, EndsInAStatusForEveryBadLine) {
     return judge_line(grid, line(s), {}).evaluation.status;
   };
   EXPECT_EQ(status({{nan, 0, 0}, {1, 0, 0}}), Status::kNonFinite);
+  for (const double far : {1.0001e7, 1e30, -1e308}) {
+    EXPECT_EQ(status({{far, 0, 0}, {1, 0, 0}}), Status::kOutOfRange) << far;
+    EXPECT_EQ(status({{0, 0, 0}, {1, far, 0}}), Status::kOutOfRange) << far;
+    EXPECT_EQ(status({{0, 0, 0}, {1, 0, far}}), Status::kOutOfRange) << far;
+  }
   EXPECT_EQ(status({{1, 1, 1}, {1, 1, 1}}), Status::kDegenerate);
   EXPECT_EQ(status({{1, 1, 1}, {1, 1, 4}}), Status::kDegenerate);
   EXPECT_EQ(status({{1, 1, 1}, {1.1, 1, 1}}), Status::kTooShort);
@@ -109,6 +114,52 @@ TEST(JudgeLine, EndsInAStatusForEveryBadLine) {
   JudgedLine lost = line(house.ridge());
   lost.reconstructed = false;
   EXPECT_EQ(judge_line(grid, lost, {}).evaluation.status, Status::kNotReconstructed);
+}
+
+/// Lines on and beside all edges of the roof, in several directions.
+std::vector<Segment3> lines_about(const House& house) {
+  std::vector<Segment3> lines;
+  const Segment3 verge{house.eave().start, house.ridge().start};
+  for (const Segment3& edge : {house.ridge(), house.eave(), verge}) {
+    for (const double aside_m : {-0.3, 0.0, 0.2}) {
+      lines.push_back(moved(edge, {aside_m, aside_m, 0.5 * aside_m}));
+    }
+  }
+  return lines;
+}
+
+void expect_same_judgement(const LineEvaluation& a, const LineEvaluation& b, double tolerance_m) {
+  ASSERT_EQ(a.status, b.status) << a.reason << " / " << b.reason;
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.flags, b.flags);
+  EXPECT_NEAR(a.mean_distance_m, b.mean_distance_m, tolerance_m);
+  EXPECT_NEAR(a.signed_mean_m, b.signed_mean_m, tolerance_m);
+  EXPECT_NEAR(a.max_distance_m, b.max_distance_m, tolerance_m);
+}
+
+TEST(JudgeLine, GivesTheSameForALineTheOtherWayRound) {
+  constexpr double kRounding_m = 1e-9;
+  const House house;
+  for (const std::uint64_t seed : {11, 12, 13, 14}) {
+    const PointGrid grid = grid_of(house.roof.sample(5.0, 0.034, seed));
+    for (const Segment3& s : lines_about(house)) {
+      const LineEvaluation there = judge_line(grid, line(s), {}).evaluation;
+      const LineEvaluation back = judge_line(grid, line({s.end, s.start}), {}).evaluation;
+      expect_same_judgement(there, back, kRounding_m);
+    }
+  }
+}
+
+TEST(JudgeLine, TakesPointsAtTheSamePlaceAsOne) {
+  constexpr double kRounding_m = 1e-9;
+  const House house;
+  const std::vector<Eigen::Vector3d> points = house.roof.sample(5.0, 0.034, 15);
+  std::vector<Eigen::Vector3d> tripled;
+  for (int copy = 0; copy < 3; ++copy) tripled.insert(tripled.end(), points.begin(), points.end());
+  for (const Segment3& s : lines_about(house)) {
+    expect_same_judgement(judge_line(grid_of(points), line(s), {}).evaluation,
+                          judge_line(grid_of(tripled), line(s), {}).evaluation, kRounding_m);
+  }
 }
 
 TEST(JudgeLine, SurvivesAnEmptyCloud) {

@@ -184,6 +184,11 @@ TEST(CheckFrame, TellsLinesThatLieElsewhere) {
   EXPECT_TRUE(check_frame(lines, 1.0).same_frame) << "2 of 30 is above 5 %";
 }
 
+TEST(CheckFrame, TakesLinesOutOfRangeForLinesElsewhere) {
+  const std::vector<LineEvaluation> lines(3, excluded_line("", Status::kOutOfRange));
+  EXPECT_THAT(check_frame(lines, 1.0).reason, HasSubstr("only 0 of 3 lines are near the cloud"));
+}
+
 TEST(CheckFrame, TellsLinesAtAnotherHeight) {
   const std::vector lines{evaluated_line("a", 45.0, 1), evaluated_line("b", 47.0, 2)};
   EXPECT_FALSE(check_frame(lines, 1.0).same_frame);
