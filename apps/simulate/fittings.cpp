@@ -244,6 +244,7 @@ void add_fittings(Scene& scene, std::uint64_t seed) {
     add_windows(wall, std::get<0>(key), random, scene.mesh);
   }
   for (const ScenePlane& plane : scene.planes) {
+    if (plane.outline.empty()) continue;  // a face of a roof that others bury
     if (plane.kind == PlaneKind::kRoof && plane.plane.normal().z() < kSteepest) {
       const bool solar = random.chance(kSolarChance) && add_solar_array(plane, rays, random, scene);
       if (!solar) add_skylights(plane, rays, random, scene);
