@@ -186,10 +186,11 @@ double image_cost(const ImageEvidence& images, const Plane3& plane) {
 std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m) {
   constexpr int kMostSteps = 1000;  // a ray near the horizon
   const auto [low, high] = images.height_range_m;
-  const Segment2 first = plan(at_height(images, low));
+  const Segment3 on_ground = at_height(images, low);
+  const Segment2 first = plan(on_ground);
   const Segment2 last = plan(at_height(images, high));
   const double way_m = std::max((last.start - first.start).norm(), (last.end - first.end).norm());
-  if (!(way_m < kMostSteps * spacing_m)) return {};
+  if (!in_range(on_ground) || !(way_m < kMostSteps * spacing_m)) return {};
   const int steps = std::max(1, static_cast<int>(std::ceil(way_m / spacing_m)));
   std::vector<Segment2> sweep;
   for (int i = 0; i <= steps; ++i) {

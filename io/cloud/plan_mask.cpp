@@ -13,6 +13,7 @@ namespace ridgeline::io {
 
 namespace {
 
+constexpr double kFarthest_m = 1e8;  // as the coordinates of clouds
 constexpr double kMaxCells = 6.4e7;  // 64 MB; lines spread wider get coarser cells
 
 /// The parameters [t0, t1] of a segment at which its y lies in [low, high]; empty (t0 > t1) if
@@ -34,8 +35,10 @@ PlanMask::PlanMask(std::span<const Segment2> segments_in_local, double radius_m)
   check(std::isfinite(radius_m) && radius_m > 0.0, "PlanMask: radius_m = ", radius_m,
         ", must be positive and finite");
   for (const Segment2& segment : segments_in_local) {
-    check(segment.start.allFinite() && segment.end.allFinite(),
-          "PlanMask: a segment has a coordinate that is not finite");
+    const double farthest_m =
+        segment.start.cwiseAbs().cwiseMax(segment.end.cwiseAbs()).maxCoeff<Eigen::PropagateNaN>();
+    check(farthest_m <= kFarthest_m, "PlanMask: a segment has the coordinate ", farthest_m,
+          " m, must be within ", kFarthest_m, " m of the origin");
   }
   if (segments_in_local.empty()) return;
   lay_out(segments_in_local, radius_m);

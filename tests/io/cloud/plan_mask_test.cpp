@@ -28,6 +28,10 @@ TEST(PlanMask, WithoutSegmentsIsEmpty) { EXPECT_FALSE(PlanMask({}, 1.0).contains
 TEST(PlanMask, RefusesUnusableInput) {
   const std::vector<Segment2> bad{{{0, 0}, {std::nan(""), 0}}};
   EXPECT_THROW(PlanMask(bad, 1.0), std::invalid_argument);
+  for (const double far : {1.1e8, -1e308, HUGE_VAL}) {
+    const std::vector<Segment2> huge{{{0, 0}, {1, 0}}, {{0, 0}, {0, far}}};
+    EXPECT_THROW(PlanMask(huge, 1.0), std::invalid_argument) << far;
+  }
   EXPECT_THROW(PlanMask({}, 0.0), std::invalid_argument);
   EXPECT_THROW(PlanMask({}, HUGE_VAL), std::invalid_argument);
 }
