@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 . cmake/packages.sh
 
 ensure_packages "${build_packages[@]}" "${test_packages[@]}"
-prepare_browser_tests
+prepare_node_tests
 cmake --preset release -DRIDGELINE_BUILD_TESTS=ON -DRIDGELINE_BUILD_BENCHMARKS=ON
 echo "Building"
 cmake --build build/release

@@ -8,9 +8,10 @@ build_packages=(
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
-# for the tests of the report alone, which are skipped without; nodejs of any origin will do
+# for the tests with Node, which are skipped without; of any origin will do
+node_packages=()
+command -v npm >/dev/null || node_packages=(nodejs npm)
 browser_packages=(chromium)
-command -v npm >/dev/null || browser_packages+=(nodejs npm)
 check_packages=(clang-format-14 clang-tidy-14)
 clang_packages=(clang-14 libclang-rt-14-dev)
 
@@ -49,12 +50,16 @@ ensure_packages() {
   return 1
 }
 
-# What the report's tests in the browser need, where it can be had.
-prepare_browser_tests() {
-  local modules=tests/report/node_modules/.package-lock.json
-  if ensure_packages "${browser_packages[@]}"; then
-    [ "$modules" -nt tests/report/package-lock.json ] && return 0
-    npm ci --prefix tests/report --ignore-scripts --silent && return 0
-  fi
-  echo "The report's tests in the browser will be skipped"
+# The npm packages of a folder as its lock file states them, unless they are there.
+install_npm_packages() {
+  [ "$1/node_modules/.package-lock.json" -nt "$1/package-lock.json" ] && return 0
+  npm ci --prefix "$1" --ignore-scripts --silent
+}
+
+# What the tests with Node need, where it can be had.
+prepare_node_tests() {
+  ensure_packages "${node_packages[@]}" && install_npm_packages tests/laz_perf ||
+    echo "The comparison with laz-perf will be skipped"
+  ensure_packages "${node_packages[@]}" "${browser_packages[@]}" && install_npm_packages tests/report ||
+    echo "The report's tests in the browser will be skipped"
 }
