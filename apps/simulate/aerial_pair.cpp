@@ -2,6 +2,7 @@
 #include "apps/simulate/aerial_pair.h"
 
 #include "apps/simulate/random.h"
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/orientation.h"
 
 #include <Eigen/Geometry>
@@ -28,6 +29,14 @@ Eigen::AlignedBox2d frame_window(const Scene& scene,
   return window;
 }
 
+/// Bytes of light and of grey values at a pixel keep to some gigabytes.
+void check_num_pixels(const Eigen::Vector2d& size_px) {
+  constexpr double kMostPixels = 3e8;
+  check(size_px.prod() <= kMostPixels, "images of ", size_px.x(), " x ", size_px.y(),
+        " pixels; must be of 300 megapixels at most: choose a smaller extent, a greater camera "
+        "height or no images");
+}
+
 AerialView view_at(const Scene& scene,
                    const FlightOptions& options,
                    const Eigen::Vector2i& size_px,
@@ -44,7 +53,9 @@ AerialView view_at(const Scene& scene,
   const Eigen::Vector2d corner_px = window.min().array().floor();
 
   AerialView view;
-  view.size_px = (window.max() - corner_px).array().ceil().cast<int>() + 1;
+  const Eigen::Vector2d last_px = (window.max() - corner_px).array().ceil();
+  check_num_pixels(last_px);
+  view.size_px = last_px.cast<int>().array() + 1;
   view.image_from_world = window_from_world(frame_from_world, corner_px);
   view.image_from_local = image_from_local(view.image_from_world, scene.frame.origin_m);
   view.centre_in_local = scene.frame.local_from_world(exterior.position_m);

@@ -66,7 +66,7 @@ struct AerialView {
 
 /// The left and the right view: each window is the smallest that shows the plan on the mean
 /// terrain with the margin, or has the size asked for. Deterministic by seed. Throws std::invalid_argument for an option
-/// outside its range.
+/// outside its range, and for images of more than 300 megapixels.
 std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& options);
 
 /// Heights (world) that hold all of the scene: whole metres, 50 m apart or more.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace ridgeline::simulate {
 namespace {
@@ -79,6 +80,18 @@ TEST(HeightRange, HoldsTheSceneInWholeMetresAndIsFiftyWide) {
   EXPECT_GE(high, 20.0);
   EXPECT_NEAR(high - low, 50.0, 2.0);
   EXPECT_EQ(low, std::floor(low));
+}
+
+TEST(AerialPair, RefusesImagesThatFillTheMemory) {
+  Scene scene = test::flat_house();
+  FlightOptions options;
+  scene.extent_m = {1200.0, 1200.0};
+  EXPECT_NO_THROW((void)aerial_pair(scene, options));
+  scene.extent_m = {1500.0, 1500.0};
+  EXPECT_THROW((void)aerial_pair(scene, options), std::invalid_argument);
+  scene.extent_m = {2000.0, 2000.0};
+  options.focal_length_px = 1e5;  // more pixels than an int counts
+  EXPECT_THROW((void)aerial_pair(scene, options), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs that are killed, and two runs into one folder.
+#include "io/sha256.h"
+#include "tests/cli/cli_fixture.h"
+
+#include <map>
+#include <utility>
+
+namespace ridgeline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr int kKilled = 128 + 9;
+
+class Resume : public Cli {
+ protected:
+  Resume() { fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch")); }
+
+  /// A shell's script with the program and the arguments of a run as $@, and `file` as $0.
+  [[nodiscard]] ProgramResult script(const std::string& script,
+                                     const std::string& file,
+                                     const std::vector<std::string>& more) const {
+    std::vector<std::string> words{
+        "-c", script, file, RIDGELINE_BINARY, "run", "patch/patch.yaml", "--out", "out", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    return test::run_program("/bin/bash", words, path("."));
+  }
+
+  /// Kills a run as soon as `file` stands there.
+  [[nodiscard]] ProgramResult killed_run(const std::string& file,
+                                         const std::vector<std::string>& more) const {
+    return script(
+        "\"$@\" & until [ -e \"$0\" ] || ! kill -0 $!; do sleep 0.002; done; "
+        "kill -KILL $!; wait $!",
+        file, more);
+  }
+
+  [[nodiscard]] ProgramResult resume(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"run", "patch/patch.yaml", "--out", "out", "--resume"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+
+  /// Hashes of all files but the run's record, hidden ones too, by relative name.
+  [[nodiscard]] std::map<std::string, std::string> results() const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(path("out"))) {
+      if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
+      files[fs::relative(entry.path(), path("out")).string()] =
+          io::sha256_of_file(entry.path().string());
+    }
+    return files;
+  }
+};
+
+TEST_F(Resume, AfterAKillGivesTheBytesOfAnUndisturbedRun) {
+  ASSERT_EQ(resume({}).exit_code, 0);
+  const auto undisturbed = results();
+  for (const auto& [file, jobs] :
+       {std::pair("out/1/segments.left.csv", "1"), std::pair("out/1/matches.csv", "2"),
+        std::pair("out/1/lines.direct.geojson", "1"),
+        std::pair("out/1/evaluation.direct.json", "2"), std::pair("out/table2.json", "1"),
+        std::pair("out/run.json", "2")}) {
+    SCOPED_TRACE(std::string(file) + ", threads: " + jobs);
+    fs::remove_all(path("out"));
+    EXPECT_EQ(killed_run(file, {"--jobs", jobs}).exit_code, kKilled);
+    const ProgramResult result = resume({"--jobs", jobs});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(results(), undisturbed);
+  }
+}
+
+TEST_F(Resume, AfterSeveralKillsGivesTheBytesOfAnUndisturbedRun) {
+  ASSERT_EQ(resume({}).exit_code, 0);
+  const auto undisturbed = results();
+  fs::remove_all(path("out"));
+  for (const char* file : {"out/1/segments.right.csv", "out/1/unmatched.csv",
+                           "out/1/lines.joint.geojson", "out/table1.md"}) {
+    EXPECT_EQ(killed_run(file, {"--resume"}).exit_code, kKilled) << file;
+  }
+  EXPECT_EQ(resume({}).exit_code, 0);
+  EXPECT_EQ(results(), undisturbed);
+}
+
+TEST_F(Resume, ASecondRunIntoAFolderInUseIsRefused) {
+  const ProgramResult second = script(
+      "\"$@\" & until [ -s \"$0\" ] || ! kill -0 $!; do sleep 0.002; done; kill -STOP $!; "
+      "\"$@\"; code=$?; kill -CONT $!; wait $! || exit 99; exit $code",
+      "out/.ridgeline.lock", {});
+  EXPECT_REFUSED(second, AllOf(HasSubstr("out"), HasSubstr("process "),
+                               HasSubstr("is writing results there")));
+  EXPECT_FALSE(fs::exists(path("out/.ridgeline.lock")));
+  EXPECT_TRUE(fs::exists(path("out/run.json")));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
