@@ -1,2 +1,2 @@
-set(io_gates_sources gates_file.cpp)
-set(io_gates_headers gates_file.h)
+set(io_gates_sources gates_file.cpp nearest_name.cpp)
+set(io_gates_headers gates_file.h nearest_name.h)

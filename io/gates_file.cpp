@@ -2,6 +2,7 @@
 #include "io/gates_file.h"
 
 #include "io/error.h"
+#include "io/nearest_name.h"
 #include "io/yaml_check.h"
 
 #include <fmt/format.h>
@@ -24,13 +25,17 @@ class GatesReader {
 
   [[nodiscard]] std::vector<GateEntry> read(const YAML::Node& root) const {
     if (!root.IsMap()) fail(root, "the file holds no map; it must hold a list named gates");
-    check_keys(root, {"gates"});
+    check_keys(root, {"n_min", "gates"});
     const YAML::Node gates = root["gates"];
     if (!gates || !gates.IsSequence() || gates.size() == 0) {
       fail(root, "no gates; the file must hold a list named gates with at least one entry");
     }
     std::vector<GateEntry> entries;
     for (const YAML::Node& node : gates) entries.push_back(entry(node));
+    const std::optional<int> n_min = count(root, "n_min");
+    for (GateEntry& entry : entries) {
+      if (!entry.n_min) entry.n_min = n_min;
+    }
     return entries;
   }
 
@@ -46,8 +51,8 @@ class GatesReader {
     for (const auto& item : map) {
       const std::string key = item.first.IsScalar() ? item.first.Scalar() : "(not a word)";
       if (std::find(known.begin(), known.end(), key) == known.end()) {
-        fail(item.first,
-             fmt::format("unknown key {}; known keys: {}", key, fmt::join(known, ", ")));
+        fail(item.first, fmt::format("unknown key {}, the nearest is {}; known keys: {}", key,
+                                     nearest_name(key, known), fmt::join(known, ", ")));
       }
       if (!seen.insert(key).second) fail(item.first, "key " + key + ": given twice");
     }
@@ -85,14 +90,18 @@ class GatesReader {
     return static_cast<int>(*value);
   }
 
-  [[nodiscard]] std::optional<GateEntry::Allowance> allowance(const YAML::Node& map,
-                                                              const char* key) const {
+  [[nodiscard]] std::optional<double> allowance(const YAML::Node& map, const char* key) const {
+    const std::optional<double> value = number(map, key);
+    if (value && *value < 0.0) fail(map[key], fmt::format("{}: {}; must be >= 0", key, *value));
+    return value;
+  }
+
+  [[nodiscard]] std::optional<GateEntry::Increase> increase(const YAML::Node& map,
+                                                            const char* key) const {
     const YAML::Node node = map[key];
     if (!node) return std::nullopt;
-    if (node.IsScalar() && node.Scalar() == "default") return GateEntry::Allowance{};
-    const double value = as_number(node, key);
-    if (value < 0.0) fail(node, fmt::format("{}: {}; must be >= 0 or default", key, value));
-    return GateEntry::Allowance{value};
+    if (node.IsScalar() && node.Scalar() == "default") return GateEntry::Increase{};
+    return GateEntry::Increase{allowance(map, key)};
   }
 
   [[nodiscard]] std::optional<std::string> ratio_class(const YAML::Node& map) const {
@@ -120,7 +129,7 @@ class GatesReader {
     entry.min = number(map, "min");
     entry.max_ratio_to_class = ratio_class(map);
     entry.ratio = number(map, "ratio");
-    entry.max_increase_over_baseline = allowance(map, "max_increase_over_baseline");
+    entry.max_increase_over_baseline = increase(map, "max_increase_over_baseline");
     entry.max_decrease_below_baseline = allowance(map, "max_decrease_below_baseline");
     entry.n_min = count(map, "n_min");
     if (entry.ratio && !entry.max_ratio_to_class) {

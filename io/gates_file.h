@@ -10,8 +10,8 @@ namespace ridgeline::io {
 
 /// One entry of a gates file, as written. What the file does not say stays empty.
 struct GateEntry {
-  /// How far a figure may move from its baseline; no value: the word `default`.
-  struct Allowance {
+  /// How far a figure may rise above its baseline; no value: the word `default`.
+  struct Increase {
     std::optional<double> value;
   };
 
@@ -20,14 +20,16 @@ struct GateEntry {
   std::optional<double> max, min;
   std::optional<std::string> max_ratio_to_class;
   std::optional<double> ratio;
-  std::optional<Allowance> max_increase_over_baseline, max_decrease_below_baseline;
-  std::optional<int> n_min;
+  std::optional<Increase> max_increase_over_baseline;
+  std::optional<double> max_decrease_below_baseline;
+  std::optional<int> n_min;  ///< the entry's own, else the file's
 };
 
-/// Reads a YAML file {gates: [{class, patch, method, metric, max, min, max_ratio_to: {class},
-/// ratio, max_increase_over_baseline, max_decrease_below_baseline, n_min}, ...]}.
+/// Reads a YAML file {n_min, gates: [{class, patch, method, metric, max, min, max_ratio_to: {class},
+/// ratio, max_increase_over_baseline, max_decrease_below_baseline, n_min}, ...]}; n_min beside
+/// `gates` is that of every entry without one.
 /// Throws IoError for a file that cannot be read or is not YAML, an unknown or repeated key (naming
-/// the known ones), a value of the wrong type, or an empty list of gates.
+/// the nearest and all known ones), a value of the wrong type, or an empty list of gates.
 std::vector<GateEntry> read_gates_file(const std::filesystem::path& path);
 
 }  // namespace ridgeline::io

@@ -48,12 +48,16 @@ void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFol
 }  // namespace
 
 evaluate::ResultFolder read_result_folder(const std::string& folder) {
-  if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");
+  if (!fs::is_directory(folder)) {
+    throw io::IoError(folder,
+                      "is no folder of results; must be the --out of run, demo or evaluate");
+  }
   evaluate::ResultFolder results;
   results.name = fs::path(folder).lexically_normal().string();
   const fs::path record = fs::path(folder) / "run.json";
   const Json run = fs::exists(record) ? read_json_object(record) : Json::object();
   const bool of_files = run.contains("command") && run["command"] == "evaluate";
+  results.is_of_line_files = of_files;
   const EvaluatedMethods evaluated(folder, of_files);
   // in the folder of an evaluation of files it is an earlier run's
   const fs::path table1 = fs::path(folder) / "table1.json";
@@ -66,7 +70,8 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
     results.evaluations.push_back(std::move(evaluation));
   }
   if (results.evaluations.empty()) {
-    throw io::IoError(folder, "holds no evaluation.*.json; must be the --out of an evaluation");
+    throw io::IoError(folder,
+                      "holds no evaluation.*.json; must be the --out of run, demo or evaluate");
   }
   evaluated.check_all_found(found);
   if (fs::exists(record)) read_run_record(run, record, results);

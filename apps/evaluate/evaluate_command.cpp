@@ -3,6 +3,7 @@
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
+#include "apps/evaluate/cloud_name.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
@@ -175,7 +176,7 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   if (options.cloud_paths.empty()) {
     throw std::invalid_argument("no cloud: give --cloud FILE, or --patch with a lidar key");
   }
-  if (options.patch_name.empty()) options.patch_name = stem_of(options.cloud_paths.front());
+  if (options.patch_name.empty()) options.patch_name = cloud_name(options.cloud_paths);
   options.cloud = read_options(a);
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.lines.assume_crs.definition = a.assume_crs;

@@ -3,6 +3,7 @@
 #include "apps/common/exit_code.h"
 #include "apps/common/output_folder.h"
 #include "apps/gate/gate_files.h"
+#include "apps/gate/gates_template.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
@@ -24,6 +25,8 @@ namespace {
 
 struct GateArguments {
   std::string results, gates, baseline, junit, summary, json;
+  std::string init;
+  bool is_init = false;  ///< --init, which has no word behind it where it prints
 };
 
 std::string now_utc() {
@@ -51,7 +54,29 @@ void check_reports(const GateArguments& a) {
   }
 }
 
+int write_template(const std::string& file) {
+  if (file.empty()) {
+    fmt::print("{}", gates_template());
+    return kDone;
+  }
+  if (fs::exists(fs::symlink_status(file))) {
+    throw io::IoError(file, "exists and would be written over; --init writes a new file");
+  }
+  io::write_file(file, gates_template());
+  return kDone;
+}
+
+void check_given(const GateArguments& a) {
+  if (!a.results.empty() && !a.gates.empty()) return;
+  throw std::invalid_argument(fmt::format(
+      "gate: {} missing; both RESULTS and --gates FILE must be given. `ridgeline gate --init` "
+      "prints a gates file to start from",
+      a.results.empty() ? "RESULTS is" : "--gates is"));
+}
+
 int run_gate(const GateArguments& a) {
+  if (a.is_init) return write_template(a.init);
+  check_given(a);
   check_reports(a);
   const evaluate::GateReport report = apply_gate_files(a.gates, a.results, a.baseline);
   const std::string markdown = evaluate::to_markdown(report);
@@ -70,14 +95,24 @@ int run_gate(const GateArguments& a) {
 
 Run add_gate(CLI::App& subcommand) {
   auto a = std::make_shared<GateArguments>();
-  subcommand.add_option("results", a->results, "folder that evaluate, run or demo wrote")
-      ->required();
-  subcommand.add_option("--gates", a->gates, "gates file (YAML)")->required();
-  subcommand.add_option("--baseline", a->baseline, "results of an earlier run on the same data");
+  CLI::Option* results =
+      subcommand.add_option("results", a->results, "folder that run, demo or evaluate wrote");
+  CLI::Option* gates = subcommand.add_option("--gates", a->gates, "gates file (YAML)");
+  CLI::Option* baseline = subcommand.add_option(
+      "--baseline", a->baseline,
+      "results of an earlier run on the same data, for gates that refer to a baseline");
   subcommand.add_option("--junit", a->junit, "write JUnit XML, one testcase per gate");
   subcommand.add_option("--summary", a->summary, "write Markdown for the job's page");
   subcommand.add_option("--json", a->json, "write the verdicts as JSON");
-  return [a] { return run_gate(*a); };
+  CLI::Option* init = subcommand.add_option(
+      "--init", a->init,
+      "print a gates file with every key and metric explained, or write it to a new FILE; "
+      "alone, without results");
+  init->expected(0, 1)->type_name("[FILE]")->excludes(results, gates, baseline);
+  return [a, init] {
+    a->is_init = init->count() > 0;
+    return run_gate(*a);
+  };
 }
 
 }  // namespace ridgeline::apps

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/gate/gate_files.h"
 
+#include "apps/common/patch_matchers.h"
 #include "apps/common/result_folder_reader.h"
+#include "evaluate/gates/figure.h"
 #include "io/error.h"
 #include "io/gates_file.h"
 
-#include <optional>
+#include <fmt/core.h>
+
 #include <stdexcept>
 #include <vector>
 
 namespace ridgeline::apps {
 namespace {
 
-std::optional<evaluate::BaselineAllowance> allowance(
-    const std::optional<io::GateEntry::Allowance>& entry) {
-  if (!entry) return std::nullopt;
-  return evaluate::BaselineAllowance{entry->value};
-}
+static_assert(evaluate::kCombinedMatches == kBothMatchers, "gates find the combined matches by it");
 
 evaluate::Gate gate_of(const io::GateEntry& entry) {
   evaluate::Gate gate;
@@ -28,10 +27,26 @@ evaluate::Gate gate_of(const io::GateEntry& entry) {
   gate.min = entry.min;
   gate.max_ratio_to_class = entry.max_ratio_to_class;
   if (entry.ratio) gate.ratio = *entry.ratio;
-  gate.max_increase_over_baseline = allowance(entry.max_increase_over_baseline);
-  gate.max_decrease_below_baseline = allowance(entry.max_decrease_below_baseline);
+  if (entry.max_increase_over_baseline) {
+    gate.max_increase_over_baseline.emplace(entry.max_increase_over_baseline->value);
+  }
+  gate.max_decrease_below_baseline = entry.max_decrease_below_baseline;
   if (entry.n_min) gate.n_min = static_cast<std::size_t>(*entry.n_min);
   return gate;
+}
+
+/// The gates of a file; what is wrong with one is said with its line.
+std::vector<evaluate::Gate> read_gates(const std::string& file) {
+  std::vector<evaluate::Gate> gates;
+  for (const io::GateEntry& entry : io::read_gates_file(file)) {
+    gates.push_back(gate_of(entry));
+    try {
+      validate(gates.back());
+    } catch (const std::invalid_argument& error) {
+      throw io::IoError(file, fmt::format("line {}: {}", entry.line, error.what()));
+    }
+  }
+  return gates;
 }
 
 }  // namespace
@@ -39,18 +54,11 @@ evaluate::Gate gate_of(const io::GateEntry& entry) {
 evaluate::GateReport apply_gate_files(const std::string& gates_file,
                                       const std::string& results_folder,
                                       const std::string& baseline_folder) {
-  std::vector<evaluate::Gate> gates;
-  for (const io::GateEntry& entry : io::read_gates_file(gates_file)) {
-    gates.push_back(gate_of(entry));
-  }
+  const std::vector<evaluate::Gate> gates = read_gates(gates_file);
   const evaluate::ResultFolder results = read_result_folder(results_folder);
-  try {
-    if (baseline_folder.empty()) return evaluate::apply_gates(gates, results);
-    const evaluate::ResultFolder baseline = read_result_folder(baseline_folder);
-    return evaluate::apply_gates(gates, results, &baseline);
-  } catch (const std::invalid_argument& error) {
-    throw io::IoError(gates_file, error.what());
-  }
+  if (baseline_folder.empty()) return evaluate::apply_gates(gates, results);
+  const evaluate::ResultFolder baseline = read_result_folder(baseline_folder);
+  return evaluate::apply_gates(gates, results, &baseline);
 }
 
 }  // namespace ridgeline::apps

@@ -13,17 +13,16 @@
 
 namespace ridgeline::evaluate {
 
-/// How far a figure may move from its baseline, in its own unit.
-struct BaselineAllowance {
-  /// Empty: max(0.002, 5 % of the baseline) for an increase; for a decrease 0.02, of a matching
-  /// figure 0.01.
-  std::optional<double> value;
+/// How far a figure in metres may rise above its baseline.
+struct BaselineIncrease {
+  std::optional<double> value;  ///< empty: max(0.002 m, 5 % of the baseline)
 };
 
-/// One entry of a gates file. Every rule that is set must hold, at least one must be set.
+/// One entry of a gates file. Every rule that is set must hold, at least one must be set; no other
+/// holds.
 struct Gate {
   std::optional<std::string> patch;   ///< empty: every patch
-  std::optional<std::string> method;  ///< empty: every method (matcher, for a matching figure)
+  std::optional<std::string> method;  ///< or matcher; empty: what the run is for, see figures_of()
   std::string line_class = "total";
   std::string metric = "rms_m";  ///< of accuracy_metrics() or matching_metrics()
 
@@ -31,11 +30,15 @@ struct Gate {
   std::optional<double> min;
   std::optional<std::string> max_ratio_to_class;  ///< figure <= ratio x the other class's figure
   double ratio = 2.5;
-  std::optional<BaselineAllowance> max_increase_over_baseline;
-  std::optional<BaselineAllowance> max_decrease_below_baseline;
+  std::optional<BaselineIncrease> max_increase_over_baseline;
+  std::optional<double> max_decrease_below_baseline;
 
-  std::size_t n_min = 20;  ///< fewer lines: "insufficient", which fails
+  std::optional<std::size_t> n_min;  ///< fewer lines: "insufficient", which fails
 };
+
+/// Throws std::invalid_argument for a gate that cannot decide: without a rule, of an unknown metric,
+/// of a class of a figure that has none, with a limit that the figure cannot have.
+void validate(const Gate& gate);
 
 enum class Verdict : std::uint8_t {
   kPassed,
@@ -47,7 +50,7 @@ const char* name(Verdict verdict);  ///< passed | failed | insufficient | missin
 
 /// One rule applied to one cell.
 struct GateResult {
-  std::string rule;  ///< "aligned rms_m <= 0.3"
+  std::string rule;  ///< "aligned rms_m <= 0.3 (n >= 20)"
   std::string patch, method, line_class, metric;
   std::optional<double> value, limit, baseline;
   std::optional<Interval> ci95;  ///< printed; the point estimate is what is compared
@@ -60,17 +63,16 @@ struct GateResult {
 
 struct GateReport {
   std::vector<GateResult> results;
-  std::vector<std::string> warnings;  ///< calibration and time: they never fail
+  std::vector<std::string> warnings;  ///< calibration, time, an idle baseline: they never fail
   /// False for no result: a gate that checked nothing has not passed.
   [[nodiscard]] bool passed() const;
 };
 
-/// Applies every gate to every cell that it names, or to each. A figure that does not exist fails,
-/// as does a baseline rule without a baseline. A minimum of evaluated_share must also hold against
-/// the baseline less 0.02, if there is one. Point estimates are compared: the figures are
+/// Applies every gate to each figure that it concerns, see figures_of(). A figure that does not exist
+/// fails, as does a baseline rule without a baseline. Point estimates are compared: the figures are
 /// deterministic.
-/// Throws std::invalid_argument for a gate without a rule, an unknown metric, a limit that is not
-/// finite, or a baseline whose input hashes are missing or differ.
+/// Throws std::invalid_argument for a gate that validate() rejects, or a baseline whose input hashes
+/// are missing or differ.
 GateReport apply_gates(std::span<const Gate> gates,
                        const ResultFolder& results,
                        const ResultFolder* baseline = nullptr);

@@ -44,6 +44,23 @@ std::string markdown_row(const GateResult& r) {
                      r.baseline_can_be_tightened ? "; baseline can be tightened" : "");
 }
 
+/// A part of a JUnit class name: viewers take its dots for levels and build paths of it, so all but
+/// letters, digits and - becomes _. The testcase's name has the patch and the method as they are.
+std::string classname_part(std::string_view text) {
+  std::string result(text);
+  const auto is_kept = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  };
+  std::replace_if(
+      result.begin(), result.end(), [&](char c) { return !is_kept(c); }, '_');
+  return result;
+}
+
+/// XML is refused as a whole for one byte that is no UTF-8, as names of files may have.
+std::string xml_text(std::string_view text) {
+  return escape_xml(Json::parse(dump(Json(text))).get<std::string>());
+}
+
 std::string escape_percent(std::string_view text, std::string_view special) {
   std::string result;
   for (const char c : text) {
@@ -65,18 +82,18 @@ std::string to_junit(const GateReport& report, std::string_view timestamp) {
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ridgeline gate\" {}>\n"
       "  <testsuite name=\"ridgeline gate\" {} timestamp=\"{}\">\n",
-      counts, counts, escape_xml(timestamp));
+      counts, counts, xml_text(timestamp));
   for (const GateResult& r : report.results) {
     xml += fmt::format("    <testcase classname=\"ridgeline.gate.{}.{}\" name=\"{}\" time=\"0\"",
-                       escape_xml(r.patch), escape_xml(r.method),
-                       escape_xml(fmt::format("{} ({})", r.rule, cell_name(r))));
+                       classname_part(r.patch), classname_part(r.method),
+                       xml_text(fmt::format("{} ({})", r.rule, cell_name(r))));
     if (r.verdict == Verdict::kPassed) {
       xml += "/>\n";
       continue;
     }
     xml +=
         fmt::format(">\n      <failure message=\"{}\" type=\"{}\">{}</failure>\n    </testcase>\n",
-                    escape_xml(r.explanation), name(r.verdict), escape_xml(details(r)));
+                    xml_text(r.explanation), name(r.verdict), xml_text(details(r)));
   }
   return xml + "  </testsuite>\n</testsuites>\n";
 }

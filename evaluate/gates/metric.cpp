@@ -2,6 +2,7 @@
 #include "evaluate/gates/metric.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,84 +11,130 @@
 namespace ridgeline::evaluate {
 namespace {
 
-using FigureOf = std::optional<double> (*)(const Summary&);
+constexpr MetricUnit kInMetres = MetricUnit::kMetres;
+constexpr MetricUnit kAsShare = MetricUnit::kShare;
+constexpr bool kIsSigned = true;
 
 struct AccuracyMetric {
-  std::string_view name;
-  FigureOf figure;
+  Metric metric;
+  std::optional<double> (*figure)(const Summary&);
 };
 
 constexpr std::array kAccuracyMetrics{
-    AccuracyMetric{"rms_m", [](const Summary& s) { return s.rms_m; }},
-    AccuracyMetric{"rms_length_weighted_m",
+    AccuracyMetric{{"rms_m", "RMS of the lines' mean distances to their planes", kInMetres},
+                   [](const Summary& s) { return s.rms_m; }},
+    AccuracyMetric{{"rms_length_weighted_m", "the same, each line with its length", kInMetres},
                    [](const Summary& s) { return s.rms_length_weighted_m; }},
-    AccuracyMetric{"mean_m", [](const Summary& s) { return s.mean_m; }},
-    AccuracyMetric{"std_m", [](const Summary& s) { return s.std_m; }},
-    AccuracyMetric{"median_m", [](const Summary& s) { return s.median_m; }},
-    AccuracyMetric{"nmad_m", [](const Summary& s) { return s.nmad_m; }},
-    AccuracyMetric{"q683_m", [](const Summary& s) { return s.q683_m; }},
-    AccuracyMetric{"q90_m", [](const Summary& s) { return s.q90_m; }},
-    AccuracyMetric{"q95_m", [](const Summary& s) { return s.q95_m; }},
-    AccuracyMetric{"max_m", [](const Summary& s) { return s.max_m; }},
-    AccuracyMetric{"gross_share", [](const Summary& s) { return s.gross_share; }},
-    AccuracyMetric{"evaluated_share", [](const Summary& s) { return s.evaluated_share(); }},
-    AccuracyMetric{"evaluated_share_by_length",
+    AccuracyMetric{
+        {"mean_m", "bias: mean of the signed distances; give it min and max", kInMetres, kIsSigned},
+        [](const Summary& s) { return s.mean_m; }},
+    AccuracyMetric{{"std_m", "standard deviation of the signed distances", kInMetres},
+                   [](const Summary& s) { return s.std_m; }},
+    AccuracyMetric{{"median_m", "median of the mean distances", kInMetres},
+                   [](const Summary& s) { return s.median_m; }},
+    AccuracyMetric{
+        {"nmad_m", "1.4826 x median absolute deviation of the signed distances", kInMetres},
+        [](const Summary& s) { return s.nmad_m; }},
+    AccuracyMetric{{"q683_m", "68.3 % of the lines are not farther off", kInMetres},
+                   [](const Summary& s) { return s.q683_m; }},
+    AccuracyMetric{{"q90_m", "90 % of the lines are not farther off", kInMetres},
+                   [](const Summary& s) { return s.q90_m; }},
+    AccuracyMetric{{"q95_m", "95 % of the lines are not farther off", kInMetres},
+                   [](const Summary& s) { return s.q95_m; }},
+    AccuracyMetric{{"max_m", "the line farthest off", kInMetres},
+                   [](const Summary& s) { return s.max_m; }},
+    AccuracyMetric{{"gross_share", "share of the lines farther off than --gross-m", kAsShare},
+                   [](const Summary& s) { return s.gross_share; }},
+    AccuracyMetric{{"evaluated_share", "share of all lines that could be judged", kAsShare},
+                   [](const Summary& s) { return s.evaluated_share(); }},
+    AccuracyMetric{{"evaluated_share_by_length", "the same, each line with its length", kAsShare},
                    [](const Summary& s) { return s.evaluated_share_by_length(); }},
 };
 
 struct MatchingMetric {
-  std::string_view name;
+  Metric metric;
   std::optional<double> MatchQuality::*figure;
+  std::optional<Interval> MatchQuality::*interval;
+  std::size_t (*count)(const MatchCounts&);
 };
 
-constexpr std::array kMatchingMetrics{MatchingMetric{"correctness", &MatchQuality::correctness},
-                                      MatchingMetric{"completeness", &MatchQuality::completeness},
-                                      MatchingMetric{"quality", &MatchQuality::quality}};
+constexpr std::array kMatchingMetrics{
+    MatchingMetric{{"correctness", "correct matches / (correct + false)", kAsShare},
+                   &MatchQuality::correctness,
+                   &MatchQuality::correctness_ci95,
+                   [](const MatchCounts& c) { return c.n_correct + c.n_false; }},
+    MatchingMetric{{"completeness", "correct matches / (correct + missed)", kAsShare},
+                   &MatchQuality::completeness,
+                   &MatchQuality::completeness_ci95,
+                   [](const MatchCounts& c) { return c.n_correct + c.n_missed; }},
+    MatchingMetric{{"quality", "correct matches / (correct + false + missed)", kAsShare},
+                   &MatchQuality::quality,
+                   &MatchQuality::quality_ci95,
+                   [](const MatchCounts& c) { return c.n_correct + c.n_false + c.n_missed; }}};
 
-template <typename Metrics>
-std::vector<std::string_view> names(const Metrics& metrics) {
-  std::vector<std::string_view> result;
-  result.reserve(metrics.size());
-  for (const auto& m : metrics) result.push_back(m.name);
+template <typename Entries>
+std::vector<Metric> metrics_of(const Entries& entries) {
+  std::vector<Metric> result;
+  result.reserve(entries.size());
+  for (const auto& entry : entries) result.push_back(entry.metric);
   return result;
 }
 
-template <typename Metrics>
-auto find(const Metrics& metrics, std::string_view metric) {
-  return std::find_if(metrics.begin(), metrics.end(),
-                      [&](const auto& m) { return m.name == metric; });
+/// The entry of a name, or nullptr.
+template <typename Entries>
+const auto* find_entry(const Entries& entries, std::string_view name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const auto& entry) { return entry.metric.name == name; });
+  return found == entries.end() ? nullptr : &*found;
 }
 
-[[noreturn]] void reject(std::string_view metric, const std::vector<std::string_view>& known) {
+template <typename Entries>
+const auto& entry_of(const Entries& entries, std::string_view name) {
+  if (const auto* entry = find_entry(entries, name)) return *entry;
+  std::vector<std::string_view> known;
+  for (const auto& entry : entries) known.push_back(entry.metric.name);
   throw std::invalid_argument(
-      fmt::format("metric: {}; must be one of {}", metric, fmt::join(known, ", ")));
+      fmt::format("metric: {}; must be one of {}", name, fmt::join(known, ", ")));
 }
 
 }  // namespace
 
-std::vector<std::string_view> accuracy_metrics() { return names(kAccuracyMetrics); }
-std::vector<std::string_view> matching_metrics() { return names(kMatchingMetrics); }
+std::vector<Metric> accuracy_metrics() { return metrics_of(kAccuracyMetrics); }
+std::vector<Metric> matching_metrics() { return metrics_of(kMatchingMetrics); }
 
-bool is_accuracy_metric(std::string_view metric) {
-  return find(kAccuracyMetrics, metric) != kAccuracyMetrics.end();
+std::optional<Metric> find_metric(std::string_view name) {
+  if (const auto* entry = find_entry(kAccuracyMetrics, name)) return entry->metric;
+  if (const auto* entry = find_entry(kMatchingMetrics, name)) return entry->metric;
+  return std::nullopt;
 }
 
-bool is_matching_metric(std::string_view metric) {
-  return find(kMatchingMetrics, metric) != kMatchingMetrics.end();
+bool is_matching_metric(std::string_view name) {
+  return find_entry(kMatchingMetrics, name) != nullptr;
 }
 
 std::optional<double> metric_value(const Summary& summary, std::string_view metric) {
-  if (!is_accuracy_metric(metric)) reject(metric, accuracy_metrics());
-  return find(kAccuracyMetrics, metric)->figure(summary);
+  return entry_of(kAccuracyMetrics, metric).figure(summary);
 }
 
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric) {
-  if (!is_matching_metric(metric)) reject(metric, matching_metrics());
-  return match_quality(counts).*(find(kMatchingMetrics, metric)->figure);
+  return match_quality(counts).*(entry_of(kMatchingMetrics, metric).figure);
+}
+
+std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric) {
+  if (entry_of(kAccuracyMetrics, metric).metric.name != "rms_m") return std::nullopt;
+  return summary.ci95_m;
+}
+
+std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_view metric) {
+  return match_quality(counts).*(entry_of(kMatchingMetrics, metric).interval);
 }
 
 std::size_t metric_count(const Summary& summary, std::string_view metric) {
   return metric.starts_with("evaluated_share") ? summary.n_lines : summary.n_evaluated;
+}
+
+std::size_t metric_count(const MatchCounts& counts, std::string_view metric) {
+  return entry_of(kMatchingMetrics, metric).count(counts);
 }
 
 }  // namespace ridgeline::evaluate

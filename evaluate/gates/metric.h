@@ -11,14 +11,26 @@
 
 namespace ridgeline::evaluate {
 
-/// Names of the figures of a class that can be gated: rms_m, q95_m, evaluated_share, ...
-std::vector<std::string_view> accuracy_metrics();
+/// What a figure is measured in, which decides the limits and the allowance that it can have.
+enum class MetricUnit : std::uint8_t { kMetres, kShare };
 
-/// Names of the matching figures that can be gated: correctness, completeness, quality.
-std::vector<std::string_view> matching_metrics();
+/// A figure that can be gated.
+struct Metric {
+  std::string_view name;
+  std::string_view meaning;  ///< a few words, for the list of metrics
+  MetricUnit unit;
+  bool is_signed = false;  ///< a limit on one side says little; a ratio to another nothing
+};
 
-bool is_accuracy_metric(std::string_view metric);
-bool is_matching_metric(std::string_view metric);
+/// Figures of a class of Table 2: rms_m, q95_m, evaluated_share, ...
+std::vector<Metric> accuracy_metrics();
+
+/// Figures of Table 1: correctness, completeness, quality.
+std::vector<Metric> matching_metrics();
+
+/// Either kind by its name, or nothing.
+std::optional<Metric> find_metric(std::string_view name);
+bool is_matching_metric(std::string_view name);
 
 /// A figure by its name; empty if the cell does not have it.
 /// Throws std::invalid_argument for a name that is not in accuracy_metrics().
@@ -27,7 +39,14 @@ std::optional<double> metric_value(const Summary& summary, std::string_view metr
 /// Throws std::invalid_argument for a name that is not in matching_metrics().
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric);
 
+/// The 95 % interval, of the figures that have one. Throws as metric_value() does.
+std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric);
+std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_view metric);
+
 /// Number of lines that a figure rests on: all lines for a share of them, else those evaluated.
 std::size_t metric_count(const Summary& summary, std::string_view metric);
+
+/// Number of matches that a figure rests on: its denominator. Throws as metric_value() does.
+std::size_t metric_count(const MatchCounts& counts, std::string_view metric);
 
 }  // namespace ridgeline::evaluate

@@ -1,6 +1,6 @@
 set(evaluate_statistics_sources
   compare/comparison.cpp compare/comparison_report.cpp compare/matcher_table.cpp compare/wilcoxon.cpp
-  gates/gate.cpp gates/gate_report.cpp gates/metric.cpp
+  gates/figure.cpp gates/gate.cpp gates/gate_report.cpp gates/gate_warnings.cpp gates/metric.cpp
   statistics/accuracy.cpp statistics/bootstrap.cpp statistics/calibration.cpp
   statistics/distribution.cpp statistics/evaluation.cpp statistics/frame_check.cpp
   statistics/interval.cpp statistics/matching_quality.cpp statistics/parameter_intervals.cpp
@@ -11,7 +11,7 @@ set(evaluate_statistics_sources
   tables/tolerance_table.cpp)
 set(evaluate_statistics_headers
   compare/comparison.h compare/matcher_table.h compare/wilcoxon.h
-  gates/gate.h gates/gate_report.h gates/metric.h
+  gates/figure.h gates/gate.h gates/gate_report.h gates/gate_warnings.h gates/metric.h
   statistics/accuracy.h statistics/bootstrap.h statistics/calibration.h statistics/distribution.h
   statistics/evaluation.h statistics/frame_check.h statistics/interval.h
   statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h

@@ -15,6 +15,8 @@ namespace ridgeline::evaluate {
 /// What a run left behind, as read back from its folder.
 struct ResultFolder {
   std::string name;  ///< as shown to the user
+  /// By `evaluate`: the methods are line files, each of which was given to be judged.
+  bool is_of_line_files = false;
   std::vector<Evaluation> evaluations;
   Table1 matching;  ///< no rows: the run did not match
   /// File name and hash of the data that two runs must share to be compared: images, clouds and

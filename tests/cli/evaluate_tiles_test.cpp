@@ -29,7 +29,7 @@ class EvaluateTiles : public Cli {
              static_cast<int>(std::floor(p.y / tile_m))}]
           .push_back(p);
     }
-    std::filesystem::create_directory(path(folder));
+    std::filesystem::create_directories(path(folder));
     for (const auto& [key, points] : tiles) {
       const std::string name = std::to_string(key[0]) + "_" + std::to_string(key[1]) + ".las";
       io::write_las(path(folder + "/" + name).string(), points, cloud.frame, cloud.crs);
@@ -74,16 +74,16 @@ class EvaluateTiles : public Cli {
 TEST_F(EvaluateTiles, GivesTheBytesOfTheWholeCloud) {
   cut(17.0, "tiles");
   ASSERT_GT(names_in(path("tiles")).size(), 10U);
-  cut(1e6, "one_file");
-  judge("one_file/*.las", "whole");
+  cut(1e6, "one_file/tiles");  // results are named after the folder
+  judge("one_file/tiles/*.las", "whole");
   judge("tiles/*.las", "tiled");
   expect_same_results("whole", "tiled");
 }
 
 TEST_F(EvaluateTiles, GivesTheSameBytesInBatchesThatFitTheMemory) {
   cut(17.0, "tiles");
-  cut(1e6, "one_file");
-  judge("one_file/*.las", "whole");
+  cut(1e6, "one_file/tiles");  // results are named after the folder
+  judge("one_file/tiles/*.las", "whole");
   judge("tiles/*.las", "batches", {"--cloud-memory-mib", "1"});
   EXPECT_GT(read_json(path("batches/run.json"))["cloud"]["n_batches"], 1);
   EXPECT_EQ(read_json(path("whole/run.json"))["cloud"]["n_batches"], 1);

@@ -5,11 +5,13 @@
 #include <boost/property_tree/xml_parser.hpp>
 
 #include <cstdlib>
+#include <sstream>
 
 namespace ridgeline::cli {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -52,6 +54,38 @@ TEST_F(Gate, MissingFigureFails) {
   EXPECT_EQ(gate("{metric: correctness, min: 0.0}").exit_code, 3);
 }
 
+TEST_F(Gate, ClassThatCannotExistSaysHowToGetIt) {
+  nlohmann::json lines = read_json(path("scene/lines.good.geojson"));
+  for (nlohmann::json& feature : lines["features"]) feature["properties"].erase("class");
+  write(path("plain.geojson"), lines.dump());
+  ASSERT_EQ(evaluate("plain.geojson", "results").exit_code, 0);
+  EXPECT_EQ(gate(kEasy).exit_code, 0) << "lines without classes count in total";
+  const ProgramResult result = gate("{class: aligned, metric: rms_m, max: 10.0}");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("no class aligned, only total"), HasSubstr("--patch"),
+                                HasSubstr("column class")));
+}
+
+TEST_F(Gate, AppliesToEveryLineFileOfAnEvaluation) {
+  ASSERT_EQ(run({"evaluate", "--lines", "scene/lines.good.geojson", "scene/lines.poor.geojson",
+                 "--cloud", "scene/lidar.las", "--out", "results", "--no-report"})
+                .exit_code,
+            0);
+  const std::string out = gate(kEasy).out;
+  EXPECT_THAT(out, AllOf(HasSubstr("| lines.good |"), HasSubstr("| lines.poor |")));
+  EXPECT_THAT(gate("{metric: rms_m, max: 10.0, method: lines.poor}").out,
+              Not(HasSubstr("| lines.good |")));
+}
+
+TEST_F(Gate, NumberOfLinesOfTheFileHoldsForEveryGateWithoutOne) {
+  write(path("gates.yaml"),
+        "n_min: 100000\ngates: [{max: 10.0}, {metric: median_m, max: 10.0, n_min: 1}]\n");
+  const ProgramResult result = run({"gate", "results", "--gates", "gates.yaml"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("1 of 2 checks failed"),
+                                HasSubstr("rms_m <= 10 (n >= 100000)"), HasSubstr("insufficient")));
+}
+
 TEST_F(Gate, TooFewLinesFail) {
   const ProgramResult result = gate("{class: total, metric: rms_m, max: 10.0, n_min: 100000}");
   EXPECT_EQ(result.exit_code, 3);
@@ -69,6 +103,14 @@ TEST_F(Gate, BaselineRuleFailsWithoutABaselineAndPassesAgainstItself) {
   const std::string entry = "{metric: rms_m, max_increase_over_baseline: 0.02}";
   EXPECT_EQ(gate(entry).exit_code, 3);
   EXPECT_EQ(gate(entry, {"--baseline", "results"}).exit_code, 0);
+}
+
+TEST_F(Gate, BaselineThatNoGateRefersToHoldsNothingAndSaysSo) {
+  const ProgramResult result =
+      gate("{metric: evaluated_share, min: 0.0}", {"--baseline", "results"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("0 of 1 checks failed"));
+  EXPECT_THAT(result.err, HasSubstr("no gate refers to the baseline"));
 }
 
 TEST_F(Gate, WorseThanTheBaselineFails) {
@@ -105,6 +147,45 @@ TEST_F(Gate, JunitIsWellFormedAndHoldsTheNumbers) {
                           HasSubstr("95 % interval: ")));
 }
 
+/// The names of all test cases with their class names.
+std::string testcases(const std::filesystem::path& file) {
+  boost::property_tree::ptree xml;
+  read_xml(file.string(), xml);
+  std::string names;
+  for (const auto& [name, node] : xml.get_child("testsuites.testsuite")) {
+    if (name != "testcase") continue;
+    names += node.get<std::string>("<xmlattr>.classname") + ": " +
+             node.get<std::string>("<xmlattr>.name") + "\n";
+  }
+  return names;
+}
+
+TEST_F(Gate, JunitNamesThePatchOfAPatternAfterItsFolder) {
+  const auto names_for = [&](const std::vector<std::string>& clouds) {
+    std::vector<std::string> arguments{"evaluate", "--lines", "scene/lines.good.geojson",
+                                       "--out",    "results", "--no-report",
+                                       "--cloud"};
+    arguments.insert(arguments.end(), clouds.begin(), clouds.end());
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(gate(kEasy, {"--junit", "gate.xml"}).exit_code, 0);
+    return testcases(path("gate.xml"));
+  };
+  const std::string current = path("").parent_path().filename().string();
+  EXPECT_THAT(names_for({"scene/*.las"}),
+              AllOf(HasSubstr("ridgeline.gate.scene.lines_good: total rms_m <= 10"),
+                    HasSubstr("(patch scene, lines.good)")));
+  EXPECT_THAT(names_for({"./scene/lidar.las"}), HasSubstr("(patch lidar, lines.good)"));
+  EXPECT_THAT(names_for({"*/lidar.la?"}), HasSubstr("(patch " + current + ", lines.good)"));
+  std::filesystem::copy(path("scene/lidar.las"), path("scene/again.las"));
+  EXPECT_THAT(names_for({"scene/lidar.las", "scene/again.las"}),
+              HasSubstr("(patch scene, lines.good)"));
+  std::filesystem::copy(path("scene/lidar.las"), path("lidar.v2.las"));
+  EXPECT_THAT(names_for({"./*.las"}), HasSubstr("(patch " + current + ", lines.good)"));
+  EXPECT_THAT(names_for({"lidar.v2.las"}),
+              HasSubstr("ridgeline.gate.lidar_v2.lines_good: total rms_m <= 10 (patch lidar.v2,"));
+}
+
 TEST_F(Gate, SummaryAndJsonTellTheVerdict) {
   const ProgramResult result =
       gate(std::string(kEasy) + ", " + kHard, {"--summary", "s.md", "--json", "g.json"});
@@ -127,13 +208,55 @@ TEST_F(Gate, AnnotationsAppearOnGitHubOnly) {
 TEST_F(Gate, WrongGatesFileIsRefusedWithTheRule) {
   EXPECT_REFUSED(gate("{class: total, metrc: rms_m, max: 0.3}"),
                  AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("unknown key metrc"),
+                       HasSubstr("the nearest is metric"),
                        HasSubstr("known keys: patch, method, class, metric")));
   EXPECT_REFUSED(gate("{metric: nope_m, max: 0.3}"),
-                 AllOf(HasSubstr("gates.yaml"), HasSubstr("nope_m"), HasSubstr("evaluated_share")));
+                 AllOf(HasSubstr("gates.yaml: line 1"), HasSubstr("nope_m"),
+                       HasSubstr("evaluated_share"), HasSubstr("completeness")));
+  EXPECT_REFUSED(gate("{metric: evaluated_share, min: 80}"),
+                 AllOf(HasSubstr("gates.yaml: line 1: min: 80"), HasSubstr("must be 0 to 1")));
+  EXPECT_REFUSED(gate("{class: aligned, metric: quality, min: 0.8}"), HasSubstr("no classes"));
+  EXPECT_REFUSED(gate("{max: [0.3]}"), HasSubstr("must be a finite number"));
   EXPECT_REFUSED(gate("{metric: rms_m}"), HasSubstr("gates.yaml"));
   EXPECT_REFUSED(gate(""), HasSubstr("gates.yaml"));
   EXPECT_REFUSED(gate("{a: ["), AllOf(HasSubstr("gates.yaml"), HasSubstr("not YAML")));
   EXPECT_REFUSED(run({"gate", "results", "--gates", "no.yaml"}), HasSubstr("no.yaml"));
+}
+
+TEST_F(Gate, InitPrintsAFileThatExplainsEveryKeyAndMetric) {
+  const ProgramResult printed = run({"gate", "--init"});
+  ASSERT_EQ(printed.exit_code, 0) << printed.err;
+  EXPECT_EQ(printed.err, "");
+  const std::string unknown_key = gate("{metrc: rms_m}").err;
+  const std::string unknown_metric = gate("{metric: none, max: 0.3}").err;
+  for (const char* key : {"known keys: ", "must be one of "}) {
+    const std::string& message = *key == 'k' ? unknown_key : unknown_metric;
+    std::istringstream list(message.substr(message.find(key) + std::string(key).size()));
+    int n_names = 0;
+    for (std::string name; list >> name; ++n_names) {
+      if (name.ends_with(',')) name.pop_back();
+      EXPECT_THAT(printed.out, ContainsRegex("\n#   " + name)) << "is not explained";
+    }
+    EXPECT_GT(n_names, 10) << message;
+  }
+  write(path("gates.yaml"), printed.out);
+  EXPECT_EQ(run({"gate", "results", "--gates", "gates.yaml"}).exit_code, 0);
+  EXPECT_THAT(run({"gate", "--help"}).out, HasSubstr("--init"));
+}
+
+TEST_F(Gate, InitWritesANewFileAndNeverOverOne) {
+  EXPECT_EQ(run({"gate", "--init", "new/gates.yaml"}).exit_code, 0);
+  EXPECT_EQ(read(path("new/gates.yaml")), run({"gate", "--init"}).out);
+  write(path("mine.yaml"), "mine");
+  EXPECT_REFUSED(run({"gate", "--init", "mine.yaml"}), HasSubstr("mine.yaml: exists"));
+  EXPECT_EQ(read(path("mine.yaml")), "mine");
+  EXPECT_REFUSED(run({"gate", "--init", "scene"}), HasSubstr("scene: exists"));
+  EXPECT_REFUSED(run({"gate", "--init", "new.yaml", "--gates", "mine.yaml"}), HasSubstr("--init"));
+}
+
+TEST_F(Gate, MissingArgumentIsNamedWithTheWayToStart) {
+  EXPECT_REFUSED(run({"gate"}), AllOf(HasSubstr("RESULTS is missing"), HasSubstr("gate --init")));
+  EXPECT_REFUSED(run({"gate", "results"}), HasSubstr("--gates is missing"));
 }
 
 TEST_F(Gate, FolderWithoutResultsIsRefused) {

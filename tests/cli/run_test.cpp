@@ -265,7 +265,7 @@ TEST_F(RunPatch, GatesHoldTheFiguresOfMatching) {
   };
   EXPECT_EQ(gate("{metric: correctness, method: pairwise, min: 0.5}"), 0);
   EXPECT_EQ(gate("{metric: completeness, min: 0.5}"), 0);
-  EXPECT_EQ(gate("{metric: quality, min: 1.01}"), 3);
+  EXPECT_EQ(gate("{metric: quality, max: 0.1}"), 3);
   EXPECT_EQ(gate("{metric: quality, method: chio, min: 0.5}"), 3);
   write(path("out/table1.json"), R"({"rows": [{"patch": "1"}]})");
   EXPECT_REFUSED(run({"gate", "out", "--gates", "gates.yaml"}),

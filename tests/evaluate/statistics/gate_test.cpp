@@ -3,7 +3,7 @@
 
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/gates/metric.h"
-#include "tests/evaluate/statistics/lines.h"
+#include "tests/evaluate/statistics/gate_scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,42 +19,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-/// 30 lines a class; not_aligned 0.1 m off, aligned as given; 5 more lines excluded.
-ResultFolder results_with(double aligned_m, const std::string& method = "joint") {
-  Evaluation e;
-  e.patch = "1";
-  e.method = method;
-  for (int i = 0; i < 30; ++i) {
-    const std::string id = std::to_string(i);
-    e.lines.push_back(evaluated_line("n" + id, i % 2 == 0 ? 0.1 : -0.1, i + 1));
-    e.lines.push_back(evaluated_line("a" + id, aligned_m, i + 1, "aligned"));
-  }
-  for (int i = 0; i < 5; ++i) {
-    e.lines.push_back(excluded_line("x" + std::to_string(i), Status::kNoPlane));
-  }
-  ResultFolder folder;
-  folder.name = "results";
-  folder.evaluations.push_back(with_summaries(std::move(e)));
-  folder.matching.rows = {{"1", "pairwise", {90, 10, 10}}};
-  folder.input_hashes = {{"lidar.las", "ab12"}};
-  return folder;
-}
-
-Gate gate_on(const std::string& line_class, const std::string& metric = "rms_m") {
-  Gate gate;
-  gate.line_class = line_class;
-  gate.metric = metric;
-  return gate;
-}
-
-GateResult only_result(const Gate& gate,
-                       const ResultFolder& results,
-                       const ResultFolder* baseline = nullptr) {
-  const GateReport report = apply_gates(std::vector{gate}, results, baseline);
-  EXPECT_EQ(report.results.size(), 1U);
-  return report.results.at(0);
-}
 
 TEST(ApplyGates, ComparesThePointEstimateWithAnAbsoluteLimit) {
   Gate gate = gate_on("aligned");
@@ -99,14 +63,20 @@ TEST(ApplyGates, FailsOnTooFewLines) {
   EXPECT_THAT(result.explanation, StartsWith("n = 30"));
 }
 
-TEST(ApplyGates, AppliesToEveryPatchAndMethodThatItDoesNotName) {
-  ResultFolder results = results_with(0.1);
-  results.evaluations.push_back(results_with(0.2, "direct").evaluations[0]);
+TEST(ApplyGates, AsksForNoNumberOfLinesThatNobodyWrote) {
   Gate gate = gate_on("total");
   gate.max = 1.0;
-  EXPECT_EQ(apply_gates(std::vector{gate}, results).results.size(), 2U);
-  gate.method = "direct";
-  EXPECT_EQ(only_result(gate, results).method, "direct");
+  ResultFolder results = results_with(0.1);
+  Evaluation& e = results.evaluations[0];
+  e.lines.resize(1);
+  e = with_summaries(std::move(e));
+  const GateResult result = only_result(gate, results);
+  EXPECT_EQ(result.verdict, Verdict::kPassed);
+  EXPECT_EQ(result.rule, "total rms_m <= 1");
+  gate.n_min = 20;
+  const GateResult limited = only_result(gate, results);
+  EXPECT_EQ(limited.verdict, Verdict::kInsufficient);
+  EXPECT_EQ(limited.rule, "total rms_m <= 1 (n >= 20)");
 }
 
 TEST(ApplyGates, RelatesOneClassToAnother) {
@@ -122,21 +92,21 @@ TEST(ApplyGates, RelatesOneClassToAnother) {
 
 TEST(ApplyGates, AllowsTheLargerOfTwoMillimetresAndFivePercentOverTheBaseline) {
   Gate gate = gate_on("aligned");
-  gate.max_increase_over_baseline = BaselineAllowance{};
+  gate.max_increase_over_baseline = BaselineIncrease{};
   const ResultFolder baseline = results_with(0.2);
   EXPECT_EQ(only_result(gate, results_with(0.2099), &baseline).verdict, Verdict::kPassed);
   EXPECT_EQ(only_result(gate, results_with(0.2101), &baseline).verdict, Verdict::kFailed);
   const ResultFolder fine = results_with(0.01);
   EXPECT_EQ(only_result(gate, results_with(0.0119), &fine).verdict, Verdict::kPassed);
   EXPECT_EQ(only_result(gate, results_with(0.0121), &fine).verdict, Verdict::kFailed);
-  gate.max_increase_over_baseline = BaselineAllowance{0.05};
+  gate.max_increase_over_baseline = BaselineIncrease{0.05};
   EXPECT_EQ(only_result(gate, results_with(0.249), &baseline).verdict, Verdict::kPassed);
   EXPECT_EQ(only_result(gate, results_with(0.251), &baseline).verdict, Verdict::kFailed);
 }
 
 TEST(ApplyGates, SaysWhenTheBaselineCanBeTightened) {
   Gate gate = gate_on("aligned");
-  gate.max_increase_over_baseline = BaselineAllowance{};
+  gate.max_increase_over_baseline = BaselineIncrease{};
   const ResultFolder baseline = results_with(0.2);
   EXPECT_TRUE(only_result(gate, results_with(0.18), &baseline).baseline_can_be_tightened);
   EXPECT_FALSE(only_result(gate, results_with(0.195), &baseline).baseline_can_be_tightened);
@@ -144,10 +114,10 @@ TEST(ApplyGates, SaysWhenTheBaselineCanBeTightened) {
 
 TEST(ApplyGates, FailsABaselineRuleWithoutBaseline) {
   Gate gate = gate_on("total");
-  gate.max_increase_over_baseline = BaselineAllowance{};
+  gate.max_increase_over_baseline = BaselineIncrease{};
   const GateResult result = only_result(gate, results_with(0.1));
   EXPECT_EQ(result.verdict, Verdict::kMissing);
-  EXPECT_EQ(result.explanation, "no baseline is given");
+  EXPECT_EQ(result.explanation, "no baseline is given (--baseline)");
 }
 
 TEST(ApplyGates, RefusesABaselineOfOtherInputs) {
@@ -179,29 +149,35 @@ TEST(ApplyGates, RefusesABaselineOfOtherInputsOfOneNameInAnotherPatch) {
 
 TEST(ApplyGates, NamesTheAllowanceInTheRule) {
   Gate gate = gate_on("total");
-  gate.max_increase_over_baseline = BaselineAllowance{0.03};
+  gate.max_increase_over_baseline = BaselineIncrease{0.03};
   const ResultFolder baseline = results_with(0.2);
   EXPECT_EQ(only_result(gate, baseline, &baseline).rule, "total rms_m <= baseline + 0.03");
 }
 
-TEST(ApplyGates, HoldsCoverageAgainstTheBaselineToo) {
+TEST(ApplyGates, HoldsNothingAgainstTheBaselineThatNobodyWrote) {
   Gate gate = gate_on("total", "evaluated_share");
   gate.min = 0.8;
   const ResultFolder results = results_with(0.1);  // 60 of 65 lines
-  EXPECT_EQ(only_result(gate, results).verdict, Verdict::kPassed);
   ResultFolder baseline = results;
   Evaluation& e = baseline.evaluations[0];
   std::erase_if(e.lines, [](const LineEvaluation& l) { return l.status != Status::kEvaluated; });
   e = with_summaries(std::move(e));
   const GateReport report = apply_gates(std::vector{gate}, results, &baseline);
-  ASSERT_EQ(report.results.size(), 2U);
+  ASSERT_EQ(report.results.size(), 1U);
   EXPECT_EQ(report.results[0].verdict, Verdict::kPassed);
-  EXPECT_EQ(report.results[1].verdict, Verdict::kFailed) << "0.92 against 1 - 0.02";
+  ASSERT_EQ(report.warnings.size(), 1U);
+  EXPECT_THAT(report.warnings[0], StartsWith("no gate refers to the baseline"));
+
+  gate.min.reset();
+  gate.max_decrease_below_baseline = 0.02;
+  const GateResult written = only_result(gate, results, &baseline);
+  EXPECT_EQ(written.verdict, Verdict::kFailed) << "0.92 against 1 - 0.02";
+  EXPECT_EQ(written.rule, "total evaluated_share >= baseline - 0.02");
 }
 
-TEST(ApplyGates, GatesMatchingFigures) {
+TEST(ApplyGates, GatesMatchingFiguresAgainstTheBaseline) {
   Gate gate = gate_on("total", "quality");
-  gate.max_decrease_below_baseline = BaselineAllowance{};
+  gate.max_decrease_below_baseline = 0.01;
   const ResultFolder baseline = results_with(0.1);
   ResultFolder results = baseline;
   EXPECT_EQ(only_result(gate, results, &baseline).verdict, Verdict::kPassed);
@@ -209,6 +185,20 @@ TEST(ApplyGates, GatesMatchingFigures) {
   EXPECT_EQ(only_result(gate, results, &baseline).verdict, Verdict::kFailed);
   results.matching.rows.clear();
   EXPECT_EQ(only_result(gate, results, &baseline).verdict, Verdict::kMissing);
+}
+
+TEST(ApplyGates, PrintsTheIntervalAndTheDenominatorOfAMatchingFigure) {
+  Gate gate = gate_on("total", "correctness");
+  gate.min = 0.5;
+  gate.n_min = 100;
+  ResultFolder results = results_with(0.1);
+  results.matching.rows[0].counts = {90, 10, 70};
+  const GateResult result = only_result(gate, results);
+  EXPECT_EQ(result.verdict, Verdict::kPassed);
+  EXPECT_EQ(result.n, 100U) << "90 of 90 + 10, whatever is missed";
+  ASSERT_TRUE(result.ci95);
+  EXPECT_LT(result.ci95->low, 0.9);
+  EXPECT_GT(result.ci95->high, 0.9);
 }
 
 TEST(ApplyGates, RejectsAGateThatCannotDecide) {
@@ -222,11 +212,41 @@ TEST(ApplyGates, RejectsAGateThatCannotDecide) {
   gate.max = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(apply(gate), std::invalid_argument);
   gate = gate_on("total");
-  gate.max_increase_over_baseline = BaselineAllowance{-0.1};
+  gate.max_increase_over_baseline = BaselineIncrease{-0.1};
   EXPECT_THROW(apply(gate), std::invalid_argument);
-  gate = gate_on("total", "quality");
+}
+
+TEST(Validate, RejectsARuleThatTheFigureCannotHave) {
+  Gate gate = gate_on("total", "quality");
   gate.max_ratio_to_class = "aligned";
-  EXPECT_THROW(apply(gate), std::invalid_argument);
+  EXPECT_THROW(validate(gate), std::invalid_argument) << "matching has no classes";
+  gate = gate_on("aligned", "quality");
+  gate.min = 0.5;
+  EXPECT_THROW(validate(gate), std::invalid_argument) << "matching has no classes";
+  gate = gate_on("aligned", "mean_m");
+  gate.max_ratio_to_class = "not_aligned";
+  EXPECT_THROW(validate(gate), std::invalid_argument) << "a ratio of a signed figure";
+  gate = gate_on("total", "evaluated_share");
+  gate.min = 80.0;
+  EXPECT_THROW(validate(gate), std::invalid_argument) << "a share in percent";
+  gate.min = 0.8;
+  EXPECT_NO_THROW(validate(gate));
+  gate.max_increase_over_baseline = BaselineIncrease{};
+  EXPECT_THROW(validate(gate), std::invalid_argument) << "the default allowance is in metres";
+  gate = gate_on("total");
+  gate.max_decrease_below_baseline = -0.1;
+  EXPECT_THROW(validate(gate), std::invalid_argument);
+}
+
+TEST(ApplyGates, WarnsOfTheCalibrationOfGatedLinesOnly) {
+  Gate gate = gate_on("total");
+  gate.max = 1.0;
+  ResultFolder results = results_with(0.1);
+  results.evaluations.push_back(results_with(0.1, "direct").evaluations[0]);
+  for (LineEvaluation& line : results.evaluations[1].lines) line.sigma_line_m = 0.01;
+  EXPECT_TRUE(apply_gates(std::vector{gate}, results).warnings.empty());
+  gate.method = "direct";
+  EXPECT_EQ(apply_gates(std::vector{gate}, results).warnings.size(), 1U);
 }
 
 TEST(ApplyGates, WarnsOfCalibrationAndTimeWithoutFailing) {
@@ -237,6 +257,7 @@ TEST(ApplyGates, WarnsOfCalibrationAndTimeWithoutFailing) {
   results.duration_s = 21.0;
   ResultFolder baseline = results_with(0.1);
   baseline.duration_s = 10.0;
+  gate.max_increase_over_baseline = BaselineIncrease{0.1};
   const GateReport report = apply_gates(std::vector{gate}, results, &baseline);
   EXPECT_TRUE(report.passed());
   ASSERT_EQ(report.warnings.size(), 2U);
@@ -269,6 +290,21 @@ TEST(Junit, HoldsNoControlCharacterNorMarkupFromNames) {
   const std::string xml = to_junit(report, "");
   EXPECT_THAT(xml, Not(HasSubstr("\x02")));
   EXPECT_THAT(xml, HasSubstr("&lt;\xEF\xBF\xBD&amp;&gt;"));
+}
+
+TEST(Junit, IsUtf8WhateverTheNamesAre) {
+  GateReport report = mixed_report();
+  report.results[1].patch = "caf\xE9";
+  EXPECT_THAT(to_junit(report, ""), HasSubstr("(patch caf\xEF\xBF\xBD, joint)"));
+}
+
+TEST(Junit, KeepsTheLevelsOfAClassNameWhateverTheNamesHold) {
+  GateReport report = mixed_report();
+  report.results[1].patch = "tiles/v1.2 <a>";
+  report.results[1].method = "roofs.good";
+  const std::string xml = to_junit(report, "");
+  EXPECT_THAT(xml, HasSubstr("classname=\"ridgeline.gate.tiles_v1_2__a_.roofs_good\""));
+  EXPECT_THAT(xml, HasSubstr("(patch tiles/v1.2 &lt;a&gt;, roofs.good)"));
 }
 
 TEST(GateMarkdown, PutsFailuresFirstAndStaysBelowItsLimit) {

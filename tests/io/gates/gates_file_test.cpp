@@ -57,7 +57,7 @@ TEST_F(ReadGatesFile, ReadsTheContractsExample) {
   EXPECT_FALSE(gates[3].max_decrease_below_baseline);
 }
 
-TEST_F(ReadGatesFile, ReadsPatchNumberOfLinesAndTheDefaultAllowance) {
+TEST_F(ReadGatesFile, ReadsPatchNumberOfLinesAndTheDefaultIncrease) {
   const std::vector<GateEntry> gates = read(
       "gates: [{patch: 1, n_min: 30, max_increase_over_baseline: default, "
       "max_decrease_below_baseline: 0.01}]");
@@ -65,16 +65,29 @@ TEST_F(ReadGatesFile, ReadsPatchNumberOfLinesAndTheDefaultAllowance) {
   EXPECT_EQ(gates.at(0).n_min, 30);
   ASSERT_TRUE(gates.at(0).max_increase_over_baseline);
   EXPECT_FALSE(gates.at(0).max_increase_over_baseline->value);
-  EXPECT_EQ(gates.at(0).max_decrease_below_baseline->value, 0.01);
+  EXPECT_EQ(gates.at(0).max_decrease_below_baseline, 0.01);
 }
 
-TEST_F(ReadGatesFile, NamesTheLineAndTheKnownKeysForAnUnknownOne) {
+TEST_F(ReadGatesFile, TakesTheFilesNumberOfLinesWhereAGateHasNone) {
+  const std::vector<GateEntry> gates = read("n_min: 20\ngates: [{max: 1}, {max: 1, n_min: 5}]\n");
+  EXPECT_EQ(gates.at(0).n_min, 20);
+  EXPECT_EQ(gates.at(1).n_min, 5);
+  EXPECT_FALSE(read("gates: [{max: 1}]").at(0).n_min);
+}
+
+TEST_F(ReadGatesFile, NamesTheLineTheNearestAndTheKnownKeysForAnUnknownOne) {
   const std::string message = message_of("gates:\n  - {class: total, maximum: 0.3}\n");
-  EXPECT_THAT(message, HasSubstr("gates.yaml: line 2: unknown key maximum; known keys: patch, "));
+  EXPECT_THAT(
+      message,
+      HasSubstr(
+          "gates.yaml: line 2: unknown key maximum, the nearest is max; known keys: patch, "));
   EXPECT_THAT(message, HasSubstr("max_increase_over_baseline"));
-  EXPECT_THAT(message_of("gate: []"), HasSubstr("unknown key gate; known keys: gates"));
+  EXPECT_THAT(message_of("gate: []"),
+              HasSubstr("unknown key gate, the nearest is gates; known keys: n_min, gates"));
+  EXPECT_THAT(message_of("gates: [{max_increase_over_base: 1}]"),
+              HasSubstr("the nearest is max_increase_over_baseline;"));
   EXPECT_THAT(message_of("gates: [{max_ratio_to: {clas: aligned}}]"),
-              HasSubstr("unknown key clas; known keys: class"));
+              HasSubstr("unknown key clas, the nearest is class; known keys: class"));
   EXPECT_THAT(message_of("gates: [{max: 1, max: 2}]"), HasSubstr("key max: given twice"));
 }
 
@@ -86,7 +99,10 @@ TEST_F(ReadGatesFile, RejectsValuesOfTheWrongType) {
   EXPECT_THAT(message_of("gates: [{n_min: 2.5}]"), HasSubstr("n_min: 2.5; must be a whole"));
   EXPECT_THAT(message_of("gates: [{n_min: 0}]"), HasSubstr("must be a whole number >= 1"));
   EXPECT_THAT(message_of("gates: [{max_increase_over_baseline: -1}]"),
-              HasSubstr("-1; must be >= 0 or default"));
+              HasSubstr("-1; must be >= 0"));
+  EXPECT_THAT(message_of("gates: [{max_decrease_below_baseline: default}]"),
+              HasSubstr("max_decrease_below_baseline: default; must be a finite number"));
+  EXPECT_THAT(message_of("{n_min: few, gates: [{max: 1}]}"), HasSubstr("n_min: few; must be"));
   EXPECT_THAT(message_of("gates: [{max_ratio_to: aligned}]"), HasSubstr("must be a map"));
   EXPECT_THAT(message_of("gates: [{max_ratio_to: {}}]"), HasSubstr("no class"));
   EXPECT_THAT(message_of("gates: [{max: 1, ratio: 2}]"), HasSubstr("without max_ratio_to"));

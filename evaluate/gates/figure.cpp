@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/gates/figure.h"
+
+#include "evaluate/gates/metric.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// Methods of reconstruction, the best first: the others of a run are there to compare with.
+constexpr std::array<std::string_view, 3> kByRank{"network", "joint", "direct"};
+
+constexpr const char* kAnyPatch = "(any)";
+constexpr const char* kNoMethod = "(none)";
+
+std::vector<std::string> patches_of(const ResultFolder& folder) {
+  std::vector<std::string> patches;
+  const auto add = [&](const std::string& patch) {
+    if (std::find(patches.begin(), patches.end(), patch) == patches.end()) patches.push_back(patch);
+  };
+  for (const Evaluation& e : folder.evaluations) add(e.patch);
+  for (const Table1Row& row : folder.matching.rows) add(row.patch);
+  return patches;
+}
+
+Figure missing_figure(const Gate& gate,
+                      const std::string& patch,
+                      const std::string& line_class,
+                      std::string why) {
+  return {patch,
+          gate.method.value_or(kNoMethod),
+          is_matching_metric(gate.metric) ? "" : line_class,
+          {},
+          {},
+          0,
+          {},
+          std::move(why)};
+}
+
+std::string why_no_class(const Evaluation& e, const std::string& line_class) {
+  std::vector<std::string> classes;
+  for (const Summary& cell : e.classes) classes.push_back(cell.line_class);
+  std::string why =
+      fmt::format("these lines have no class {}, only {}", line_class, fmt::join(classes, ", "));
+  if (find_class(e.classes, kAligned) == nullptr) {
+    why +=
+        "; the classes aligned and not_aligned come from evaluate --patch PATCH.yaml, or from a "
+        "column class of the line file";
+  }
+  return why;
+}
+
+std::string why_no_value(const Summary& cell, const std::string& metric) {
+  if (cell.n_lines == 0) return "there is no line of class " + cell.line_class;
+  if (cell.n_evaluated == 0) {
+    return fmt::format("none of the {} lines of class {} was evaluated", cell.n_lines,
+                       cell.line_class);
+  }
+  return fmt::format("n = {} lines have no {}", cell.n_evaluated, metric);
+}
+
+Figure accuracy_figure(const Evaluation& e,
+                       const std::string& line_class,
+                       const std::string& metric) {
+  Figure figure{e.patch, e.method, line_class, {}, {}, 0, {}, {}};
+  const Summary* cell = find_class(e.classes, line_class);
+  if (cell == nullptr) {
+    figure.why_missing = why_no_class(e, line_class);
+    return figure;
+  }
+  figure.value = metric_value(*cell, metric);
+  figure.ci95 = metric_interval(*cell, metric);
+  figure.n = metric_count(*cell, metric);
+  figure.evaluated_share = cell->evaluated_share();
+  if (!figure.value) figure.why_missing = why_no_value(*cell, metric);
+  return figure;
+}
+
+/// Those of a patch's evaluations that a gate without a method is meant for.
+std::vector<const Evaluation*> products_of(const std::vector<const Evaluation*>& evaluations,
+                                           const ResultFolder& folder) {
+  if (folder.is_of_line_files) return evaluations;
+  for (const std::string_view method : kByRank) {
+    for (const Evaluation* e : evaluations) {
+      if (e->method == method) return {e};
+    }
+  }
+  return evaluations;
+}
+
+std::vector<Figure> accuracy_figures(const Gate& gate,
+                                     const std::string& patch,
+                                     const std::string& line_class,
+                                     const ResultFolder& folder) {
+  std::vector<const Evaluation*> of_patch;
+  std::vector<std::string_view> methods;
+  for (const Evaluation& e : folder.evaluations) {
+    if (e.patch != patch) continue;
+    of_patch.push_back(&e);
+    methods.push_back(e.method);
+  }
+  if (!gate.method) of_patch = products_of(of_patch, folder);
+  std::vector<Figure> figures;
+  for (const Evaluation* e : of_patch) {
+    if (gate.method.value_or(e->method) != e->method) continue;
+    figures.push_back(accuracy_figure(*e, line_class, gate.metric));
+  }
+  if (figures.empty()) {
+    figures.push_back(missing_figure(gate, patch, line_class,
+                                     methods.empty()
+                                         ? "no lines of this patch were judged"
+                                         : fmt::format("there is no method {}; there are: {}",
+                                                       *gate.method, fmt::join(methods, ", "))));
+  }
+  return figures;
+}
+
+Figure matching_figure(const Table1Row& row, const std::string& metric) {
+  Figure figure{row.patch, row.matcher, "", {}, {}, 0, {}, {}};
+  figure.value = metric_value(row.counts, metric);
+  figure.ci95 = metric_interval(row.counts, metric);
+  figure.n = metric_count(row.counts, metric);
+  if (!figure.value) figure.why_missing = "the reference matches say nothing of these matches";
+  return figure;
+}
+
+std::string why_no_matching(const Gate& gate,
+                            const std::vector<std::string_view>& matchers,
+                            const ResultFolder& folder) {
+  if (folder.is_of_line_files) {
+    return gate.metric + " is a figure of matching; run and demo have it, evaluate judges lines";
+  }
+  if (matchers.empty()) {
+    return "the matches were not judged; that needs reference_matches in the patch file";
+  }
+  return fmt::format("there is no matcher {}; there are: {}", gate.method.value_or(kNoMethod),
+                     fmt::join(matchers, ", "));
+}
+
+std::vector<Figure> matching_figures(const Gate& gate,
+                                     const std::string& patch,
+                                     const ResultFolder& folder) {
+  std::vector<const Table1Row*> of_patch;
+  std::vector<std::string_view> matchers;
+  for (const Table1Row& row : folder.matching.rows) {
+    if (row.patch != patch) continue;
+    of_patch.push_back(&row);
+    matchers.push_back(row.matcher);
+  }
+  std::optional<std::string> chosen = gate.method;
+  if (!chosen && std::find(matchers.begin(), matchers.end(), kCombinedMatches) != matchers.end()) {
+    chosen = kCombinedMatches;
+  }
+  std::vector<Figure> figures;
+  for (const Table1Row* row : of_patch) {
+    if (chosen.value_or(row->matcher) != row->matcher) continue;
+    figures.push_back(matching_figure(*row, gate.metric));
+  }
+  if (figures.empty()) {
+    figures.push_back(missing_figure(gate, patch, "", why_no_matching(gate, matchers, folder)));
+  }
+  return figures;
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const Gate& gate,
+                               const std::string& line_class,
+                               const ResultFolder& folder) {
+  const std::vector<std::string> patches = patches_of(folder);
+  std::vector<Figure> result;
+  for (const std::string& patch : patches) {
+    if (gate.patch.value_or(patch) != patch) continue;
+    std::vector<Figure> figures = is_matching_metric(gate.metric)
+                                      ? matching_figures(gate, patch, folder)
+                                      : accuracy_figures(gate, patch, line_class, folder);
+    for (Figure& figure : figures) result.push_back(std::move(figure));
+  }
+  if (result.empty()) {
+    const std::string patch = gate.patch.value_or(kAnyPatch);
+    result.push_back(missing_figure(
+        gate, patch, line_class,
+        patches.empty()
+            ? "there are no results"
+            : fmt::format("there is no patch {}; there are: {}", patch, fmt::join(patches, ", "))));
+  }
+  return result;
+}
+
+}  // namespace ridgeline::evaluate

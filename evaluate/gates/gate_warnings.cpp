@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/gates/gate_warnings.h"
+
+#include "evaluate/statistics/calibration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace ridgeline::evaluate {
+namespace {
+
+void warn_of_calibration(const Evaluation& e, std::vector<std::string>& warnings) {
+  std::vector<std::size_t> all(e.lines.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Calibration c = calibrate(e.lines, all, std::string(kTotal), e.options.sigma_sys_m);
+  if (!c.nees_per_dof || (*c.nees_per_dof >= 0.5 && *c.nees_per_dof <= 2.0)) return;
+  warnings.push_back(fmt::format(
+      "patch {}, {}: mean NEES / dof = {:.3g} (n = {}), outside [0.5, 2]: the predicted "
+      "sigmas are too {}",
+      e.patch, e.method, *c.nees_per_dof, c.n, *c.nees_per_dof > 1.0 ? "small" : "large"));
+}
+
+void warn_of_time(const ResultFolder& results,
+                  const ResultFolder& baseline,
+                  std::vector<std::string>& warnings) {
+  constexpr double kMaxSlowdown = 2.0;
+  if (!baseline.duration_s || !results.duration_s) return;
+  if (*results.duration_s <= kMaxSlowdown * *baseline.duration_s) return;
+  warnings.push_back(fmt::format("time {:.1f} s is above twice the baseline's {:.1f} s",
+                                 *results.duration_s, *baseline.duration_s));
+}
+
+bool refers_to_baseline(const Gate& gate) {
+  return gate.max_increase_over_baseline || gate.max_decrease_below_baseline;
+}
+
+}  // namespace
+
+std::vector<std::string> gate_warnings(std::span<const Gate> gates,
+                                       std::span<const GateResult> applied,
+                                       const ResultFolder& results,
+                                       const ResultFolder* baseline) {
+  std::vector<std::string> warnings;
+  for (const Evaluation& e : results.evaluations) {
+    const bool is_gated = std::any_of(applied.begin(), applied.end(), [&](const GateResult& r) {
+      return r.patch == e.patch && r.method == e.method;
+    });
+    if (is_gated) warn_of_calibration(e, warnings);
+  }
+  if (baseline == nullptr) return warnings;
+  warn_of_time(results, *baseline, warnings);
+  if (std::none_of(gates.begin(), gates.end(), refers_to_baseline)) {
+    warnings.emplace_back(
+        "no gate refers to the baseline; nothing was held against it (max_increase_over_baseline, "
+        "max_decrease_below_baseline)");
+  }
+  return warnings;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/gates/gate.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// What to look at although it fails no gate: predicted sigmas of gated lines that are far from their
+/// distances, a run that takes over twice the time of its baseline, a baseline that no gate refers to.
+/// `applied`: what the gates made of the results.
+std::vector<std::string> gate_warnings(std::span<const Gate> gates,
+                                       std::span<const GateResult> applied,
+                                       const ResultFolder& results,
+                                       const ResultFolder* baseline);
+
+}  // namespace ridgeline::evaluate

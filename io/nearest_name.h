@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Of `known`, which must not be empty, the name that the fewest letters put in, left out, replaced
+/// or swapped with their neighbour make of `name`; the first of several. Throws
+/// std::invalid_argument for no known name.
+std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the README says of gates holds as printed: its gates file on the demonstration and on a
+// worsened copy of it, and the steps of its CI job in order.
+#include "tests/cli/ci_job.h"
+#include "tests/cli/cli_fixture.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <regex>
+#include <sstream>
+
+namespace ridgeline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// The YAML code block of the README's section on gates that has this key on top.
+std::string readme_block(const std::string& key) {
+  const std::string readme = read(fs::path(RIDGELINE_SOURCE_DIR) / "README.md");
+  const std::string section = readme.substr(readme.find("\n## Accuracy gates in CI\n") + 1);
+  const std::string text = section.substr(0, section.find("\n## "));
+  const std::string fence = "\n```yaml\n";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 1)) {
+    const std::size_t begin = at + fence.size();
+    std::string block = text.substr(begin, text.find("\n```\n", begin) + 1 - begin);
+    if (YAML::Load(block)[key]) return block;
+  }
+  ADD_FAILURE() << "the README's section on gates has no code block with the key " << key;
+  return "";
+}
+
+/// The method that a gate without one applies to.
+std::string product_in(const fs::path& patch_folder) {
+  for (const char* method : {"network", "joint", "direct"}) {
+    if (fs::exists(patch_folder / fmt::format("evaluation.{}.json", method))) return method;
+  }
+  ADD_FAILURE() << patch_folder << " holds no evaluation";
+  return "";
+}
+
+class ReadmeGate : public Cli {
+ protected:
+  /// Moves the lines of a patch by half a metre and evaluates them again in place of what was there.
+  void worsen(const std::string& results, const std::string& patch_id) const {
+    constexpr double kShift_m = 0.5;  // far above 0.30 m, the limit in the README
+    const fs::path folder = path(results) / patch_id;
+    const std::string method = product_in(folder);
+    nlohmann::json lines = read_json(folder / fmt::format("lines.{}.geojson", method));
+    for (nlohmann::json& feature : lines["features"]) {
+      if (feature["geometry"].is_null()) continue;
+      for (nlohmann::json& vertex : feature["geometry"]["coordinates"]) {
+        vertex[2] = vertex[2].get<double>() + kShift_m;
+      }
+    }
+    const std::string moved = fmt::format("moved/{}.geojson", method);
+    write(path(moved), lines.dump());
+    const fs::path patch = fs::path(RIDGELINE_SOURCE_DIR) / "sample_data" / patch_id / "patch.yaml";
+    const ProgramResult again = run({"evaluate", "--lines", moved, "--patch", patch.string(),
+                                     "--out", "moved/results", "--no-report"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    const std::string evaluation = fmt::format("evaluation.{}.json", method);
+    fs::copy_file(path("moved/results") / evaluation, folder / evaluation,
+                  fs::copy_options::overwrite_existing);
+  }
+
+  [[nodiscard]] ProgramResult gate(const std::string& results,
+                                   const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"gate", results, "--gates", "gates.yaml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  void run_demo() const {
+    const ProgramResult demo = run({"demo", "--out", "demo", "--no-report"});
+    ASSERT_EQ(demo.exit_code, 0) << demo.err;
+  }
+};
+
+TEST_F(ReadmeGate, FilePassesOnTheDemonstrationAndFailsOnAWorsenedCopy) {
+  run_demo();
+  write(path("gates.yaml"), readme_block("gates"));
+  const ProgramResult passed = gate("demo");
+  EXPECT_EQ(passed.exit_code, 0) << passed.out << passed.err;
+  fs::copy(path("demo"), path("worse"), fs::copy_options::recursive);
+  worsen("worse", "2");
+  const ProgramResult failed = gate("worse");
+  EXPECT_EQ(failed.exit_code, 3) << failed.out << failed.err;
+  EXPECT_THAT(failed.out, HasSubstr("above the limit 0.3"));
+}
+
+TEST_F(ReadmeGate, JobRunsStepByStepAsPrintedAndStopsWorseLines) {
+  const fs::path sample = fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1";
+  fs::create_directory(path("repository"));
+  fs::copy(sample, path("repository"));
+  write(path("repository/gates.yaml"), readme_block("gates"));
+  const CiJob job(readme_block("jobs"), path("repository"));
+
+  const std::vector<StepResult> passed = job.run();
+  for (const StepResult& step : passed) EXPECT_EQ(step.exit_code, 0) << step.name << step.output;
+  EXPECT_THAT(read(job.step_summary()), HasSubstr("Accuracy gate: **passed**"));
+
+  worsen("repository/results", "1");
+  const std::vector<StepResult> failed = job.run_from("ridgeline gate");
+  ASSERT_GE(failed.size(), 2U) << "the summary is to be seen when the gate fails";
+  EXPECT_EQ(failed[0].exit_code, 3) << failed[0].output;
+  for (std::size_t i = 1; i < failed.size(); ++i) {
+    EXPECT_EQ(failed[i].exit_code, 0) << failed[i].name << failed[i].output;
+  }
+  EXPECT_THAT(read(job.step_summary()), HasSubstr("Accuracy gate: **failed**"));
+}
+
+/// Every metric that the program lists for one that it does not know.
+std::vector<std::string> listed_metrics(const std::string& message) {
+  const std::string list = message.substr(message.find("must be one of ") + 15);
+  std::vector<std::string> metrics;
+  const std::regex word("[a-z0-9_]+");
+  for (std::sregex_iterator it(list.begin(), list.end(), word), end; it != end; ++it) {
+    metrics.push_back(it->str());
+  }
+  return metrics;
+}
+
+TEST_F(ReadmeGate, EveryMetricThatIsListedWorksOnTheDemonstrationOrSaysWhyNot) {
+  run_demo();
+  write(path("gates.yaml"), "gates: [{metric: none, max: 1}]");
+  const std::vector<std::string> metrics = listed_metrics(gate("demo").err);
+  ASSERT_THAT(metrics, testing::IsSupersetOf({"rms_m", "evaluated_share_by_length", "quality"}));
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "judged").exit_code, 0);
+  for (const std::string& metric : metrics) {
+    const bool is_share = !metric.ends_with("_m");
+    const bool of_matches =
+        metric == "correctness" || metric == "completeness" || metric == "quality";
+    const char* limits = is_share ? "min: 0, max: 1" : "min: -10, max: 10";
+    write(path("gates.yaml"), fmt::format("gates: [{{metric: {}, {}}}]", metric, limits));
+    EXPECT_EQ(gate("demo").exit_code, 0) << metric << gate("demo").out;
+    const ProgramResult judged = gate("judged");
+    EXPECT_EQ(judged.exit_code, of_matches ? 3 : 0) << metric << judged.out;
+    if (of_matches) {
+      EXPECT_THAT(judged.out, HasSubstr("evaluate judges lines"));
+    }
+    write(path("gates.yaml"), fmt::format("gates: [{{metric: {}, {}}}]", metric,
+                                          metric.ends_with("_m") ? "min: 50" : "min: 1, max: 0"));
+    EXPECT_EQ(gate("demo").exit_code, 3) << metric << " passes whatever it is";
+  }
+}
+
+/// The template with the gates that it proposes in comments in force.
+std::string uncommented(const std::string& text) {
+  return std::regex_replace(text, std::regex("\n  # - "), "\n  - ");
+}
+
+TEST_F(ReadmeGate, TemplatePassesOnTheDemonstrationWithAllThatItProposes) {
+  run_demo();
+  const ProgramResult printed = run({"gate", "--init"});
+  ASSERT_EQ(printed.exit_code, 0) << printed.err;
+  write(path("gates.yaml"), printed.out);
+  EXPECT_EQ(gate("demo").exit_code, 0) << gate("demo").out;
+  write(path("gates.yaml"), uncommented(printed.out));
+  EXPECT_EQ(gate("demo").exit_code, 3) << "no baseline is given";
+  const ProgramResult all = gate("demo", {"--baseline", "demo"});
+  EXPECT_EQ(all.exit_code, 0) << all.out << all.err;
+  EXPECT_THAT(all.out, AllOf(HasSubstr("quality >= 0.85"), HasSubstr("baseline + 0.02"),
+                             HasSubstr("<= 2.5 x not_aligned"), HasSubstr("(n >= 20)")));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which figures a gate applies to, and what it says of those that do not exist.
+#include "evaluate/gates/figure.h"
+#include "evaluate/gates/metric.h"
+#include "tests/evaluate/statistics/gate_scene.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::evaluate {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The results of several methods on patch 1.
+ResultFolder results_of(const std::vector<std::string>& methods) {
+  ResultFolder folder = results_with(0.1);
+  folder.evaluations.clear();
+  for (const std::string& method : methods) {
+    folder.evaluations.push_back(results_with(0.1, method).evaluations[0]);
+  }
+  return folder;
+}
+
+/// "patch method" of every figure that a gate concerns.
+std::vector<std::string> scope(const Gate& gate, const ResultFolder& folder) {
+  std::vector<std::string> result;
+  for (const Figure& f : figures_of(gate, gate.line_class, folder)) {
+    result.push_back(f.patch + " " + f.method);
+  }
+  return result;
+}
+
+/// Why the only figure that a gate concerns has no value.
+std::string why_missing(const Gate& gate, const ResultFolder& folder) {
+  const std::vector<Figure> figures = figures_of(gate, gate.line_class, folder);
+  EXPECT_EQ(figures.size(), 1U);
+  EXPECT_FALSE(figures.at(0).value);
+  return figures.at(0).why_missing;
+}
+
+TEST(FiguresOf, AreOfTheProductMethodUnlessTheGateNamesOne) {
+  Gate gate = gate_on("total");
+  EXPECT_THAT(scope(gate, results_of({"direct", "joint", "network"})), ElementsAre("1 network"));
+  EXPECT_THAT(scope(gate, results_of({"direct", "joint"})), ElementsAre("1 joint"));
+  EXPECT_THAT(scope(gate, results_of({"direct"})), ElementsAre("1 direct"));
+  gate.method = "direct";
+  EXPECT_THAT(scope(gate, results_of({"direct", "joint", "network"})), ElementsAre("1 direct"));
+}
+
+TEST(FiguresOf, AreOfEveryLineFileOfAnEvaluation) {
+  ResultFolder folder = results_of({"direct", "joint", "roofs"});
+  folder.is_of_line_files = true;
+  EXPECT_THAT(scope(gate_on("total"), folder), ElementsAre("1 direct", "1 joint", "1 roofs"));
+  folder.is_of_line_files = false;
+  EXPECT_THAT(scope(gate_on("total"), folder), ElementsAre("1 joint"));
+}
+
+TEST(FiguresOf, AreOfThePatchThatTheGateNamesOrOfEach) {
+  ResultFolder folder = results_of({"direct", "joint"});
+  folder.evaluations.push_back(results_with(0.1, "direct").evaluations[0]);
+  folder.evaluations.back().patch = "2";
+  Gate gate = gate_on("total");
+  EXPECT_THAT(scope(gate, folder), ElementsAre("1 joint", "2 direct"));
+  gate.patch = "2";
+  EXPECT_THAT(scope(gate, folder), ElementsAre("2 direct"));
+}
+
+TEST(FiguresOf, LackOnePatchIsNotHiddenByTheOther) {
+  ResultFolder folder = results_of({"joint"});
+  folder.evaluations.push_back(results_with(0.1, "direct").evaluations[0]);
+  folder.evaluations.back().patch = "2";
+  Gate gate = gate_on("total");
+  gate.method = "joint";
+  const std::vector<Figure> figures = figures_of(gate, gate.line_class, folder);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_FALSE(figures[1].value);
+  EXPECT_EQ(figures[1].why_missing, "there is no method joint; there are: direct");
+  gate = gate_on("total", "quality");
+  const std::vector<Figure> matching = figures_of(gate, gate.line_class, folder);
+  ASSERT_EQ(matching.size(), 2U);
+  EXPECT_THAT(matching[1].why_missing, HasSubstr("needs reference_matches"));
+}
+
+TEST(FiguresOf, AreOfTheMatchesOfBothMatchersTogether) {
+  ResultFolder folder = results_with(0.1);
+  Gate gate = gate_on("total", "quality");
+  EXPECT_THAT(scope(gate, folder), ElementsAre("1 pairwise"));
+  folder.matching.rows.push_back({"1", "chio", {80, 10, 20}});
+  folder.matching.rows.push_back({"1", "both", {95, 10, 5}});
+  EXPECT_THAT(scope(gate, folder), ElementsAre("1 both"));
+  gate.method = "chio";
+  EXPECT_THAT(scope(gate, folder), ElementsAre("1 chio"));
+  gate.method = "joint";
+  EXPECT_EQ(why_missing(gate, folder),
+            "there is no matcher joint; there are: pairwise, chio, both");
+}
+
+TEST(FiguresOf, SayWhichPatchesMethodsAndMatchersThereAre) {
+  Gate gate = gate_on("total");
+  gate.patch = "7";
+  EXPECT_EQ(why_missing(gate, results_with(0.1)), "there is no patch 7; there are: 1");
+  gate = gate_on("total");
+  gate.method = "network";
+  EXPECT_EQ(why_missing(gate, results_of({"direct", "joint"})),
+            "there is no method network; there are: direct, joint");
+  EXPECT_EQ(why_missing(gate_on("total"), ResultFolder{}), "there are no results");
+  ResultFolder of_files = results_with(0.1);
+  of_files.is_of_line_files = true;
+  of_files.matching.rows.clear();
+  EXPECT_THAT(why_missing(gate_on("total", "quality"), of_files),
+              HasSubstr("run and demo have it"));
+}
+
+TEST(FiguresOf, SayHowToGetAClassThatCannotExist) {
+  ResultFolder folder = results_with(0.1);
+  EXPECT_EQ(why_missing(gate_on("roof"), folder),
+            "these lines have no class roof, only not_aligned, aligned, total");
+  Evaluation& e = folder.evaluations[0];
+  for (LineEvaluation& line : e.lines) line.line_class = "all";
+  e = with_summaries(std::move(e));
+  EXPECT_TRUE(figures_of(gate_on("total"), "total", folder).at(0).value);
+  EXPECT_THAT(why_missing(gate_on("aligned"), folder),
+              AllOf(HasSubstr("no class aligned, only total"), HasSubstr("evaluate --patch"),
+                    HasSubstr("column class")));
+}
+
+TEST(FiguresOf, SayWhyACellHasNoFigure) {
+  ResultFolder folder = results_with(0.1);
+  Evaluation& e = folder.evaluations[0];
+  std::erase_if(e.lines, [](const LineEvaluation& l) { return l.line_class == "aligned"; });
+  e = with_summaries(std::move(e));
+  EXPECT_EQ(why_missing(gate_on("aligned"), folder), "there is no line of class aligned");
+  std::erase_if(e.lines, [](const LineEvaluation& l) { return l.status == Status::kEvaluated; });
+  e = with_summaries(std::move(e));
+  EXPECT_EQ(why_missing(gate_on("total"), folder),
+            "none of the 5 lines of class total was evaluated");
+  e.lines = {evaluated_line("0", 0.1, 1)};
+  e = with_summaries(std::move(e));
+  EXPECT_EQ(why_missing(gate_on("total", "std_m"), folder), "n = 1 lines have no std_m");
+}
+
+TEST(FiguresOf, ExistForEveryMetricThatIsListed) {
+  const ResultFolder folder = results_with(0.1);
+  std::vector<Metric> metrics = accuracy_metrics();
+  for (const Metric& metric : matching_metrics()) metrics.push_back(metric);
+  for (const Metric& metric : metrics) {
+    const std::string name(metric.name);
+    const std::vector<Figure> figures = figures_of(gate_on("total", name), "total", folder);
+    ASSERT_EQ(figures.size(), 1U);
+    EXPECT_TRUE(figures[0].value) << name << ": " << figures[0].why_missing;
+    EXPECT_GT(figures[0].n, 0U) << name;
+  }
+}
+
+TEST(ApplyGates, SaysWhatTheBaselineLacks) {
+  Gate gate = gate_on("total");
+  gate.max_increase_over_baseline = BaselineIncrease{0.02};
+  const ResultFolder baseline = results_of({"direct", "joint"});
+  const GateResult result = only_result(gate, results_of({"network"}), &baseline);
+  EXPECT_EQ(result.verdict, Verdict::kMissing);
+  EXPECT_EQ(
+      result.explanation,
+      "the baseline has no such figure: there is no method network; there are: direct, joint");
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate
