@@ -5,20 +5,28 @@
 #include "apps/common/version.h"
 #include "io/error.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -88,6 +96,14 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("unknown argument {} (see ridgeline --help)", fmt::join(unknown, " "));
 }
 
+/// Of --help and --version.
+int print_answer(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream text;
+  const int code = app.exit(error, text, std::cerr);
+  fmt::print("{}", text.str());
+  return code;
+}
+
 int parse_and_run(CLI::App& app, int argc, char** argv) {
   GlobalOptions global;
   add_global_options(app, global);
@@ -100,7 +116,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) return print_answer(app, error);
     return fail(usage_message(app, error), kWrongInput);
   }
   set_up_log(global);
@@ -126,8 +142,37 @@ int guarded_main(int argc, char** argv) {
   }
 }
 
+/// A closed stream would give its number to the next file opened, and what is printed would go there.
+void open_standard_streams() {
+  for (const auto& [stream, device] :
+       {std::pair(STDIN_FILENO, "/dev/null"), std::pair(STDOUT_FILENO, "/dev/full"),
+        std::pair(STDERR_FILENO, "/dev/null")}) {
+    if (fcntl(stream, F_GETFD) == -1) open(device, O_RDWR);
+  }
+}
+
+/// What is printed is held back until the results are complete, so that nothing that happens to the reader ends
+/// the work halfway.
+void hold_back_stdout() {
+  constexpr std::size_t kBytes = std::size_t{1} << 20U;
+  std::signal(SIGPIPE, SIG_IGN);
+  if (isatty(STDOUT_FILENO) == 0) std::setvbuf(stdout, nullptr, _IOFBF, kBytes);
+}
+
+/// A reader that has seen enough, as `head`, is no fault.
+int end_of_stdout(int code) {
+  if (std::fflush(stdout) == 0 || errno == EPIPE) return code;
+  return fail(
+      fmt::format("standard output: cannot be written: {}", std::generic_category().message(errno)),
+      code == kDone ? kWrongInput : static_cast<ExitCode>(code));
+}
+
 }  // namespace
 }  // namespace ridgeline::apps
 
 // NOLINTNEXTLINE(bugprone-exception-escape): a failing handler may end the program
-int main(int argc, char** argv) { return ridgeline::apps::guarded_main(argc, argv); }
+int main(int argc, char** argv) {
+  ridgeline::apps::open_standard_streams();
+  ridgeline::apps::hold_back_stdout();
+  return ridgeline::apps::end_of_stdout(ridgeline::apps::guarded_main(argc, argv));
+}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/made_folders.h"
+
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -11,8 +13,8 @@ namespace ridgeline::io {
 
 /// An output file that appears whole or not at all: bytes go to a temporary file in the same
 /// folder, commit() renames it onto `path`. Without commit() nothing is left and what stood at
-/// `path` stays. Missing folders are made. Of a symbolic link the file that it names is written. What
-/// is no file, as /dev/stdout or a pipe, is never replaced: commit() sends the bytes there.
+/// `path` stays. Missing folders are made. A symbolic link is replaced, and the file that it names stays as it
+/// is. What is no file, as /dev/stdout or a pipe, is never replaced: commit() appends the bytes there.
 class AtomicFile {
  public:
   /// Throws IoError if the folder cannot be made or written to.
@@ -33,12 +35,16 @@ class AtomicFile {
  private:
   void send_to_device();
 
-  std::string path_;  ///< links resolved
+  std::string path_;
+  bool is_device_;
   std::string temporary_path_;
-  bool is_device_ = false;
+  MadeFolders folders_;
   std::ofstream stream_;
   bool committed_ = false;
 };
+
+/// Whether a file's name is that of a temporary file of an AtomicFile whose process, on this computer, has ended.
+bool is_left_by_dead_process(const std::string& file_name);
 
 /// Writes `content` to `path`, whole or not at all. Throws IoError as AtomicFile.
 void write_file(const std::string& path, std::string_view content);

@@ -3,10 +3,18 @@
 #include "io/cloud/read_cloud.h"
 #include "io/error.h"
 #include "io/image.h"
+#include "io/lines/json_text.h"
+#include "io/lines/text.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <Eigen/Dense>
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
 
 namespace ridgeline::apps {
 namespace {
@@ -49,13 +57,59 @@ void check_heights(const io::PatchFile& patch,
   }
 }
 
+bool is_utf8(const std::string& text) {
+  try {
+    (void)nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+bool is_file_name(const std::string& id) {
+  constexpr std::size_t kLongest = 100;
+  if (id.empty() || id.size() > kLongest || id.front() == '.') return false;
+  if (id.front() == ' ' || id.back() == ' ') return false;
+  return std::ranges::none_of(id, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7f || c == '/' || c == '\\';
+  });
+}
+
+/// Results begin with these and a dot, or are them: a patch of that name would stand in the place of one.
+bool is_name_of_result(const std::string& id) {
+  const std::array<std::string, 6> kResults{"table1", "table2",    "run",
+                                            "report", "reference", "tolerances"};
+  const std::string lower = io::lower_case(id);
+  return std::ranges::any_of(kResults, [&](const std::string& result) {
+    return lower.starts_with(result + ".") || lower.starts_with(result + "_");
+  });
+}
+
 void check_id(const io::PatchFile& patch, const std::string& id) {
-  const bool is_name =
-      !id.empty() && id != "." && id != ".." && id.find_first_of("/\\") == std::string::npos;
-  if (is_name) return;
-  throw io::IoError(patch.path, fmt::format("id '{}' names a file or folder of the results; it "
-                                            "must not be empty or hold a slash",
+  if (!is_file_name(id) || !is_utf8(id)) {
+    throw io::IoError(patch.path,
+                      fmt::format("id {} names a folder or file of the results; it must have 1 to "
+                                  "100 bytes of UTF-8, no slash, no control character, no dot in "
+                                  "front and no blank at its ends",
+                                  io::excerpt(id)));
+  }
+  if (!is_name_of_result(id)) return;
+  throw io::IoError(patch.path, fmt::format("id '{}' is the name of a file of the results; choose "
+                                            "another one",
                                             id));
+}
+
+/// File systems may take names that differ in case alone for one.
+void check_image_ids(const io::PatchFile& patch) {
+  std::set<std::string> seen;
+  for (const io::PatchImage& image : patch.images) {
+    check_id(patch, image.id);
+    if (seen.insert(io::lower_case(image.id)).second) continue;
+    throw io::IoError(patch.path, fmt::format("image id '{}' is there twice, upper and lower case "
+                                              "being the same; ids must differ",
+                                              image.id));
+  }
 }
 
 }  // namespace
@@ -78,10 +132,10 @@ std::vector<std::string> paths_of(const std::vector<InputFile>& files) {
 
 void check_patch(const io::PatchFile& patch) {
   check_id(patch, patch.id);
+  check_image_ids(patch);
   int n_bands = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const io::PatchImage& image = patch.images[i];
-    check_id(patch, image.id);
     const io::ImageFacts facts = io::image_facts(image.path);
     check_size(image, facts);
     check_heights(patch, image, facts);

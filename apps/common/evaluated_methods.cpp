@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/evaluated_methods.h"
 
+#include "evaluate/tables/summary_json.h"
 #include "io/error.h"
 #include "io/text_file.h"
 
@@ -14,10 +15,10 @@ namespace {
 
 using evaluate::Json;
 
-/// METHOD of evaluation.METHOD.json.
+/// METHOD of evaluation.METHOD.json, as JSON holds a name that is not UTF-8.
 std::string method_in_name(const fs::path& file) {
   const std::string stem = file.stem().string();
-  return stem.substr(stem.find('.') + 1);
+  return Json::parse(evaluate::dump(Json(stem.substr(stem.find('.') + 1)))).get<std::string>();
 }
 
 }  // namespace

@@ -3,25 +3,29 @@
 
 #include "io/atomic_file.h"
 #include "io/error.h"
+#include "io/png_writer.h"
 #include "reconstruct/geometry/check.h"
 
+#include <fmt/format.h>
+
+#include <fstream>
 #include <system_error>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& inputs)
-    : folder_(std::move(folder)) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (!fs::is_directory(folder_)) {
-    throw io::IoError(folder_.string(), "cannot be made a folder for the results");
-  }
+    : folder_(std::move(folder)), made_(folder_), lock_(io::FolderLock::of(folder_)) {
   for (const std::string& input : inputs) inputs_.push_back(fs::weakly_canonical(input).string());
 }
 
 std::string OutputFolder::path(std::string_view name) const {
-  return output_file((folder_ / name).string(), inputs_);
+  const fs::path file = folder_ / name;
+  const fs::path subfolder = file.parent_path();
+  if (subfolder != folder_ && fs::is_symlink(subfolder)) {
+    throw io::IoError(subfolder.string(), "is a link; results are not written through links");
+  }
+  return output_file(file.string(), inputs_);
 }
 
 std::string output_file(const std::string& file, const std::vector<std::string>& others) {
@@ -35,9 +39,28 @@ std::string output_file(const std::string& file, const std::vector<std::string>&
   return file;
 }
 
+bool holds_something(const std::string& file) {
+  return fs::is_regular_file(fs::symlink_status(file)) && fs::file_size(file) > 0;
+}
+
+void check_is_own(const std::string& file, std::string_view beginning, std::string_view kind) {
+  if (!holds_something(file)) return;
+  std::ifstream stream(file, std::ios::binary);
+  std::string start(beginning.size(), '\0');
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (stream && start == beginning) return;
+  throw io::IoError(file, fmt::format("is no {} of ridgeline and would be written over; choose "
+                                      "another name or remove it",
+                                      kind));
+}
+
 void check_is_png(const std::string& option, const std::string& file) {
   check(file.empty() || fs::path(file).extension() == ".png", option, " = ", file,
         ", must end in .png: PNG is what is written");
+  if (!holds_something(file) || io::is_own_png(file)) return;
+  throw io::IoError(file,
+                    "is no picture of ridgeline and would be written over; choose another "
+                    "name or remove it");
 }
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {

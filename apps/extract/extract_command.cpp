@@ -52,9 +52,10 @@ reconstruct::PixelMap pixel_map(const ExtractArguments& a) {
   };
 }
 
-/// Neither an input nor the other output.
+/// Neither an input nor the other output nor anything of a user.
 void check_outputs(const ExtractArguments& a) {
   (void)output_file(a.out, {a.image, a.patch});
+  check_is_own(a.out, "id,x1_px,y1_px,", "table of segments");
   if (!a.overlay.empty()) (void)output_file(a.overlay, {a.image, a.patch, a.out});
   check_is_png("--overlay", a.overlay);
 }

@@ -52,6 +52,11 @@ void check_reports(const GateArguments& a) {
     }
     others.push_back(output_file(report, others));
   }
+  check_is_own(a.junit,
+               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ridgeline gate\"",
+               "JUnit report");
+  check_is_own(a.summary, "Accuracy gate: ", "summary of gates");
+  check_is_own(a.json, "{\n  \"passed\": ", "report of gates");
 }
 
 int write_template(const std::string& file) {

@@ -62,6 +62,8 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   for (const std::string& file : {a.out, a.overlay, a.provenance}) {
     if (!file.empty()) others.push_back(output_file(file, others));
   }
+  check_is_own(a.out, "left_id,right_id,score,", "table of matches");
+  check_is_own(a.provenance, "left_id,right_id,linked_right_ids,", "table of lines of chio");
   check_is_png("--overlay", a.overlay);
   const std::vector<Matcher>& matchers = a.matching.matchers;
   check(a.provenance.empty() ||

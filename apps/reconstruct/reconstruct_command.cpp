@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
+#include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/reconstruct/reconstruct_patch.h"
 #include "apps/run/run_options.h"
@@ -15,6 +16,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
@@ -78,6 +83,33 @@ MatchedPair matched_pair(const io::PatchFile& patch, const ReconstructArguments&
   return pair;
 }
 
+/// How files of the format begin that were written here. Those that GDAL writes bear no such mark.
+std::optional<std::string_view> own_beginning(io::LineFormat format) {
+  switch (format) {
+    case io::LineFormat::kGeoJson:
+      return "{\"type\":\"FeatureCollection\",\n";
+    case io::LineFormat::kCsv:
+      return "x1,y1,z1,x2,y2,z2,id,";
+    case io::LineFormat::kObj:
+      return "# 3D line segments, metres\n";
+    case io::LineFormat::kPly:
+      return "ply\nformat ascii 1.0\ncomment 3D line segments, metres\n";
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Neither an input nor anything of a user.
+void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
+  inputs.push_back(a.matches);
+  (void)output_file(a.out, inputs);
+  const std::optional<std::string_view> beginning = own_beginning(*io::line_format(a.format));
+  if (beginning) return check_is_own(a.out, *beginning, "file of lines");
+  if (!holds_something(a.out)) return;
+  throw io::IoError(a.out,
+                    "stands there and would be written over; choose another name or remove it");
+}
+
 int run_reconstruct(ReconstructArguments a) {
   validate(a.extract);
   a.matching.matchers = matchers_named(a.matchers);
@@ -86,9 +118,7 @@ int run_reconstruct(ReconstructArguments a) {
   a.reconstruct.method = method_named(a.method);
   const io::PatchFile patch = io::read_patch(a.patch);
   check_patch(patch);
-  std::vector<std::string> inputs = paths_of(input_files(patch));
-  inputs.push_back(a.matches);
-  (void)output_file(a.out, inputs);
+  check_out(a, paths_of(input_files(patch)));
   const MatchedPair pair = matched_pair(patch, a);
   const io::LineSet lines = reconstruct_patch(patch, pair.segments, pair.matches, pair.images,
                                               a.reconstruct, a.matching.pairwise);

@@ -6,6 +6,7 @@
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
 #include "io/error.h"
+#include "io/lines/text.h"
 #include "io/sha256.h"
 
 #include <fmt/core.h>
@@ -24,9 +25,10 @@ std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
   for (const std::string& file : files) {
     io::PatchFile patch = io::read_patch(file);
     if (assume_crs.known()) patch.crs = assume_crs;
-    const auto [other, is_new] = file_of_id.emplace(patch.id, file);
+    const auto [other, is_new] = file_of_id.emplace(io::lower_case(patch.id), file);
     if (!is_new) {
-      throw io::IoError(file, fmt::format("id {} is that of {}, too; results are named after it",
+      throw io::IoError(file, fmt::format("id {} is that of {}, too, upper and lower case "
+                                          "being the same; results are named after it",
                                           patch.id, other->second));
     }
     check_patch(patch);

@@ -6,6 +6,7 @@
 #include "apps/simulate/als.h"
 #include "apps/simulate/degrade.h"
 #include "apps/simulate/nominal_pair.h"
+#include "apps/simulate/scene_record.h"
 #include "apps/simulate/village.h"
 #include "apps/simulate/write_stereo.h"
 #include "io/cloud/las_writer.h"
@@ -131,6 +132,14 @@ std::string name_of_folder(const std::string& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+std::vector<std::string> file_names(const SimulateArguments& a) {
+  std::vector<std::string> names{"lidar.las", "lines.good.geojson", "lines.fair.geojson",
+                                 "lines.poor.geojson", "truth.geojson"};
+  if (a.no_images) return names;
+  names.insert(names.end(), {"left.tif", "right.tif", "matches.csv", "patch.yaml"});
+  return names;
+}
+
 int run_simulate(SimulateArguments a) {
   a.village.seed = a.seed;
   a.als.seed = a.seed;
@@ -142,10 +151,13 @@ int run_simulate(SimulateArguments a) {
   const io::CrsFacts crs = io::describe({a.village.crs});
   check(!crs.is_geographic, "--crs = ", a.village.crs, " (", crs.name,
         "), its coordinates are degrees; must be a projected one");
+  const OutputFolder out(a.out, {});
+  const std::vector<std::string> names = file_names(a);
+  check_scene_files(out, names);
   const simulate::Scene scene = simulate::make_village(a.village);
+  if (!a.no_images) (void)simulate::aerial_pair(scene, a.stereo.flight);  // refused before the work
   const io::PointCloud cloud = simulate::scan_als(scene, a.als);
 
-  const OutputFolder out(a.out, {});
   io::write_las(out.path("lidar.las"), cloud.points, cloud.frame, scene.crs);
   const io::LineSet truth =
       simulate::classed_by_pair(simulate::true_lines(scene), simulate::nominal_pair(scene));
@@ -158,6 +170,7 @@ int run_simulate(SimulateArguments a) {
   write_lines_of(
       out, "truth.geojson",
       a.no_images ? truth : write_stereo(scene, name_of_folder(a.out), a.stereo, truth, out));
+  record_scene_files(out, names);
   fmt::print("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
              truth.lines.size(), cloud.points.size());
   return kDone;
@@ -171,7 +184,8 @@ Run add_simulate(CLI::App& subcommand) {
       .add_option(
           "--out", a->out,
           "folder for patch.yaml, left.tif, right.tif, matches.csv, lidar.las, truth.geojson "
-          "and lines.{good,fair,poor}.geojson")
+          "and lines.{good,fair,poor}.geojson; files there are kept unless an earlier scene "
+          "wrote them")
       ->required();
   subcommand
       .add_option_function<std::string>(

@@ -82,7 +82,7 @@ TEST_F(ExtractCommand, RefusesWrongInput) {
   EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
 }
 
-TEST_F(ExtractCommand, WritesIntoAPipeAndThroughALinkWithoutReplacingThem) {
+TEST_F(ExtractCommand, WritesIntoAPipeAndInThePlaceOfALink) {
   write_square("square.png");
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   std::string received;
@@ -94,11 +94,12 @@ TEST_F(ExtractCommand, WritesIntoAPipeAndThroughALinkWithoutReplacingThem) {
   reader.join();
   EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
 
-  write(path("real.csv"), "");
+  write(path("real.csv"), "mine");
   std::filesystem::create_symlink("real.csv", path("link.csv"));
   EXPECT_EQ(run({"extract", "square.png", "--out", "link.csv"}).exit_code, 0);
-  EXPECT_TRUE(std::filesystem::is_symlink(path("link.csv")));
-  EXPECT_EQ(read(path("real.csv")), received);
+  EXPECT_FALSE(std::filesystem::is_symlink(path("link.csv")));
+  EXPECT_EQ(read(path("link.csv")), received);
+  EXPECT_EQ(read(path("real.csv")), "mine");
 }
 
 }  // namespace

@@ -2,12 +2,18 @@
 // Output files and digests.
 
 #include "io/atomic_file.h"
+#include "io/folder_lock.h"
 #include "io/sha256.h"
 #include "tests/io/lines/temp_folder.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -37,11 +43,61 @@ TEST(AtomicFile, MakesMissingFoldersAndKeepsTheEnding) {
   EXPECT_EQ(folder.read("x/y/a.gpkg"), "");
 }
 
+TEST(AtomicFile, ReplacesALinkAndLeavesWhatItNames) {
+  const TempFolder folder;
+  const std::string mine = folder.write("mine.txt", "mine");
+  std::filesystem::create_symlink(mine, folder.file("link.txt"));
+  write_file(folder.file("link.txt"), "new");
+  EXPECT_EQ(folder.read("mine.txt"), "mine");
+  EXPECT_EQ(folder.read("link.txt"), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder.file("link.txt")));
+}
+
+TEST(AtomicFile, LeavesNoFolderWithoutACommit) {
+  const TempFolder folder;
+  { const AtomicFile file(folder.file("x/y/a.txt")); }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("x")));
+}
+
+TEST(IsLeftByDeadProcess, KnowsTheNamesOfItsOwnFilesAlone) {
+  // above the largest process number of Linux, 2^22
+  EXPECT_TRUE(is_left_by_dead_process(".run.4194305.0.tmp.json"));
+  EXPECT_TRUE(is_left_by_dead_process(".run.4194305.12.tmp"));
+  for (const char* name : {"run.4194305.0.tmp.json", ".run.0.tmp.json", ".run.x.0.tmp.json",
+                           ".run.4194305.0.json", ".4194305.tmp"}) {
+    EXPECT_FALSE(is_left_by_dead_process(name)) << name;
+  }
+  EXPECT_FALSE(is_left_by_dead_process(".run." + std::to_string(getpid()) + ".0.tmp.json"));
+}
+
+TEST(FolderLock, IsSharedWithinAProcessAndGoneAtItsEnd) {
+  const TempFolder folder;
+  (void)folder.write("a.txt", "");
+  const std::string left = folder.write(".a.4194305.0.tmp.txt", "half");
+  {
+    const auto lock = FolderLock::of(folder.file(""));
+    EXPECT_EQ(lock, FolderLock::of(folder.file(".")));
+    EXPECT_TRUE(std::filesystem::exists(folder.file(".ridgeline.lock")));
+    EXPECT_FALSE(std::filesystem::exists(left));
+  }
+  EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(FolderLock, IsRefusedToAnotherProcess) {
+  const TempFolder folder;
+  const auto lock = FolderLock::of(folder.file(""));
+  const int other = open(folder.file(".ridgeline.lock").c_str(), O_RDWR);
+  ASSERT_GE(other, 0);
+  EXPECT_NE(flock(other, LOCK_EX | LOCK_NB), 0);  // of its own description, as another process's
+  EXPECT_EQ(errno, EWOULDBLOCK);
+  close(other);
+}
+
 TEST(AtomicFile, NamesThePathThatCannotBeWritten) {
   const TempFolder folder;
   const std::string a_file = folder.write("a.txt", "");
   EXPECT_THAT(io_error_of([&] { write_file(a_file + "/b.txt", ""); }),
-              testing::HasSubstr("a.txt/b.txt: folder cannot be made"));
+              testing::HasSubstr("a.txt: folder cannot be made"));
   EXPECT_THAT(io_error_of([&] { write_file(folder.file(""), ""); }),
               testing::HasSubstr("is a folder"));
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+namespace ridgeline::io {
+
+/// Keeps a folder of results for one process: `.ridgeline.lock` in it names the process and its computer. The
+/// kernel gives the lock back when the process ends, however it ends, so that none is ever stale. The last
+/// owner in a process removes the file.
+class FolderLock {
+ public:
+  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the temporary files
+  /// that processes killed earlier have left in it. Throws IoError, with the process that holds it, if another
+  /// one does, or if the folder cannot be written to.
+  static std::shared_ptr<FolderLock> of(const std::filesystem::path& folder);
+
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  explicit FolderLock(const std::filesystem::path& folder);
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+};
+
+}  // namespace ridgeline::io
