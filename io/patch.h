@@ -38,6 +38,7 @@ struct PatchFile {
   std::vector<std::string> lidar;          ///< files or glob patterns; may be empty
   std::optional<std::string> reference_matches;
   std::optional<std::string> reference_lines;
+  double max_image_mpx = 0.0;  ///< of read_image(); no key of the file, its user says it
 };
 
 /// Reads a patch file (YAML or JSON). Relative paths in it are relative to the file and come out

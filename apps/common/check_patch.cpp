@@ -137,6 +137,7 @@ void check_patch(const io::PatchFile& patch) {
   for (std::size_t i = 0; i < 2; ++i) {
     const io::PatchImage& image = patch.images[i];
     const io::ImageFacts facts = io::image_facts(image.path);
+    io::check_image_size(image.path, facts, patch.max_image_mpx);
     check_size(image, facts);
     check_heights(patch, image, facts);
     if (i > 0 && facts.n_bands != n_bands) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/patch_views.h"
 
+#include "apps/common/check_pair.h"
 #include "io/image.h"
 #include "reconstruct/extract/extract_segments.h"
 #include "reconstruct/extract/normalised_image.h"
@@ -24,7 +25,8 @@ LocalFrame patch_frame(const io::PatchFile& patch) {
 }
 
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
-  return reconstruct::normalised_image(io::read_image(patch.images.at(i).path));
+  return reconstruct::normalised_image(
+      io::read_image(patch.images.at(i).path, patch.max_image_mpx));
 }
 
 std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch) {
@@ -57,13 +59,15 @@ std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFra
 }
 
 PatchViews load_patch_views(const io::PatchFile& patch,
-                            const reconstruct::ExtractOptions& options) {
+                            const reconstruct::ExtractOptions& options,
+                            double max_y_parallax_px) {
   check_patch(patch);
   PatchViews pair;
   pair.frame = patch_frame(patch);
   pair.height_range_in_local_m = patch_heights_m(patch, pair.frame);
   const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, pair.frame);
   const std::array<cv::Mat, 2> images = patch_images(patch);
+  check_pair(patch, images, max_y_parallax_px);
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
     pair.views[i] = {cameras[i], images[i], extract_patch_image(patch, i, images[i], options)};
   });

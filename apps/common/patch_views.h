@@ -14,7 +14,7 @@
 
 namespace ridgeline::apps {
 
-/// What can be told of a patch before any work: its images exist, fit their cameras and have the
+/// What can be told of a patch before any work: its images exist, are not too large, fit the size of their cameras and have the
 /// same number of bands; the cameras look at the heights to be searched. Throws IoError.
 void check_patch(const io::PatchFile& patch);
 
@@ -54,7 +54,9 @@ struct PatchViews {
   std::array<double, 2> height_range_in_local_m{};
 };
 
-/// check_patch(), then images, cameras and segments of the pair. Throws IoError.
-PatchViews load_patch_views(const io::PatchFile& patch, const reconstruct::ExtractOptions& options);
+/// check_patch(), then images, check_pair(), cameras and segments of the pair. Throws IoError.
+PatchViews load_patch_views(const io::PatchFile& patch,
+                            const reconstruct::ExtractOptions& options,
+                            double max_y_parallax_px);
 
 }  // namespace ridgeline::apps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/common/image_options.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/extract/segment_overlay.h"
@@ -23,6 +24,7 @@ namespace {
 struct ExtractArguments {
   std::string image, out, overlay, patch, image_id;
   std::string detector = "ours";
+  double max_image_mpx = 0.0;
   reconstruct::ExtractOptions options;
 };
 
@@ -66,7 +68,7 @@ int run_extract(const ExtractArguments& a) {
   validate(options);
   check_outputs(a);
   const reconstruct::PixelMap ideal_from_image = pixel_map(a);
-  const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image));
+  const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
   const std::vector<EdgeSegment> segments =
       reconstruct::extract_segments(image, ideal_from_image, options);
   io::write_segments(a.out, segments);
@@ -96,6 +98,7 @@ Run add_extract(CLI::App& subcommand) {
   subcommand.add_option("--detector", a->detector, "of the segments")
       ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
       ->capture_default_str();
+  add_image_size_option(subcommand, a->max_image_mpx);
   add_flags(subcommand, a->options, "Extraction");
   return [a] { return run_extract(*a); };
 }

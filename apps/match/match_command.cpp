@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/check_pair.h"
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/common/image_options.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
@@ -24,6 +26,8 @@ struct MatchArguments {
   std::string overlay;
   std::string provenance;
   reconstruct::ExtractOptions extract;
+  double max_image_mpx = 0.0;
+  double max_y_parallax_px = kDefaultMaxYParallax_px;
   std::vector<std::string> matchers{"pairwise"};
   MatchingOptions matching;
 };
@@ -74,9 +78,10 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
 int run_match(MatchArguments a) {
   a.matching.matchers = matchers_named(a.matchers);
   validate_matching(a.matching);
-  const io::PatchFile file = io::read_patch(a.patch);
+  io::PatchFile file = io::read_patch(a.patch);
+  file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
-  const PatchViews patch = load_patch_views(file, a.extract);
+  const PatchViews patch = load_patch_views(file, a.extract, a.max_y_parallax_px);
   const PatchMatches result =
       match_views(patch.views[0], patch.views[1], patch.height_range_in_local_m, a.matching);
   io::write_matches(a.out, result.used().rows);
@@ -104,6 +109,8 @@ Run add_match(CLI::App& subcommand) {
   add_matcher_options(subcommand, a->matchers, a->matching);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");
+  add_pair_check_option(subcommand, a->max_y_parallax_px);
+  add_image_size_option(subcommand, a->max_image_mpx);
   add_flags(subcommand, a->matching.pairwise, "Matching");
   add_flags(subcommand, a->matching.chio, "Chio", "chio_");
   add_flags(subcommand, a->extract, "Extraction");

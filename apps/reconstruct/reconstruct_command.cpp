@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/check_pair.h"
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/common/image_options.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
@@ -31,6 +33,8 @@ struct ReconstructArguments {
   MatchingOptions matching;
   std::vector<std::string> matchers{"pairwise"};
   reconstruct::ReconstructOptions reconstruct;
+  double max_image_mpx = 0.0;
+  double max_y_parallax_px = kDefaultMaxYParallax_px;
 };
 
 struct MatchedPair {
@@ -72,7 +76,8 @@ std::vector<LineMatch> read_line_matches(const std::string& path,
 
 MatchedPair matched_pair(const io::PatchFile& patch, const ReconstructArguments& a) {
   MatchedPair pair;
-  pair.images = {patch_image(patch, 0), patch_image(patch, 1)};
+  pair.images = patch_images(patch);
+  check_pair(patch, pair.images, a.max_y_parallax_px);
   for (std::size_t i = 0; i < 2; ++i) pair.segments[i] = segments_of(patch, i, pair.images[i], a);
   if (!a.matches.empty()) {
     pair.matches = read_line_matches(a.matches, pair.segments);
@@ -116,7 +121,8 @@ int run_reconstruct(ReconstructArguments a) {
   validate_matching(a.matching);
   validate(a.reconstruct);
   a.reconstruct.method = method_named(a.method);
-  const io::PatchFile patch = io::read_patch(a.patch);
+  io::PatchFile patch = io::read_patch(a.patch);
+  patch.max_image_mpx = a.max_image_mpx;
   check_patch(patch);
   check_out(a, paths_of(input_files(patch)));
   const MatchedPair pair = matched_pair(patch, a);
@@ -147,6 +153,8 @@ Run add_reconstruct(CLI::App& subcommand) {
       ->check(CLI::IsMember(line_format_names()))
       ->capture_default_str();
   add_flags(subcommand, a->extract, "Extract", "extract_");
+  add_pair_check_option(subcommand, a->max_y_parallax_px);
+  add_image_size_option(subcommand, a->max_image_mpx);
   add_matcher_options(subcommand, a->matchers, a->matching);
   add_flags(subcommand, a->matching.pairwise, "Match", "match_");
   add_flags(subcommand, a->matching.chio, "Chio", "chio_");

@@ -88,6 +88,7 @@ std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
       if (patch.id == id) return patch;
     } catch (const io::IoError& error) {
       if (!first_error) first_error = error;
+      patch.max_image_mpx = options_.value("max_image_mpx", 0.0);
     }
   }
   if (first_error) throw io::IoError(*first_error);

@@ -4,6 +4,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
+#include "apps/run/outcome.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"
@@ -51,6 +52,7 @@ class PatchRun {
     result_.matching = stages_.score_matches();
     for (const Method method : options_.methods) reconstruct(method);
     evaluate();
+    result_.messages = outcome_messages(stages_.counts(), result_.evaluations);
     return std::move(result_);
   }
 
@@ -73,7 +75,8 @@ class PatchRun {
 
   void extract() {
     std::vector<std::string> parts{patch_key_, echo(options_.extract).dump(),
-                                   reconstruct::name(options_.extract.detector)};
+                                   reconstruct::name(options_.extract.detector),
+                                   fmt::format("{}", options_.max_y_parallax_px)};
     for (std::size_t i = 0; i < 2; ++i) {
       parts.push_back(io::sha256_of_file(patch_.images[i].path));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/common/check_pair.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/progress.h"
@@ -30,7 +31,9 @@ struct RunOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
-  io::Crs assume_crs;  ///< declares or overrides that of patch, cloud and reference lines
+  io::Crs assume_crs;          ///< declares or overrides that of patch, cloud and reference lines
+  double max_image_mpx = 0.0;  ///< of io::read_image()
+  double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< of check_pair()
   bool resume = false;
   bool report = true;  ///< report.html and the figures
 };
@@ -40,7 +43,8 @@ struct PatchResult {
   std::vector<evaluate::Table1Row> matching;      ///< one per matcher; with reference matches only
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method
   std::vector<TruthRows> truth;
-  std::size_t n_skipped_stages = 0;  ///< finished before, by --resume
+  std::vector<std::string> messages;  ///< outcome_messages()
+  std::size_t n_skipped_stages = 0;   ///< finished before, by --resume
 };
 
 /// Steps that run_patch() announces to the progress bar.

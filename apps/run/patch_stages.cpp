@@ -122,6 +122,7 @@ void PatchStages::extract() {
   const std::vector<std::string> files = segment_files();
   // both at once: of one image, what is traced in the order of lengths would keep one core only
   images_ = patch_images(patch_);
+  check_pair(patch_, images_, options_.max_y_parallax_px);
   std::array<std::vector<EdgeSegment>, 2> extracted;
   tbb::parallel_for(std::size_t{0}, extracted.size(), [&](std::size_t i) {
     extracted[i] = extract_patch_image(patch_, i, images_[i], options_.extract);
@@ -169,6 +170,11 @@ void PatchStages::reconstruct(reconstruct::Method method) {
                       lines, format);
     }
   }
+}
+
+PatchCounts PatchStages::counts() const {
+  return {patch_.id, !patch_.lidar.empty(), segments()[0].size(),
+          io::read_matches(path(kMatches)).size()};
 }
 
 std::vector<evaluate::Table1Row> PatchStages::score_matches() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/run/outcome.h"
 #include "apps/run/patch_run.h"
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/line_match.h"
@@ -35,6 +36,7 @@ class PatchStages {
   void extract();
   void match();
   void reconstruct(reconstruct::Method method);
+  [[nodiscard]] PatchCounts counts() const;
   /// Rows of Table 1, one per matcher and one of both, if the patch has reference
   /// matches; verdicts.csv has what each of them is.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/run_options.h"
 
+#include "apps/common/image_options.h"
 #include "apps/common/option_flags.h"
 #include "apps/report/write_report.h"
 
@@ -51,6 +52,8 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
                "skip what an earlier run with the same inputs and options has finished");
   app.add_option("--assume-crs", flags.options.assume_crs.definition,
                  "CRS of patches, clouds and reference lines in place of their own");
+  add_pair_check_option(app, flags.options.max_y_parallax_px);
+  add_image_size_option(app, flags.options.max_image_mpx);
   add_report_flag(app, flags.options.report);
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
       ->check(CLI::PositiveNumber)

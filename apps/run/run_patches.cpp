@@ -5,6 +5,7 @@
 #include "apps/common/patch_views.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
+#include "apps/run/outcome.h"
 #include "io/error.h"
 #include "io/lines/text.h"
 #include "io/sha256.h"
@@ -19,12 +20,13 @@ namespace ridgeline::apps {
 namespace {
 
 std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
-                                        const io::Crs& assume_crs) {
+                                        const RunOptions& options) {
   std::vector<io::PatchFile> patches;
   std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
     io::PatchFile patch = io::read_patch(file);
-    if (assume_crs.known()) patch.crs = assume_crs;
+    if (options.assume_crs.known()) patch.crs = options.assume_crs;
+    patch.max_image_mpx = options.max_image_mpx;
     const auto [other, is_new] = file_of_id.emplace(io::lower_case(patch.id), file);
     if (!is_new) {
       throw io::IoError(file, fmt::format("id {} is that of {}, too, upper and lower case "
@@ -51,6 +53,8 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   for (const reconstruct::Method method : options.methods) {
     json["methods"].push_back(reconstruct::name(method));
   }
+  json["max_image_mpx"] = options.max_image_mpx;
+  json["max_y_parallax_px"] = options.max_y_parallax_px;
   json["detector"] = reconstruct::name(options.extract.detector);
   json["extract"] = echo(options.extract);
   json["matchers"] = nlohmann::ordered_json::array();
@@ -98,7 +102,7 @@ void run_patches(const std::string& command,
                  const std::string& folder) {
   RunRecord record(command);
   record.set_options(echo_options(options));
-  const std::vector<io::PatchFile> patches = read_patches(patch_files, options.assume_crs);
+  const std::vector<io::PatchFile> patches = read_patches(patch_files, options);
   warn_of_images(patches);
   const std::vector<InputFile> inputs = inputs_of(patches);
   const OutputFolder out(folder, paths_of(inputs));
@@ -112,12 +116,14 @@ void run_patches(const std::string& command,
   evaluate::Table1 table1;
   std::vector<evaluate::Evaluation> evaluations;
   std::vector<TruthRows> truth;
+  std::vector<std::string> messages;
   std::size_t n_skipped = 0;
   for (const io::PatchFile& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
     for (auto& row : result.matching) table1.rows.push_back(std::move(row));
     for (auto& evaluation : result.evaluations) evaluations.push_back(std::move(evaluation));
     for (auto& rows : result.truth) truth.push_back(std::move(rows));
+    messages.insert(messages.end(), result.messages.begin(), result.messages.end());
     n_skipped += result.n_skipped_stages;
   }
   progress.clear();
@@ -127,9 +133,12 @@ void run_patches(const std::string& command,
   // always written: an old table beside new ones would mislead
   const std::string markdown1 = write_table1(table1, out);
   if (!table1.rows.empty()) fmt::print("{}\n", markdown1);
-  fmt::print("{}", write_table2(evaluations, out));
+  const std::string markdown2 = write_table2(evaluations, out);
+  if (has_figures(evaluations)) fmt::print("{}", markdown2);
+  for (const std::string& message : messages) fmt::print("{}\n", message);
   write_truth(truth, out);
   record.end_stage("write");
+  record.set("messages", messages);
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   fmt::print("\nResults: {}\n", results.string());

@@ -10,6 +10,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Two cameras 800 m above the ground, 208 m apart; images of `size` px with one grey value.
 class FlatPatch : public Cli {
@@ -34,6 +35,24 @@ TEST_F(FlatPatch, ImagesWithoutTextureGiveNoLinesAndNoError) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(read_json(path("out/flat/lines.joint.geojson"))["features"].empty());
   EXPECT_THAT(read(path("out/table2.csv")), HasSubstr("flat,joint,total,0,0,,"));
+}
+
+TEST_F(FlatPatch, ImagesWithoutTextureAreNotCheckedAgainstTheirCameras) {
+  write_flat(400, 300);
+  const ProgramResult result = run({"match", "flat/patch.yaml", "--out", "m.csv"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("only 0 points"), HasSubstr("is not checked")));
+}
+
+TEST_F(FlatPatch, RunWithoutLinesSaysSoInPlaceOfATable) {
+  write_flat(400, 300);
+  const ProgramResult result = run({"run", "flat/patch.yaml", "--out", "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string sentence =
+      "Patch flat: no line was reconstructed: 0 of 0 segments of the left image found a match.";
+  EXPECT_THAT(result.out, AllOf(HasSubstr(sentence), Not(HasSubstr("RMS of the lines"))));
+  EXPECT_THAT(read(path("out/report.html")), HasSubstr(sentence));
+  EXPECT_TRUE(fs::exists(path("out/table2.md")));
 }
 
 TEST_F(FlatPatch, HeightsBehindTheCameraAreRefused) {

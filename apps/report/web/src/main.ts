@@ -11,7 +11,7 @@ import { themeButton } from './ui/theme';
 import { Charts } from './views/charts';
 import { Details } from './views/details';
 import { figuresOfMethod } from './views/figures_of_method';
-import { head, verdict } from './views/head';
+import { head, messages, verdict } from './views/head';
 import { helpDialog } from './views/help';
 import { ImagePair } from './views/image_pair';
 import { LineTable } from './views/line_table';
@@ -62,6 +62,7 @@ class Page {
     replace(root,
       h('header', {}, h('h1', {}, 'Line reconstruction report'),
         h('div', { class: 'controls' }, themeButton(applyTheme), button('Help (?)', () => this.help.showModal(), { id: 'help-button' }))),
+      ...messages(report),
       verdict(report),
       ...head(report),
       h('section', { id: 'patch' }, this.patchHead, this.patchFacts,

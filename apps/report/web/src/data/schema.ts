@@ -208,6 +208,8 @@ export interface Report {
     options?: Record<string, unknown>;
     inputs?: { role: string; path: string; bytes: number; sha256: string }[];
     warnings?: string[];
+    /** What the whole run came to, where its tables do not say it. */
+    messages?: string[];
   };
   gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;
   table1: Table1Row[];

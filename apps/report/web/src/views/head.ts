@@ -29,6 +29,12 @@ function gatesText(report: Report): { text: string; state: string } {
     : { text: `Gates failed: ${failed} of ${all} checks.`, state: 'failed' };
 }
 
+const hasFigures = (report: Report): boolean => report.table2.some((row) => row.rms_m !== null);
+
+/** In place of figures that there are none of. */
+export const messages = (report: Report): HTMLElement[] =>
+  (report.run.messages ?? []).map((text) => h('p', { class: 'message', role: 'status' }, text));
+
 export function verdict(report: Report): HTMLElement {
   const gates = gatesText(report);
   const methods = unique(report.table2.map((r) => r.method)).map((method) => {
@@ -133,7 +139,7 @@ export function head(report: Report): HTMLElement[] {
   return [
     gateTable(report),
     table1(report),
-    h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'),
+    !hasFigures(report) ? null : h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'),
       table2(report.table2),
       h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note),
       h('details', {}, h('summary', {}, 'All figures'),

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/check_pair.h"
+
+#include "apps/common/patch_views.h"
+#include "io/error.h"
+#include "reconstruct/pair_check/pair_fit.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+namespace {
+
+using reconstruct::PairFit;
+using reconstruct::PairReading;
+
+/// Points in the files of a pair and what its cameras say of them.
+struct CheckedPair {
+  const io::PatchFile& patch;
+  reconstruct::PairGeometry geometry;
+  std::vector<reconstruct::PointMatch> points;
+  std::array<Eigen::Vector2i, 2> sizes_px;
+  double limit_px;
+};
+
+reconstruct::PairGeometry geometry_of(const io::PatchFile& patch) {
+  const LocalFrame frame = patch_frame(patch);
+  reconstruct::PairGeometry geometry{
+      patch_cameras(patch, frame), patch_heights_m(patch, frame), {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const io::PatchImage& image = patch.images[i];
+    if (!image.interior || image.interior->distortion.is_zero()) continue;
+    geometry.ideal_from_image[i] = [&image](const Eigen::Vector2d& x_px) {
+      return io::undistorted_px(image, x_px);
+    };
+  }
+  return geometry;
+}
+
+/// "left.tif and right.tif", one of them, by what is wrong with which.
+std::string files_text(const io::PatchFile& patch, bool left, bool right) {
+  if (left && right) return "both images";
+  return patch.images[left ? 0 : 1].path;
+}
+
+std::string reading_text(const io::PatchFile& patch, const PairReading& reading) {
+  if (reading.swapped) return "the images swapped";
+  const auto& turned = reading.turned_deg;
+  if (turned[0] != 0 || turned[1] != 0) {
+    return fmt::format("{} turned by {} degrees clockwise",
+                       files_text(patch, turned[0] != 0, turned[1] != 0),
+                       360 - std::max(turned[0], turned[1]));
+  }
+  const auto& scale = reading.scale;
+  return fmt::format("{} {}", files_text(patch, scale[0] != 1.0, scale[1] != 1.0),
+                     std::min(scale[0], scale[1]) < 1.0 ? "doubled in size" : "halved in size");
+}
+
+PairFit fit_under(const CheckedPair& pair, const PairReading& reading) {
+  std::vector<reconstruct::PointMatch> seen;
+  seen.reserve(pair.points.size());
+  for (const auto& match : pair.points) {
+    seen.push_back(reconstruct::as_seen(match, pair.sizes_px, reading));
+  }
+  return reconstruct::fit_of_pair(seen, pair.geometry, pair.limit_px);
+}
+
+/// Epipolar lines may be nearly parallel: then swapped or turned images lie near them as well, but at other heights,
+/// or a little less near. Sizes are left out: half a disparity is a height like another.
+bool fits_far_better(const PairFit& other, const PairFit& given, const PairReading& reading) {
+  constexpr double kMoreFit = 1.5;
+  constexpr double kNearer = 3.0;
+  constexpr double kExact_px = 1.0;  // nearer than that is chance
+  if (reading.scale != std::array{1.0, 1.0}) return false;
+  if (other.share_that_fits > kMoreFit * given.share_that_fits) return true;
+  return given.median_y_parallax_px > kExact_px &&
+         other.median_y_parallax_px * kNearer < given.median_y_parallax_px &&
+         other.share_that_fits > given.share_that_fits;
+}
+
+[[noreturn]] void refuse(const CheckedPair& pair,
+                         const PairFit& fit,
+                         const std::vector<PairReading>& fitting) {
+  std::vector<std::string> texts;
+  std::string better;
+  for (const PairReading& reading : fitting) texts.push_back(reading_text(pair.patch, reading));
+  if (!fitting.empty()) {
+    const PairFit best = fit_under(pair, fitting.front());
+    better = fmt::format("; they fit ({:.2g} px, {:.0f} %) with {}", best.median_y_parallax_px,
+                         100.0 * best.share_that_fits, fmt::join(texts, ", or with "));
+  } else {
+    better = "; correct the cameras or the images";
+  }
+  const std::string rule = fit.median_y_parallax_px > pair.limit_px
+                               ? fmt::format("; must be at most {:g}", pair.limit_px)
+                               : "";
+  throw io::IoError(
+      pair.patch.path,
+      fmt::format("images {} and {} do not fit their cameras: {} points that both show lie {:.3g} "
+                  "px from the epipolar "
+                  "lines of each other (median{}), {:.0f} % of them within height_range{}. "
+                  "--max-y-parallax-px 0 leaves this "
+                  "check out",
+                  pair.patch.images[0].path, pair.patch.images[1].path, fit.n_points,
+                  fit.median_y_parallax_px, rule, 100.0 * fit.share_that_fits, better));
+}
+
+}  // namespace
+
+void check_pair(const io::PatchFile& patch,
+                const std::array<cv::Mat, 2>& images,
+                double max_y_parallax_px) {
+  constexpr std::size_t kFewestPoints = 30;
+  constexpr double kUsualShare = 0.5;
+  if (max_y_parallax_px == 0.0) return;
+  CheckedPair pair{
+      patch, geometry_of(patch), reconstruct::match_points(images), {}, max_y_parallax_px};
+  for (std::size_t i = 0; i < 2; ++i) pair.sizes_px[i] = {images[i].cols, images[i].rows};
+  const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
+  if (fit.n_points < kFewestPoints) {
+    spdlog::warn(
+        "{}: {} and {} show only {} points that were found in both; whether they fit their cameras "
+        "is not "
+        "checked",
+        patch.path, patch.images[0].path, patch.images[1].path, fit.n_points);
+    return;
+  }
+  const std::vector<PairReading> fitting =
+      reconstruct::fitting_readings(pair.points, pair.sizes_px, pair.geometry, pair.limit_px);
+  const bool another_fits = std::ranges::any_of(fitting, [&](const PairReading& reading) {
+    return fits_far_better(fit_under(pair, reading), fit, reading);
+  });
+  if (another_fits || fit.median_y_parallax_px > max_y_parallax_px) refuse(pair, fit, fitting);
+  if (fit.share_that_fits < kUsualShare) {
+    spdlog::warn(
+        "{}: only {:.0f} % of {} points that both images show lie within height_range [{}, {}]; "
+        "check it",
+        patch.path, 100.0 * fit.share_that_fits, fit.n_points, patch.height_range_m[0],
+        patch.height_range_m[1]);
+  }
+}
+
+}  // namespace ridgeline::apps

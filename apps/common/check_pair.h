@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/patch.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+
+namespace ridgeline::apps {
+
+constexpr double kDefaultMaxYParallax_px = 3.0;
+
+/// Whether the pair fits its cameras, by points that both images show: they must lie near the epipolar lines of each
+/// other (median at most `max_y_parallax_px`; 0: no check) and must not fit far better with the images swapped or
+/// turned. Else IoError, which names what would fit. Where too few points are found to tell, as in images without
+/// texture, and where their heights are not those of the patch, it warns. `images`: patch_images().
+void check_pair(const io::PatchFile& patch,
+                const std::array<cv::Mat, 2>& images,
+                double max_y_parallax_px);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/run/outcome.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::Evaluation;
+using evaluate::LineEvaluation;
+using evaluate::Status;
+
+std::size_t n_of(const Evaluation& evaluation, auto holds) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      evaluation.lines, [&](const LineEvaluation& line) { return holds(line.status); }));
+}
+
+std::size_t n_reconstructed(const Evaluation& evaluation) {
+  return n_of(evaluation, [](Status status) { return status != Status::kNotReconstructed; });
+}
+
+/// "57 lines", or "57 lines by direct, 55 lines by joint".
+std::string lines_text(std::span<const Evaluation> evaluations) {
+  std::set<std::size_t> different;
+  std::vector<std::string> texts;
+  for (const Evaluation& evaluation : evaluations) {
+    const std::size_t n = n_reconstructed(evaluation);
+    different.insert(n);
+    texts.push_back(fmt::format("{} lines by {}", n, evaluation.method));
+  }
+  if (different.size() == 1) return fmt::format("{} lines", *different.begin());
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// Why lines were not judged, by the method that has most: "40 no_lidar, 17 low_coverage".
+std::string reasons_text(std::span<const Evaluation> evaluations) {
+  const auto most = std::ranges::max_element(evaluations, {}, n_reconstructed);
+  std::map<std::string, std::size_t> n_by_reason;
+  for (const LineEvaluation& line : most->lines) ++n_by_reason[name(line.status)];
+  std::vector<std::string> texts;
+  for (const auto& [reason, n] : n_by_reason) texts.push_back(fmt::format("{} {}", n, reason));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evaluation> evaluations) {
+  if (counts.n_matches == 0) {
+    return fmt::format(
+        "no line was reconstructed: 0 of {} segments of the left image found a match",
+        counts.n_left_segments);
+  }
+  if (std::ranges::all_of(evaluations, [](const auto& e) { return n_reconstructed(e) == 0; })) {
+    return fmt::format("no line was reconstructed: none of {} matches gave one", counts.n_matches);
+  }
+  if (!counts.has_lidar) {
+    return fmt::format("no LIDAR is given, so {} were reconstructed and none was judged",
+                       lines_text(evaluations));
+  }
+  return fmt::format("none of {} could be judged: {}", lines_text(evaluations),
+                     reasons_text(evaluations));
+}
+
+/// The least median distance over the methods, if each of them has enough lines for one.
+std::optional<double> least_median_m(std::span<const Evaluation> evaluations) {
+  constexpr std::size_t kFewestLines = 10;
+  std::optional<double> least;
+  for (const Evaluation& evaluation : evaluations) {
+    for (const evaluate::Summary& summary : evaluation.classes) {
+      if (summary.line_class != "total") continue;
+      if (summary.n_evaluated < kFewestLines || !summary.median_m) return std::nullopt;
+      least = std::min(least.value_or(*summary.median_m), *summary.median_m);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+bool has_figures(std::span<const Evaluation> evaluations) {
+  return std::ranges::any_of(evaluations, [](const Evaluation& evaluation) {
+    return n_of(evaluation, [](Status status) { return status == Status::kEvaluated; }) > 0;
+  });
+}
+
+std::vector<std::string> outcome_messages(const PatchCounts& counts,
+                                          std::span<const Evaluation> evaluations) {
+  if (evaluations.empty()) return {};
+  if (!has_figures(evaluations)) {
+    return {fmt::format("Patch {}: {}.", counts.patch, why_none_is_judged(counts, evaluations))};
+  }
+  const std::optional<double> median_m = least_median_m(evaluations);
+  if (!median_m || *median_m <= evaluations.front().options.gross_m) return {};
+  return {fmt::format(
+      "Patch {}: half of the lines are more than {:.2f} m off the LIDAR; images, cameras and LIDAR "
+      "hardly belong together.",
+      counts.patch, *median_m)};
+}
+
+}  // namespace ridgeline::apps

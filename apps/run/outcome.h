@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/statistics/evaluation.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// What a patch came to before its lines were judged.
+struct PatchCounts {
+  std::string patch;
+  bool has_lidar = false;
+  std::size_t n_left_segments = 0;
+  std::size_t n_matches = 0;
+};
+
+/// Sentences for what the tables cannot show or would hide: that no line of the patch was reconstructed or none was
+/// judged, and why; that most lines are far from the LIDAR by every method. Mostly empty. `evaluations`: of that
+/// patch, one per method.
+std::vector<std::string> outcome_messages(const PatchCounts& counts,
+                                          std::span<const evaluate::Evaluation> evaluations);
+
+/// Whether a figure of Table 2 exists.
+bool has_figures(std::span<const evaluate::Evaluation> evaluations);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs whose lines are not judged.
+#include "tests/cli/cli_fixture.h"
+
+namespace ridgeline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The first sample patch, in patch/.
+class Outcome : public Cli {
+ protected:
+  void SetUp() override {
+    fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch"));
+  }
+
+  void remove_lidar() const {
+    std::string text = read(path("patch/patch.yaml"));
+    const std::size_t at = text.find("lidar:");
+    text.erase(at, text.find("reference_matches") - at);
+    write(path("patch/patch.yaml"), text);
+  }
+
+  /// A sentence stands where the table would, at the top of the report and in run.json, alone.
+  void expect_message(const ProgramResult& result, const std::string& pattern) const {
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, ContainsRegex(pattern));
+    EXPECT_THAT(read(path("out/report.html")), ContainsRegex(pattern));
+    const auto messages = read_json(path("out/run.json"))["messages"];
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_THAT(messages[0].get<std::string>(), ContainsRegex("^" + pattern + "$"));
+  }
+};
+
+TEST_F(Outcome, RunWithoutLidarSaysHowManyLinesThereAre) {
+  remove_lidar();
+  const ProgramResult result =
+      run({"run", "patch/patch.yaml", "--methods", "direct", "--out", "out"});
+  expect_message(result,
+                 "Patch 1: no LIDAR is given, so [1-9][0-9]* lines were reconstructed and none was "
+                 "judged\\.");
+  EXPECT_THAT(result.out, Not(HasSubstr("RMS of the lines")));
+  EXPECT_THAT(read(path("out/table2.md")), HasSubstr("RMS of the lines"));
+}
+
+TEST_F(Outcome, JudgedLinesNeedNoSentence) {
+  const ProgramResult result =
+      run({"run", "patch/patch.yaml", "--methods", "direct", "--out", "out", "--no-report"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("RMS of the lines"), Not(HasSubstr("Patch 1:"))));
+  EXPECT_TRUE(read_json(path("out/run.json"))["messages"].empty());
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
