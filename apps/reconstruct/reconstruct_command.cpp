@@ -152,9 +152,9 @@ Run add_reconstruct(CLI::App& subcommand) {
   subcommand.add_option("--format", a->format, "of --out")
       ->check(CLI::IsMember(line_format_names()))
       ->capture_default_str();
-  add_flags(subcommand, a->extract, "Extract", "extract_");
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);
+  add_flags(subcommand, a->extract, "Extract", "extract_");
   add_matcher_options(subcommand, a->matchers, a->matching);
   add_flags(subcommand, a->matching.pairwise, "Match", "match_");
   add_flags(subcommand, a->matching.chio, "Chio", "chio_");

@@ -85,10 +85,10 @@ std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
   for (const std::string& path : paths("patch")) {
     try {
       io::PatchFile patch = io::read_patch(unchanged(path));
+      patch.max_image_mpx = options_.value("max_image_mpx", 0.0);
       if (patch.id == id) return patch;
     } catch (const io::IoError& error) {
       if (!first_error) first_error = error;
-      patch.max_image_mpx = options_.value("max_image_mpx", 0.0);
     }
   }
   if (first_error) throw io::IoError(*first_error);
