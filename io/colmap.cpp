@@ -2,6 +2,7 @@
 #include "io/colmap.h"
 
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/text.h"
 
 #include <Eigen/Geometry>
@@ -96,7 +97,7 @@ std::uint32_t id_of(std::string_view word, const std::string& where) {
 }
 
 Cameras read_cameras_text(const std::string& path) {
-  const std::string content = read_bytes(path);
+  const std::string content = read_input(path);
   Cameras cameras;
   for (const TextRow& row : rows_of(content)) {
     if (row.text.starts_with('#')) continue;
@@ -120,7 +121,7 @@ Cameras read_cameras_text(const std::string& path) {
 }
 
 std::vector<ColmapImage> read_images_text(const std::string& path, const Cameras& cameras) {
-  const std::string content = read_bytes(path);
+  const std::string content = read_input(path);
   const std::vector<TextRow> rows = rows_with_blanks(content);
   std::vector<ColmapImage> images;
   for (std::size_t i = 0; i < rows.size(); i += 2) {  // each second row lists 2D points
@@ -145,7 +146,7 @@ std::vector<ColmapImage> read_images_text(const std::string& path, const Cameras
 /// Little-endian values one after another, as on every machine that COLMAP runs on.
 class BinaryReader {
  public:
-  explicit BinaryReader(const std::string& path) : path_(path), bytes_(read_bytes(path)) {}
+  explicit BinaryReader(const std::string& path) : path_(path), bytes_(read_input(path)) {}
 
   template <typename T>
   T next() {

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 #include <proj.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -38,6 +41,53 @@ Context make_context() {
   return context;
 }
 
+/// PROJ without its data knows no code and reads no WKT with one.
+void check_proj_data(PJ_CONTEXT* context) {
+  const char* const database = proj_context_get_database_path(context);
+  const auto value_of = [](const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value == nullptr ? std::string("not set") : fmt::format("\"{}\"", value);
+  };
+  check(database != nullptr && *database != '\0', "PROJ finds no proj.db: PROJ_DATA is ",
+        value_of("PROJ_DATA"), ", PROJ_LIB is ", value_of("PROJ_LIB"),
+        "; unset them or name the folder that holds proj.db (package proj-data)");
+}
+
+bool is_code(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  return colon != std::string_view::npos && colon > 0 && colon + 1 < text.size() &&
+         std::ranges::all_of(text, [](char c) {
+           return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                  std::string_view(":+._-/,").find(c) != std::string_view::npos;
+         });
+}
+
+/// PROJ takes any other text for a name and searches for one like it: "foo" finds Amersfoort.
+bool is_definite(PJ_CONTEXT* context, const std::string& definition) {
+  const std::size_t first = definition.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return false;
+  const std::string_view text = std::string_view(definition).substr(first);
+  if (text.starts_with('{') || text.starts_with('+') || is_code(text)) return true;
+  if (text.starts_with("proj=") || text.find(" +proj=") != std::string_view::npos) return true;
+  return Object(proj_create_from_wkt(context, definition.c_str(), nullptr, nullptr, nullptr)) !=
+         nullptr;
+}
+
+Object create_crs(PJ_CONTEXT* context, const Crs& crs) {
+  constexpr std::size_t kShown = 80;
+  const std::string shown = crs.definition.substr(0, kShown);
+  if (!is_definite(context, crs.definition)) {
+    check_proj_data(context);
+    check(false, "crs = \"", shown,
+          "\", must be a code (EPSG:25832, EPSG:25832+7837, urn:ogc:def:crs:...), WKT, PROJJSON or "
+          "a PROJ string (+proj=... +type=crs)");
+  }
+  Object whole(proj_create(context, crs.definition.c_str()));
+  if (!whole) check_proj_data(context);
+  check(whole != nullptr, "crs = \"", shown, "\", must be a definition that PROJ reads");
+  return whole;
+}
+
 struct Parts {
   std::string name = "unknown";
   Object horizontal;
@@ -55,7 +105,7 @@ Object unbound(PJ_CONTEXT* context, Object crs) {
 Parts split(PJ_CONTEXT* context, const Crs& crs) {
   Parts parts;
   if (!crs.known()) return parts;
-  Object whole = unbound(context, Object(proj_create(context, crs.definition.c_str())));
+  Object whole = unbound(context, create_crs(context, crs));
   check(whole != nullptr, "crs = \"", crs.definition, "\", must be a definition that PROJ reads");
   check(proj_is_crs(whole.get()) != 0, "crs = \"", crs.definition,
         "\", must be a coordinate reference system (a PROJ string needs +type=crs)");
@@ -269,8 +319,7 @@ CrsFacts describe(const Crs& crs) {
 
 std::string to_wkt(const Crs& crs) {
   const Context context = make_context();
-  const Object whole(proj_create(context.get(), crs.definition.c_str()));
-  check(whole != nullptr, "crs = \"", crs.definition, "\", must be a definition that PROJ reads");
+  const Object whole = create_crs(context.get(), crs);
   const char* const options[] = {"MULTILINE=NO", nullptr};
   const char* const wkt = proj_as_wkt(context.get(), whole.get(), PJ_WKT1_GDAL, options);
   check(wkt != nullptr, "crs = \"", crs.definition, "\", must have a WKT1 form");

@@ -5,8 +5,9 @@
 
 namespace ridgeline::io {
 
-/// A coordinate reference system as a file states it; everything PROJ takes (WKT1, WKT2,
-/// "EPSG:25832+7837", PROJ JSON). An empty definition means that the file states none.
+/// A coordinate reference system as a file states it: a code ("EPSG:25832+7837",
+/// "urn:ogc:def:crs:EPSG::25832"), WKT1, WKT2, PROJJSON or a PROJ string; no name, as PROJ would take
+/// the next one like it. An empty definition means that the file states none.
 struct Crs {
   std::string definition;
   [[nodiscard]] bool known() const { return !definition.empty(); }
@@ -24,11 +25,11 @@ struct CrsFacts {
   std::string vertical_unit_name = "metre";
 };
 
-/// Whether PROJ reads the definition as WKT, of any dialect. What is no WKT, describe() takes for a
-/// name and has PROJ search its data base for one that is like it, which may take seconds.
+/// Whether PROJ reads the definition as WKT, of any dialect.
 bool is_wkt(const Crs& crs);
 
-/// Throws std::invalid_argument if PROJ cannot read the definition. An unknown CRS: metres assumed.
+/// Throws std::invalid_argument if PROJ cannot read the definition, or finds no data base of its own.
+/// An unknown CRS: metres assumed.
 CrsFacts describe(const Crs& crs);
 
 /// WKT1 in GDAL's dialect, which LAS readers of every age understand.

@@ -2,6 +2,7 @@
 #include "io/csv_table.h"
 
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/text.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 
 namespace ridgeline::io {
 
-CsvTable::CsvTable(const std::string& path) : path_(path), content_(read_bytes(path)) {
+CsvTable::CsvTable(const std::string& path) : path_(path), content_(read_input(path)) {
   const std::vector<TextRow> rows = rows_of(content_);
   if (rows.empty())
     throw IoError(path, "empty; a header with the names of the columns is expected");

@@ -3,6 +3,7 @@
 
 #include "io/atomic_file.h"
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/text.h"
 
 #include <fmt/format.h>
@@ -158,7 +159,7 @@ void write_segments(const std::string& path, const std::vector<EdgeSegment>& seg
 }
 
 std::vector<EdgeSegment> read_segments(const std::string& path) {
-  const std::string content = read_bytes(path);
+  const std::string content = read_input(path);
   const std::vector<TextRow> rows = rows_of(content);
   if (rows.empty()) throw IoError(path, "is empty; a header of column names is expected");
   const std::vector<std::string_view> names = plain_fields_of(rows.front().text);

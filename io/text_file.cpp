@@ -2,6 +2,7 @@
 #include "io/text_file.h"
 
 #include "io/error.h"
+#include "io/input_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -11,6 +12,7 @@
 namespace ridgeline::io {
 
 std::string read_text_file(const std::string& path) {
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError(path, std::string("cannot be opened: ") + std::strerror(errno));
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

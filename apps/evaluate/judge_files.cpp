@@ -55,18 +55,47 @@ void refuse_mismatch(std::string_view what,
   if (!agreement.warning.empty()) warnings.push_back(path + ": " + agreement.warning);
 }
 
-std::string bounds_text(const Eigen::AlignedBox3d& box) {
-  if (box.isEmpty()) return "empty";
-  return fmt::format("x {:.2f}..{:.2f}, y {:.2f}..{:.2f}, z {:.2f}..{:.2f}", box.min().x(),
-                     box.max().x(), box.min().y(), box.max().y(), box.min().z(), box.max().z());
+/// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
+std::string bounds_text(const io::Crs& crs,
+                        const Eigen::AlignedBox3d& box_m,
+                        const Eigen::Vector3d& unit_m) {
+  const std::string name = io::describe(crs).name;
+  if (box_m.isEmpty()) return fmt::format("[{}] empty", name);
+  const Eigen::Vector3d low = box_m.min().cwiseQuotient(unit_m);
+  const Eigen::Vector3d high = box_m.max().cwiseQuotient(unit_m);
+  const std::string unit =
+      unit_m == Eigen::Vector3d::Ones() ? "" : fmt::format(" (unit {:.6g} m)", unit_m.x());
+  return fmt::format("[{}] x {:.2f}..{:.2f}, y {:.2f}..{:.2f}, z {:.2f}..{:.2f}{}", name, low.x(),
+                     high.x(), low.y(), high.y(), low.z(), high.z(), unit);
 }
 
-Eigen::AlignedBox3d bounds_of(const io::LineSet& set) {
+/// Names the other unit if lines in it would lie in the cloud's plan.
+std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  constexpr double kFoot_m = 0.3048;
+  const auto overlaps = [&](double factor) {
+    const Eigen::AlignedBox2d scaled(factor * lines_m.min().head<2>(),
+                                     factor * lines_m.max().head<2>());
+    return scaled.intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
+  };
+  if (lines_m.isEmpty() || overlaps(1.0)) return "";
+  if (overlaps(kFoot_m)) {
+    return "; times 0.3048 the lines would lie in the cloud: are they in feet, and the cloud in "
+           "metres? State the reference system of both";
+  }
+  if (overlaps(1.0 / kFoot_m)) {
+    return "; times 3.2808 the lines would lie in the cloud: are they in metres, and the cloud's "
+           "coordinates feet? State the reference system of both";
+  }
+  return "";
+}
+
+Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
+  const Eigen::Vector3d unit_m = unit_m_of(set);
   Eigen::AlignedBox3d box;
   for (const io::Line& line : set.lines) {
     if (!all_finite(line.segment_in_world)) continue;
-    box.extend(line.segment_in_world.start);
-    box.extend(line.segment_in_world.end);
+    box.extend(line.segment_in_world.start.cwiseProduct(unit_m));
+    box.extend(line.segment_in_world.end.cwiseProduct(unit_m));
   }
   return box;
 }
@@ -82,11 +111,17 @@ void refuse_foreign_frame(const Evaluation& evaluation,
     throw io::IoError(options.cloud_paths.front(),
                       "no point lies within --bounds; must be given in the cloud's CRS");
   }
+  const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   throw io::IoError(
-      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines [{}] {}; "
-                            "cloud [{}] {}",
-                            check.reason, io::describe(set.crs).name, bounds_text(bounds_of(set)),
-                            io::describe(cloud.crs()).name, bounds_text(cloud_box)));
+      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}",
+                            check.reason, bounds_text(set.crs, lines_box, unit_m_of(set)),
+                            bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
+                            unit_hint(lines_box, cloud_box)));
+}
+
+/// Lines that state no reference system are taken to be in that of the cloud, with its units.
+void take_unit_of(const io::CloudFiles& cloud, io::LineSet& set) {
+  if (!set.crs.known()) set.unit_m = cloud.unit_m();
 }
 
 nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
@@ -150,7 +185,8 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
     refuse_mismatch("patch", options.patch->path, options.patch->crs, cloud.crs(), judged.warnings);
   }
   LineSets lines;
-  for (const io::LineSet& set : judged.line_sets) {
+  for (io::LineSet& set : judged.line_sets) {
+    take_unit_of(cloud, set);
     refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
     lines.push_back(judged_lines_of(set, judged.frame, options.patch));
   }
@@ -172,7 +208,8 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   }
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   if (options.reference_lines) {
-    const io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
+    io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
+    take_unit_of(cloud, set);
     refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
     references = reference_lines_of(set, judged.frame);
   }

@@ -15,9 +15,7 @@ namespace {
 
 using evaluate::JudgedLine;
 
-/// Coordinates in metres: files in feet state their unit in the CRS.
-Segment3 metric_segment(const io::Line& line, const io::CrsFacts& crs) {
-  const Eigen::Vector3d unit_m(crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m);
+Segment3 metric_segment(const io::Line& line, const Eigen::Vector3d& unit_m) {
   return {line.segment_in_world.start.cwiseProduct(unit_m),
           line.segment_in_world.end.cwiseProduct(unit_m)};
 }
@@ -44,11 +42,11 @@ std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
 }
 
 JudgedLine judged_line(const io::Line& line,
-                       const io::CrsFacts& crs,
+                       const Eigen::Vector3d& unit_m,
                        const LocalFrame& frame,
                        const std::optional<io::PatchFile>& patch,
                        const std::vector<ProjectionMatrix>& cameras) {
-  const Segment3 segment_in_world = metric_segment(line, crs);
+  const Segment3 segment_in_world = metric_segment(line, unit_m);
   JudgedLine judged;
   judged.id = line.id;
   judged.segment = {frame.local_from_world(segment_in_world.start),
@@ -91,10 +89,17 @@ std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& re
 
 }  // namespace
 
-io::LineSet in_metres(io::LineSet set) {
+Eigen::Vector3d unit_m_of(const io::LineSet& set) {
+  if (!set.crs.known() && set.unit_m) return *set.unit_m;
   const io::CrsFacts crs = io::describe(set.crs);
-  for (io::Line& line : set.lines) line.segment_in_world = metric_segment(line, crs);
+  return {crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m};
+}
+
+io::LineSet in_metres(io::LineSet set) {
+  const Eigen::Vector3d unit_m = unit_m_of(set);
+  for (io::Line& line : set.lines) line.segment_in_world = metric_segment(line, unit_m);
   set.crs = {};
+  set.unit_m.reset();
   return set;
 }
 
@@ -102,21 +107,21 @@ std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
                                         const LocalFrame& frame,
                                         const std::optional<io::PatchFile>& patch) {
   const std::vector<ProjectionMatrix> cameras = cameras_of(patch);
-  const io::CrsFacts crs = io::describe(set.crs);
+  const Eigen::Vector3d unit_m = unit_m_of(set);
   std::vector<JudgedLine> lines;
   lines.reserve(set.lines.size());
   for (const io::Line& line : set.lines) {
-    lines.push_back(judged_line(line, crs, frame, patch, cameras));
+    lines.push_back(judged_line(line, unit_m, frame, patch, cameras));
   }
   return lines;
 }
 
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                                         const LocalFrame& frame) {
-  const io::CrsFacts crs = io::describe(set.crs);
+  const Eigen::Vector3d unit_m = unit_m_of(set);
   std::vector<evaluate::ReferenceLine> references;
   for (const io::Line& line : set.lines) {
-    const Segment3 in_world = metric_segment(line, crs);
+    const Segment3 in_world = metric_segment(line, unit_m);
     if (!all_finite(in_world)) continue;
     const Segment3 in_local{frame.local_from_world(in_world.start),
                             frame.local_from_world(in_world.end)};

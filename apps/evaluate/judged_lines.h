@@ -15,7 +15,10 @@
 
 namespace ridgeline::apps {
 
-/// The lines with their coordinates in metres; without the CRS, whose units have been applied.
+/// Metres per coordinate unit by axis: of the CRS, else as set, else 1.
+Eigen::Vector3d unit_m_of(const io::LineSet& set);
+
+/// The lines with their coordinates in metres; without CRS and unit, which have been applied.
 io::LineSet in_metres(io::LineSet set);
 
 /// The lines of a file in metres of the local frame. The patch's cameras class those without a

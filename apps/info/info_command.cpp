@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -20,11 +21,34 @@
 namespace ridgeline::apps {
 namespace {
 
-void print_crs(const io::CrsFacts& crs) {
+/// The name that the reference system has for its unit, if that is the one the file obeys.
+std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_unit_name) {
+  constexpr double kFoot_m = 0.3048;
+  constexpr double kSurveyFoot_m = 1200.0 / 3937.0;
+  constexpr double kTolerance_m = 1e-9;  // the two feet differ by 6e-7
+  const auto is = [&](double other_m) { return std::abs(unit_m - other_m) < kTolerance_m; };
+  if (is(crs_unit_m)) return crs_unit_name;
+  if (is(1.0)) return "metre";
+  if (is(kFoot_m)) return "foot";
+  return is(kSurveyFoot_m) ? "US survey foot" : "unit";
+}
+
+/// `unit_m`: by axis, which unit keys of a file may state otherwise than its reference system.
+void print_crs(const io::CrsFacts& crs, const Eigen::Vector3d& unit_m, bool states_unit) {
   fmt::print("  crs         {}\n", crs.name);
+  if (!states_unit) {
+    fmt::print("  units       not stated, taken as metre\n");
+    return;
+  }
   fmt::print("  units       {} ({:.12g} m) in plan, {} ({:.12g} m) in height\n",
-             crs.horizontal_unit_name, crs.horizontal_unit_m, crs.vertical_unit_name,
-             crs.vertical_unit_m);
+             unit_text(unit_m.x(), crs.horizontal_unit_m, crs.horizontal_unit_name), unit_m.x(),
+             unit_text(unit_m.z(), crs.vertical_unit_m, crs.vertical_unit_name), unit_m.z());
+}
+
+void print_crs(const io::Crs& crs) {
+  const io::CrsFacts facts = io::describe(crs);
+  print_crs(facts, {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m},
+            crs.known());
 }
 
 void print_bounds(const Eigen::AlignedBox3d& box) {
@@ -59,7 +83,7 @@ void print_cloud(const std::string& path, double max_resolution_m) {
   print_counts("classes", facts.n_by_class);
   print_counts("returns", facts.n_by_return);
   if (facts.n_withheld > 0) fmt::print("  withheld    {}\n", facts.n_withheld);
-  print_crs(facts.crs);
+  print_crs(facts.crs, facts.unit_m, facts.states_unit);
   if (facts.scale && facts.offset) {
     fmt::print("  stored as   scale {:g} {:g} {:g}, offset {:.3f} {:.3f} {:.3f}\n",
                facts.scale->x(), facts.scale->y(), facts.scale->z(), facts.offset->x(),
@@ -71,13 +95,14 @@ void print_cloud(const std::string& path, double max_resolution_m) {
 void print_lines(const std::string& path) {
   const io::LineSet set = io::read_lines(path);
   const io::LineFacts facts = io::line_facts(set);
-  fmt::print("{}: {}\n  lines       {}, {:.1f} m together\n", path, set.format, facts.n_lines,
-             facts.total_length_m);
+  const std::string unit = io::describe(set.crs).horizontal_unit_name;
+  fmt::print("{}: {}\n  lines       {}, {:.1f} {} together\n", path, set.format, facts.n_lines,
+             facts.total_length, unit == "metre" ? "m" : unit);
   if (facts.n_polylines > 0) fmt::print("  polylines   {}\n", facts.n_polylines);
   if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
-  print_bounds(facts.bounds_m);
+  print_bounds(facts.bounds);
   fmt::print("  attributes  {}\n", fmt::join(facts.attributes, " "));
-  print_crs(io::describe(set.crs));
+  print_crs(set.crs);
   print_warnings(set.warnings);
 }
 
@@ -124,7 +149,7 @@ void print_patch(const std::string& path) {
                centre.z() / centre.w());
   }
   fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));
-  print_crs(io::describe(patch.crs));
+  print_crs(patch.crs);
   print_warnings(missing_files(patch));
 }
 
@@ -137,6 +162,7 @@ std::string lower_extension(const std::string& path) {
 
 /// A PLY holds a cloud, or lines if its header lists edges or faces.
 bool is_line_ply(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;  // for the reader to name
   std::ifstream file(path, std::ios::binary);
   std::string line;
   while (std::getline(file, line) && !line.starts_with("end_header")) {

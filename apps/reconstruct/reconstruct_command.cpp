@@ -125,6 +125,7 @@ int run_reconstruct(ReconstructArguments a) {
   patch.max_image_mpx = a.max_image_mpx;
   check_patch(patch);
   check_out(a, paths_of(input_files(patch)));
+  io::require_writable(*io::line_format(a.format));
   const MatchedPair pair = matched_pair(patch, a);
   const io::LineSet lines = reconstruct_patch(patch, pair.segments, pair.matches, pair.images,
                                               a.reconstruct, a.matching.pairwise);

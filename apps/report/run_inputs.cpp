@@ -17,6 +17,9 @@ RunInputs::RunInputs(const evaluate::Json& run, const std::string& file) {
   try {
     is_of_files_ = run.value("command", "") == "evaluate";
     options_ = run.value("options", evaluate::Json::object());
+    const evaluate::Json cloud = run.value("cloud", evaluate::Json::object());
+    const double horizontal_m = cloud.value("horizontal_unit_m", 1.0);
+    cloud_unit_m_ = {horizontal_m, horizontal_m, cloud.value("vertical_unit_m", 1.0)};
     for (const evaluate::Json& input : run.value("inputs", evaluate::Json::array())) {
       inputs_.push_back({input.at("role").get<std::string>(), input.at("path").get<std::string>(),
                          input.at("bytes").get<std::uint64_t>()});
@@ -107,6 +110,7 @@ std::optional<std::string> RunInputs::reference_lines(
 io::ReadLinesOptions RunInputs::lines_options() const {
   io::ReadLinesOptions options;
   options.assume_crs.definition = options_.value("assume_crs", "");
+  options.unit_m = cloud_unit_m_;
   options.vertex_pairs = options_.value("vertex_pairs", false);
   return options;
 }

@@ -56,6 +56,8 @@ class RunInputs {
   std::vector<Input> inputs_;
   evaluate::Json options_;
   bool is_of_files_ = false;
+  /// Of `evaluate`, whose lines without CRS are in the units of its cloud.
+  Eigen::Vector3d cloud_unit_m_ = Eigen::Vector3d::Ones();
 };
 
 }  // namespace ridgeline::apps

@@ -78,7 +78,10 @@ RunOptions run_options(const RunFlags& flags) {
   options.matching.matchers = matchers_named(flags.matchers);
   options.extract.detector = reconstruct::detector_named(flags.detector);
   for (const std::string& name : flags.line_formats) {
-    if (const auto format = io::line_format(name)) options.line_formats.push_back(*format);
+    const auto format = io::line_format(name);
+    if (!format) continue;
+    io::require_writable(*format);
+    options.line_formats.push_back(*format);
   }
   validate(options.extract);
   validate_matching(options.matching);

@@ -97,6 +97,8 @@ CloudFacts cloud_facts(const std::string& path, const OpenCloudOptions& options)
                    .n_by_return = present(census.n_by_return),
                    .n_withheld = census.n_withheld,
                    .crs = describe(info.crs),
+                   .unit_m = info.unit_m,
+                   .states_unit = info.crs.known() || info.unit_m != Eigen::Vector3d::Ones(),
                    .scale = info.scale,
                    .offset = info.offset,
                    .warnings = info.warnings};

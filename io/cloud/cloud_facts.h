@@ -27,6 +27,9 @@ struct CloudFacts {
   std::map<std::uint8_t, std::uint64_t> n_by_return;  ///< by return number
   std::uint64_t n_withheld = 0;
   CrsFacts crs;
+  /// Metres per coordinate unit by axis, of the file's own unit keys if it has any.
+  Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
+  bool states_unit = false;  ///< by reference system or unit keys; else metres are a guess
   /// LAS and LAZ: resolution and offset of the stored coordinates, file units.
   std::optional<Eigen::Vector3d> scale;
   std::optional<Eigen::Vector3d> offset;

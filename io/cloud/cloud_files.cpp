@@ -68,10 +68,22 @@ CloudFiles::CloudFiles(const std::vector<std::string>& paths_or_patterns,
   crs_ = std::move(common.crs);
   warnings_ = std::move(common.warnings);
   for (std::size_t i = 0; i < files_.size(); ++i) files_[i].unit_m = common.unit_m[i];
+  refuse_degrees(files_.front());
   find_frame();
+  close_if_heavy(files_.front());
 }
 
 CloudFiles::~CloudFiles() = default;
+
+void CloudFiles::refuse_degrees(File& file) {
+  if (!has_size_of_degrees(open(file))) return;
+  throw IoError(
+      file.info.path,
+      fmt::format("the coordinates are degrees by their size and {}; project the cloud to "
+                  "a system in metres or feet",
+                  crs_.known() ? fmt::format("no metres or feet of \"{}\"", describe(crs_).name)
+                               : "no reference system is stated"));
+}
 
 void CloudFiles::find_frame() {
   if (options_.frame) {

@@ -32,6 +32,9 @@ class CloudFiles {
 
   [[nodiscard]] const Crs& crs() const { return crs_; }
 
+  /// Metres per coordinate unit by axis: of the CRS, else of the first file's own unit keys.
+  [[nodiscard]] const Eigen::Vector3d& unit_m() const { return files_.front().unit_m; }
+
   /// The points that the options keep, and of these those in the mask, if there is one. What is said
   /// of read_cloud() holds.
   PointCloud read(std::optional<PlanMask> near);
@@ -59,6 +62,7 @@ class CloudFiles {
     std::optional<Eigen::AlignedBox3d> confirmed_bounds;  ///< file units; set if checked and right
   };
 
+  void refuse_degrees(File& file);
   void find_frame();
   CloudSource& open(File& file) const;
   static void close_if_heavy(File& file);

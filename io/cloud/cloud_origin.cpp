@@ -55,4 +55,19 @@ std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vect
   return frame;
 }
 
+bool has_size_of_degrees(const CloudSource& source) {
+  constexpr double kWidest_deg = 0.2;
+  const std::array<std::vector<double>, 3> coordinates = sample(source, Eigen::Vector3d::Ones());
+  if (coordinates[0].empty()) return false;
+  std::array<double, 3> extent{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [lowest, highest] = std::ranges::minmax_element(coordinates[axis]);
+    extent[axis] = *highest - *lowest;
+    const double limit_deg = axis == 0 ? 180.0 : 90.0;
+    if (axis < 2 && std::max(-*lowest, *highest) > limit_deg) return false;
+  }
+  const double width = std::max(extent[0], extent[1]);
+  return width > 0.0 && width < kWidest_deg && extent[2] > width;
+}
+
 }  // namespace ridgeline::io

@@ -14,4 +14,9 @@ namespace ridgeline::io {
 /// none if it has no finite points. `unit_m`: metres per coordinate unit.
 std::optional<LocalFrame> origin_of(const CloudSource& source, const Eigen::Vector3d& unit_m);
 
+/// Whether coordinates are degrees by their size, for all that a reference system says: within
+/// [-180, 180] x [-90, 90], and spread over less than 0.2 in plan (20 km in degrees, 20 cm in metres)
+/// but more in height. By blocks spread over the file.
+bool has_size_of_degrees(const CloudSource& source);
+
 }  // namespace ridgeline::io

@@ -68,10 +68,9 @@ CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assum
   if (reference == nullptr) {
     for (const CloudFileInfo& info : files) {
       common.unit_m.push_back(info.unit_m);
-      common.warnings.push_back(fmt::format(
-          "{}: states no reference system; its coordinate unit is taken as {} m (--assume-crs "
-          "declares one)",
-          info.path, info.unit_m.x()));
+      common.warnings.push_back(
+          fmt::format("{}: states no reference system; its coordinate unit is taken as {} m",
+                      info.path, info.unit_m.x()));
     }
     return common;
   }

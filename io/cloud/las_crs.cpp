@@ -48,12 +48,14 @@ void apply_stated_unit(
   constexpr double kRelativeTolerance = 1e-7;  // the two feet differ by 2e-6
   if (!stated_m) return;
   auto units = result.unit_m.segment(first_axis, n_axes);
+  const double of_crs_m = units[0];
   if (std::abs(units[0] - *stated_m) <= kRelativeTolerance * units[0]) return;
+  units.setConstant(*stated_m);
+  if (!result.crs.known()) return;
   result.warnings.push_back(
       fmt::format("{} unit is {:.10g} m by the GeoTIFF keys but {:.10g} m by the reference system; "
                   "the keys are obeyed",
-                  what, *stated_m, units[0]));
-  units.setConstant(*stated_m);
+                  what, *stated_m, of_crs_m));
 }
 
 /// WKT or keys, by the rule of read_las_crs(); true if the WKT won.

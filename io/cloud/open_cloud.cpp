@@ -8,6 +8,7 @@
 #include "io/cloud/xyz_source.h"
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +18,8 @@ std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloud
   MappedFile file(path);
   const std::span<const std::byte> bytes = file.bytes();
   const std::string start = load_text(bytes.first(std::min<std::size_t>(bytes.size(), 8)));
-  if (start.starts_with("ply\n") || start.starts_with("ply\r")) {
+  if (start.starts_with("ply") && start.size() > 3 &&
+      std::isspace(static_cast<unsigned char>(start[3])) != 0) {
     return open_ply(std::move(file), path);
   }
   if (start.starts_with("# .PCD") || start.starts_with("VERSION")) {

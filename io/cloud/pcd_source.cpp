@@ -183,6 +183,8 @@ std::vector<std::byte> unpack(std::span<const std::byte> data,
                               const PcdHeader& header,
                               const std::string& path) {
   constexpr std::size_t kSizes = 8;
+  constexpr std::uint64_t kAlwaysUnpacked_bytes = 64U << 20U;
+  constexpr std::uint64_t kMostGrowth = 10;
   if (data.size() < kSizes) throw IoError(path, "ends before the sizes of its packed data");
   const std::uint64_t packed_size = load<std::uint32_t>(data.data());
   const std::uint64_t unpacked_size = load<std::uint32_t>(data.data() + 4);
@@ -196,6 +198,11 @@ std::vector<std::byte> unpack(std::span<const std::byte> data,
     throw IoError(path, fmt::format("packed data are {} bytes when unpacked; {} points of {} bytes "
                                     "are claimed",
                                     unpacked_size, header.n_points, row_size));
+  }
+  if (unpacked_size > kAlwaysUnpacked_bytes && unpacked_size / kMostGrowth > packed_size) {
+    throw IoError(path, fmt::format("{} bytes of packed data would grow to {} bytes; points are "
+                                    "packed to a tenth at best, so it is damaged",
+                                    packed_size, unpacked_size));
   }
   auto unpacked = unpack_lzf(data.subspan(kSizes, packed_size), unpacked_size);
   if (!unpacked) throw IoError(path, "its packed data are damaged; LZF cannot unpack them");

@@ -137,8 +137,7 @@ std::string without_srid(std::string_view text, Crs& crs, const std::string& whe
 }  // namespace
 
 LineSet read_csv(const std::string& path, std::string_view content) {
-  LineSet set;
-  set.format = "CSV";
+  LineSet set = lines_for_file(path, "CSV", content.size());
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   const std::vector<TextRow> rows = rows_of(content);
   if (rows.empty()) throw IoError(path, "is empty; a header or rows of six numbers are expected");
@@ -167,8 +166,7 @@ LineSet read_csv(const std::string& path, std::string_view content) {
 }
 
 LineSet read_wkt(const std::string& path, std::string_view content) {
-  LineSet set;
-  set.format = "WKT";
+  LineSet set = lines_for_file(path, "WKT", content.size());
   std::size_t number = 0;
   for (const TextRow& row : rows_of(content)) {
     const std::string where = place(path, row.number);

@@ -32,10 +32,10 @@ json parse(const std::string& path, std::string_view content) {
 
 class GeoJsonReader {
  public:
-  explicit GeoJsonReader(const std::string& path) : path_(path) {}
+  GeoJsonReader(const std::string& path, std::size_t n_bytes)
+      : path_(path), set_(lines_for_file(path, "GeoJSON", n_bytes)) {}
 
   LineSet read(const json& document) {
-    set_.format = "GeoJSON";
     read_crs(document);
     const std::string type = type_of(document);
     if (type == "FeatureCollection") {
@@ -144,7 +144,7 @@ class GeoJsonReader {
 }  // namespace
 
 LineSet read_geojson(const std::string& path, std::string_view content) {
-  return GeoJsonReader(path).read(parse(path, content));
+  return GeoJsonReader(path, content.size()).read(parse(path, content));
 }
 
 }  // namespace ridgeline::io

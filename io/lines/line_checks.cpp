@@ -53,15 +53,18 @@ std::size_t count_repeated_ids(const std::vector<Line>& lines) {
 
 void refuse_degrees(const LineSet& set) {
   if (set.crs.known() && describe(set.crs).is_geographic) {
-    throw IoError(set.path,
-                  "coordinates in degrees (" + describe(set.crs).name +
-                      "); project the lines to the cloud's CRS, or state it by --assume-crs");
+    throw IoError(set.path, fmt::format("coordinates in degrees ({}); project the lines to the "
+                                        "cloud's reference system",
+                                        describe(set.crs).name));
   }
-  if (!set.crs.known() && looks_like_degrees(set)) {
-    throw IoError(set.path,
-                  "the coordinates are degrees by their size and no CRS is stated; project the "
-                  "lines to the cloud's CRS, or state it by --assume-crs");
-  }
+  if (!looks_like_degrees(set)) return;
+  throw IoError(
+      set.path,
+      fmt::format("the coordinates are degrees by their size and {}; project the lines to "
+                  "the cloud's reference system",
+                  set.crs.known()
+                      ? fmt::format("no metres or feet of \"{}\"", describe(set.crs).name)
+                      : "no reference system is stated"));
 }
 
 void add_coordinate_warnings(LineSet& set) {

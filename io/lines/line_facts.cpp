@@ -46,9 +46,9 @@ LineFacts line_facts(const LineSet& set) {
       ++facts.n_non_finite;
       continue;
     }
-    facts.total_length_m += length(line.segment_in_world);
-    facts.bounds_m.extend(line.segment_in_world.start);
-    facts.bounds_m.extend(line.segment_in_world.end);
+    facts.total_length += length(line.segment_in_world);
+    facts.bounds.extend(line.segment_in_world.start);
+    facts.bounds.extend(line.segment_in_world.end);
   }
   facts.n_polylines = polylines.size();
   facts.attributes = attributes_of(set.lines);

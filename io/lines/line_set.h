@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +45,10 @@ struct LineSet {
   Crs crs;
   std::vector<Line> lines;
   std::vector<std::string> warnings;
+  /// Metres per coordinate unit by axis, where the CRS does not say.
+  std::optional<Eigen::Vector3d> unit_m = std::nullopt;
+  /// For lines that a reader may still add; see lines_for_file().
+  std::size_t memory_left_bytes = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace ridgeline::io

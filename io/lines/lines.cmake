@@ -1,6 +1,6 @@
 set(io_lines_sources
-  colmap.cpp patch.cpp yaml_check.cpp
-  lines/attributes.cpp lines/csv_reader.cpp lines/geojson_reader.cpp lines/geojson_writer.cpp lines/json_text.cpp
+  colmap.cpp input_file.cpp patch.cpp yaml_check.cpp
+  lines/attributes.cpp lines/csv_reader.cpp lines/geojson_reader.cpp lines/geojson_writer.cpp lines/geopackage_check.cpp lines/json_text.cpp
   lines/line_checks.cpp lines/line_facts.cpp lines/mesh_edges.cpp lines/obj_reader.cpp lines/ogr_reader.cpp
   lines/ogr_support.cpp lines/ogr_writer.cpp lines/ply_reader.cpp lines/polyline.cpp
   lines/read_lines.cpp lines/scratch_folder.cpp lines/sfm_lines_reader.cpp lines/text.cpp

@@ -172,8 +172,7 @@ void append_polylines(const Vertices& vertices,
 
 LineSet read_obj(const std::string& path, std::string_view content, bool vertex_pairs) {
   const ObjFile obj = parse_obj(path, content);
-  LineSet set;
-  set.format = "OBJ";
+  LineSet set = lines_for_file(path, "OBJ", content.size());
   if (vertex_pairs) {
     append_vertex_pairs(path, obj.vertices, set);
   } else if (has_shifted_pairs(obj)) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/attributes.h"
+#include "io/lines/geopackage_check.h"
 #include "io/lines/ogr_support.h"
+#include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
 
@@ -10,7 +13,7 @@
 #include <ogrsf_frmts.h>
 
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <map>
 
 namespace ridgeline::io {
@@ -29,7 +32,7 @@ Driver driver_for(std::string_view extension) {
 
 /// GDAL would open a Shapefile without z as lines at height 0.
 void refuse_flat_shapefile(const std::string& path) {
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_input(path);
   if (bytes.size() < 100) throw IoError(path, "is no Shapefile: shorter than its header");
   std::int32_t type = 0;
   std::memcpy(&type, bytes.data() + 32, sizeof type);
@@ -68,10 +71,15 @@ nlohmann::json properties_of(OGRFeature& feature) {
 class OgrReader {
  public:
   OgrReader(const std::string& path, const Driver& driver) : path_(path) {
-    set_.format = driver.format;
+    set_ = lines_for_file(path, driver.format, std::filesystem::file_size(path));
     const char* const drivers[] = {driver.name, nullptr};
+    // tables that are no layers may be views, whatever they compute
+    const char* const stated_layers[] = {"LIST_ALL_TABLES=NO", nullptr};
+    const bool is_geopackage = std::string_view(driver.name) == "GPKG";
     const unsigned int flags = GDAL_OF_VECTOR | GDAL_OF_READONLY;
-    dataset_.reset(GDALDataset::Open(path.c_str(), flags, drivers));
+    dataset_.reset(
+        GDALDataset::Open(path.c_str(), flags, drivers, is_geopackage ? stated_layers : nullptr));
+    n_most_features_ = std::filesystem::file_size(path);  // each takes a byte at least
     if (!dataset_) {
       throw IoError(
           path, fmt::format("is no {}: {}", driver.format, quiet_.complaints("cannot be opened")));
@@ -97,6 +105,13 @@ class OgrReader {
     if (CPLGetLastErrorType() == CE_Failure) throw IoError(path_, quiet_.complaints("is damaged"));
   }
 
+  /// Records of a damaged file may lead to each other without end.
+  void count_feature() {
+    if (++number_ <= n_most_features_) return;
+    throw IoError(path_, fmt::format("gives more than {} features; its size cannot hold them",
+                                     n_most_features_));
+  }
+
   void read_feature(OGRFeature& feature) {
     const std::string where = fmt::format("{}: feature {}", path_, number_);
     const OGRGeometry* geometry = feature.GetGeometryRef();
@@ -108,7 +123,7 @@ class OgrReader {
       append_feature(line_from_properties(properties_of(feature), where), lines.parts, number_,
                      set_);
     }
-    ++number_;
+    count_feature();
   }
 
   std::string path_;
@@ -116,17 +131,17 @@ class OgrReader {
   GDALDatasetUniquePtr dataset_;
   LineSet set_;
   std::size_t number_ = 0;
+  std::size_t n_most_features_ = 0;
   std::map<std::string, int> n_other_types_;
 };
 
 }  // namespace
 
 LineSet read_ogr(const std::string& path, std::string_view extension) {
-  if (std::ifstream(path).peek() == std::ifstream::traits_type::eof()) {
-    read_bytes(path);  // names a file that is missing
-    throw IoError(path, "is empty");
-  }
+  require_regular_file(path);
+  if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
   if (extension == ".shp") refuse_flat_shapefile(path);
+  if (extension == ".gpkg") refuse_computed_layers(path);
   GDALAllRegister();
   CPLErrorReset();
   return OgrReader(path, driver_for(extension)).read();

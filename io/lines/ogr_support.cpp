@@ -33,8 +33,10 @@ QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }
 QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }
 
 std::string QuietGdal::complaints(const std::string& fallback) const {
+  constexpr std::size_t kMostCharacters = 200;  // of GDAL, which quotes whole definitions
   std::string all;
   for (const std::string& complaint : complaints_) all += (all.empty() ? "" : "; ") + complaint;
+  if (all.size() > kMostCharacters) all = all.substr(0, kMostCharacters) + " ...";
   return all.empty() ? fallback : all;
 }
 

@@ -22,7 +22,7 @@ class QuietGdal {
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
 
-  /// All complaints so far in one line, without line breaks; `fallback` if there are none.
+  /// All complaints so far in one line of 200 characters at most; `fallback` if there are none.
   [[nodiscard]] std::string complaints(const std::string& fallback) const;
 
  private:

@@ -161,6 +161,7 @@ class PlyReader {
  public:
   PlyReader(const std::string& path, std::string_view content)
       : path_(path),
+        n_bytes_(content.size()),
         header_(parse_header(path, content)),
         body_(path, content.substr(header_.n_bytes), header_.encoding) {}
 
@@ -168,8 +169,8 @@ class PlyReader {
     for (const Element& element : header_.elements) {
       for (std::size_t i = 0; i < element.count; ++i) read_item(element);
     }
-    LineSet set;
-    set.format = edges_.empty() && !faces_.empty() ? "PLY, edges of faces" : "PLY";
+    LineSet set = lines_for_file(
+        path_, edges_.empty() && !faces_.empty() ? "PLY, edges of faces" : "PLY", n_bytes_);
     check_indices(edges_);
     check_indices(faces_);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -226,6 +227,7 @@ class PlyReader {
   }
 
   std::string path_;
+  std::size_t n_bytes_;
   Header header_;
   Body body_;
   Vertices vertices_;

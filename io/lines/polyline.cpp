@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/polyline.h"
 
+#include "io/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <limits>
 
 namespace ridgeline::io {
@@ -20,13 +25,41 @@ std::vector<Segment3> segments_of(const std::vector<Vertices>& parts) {
   return segments;
 }
 
+std::size_t text_bytes(const Line& line) {
+  return line.id.size() + line.line_class.size() + line.method.size() + line.kind.size() +
+         line.building.size() + line.status.size() + line.left_id.size() + line.right_id.size() +
+         sizeof(int) * line.plane_ids.size();
+}
+
+void take_memory(const Line& attributes, std::size_t n_segments, LineSet& set) {
+  const std::size_t each = sizeof(Line) + 2 * text_bytes(attributes);
+  constexpr std::size_t kMostSegments = 1'000'000;
+  if (n_segments <= std::min(kMostSegments, set.memory_left_bytes / each)) {
+    set.memory_left_bytes -= n_segments * each;
+    return;
+  }
+  throw IoError(set.path, fmt::format("its lines take too much memory for its size, the latest "
+                                      "polyline has {} segments (at most {}); edges of objects "
+                                      "have few, and vertices of their own",
+                                      n_segments, kMostSegments));
+}
+
 }  // namespace
+
+LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes) {
+  constexpr std::size_t kLeast_bytes = 64U << 20U;
+  constexpr std::size_t kMostGrowth = 28;
+  LineSet set{.path = path, .format = format, .crs = {}, .lines = {}, .warnings = {}};
+  set.memory_left_bytes = std::max(kLeast_bytes, kMostGrowth * n_bytes);
+  return set;
+}
 
 void append_feature(const Line& attributes,
                     const std::vector<Vertices>& parts,
                     std::size_t number,
                     LineSet& set) {
   const std::vector<Segment3> segments = segments_of(parts);
+  take_memory(attributes, segments.size(), set);
   const std::string id = attributes.id.empty() ? std::to_string(number) : attributes.id;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Line line = attributes;

@@ -5,12 +5,19 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace ridgeline::io {
 
 /// Vertices of one connected line, in the file's CRS.
 using Vertices = std::vector<Eigen::Vector3d>;
+
+/// An empty set for the lines of a file of `n_bytes`. They may take memory of 28 times the file (64
+/// MiB at least): far more than the lines of any tool, which state their own ends in digits. Beyond
+/// it append_feature() throws IoError, as small files can repeat vertices and attributes endlessly.
+LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes);
 
 /// Adds one feature of a file to the set: an empty `attributes.id` becomes `number`, the feature's
 /// place in the file from 0. A feature with one segment keeps its id; the segments of a longer

@@ -2,6 +2,7 @@
 #include "io/lines/read_lines.h"
 
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/line_checks.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
@@ -64,7 +65,7 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   if (extension == ".gpkg" || extension == ".shp" || extension == ".dxf") {
     return read_ogr(path, extension);
   }
-  const std::string content = read_bytes(path);
+  const std::string content = read_input(path);
   if (extension == ".geojson" || extension == ".json") return read_geojson(path, content);
   if (extension == ".obj") return read_obj(path, content, options.vertex_pairs);
   if (extension == ".ply") return read_ply(path, content);
@@ -79,9 +80,7 @@ void check_stated_crs(const LineSet& set) {
   try {
     (void)describe(set.crs);
   } catch (const std::invalid_argument& error) {
-    throw IoError(set.path, fmt::format("its reference system cannot be used: {}; give it by "
-                                        "--assume-crs",
-                                        error.what()));
+    throw IoError(set.path, fmt::format("its reference system cannot be used: {}", error.what()));
   }
 }
 
@@ -95,6 +94,7 @@ LineSet read_lines(const std::string& path, const ReadLinesOptions& options) {
   } else {
     check_stated_crs(set);
   }
+  if (!set.crs.known()) set.unit_m = options.unit_m;
   refuse_degrees(set);
   add_coordinate_warnings(set);
   return set;

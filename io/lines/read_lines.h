@@ -3,12 +3,17 @@
 
 #include "io/lines/line_set.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <string>
 
 namespace ridgeline::io {
 
 struct ReadLinesOptions {
-  Crs assume_crs;             ///< declares or overrides the file's CRS; unknown: the file decides
+  Crs assume_crs;  ///< declares or overrides the file's CRS; unknown: the file decides
+  /// Metres per coordinate unit by axis, for a file that states no CRS; unset: metres.
+  std::optional<Eigen::Vector3d> unit_m = std::nullopt;
   bool vertex_pairs = false;  ///< an OBJ's vertices two by two are the segments
 };
 

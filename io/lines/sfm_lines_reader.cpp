@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Line3D++, LIMAP and ELSR++ text results. None of them states a CRS, a header or a version.
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
@@ -94,7 +95,7 @@ std::optional<long> track_number(const std::filesystem::path& path) {
 std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const std::filesystem::path cameras = space_lines.parent_path() / "cams.txt";
   if (!std::filesystem::exists(cameras)) return {};
-  const std::string content = read_bytes(cameras.string());
+  const std::string content = read_input(cameras.string());
   std::vector<int> counts;
   for (const TextRow& row : rows_of(content)) counts.push_back(count_distinct(words_of(row.text)));
   return counts;
@@ -103,8 +104,7 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
 }  // namespace
 
 LineSet read_line3dpp(const std::string& path, std::string_view content) {
-  LineSet set;
-  set.format = "Line3D++";
+  LineSet set = lines_for_file(path, "Line3D++", content.size());
   std::size_t number = 0;
   for (const TextRow& row : rows_of(content)) {
     const std::string where = place(path, row.number);
@@ -130,8 +130,7 @@ LineSet read_line3dpp(const std::string& path, std::string_view content) {
 }
 
 LineSet read_limap_tracks(const std::string& path, std::string_view content) {
-  LineSet set;
-  set.format = "LIMAP tracks";
+  LineSet set = lines_for_file(path, "LIMAP tracks", content.size());
   RowReader rows(path, content);
   const std::size_t n_tracks = count_at(rows.words("the number of tracks"), 0, rows.where());
   for (std::size_t i = 0; i < n_tracks; ++i) {
@@ -182,15 +181,14 @@ LineSet read_limap_folder(const std::string& path) {
   LineSet set;
   set.format = "LIMAP tracks";
   for (const auto& [number, file] : tracks) {
-    LineSet track = read_limap_track(file, read_bytes(file));
+    LineSet track = read_limap_track(file, read_input(file));
     std::move(track.lines.begin(), track.lines.end(), std::back_inserter(set.lines));
   }
   return set;
 }
 
 LineSet read_space_lines(const std::string& path, std::string_view content) {
-  LineSet set;
-  set.format = "ELSR++";
+  LineSet set = lines_for_file(path, "ELSR++", content.size());
   RowReader rows(path, content);
   const std::vector<int> n_images = images_per_line(path);
   for (std::size_t i = 0; !rows.at_end(); ++i) {

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace ridgeline::io {
 namespace {
@@ -24,17 +21,6 @@ std::optional<Number> from_whole(std::string_view text) {
 }
 
 }  // namespace
-
-std::string read_bytes(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw IoError(path, "no such file");
-  if (std::filesystem::is_directory(status)) throw IoError(path, "is a folder, a file is expected");
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.is_open() || stream.bad()) throw IoError(path, "cannot be read");
-  return bytes;
-}
 
 std::vector<TextRow> rows_of(std::string_view content) {
   std::vector<TextRow> rows;

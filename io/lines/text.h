@@ -8,9 +8,6 @@
 
 namespace ridgeline::io {
 
-/// All bytes of a file. Throws IoError if it does not exist, is no file or cannot be read.
-std::string read_bytes(const std::string& path);
-
 /// A row of a text file that is not blank, without its line end.
 struct TextRow {
   int number = 0;  ///< from 1, as editors count

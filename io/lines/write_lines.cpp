@@ -5,8 +5,12 @@
 #include "io/lines/scratch_folder.h"
 #include "io/lines/writers.h"
 
+#include <cpl_conv.h>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace ridgeline::io {
 namespace {
@@ -50,6 +54,15 @@ std::optional<LineFormat> line_format(std::string_view name) {
                    [&](const LineFormatInfo& info) { return info.name == name; });
   if (it == kFormats.end()) return std::nullopt;
   return it->format;
+}
+
+void require_writable(LineFormat format) {
+  if (format != LineFormat::kDxf || CPLFindFile("gdal", "header.dxf") != nullptr) return;
+  const char* const folder = CPLGetConfigOption("GDAL_DATA", "");
+  throw std::invalid_argument(
+      fmt::format("format dxf: GDAL finds no header.dxf, which DXF files begin with; GDAL_DATA is "
+                  "\"{}\", unset it or name the folder of header.dxf (package gdal-data)",
+                  folder));
 }
 
 void write_lines(const std::string& path, const LineSet& set, LineFormat format) {

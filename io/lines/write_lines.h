@@ -33,6 +33,10 @@ std::span<const LineFormatInfo> line_formats();
 /// Nothing for an unknown name.
 std::optional<LineFormat> line_format(std::string_view name);
 
+/// Throws std::invalid_argument if lines cannot be written in this format to any path, as GDAL finds
+/// no data for it: to be asked before the work is done.
+void require_writable(LineFormat format);
+
 /// Writes one feature a line, in the order of the set, coordinates to 0.1 mm or better at any size.
 ///   GeoJSON, GeoPackage, WKT CSV   all attributes and the covariance; CSV with WKT states no CRS
 ///   Shapefile   all but the covariance, image segments and visible shares (columns hold 254 characters), CRS in the .prj

@@ -61,6 +61,16 @@ TEST(Describe, RefusesWhatIsNoUsableCrs) {
   EXPECT_THROW(describe({"EPSG:4978"}), std::invalid_argument);
 }
 
+TEST(Describe, RefusesNamesWhichProjWouldSearchFor) {
+  for (const char* name : {"foo", "Amersfoort", "WGS 84", "25832", "ETRS89 / UTM zone 32N", ":"}) {
+    EXPECT_THROW(describe({name}), std::invalid_argument) << name;
+  }
+  EXPECT_NO_THROW(describe({"EPSG:25832+EPSG:7837"}));
+  EXPECT_NO_THROW(describe({"urn:ogc:def:crs,crs:EPSG::25832,crs:EPSG::7837"}));
+  EXPECT_NO_THROW(describe({"+proj=utm +zone=32 +type=crs"}));
+  EXPECT_NO_THROW(describe({to_wkt({"EPSG:25832"})}));
+}
+
 TEST(Compare, CodeAndItsTextsAgree) {
   const Crs code{"EPSG:25832"};
   for (const Crs& other :

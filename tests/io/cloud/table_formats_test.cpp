@@ -297,5 +297,22 @@ TEST(ReadXyz, ManyLinesKeepTheirOrderAcrossBlocks) {
   for (int i = 0; i < kLines; ++i) EXPECT_EQ(cloud.points[static_cast<std::size_t>(i)].x, i);
 }
 
+TEST(OpenPly, BlankAfterTheMagicWordIsADamagedPlyAndNoLas) {
+  EXPECT_THAT(error_of("a.ply", "ply \nformat nonsense 1.0\n"),
+              AllOf(HasSubstr("line 2"), HasSubstr("nonsense")));
+}
+
+TEST(OpenPcd, PackedDataThatGrowBeyondMeasureAreRefused) {
+  const std::uint32_t unpacked_size = 3'000'000 * 24;
+  std::string packed(2, '\0');  // a byte, then copies of 264 bytes of it
+  while (packed.size() < 1'000'000) packed += std::string("\xE0\xFF\x00", 3);
+  const std::string header =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3000000\nHEIGHT "
+      "1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3000000\nDATA binary_compressed\n";
+  const std::string content = header + bytes_of(static_cast<std::uint32_t>(packed.size())) +
+                              bytes_of(unpacked_size) + packed;
+  EXPECT_THAT(error_of("a.pcd", content), HasSubstr("would grow to 72000000 bytes"));
+}
+
 }  // namespace
 }  // namespace ridgeline::io

@@ -272,11 +272,11 @@ TEST(LineFactsOf, CountsWhatTheSetHolds) {
   EXPECT_EQ(facts.n_lines, 4U);
   EXPECT_EQ(facts.n_polylines, 1U);
   EXPECT_EQ(facts.n_non_finite, 1U);
-  EXPECT_DOUBLE_EQ(facts.total_length_m, 5.0 + 12.0 + 1.0);
-  EXPECT_EQ(facts.bounds_m.min(), Eigen::Vector3d(-1, 0, 0));
-  EXPECT_EQ(facts.bounds_m.max(), Eigen::Vector3d(3, 4, 12));
+  EXPECT_DOUBLE_EQ(facts.total_length, 5.0 + 12.0 + 1.0);
+  EXPECT_EQ(facts.bounds.min(), Eigen::Vector3d(-1, 0, 0));
+  EXPECT_EQ(facts.bounds.max(), Eigen::Vector3d(3, 4, 12));
   EXPECT_THAT(facts.attributes, ElementsAre("id", "parent_id", "method"));
-  EXPECT_TRUE(line_facts({}).bounds_m.isEmpty());
+  EXPECT_TRUE(line_facts({}).bounds.isEmpty());
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace ridgeline::io {
+
+/// Throws IoError if `path` does not exist or is no regular file: a device may never end, and a
+/// named pipe without a writer is never opened.
+void require_regular_file(const std::string& path);
+
+/// All bytes of a regular file, or of a pipe that the program was started with (/dev/stdin,
+/// /dev/fd/N), of which at most 64 MiB are taken.
+/// Throws IoError if the path names anything else, or cannot be read.
+std::string read_input(const std::string& path);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/lines/geopackage_check.h"
+
+#include "io/error.h"
+#include "io/lines/text.h"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr std::uintmax_t kScannedFile_bytes = 16U << 20U;
+
+struct DatabaseCloser {
+  void operator()(sqlite3* database) const { sqlite3_close(database); }
+};
+struct StatementCloser {
+  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+};
+using Database = std::unique_ptr<sqlite3, DatabaseCloser>;
+using Statement = std::unique_ptr<sqlite3_stmt, StatementCloser>;
+
+/// Ends a query after some seconds' steps: pages of a damaged file may lead to each other.
+void limit_steps(sqlite3* database) {
+  constexpr int kSteps = 50'000'000;
+  sqlite3_progress_handler(
+      database, kSteps, [](void*) { return 1; }, nullptr);
+}
+
+Database open_database(const std::string& path) {
+  sqlite3* raw = nullptr;
+  const int error = sqlite3_open_v2(path.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr);
+  Database database(raw);
+  if (error != SQLITE_OK) return nullptr;
+  limit_steps(raw);
+  return database;
+}
+
+std::string column_text(sqlite3_stmt* statement, int column) {
+  const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
+  return text == nullptr ? "" : text;
+}
+
+Statement prepare(sqlite3* database, const std::string& sql) {
+  sqlite3_stmt* raw = nullptr;
+  sqlite3_prepare_v2(database, sql.c_str(), -1, &raw, nullptr);
+  return Statement(raw);
+}
+
+struct SchemaEntry {
+  std::string name;
+  bool is_view = false;
+  bool is_virtual = false;
+};
+
+std::vector<SchemaEntry> schema_of(sqlite3* database) {
+  const Statement statement = prepare(
+      database, "SELECT name, type, sql FROM sqlite_master WHERE type IN ('table', 'view')");
+  std::vector<SchemaEntry> entries;
+  while (statement && sqlite3_step(statement.get()) == SQLITE_ROW) {
+    const std::string sql = lower_case(column_text(statement.get(), 2));
+    entries.push_back({.name = column_text(statement.get(), 0),
+                       .is_view = column_text(statement.get(), 1) == "view",
+                       .is_virtual = sql.starts_with("create virtual")});
+  }
+  return entries;
+}
+
+std::vector<std::string> layers_of(sqlite3* database) {
+  const Statement statement = prepare(database, "SELECT lower(table_name) FROM gpkg_contents");
+  std::vector<std::string> layers;
+  while (statement && sqlite3_step(statement.get()) == SQLITE_ROW) {
+    layers.push_back(column_text(statement.get(), 0));
+  }
+  return layers;
+}
+
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+[[noreturn]] void refuse_layer(const std::string& path,
+                               const std::string& layer,
+                               const std::string& what) {
+  throw IoError(path, fmt::format("layer {} {}; export it as a plain table", layer, what));
+}
+
+/// The names of the table's columns, none of which computes its value.
+std::vector<std::string> stored_columns(sqlite3* database,
+                                        const std::string& path,
+                                        const std::string& table) {
+  const Statement statement =
+      prepare(database, fmt::format("PRAGMA table_xinfo({})", quoted(table)));
+  std::vector<std::string> columns;
+  while (statement && sqlite3_step(statement.get()) == SQLITE_ROW) {
+    const int hidden = sqlite3_column_int(statement.get(), 6);
+    columns.push_back(column_text(statement.get(), 1));
+    if (hidden != 0) {
+      refuse_layer(path, table, "has the generated column " + columns.back());
+    }
+  }
+  return columns;
+}
+
+/// SQLite answers length() of a value from the row's head, without the value.
+void refuse_large_values(sqlite3* database,
+                         const std::string& path,
+                         const std::string& table,
+                         const std::vector<std::string>& columns,
+                         std::uintmax_t file_size) {
+  for (const std::string& column : columns) {
+    const Statement statement = prepare(
+        database,
+        fmt::format("SELECT 1 FROM {} WHERE typeof({}) = 'blob' AND length({}) > {} LIMIT 1",
+                    quoted(table), quoted(column), quoted(column), file_size));
+    const int result = statement ? sqlite3_step(statement.get()) : SQLITE_DONE;
+    if (result == SQLITE_ROW) {
+      throw IoError(path, fmt::format("layer {} is damaged: a value of column {} is larger than "
+                                      "the file",
+                                      table, column));
+    }
+    if (result == SQLITE_INTERRUPT) {
+      throw IoError(path, fmt::format("layer {} is damaged: its rows do not end", table));
+    }
+  }
+}
+
+}  // namespace
+
+void refuse_computed_layers(const std::string& path) {
+  const Database database = open_database(path);
+  if (!database) return;
+  const std::vector<SchemaEntry> schema = schema_of(database.get());
+  for (const SchemaEntry& entry : schema) {
+    // the tables that say which layers there are, before they are asked
+    const std::string name = lower_case(entry.name);
+    if (entry.is_view && (name.starts_with("gpkg_") || name.starts_with("sqlite_"))) {
+      throw IoError(path, fmt::format("is no GeoPackage: its table {} is a view", entry.name));
+    }
+  }
+  const std::vector<std::string> layers = layers_of(database.get());
+  const std::uintmax_t file_size = std::filesystem::file_size(path);
+  for (const SchemaEntry& entry : schema) {
+    if (std::ranges::find(layers, lower_case(entry.name)) == layers.end()) continue;
+    if (entry.is_view) refuse_layer(path, entry.name, "is a view, which may compute without end");
+    if (entry.is_virtual) refuse_layer(path, entry.name, "is a virtual table");
+    const auto columns = stored_columns(database.get(), path, entry.name);
+    if (file_size > kScannedFile_bytes) continue;
+    refuse_large_values(database.get(), path, entry.name, columns, file_size);
+  }
+}
+
+}  // namespace ridgeline::io

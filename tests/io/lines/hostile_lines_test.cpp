@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small files that would take all memory or never end.
+#include "io/input_file.h"
+#include "io/lines/read_lines.h"
+#include "io/lines/write_lines.h"
+#include "io/yaml_check.h"
+#include "tests/io/lines/temp_folder.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <memory>
+
+namespace ridgeline::io {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string reading_error(const std::string& path) {
+  return io_error_of([&] { (void)read_lines(path); });
+}
+
+/// A GeoPackage with the layer `lines`, as the program writes it.
+std::string write_package(const TempFolder& folder) {
+  LineSet set;
+  set.crs.definition = "EPSG:25832";
+  set.lines.resize(3);
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    set.lines[i].id = std::to_string(i);
+    set.lines[i].segment_in_world = {{1.0, 2.0, 3.0}, {4.0, 6.0, 3.0}};
+  }
+  write_lines(folder.file("lines.gpkg"), set, LineFormat::kGeoPackage);
+  return folder.file("lines.gpkg");
+}
+
+void execute(const std::string& path, const std::string& sql) {
+  sqlite3* raw = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &raw), SQLITE_OK);
+  const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> database(raw, sqlite3_close);
+  ASSERT_EQ(sqlite3_exec(raw, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(raw);
+}
+
+/// Name of the package's layer and of its geometry column.
+std::pair<std::string, std::string> layer_of(const std::string& path) {
+  sqlite3* raw = nullptr;
+  EXPECT_EQ(sqlite3_open(path.c_str(), &raw), SQLITE_OK);
+  std::pair<std::string, std::string> names;
+  const auto keep = [](void* result, int, char** values, char**) {
+    *static_cast<std::pair<std::string, std::string>*>(result) = {values[0], values[1]};
+    return 0;
+  };
+  sqlite3_exec(raw, "SELECT table_name, column_name FROM gpkg_geometry_columns", keep, &names,
+               nullptr);
+  sqlite3_close(raw);
+  return names;
+}
+
+TEST(ReadLines, RefusesALayerThatIsAView) {
+  const TempFolder folder;
+  const std::string path = write_package(folder);
+  const auto [layer, geometry] = layer_of(path);
+  ASSERT_EQ(reading_error(path), "");
+  execute(path,
+          fmt::format("ALTER TABLE \"{0}\" RENAME TO old; UPDATE gpkg_contents SET table_name "
+                      "= '{0}'; CREATE VIEW \"{0}\" AS WITH RECURSIVE n(i) AS (SELECT 1 UNION "
+                      "ALL SELECT i + 1 FROM n) SELECT i AS fid, {1} FROM n, old;",
+                      layer, geometry));
+  EXPECT_THAT(reading_error(path),
+              AllOf(HasSubstr("layer " + layer + " is a view"), HasSubstr("plain table")));
+}
+
+TEST(ReadLines, RefusesAGeoPackageWhoseListOfLayersIsAView) {
+  const TempFolder folder;
+  const std::string path = write_package(folder);
+  execute(
+      path,
+      "ALTER TABLE gpkg_contents RENAME TO old; CREATE VIEW gpkg_contents AS SELECT * FROM old;");
+  EXPECT_THAT(reading_error(path), HasSubstr("its table gpkg_contents is a view"));
+}
+
+TEST(ReadLines, RefusesALayerWithAGeneratedColumn) {
+  const TempFolder folder;
+  const std::string path = write_package(folder);
+  execute(path, fmt::format("ALTER TABLE \"{}\" ADD COLUMN big BLOB AS (zeroblob(900000000));",
+                            layer_of(path).first));
+  EXPECT_THAT(reading_error(path), HasSubstr("has the generated column big"));
+}
+
+TEST(ReadLines, RefusesPolylinesThatRepeatVerticesWithoutEnd) {
+  const TempFolder folder;
+  std::string obj = "v 0 0 0\nv 1 0 0\nl";
+  for (int i = 0; i < 1'000'000; ++i) obj += " 1 2";
+  EXPECT_THAT(reading_error(folder.write("a.obj", obj)), HasSubstr("too much memory"));
+  std::string wkt = "LINESTRING Z (";
+  for (int i = 0; i < 1'000'000; ++i) wkt += "1 2 3,";
+  EXPECT_THAT(reading_error(folder.write("a.wkt", wkt + "1 2 4)\n")), HasSubstr("too much memory"));
+}
+
+TEST(ReadLines, RefusesALongAttributeThatEachSegmentOfAPolylineWouldCopy) {
+  const TempFolder folder;
+  std::string csv = "class,wkt\n" + std::string(1'000'000, 'a') + ",\"LINESTRING Z (";
+  for (int i = 0; i < 2000; ++i) csv += "1 2 3,";
+  EXPECT_THAT(reading_error(folder.write("a.csv", csv + "1 2 4)\"\n")),
+              HasSubstr("too much memory"));
+}
+
+TEST(ReadLines, ReadsAPolylineOfAHundredThousandVertices) {
+  const TempFolder folder;
+  std::string csv = "wkt\n\"LINESTRING Z (";
+  for (int i = 0; i < 100'000; ++i) csv += fmt::format("513000.{:06} 5403000.{:06} 250.123,", i, i);
+  const LineSet set = read_lines(folder.write("a.csv", csv + "1 2 4)\"\n"));
+  EXPECT_EQ(set.lines.size(), 100'000U);
+}
+
+TEST(ReadLines, RefusesWhatIsNoRegularFile) {
+  const TempFolder folder;
+  for (const char* ending : {"geojson", "gpkg", "shp", "dxf", "csv", "obj", "ply", "txt"}) {
+    const std::string zero = folder.file(std::string("zero.") + ending);
+    std::filesystem::create_symlink("/dev/zero", zero);
+    EXPECT_THAT(reading_error(zero), HasSubstr("is no regular file")) << ending;
+    const std::string pipe = folder.file(std::string("pipe.") + ending);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THAT(reading_error(pipe), HasSubstr("is no regular file")) << ending;
+  }
+}
+
+TEST(LoadYaml, RefusesDevicesAndEndlessNesting) {
+  const TempFolder folder;
+  EXPECT_THAT(io_error_of([] { (void)load_yaml("/dev/zero"); }), HasSubstr("no regular file"));
+  const std::string deep = folder.write("deep.yaml", std::string(1'000'000, '['));
+  EXPECT_THAT(io_error_of([&] { (void)load_yaml(deep); }), HasSubstr("deep.yaml"));
+  const std::string flat = folder.write("flat.yaml", std::string(1'000'000, ','));
+  EXPECT_THAT(io_error_of([&] { (void)load_yaml(flat); }), HasSubstr("1000000 values"));
+  std::string blocks;
+  for (int i = 0; i < 3000; ++i) blocks += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
+  const std::string indented = folder.write("indented.yaml", blocks);
+  EXPECT_THAT(io_error_of([&] { (void)load_yaml(indented); }), HasSubstr("indented.yaml"));
+}
+
+TEST(ReadLines, RefusesDegreesBehindAnAssumedProjectedCrs) {
+  const TempFolder folder;
+  const std::string path = folder.write("a.csv", "9.17,48.78,250,9.1701,48.78,250\n");
+  EXPECT_THAT(io_error_of([&] { (void)read_lines(path, {.assume_crs = {"EPSG:25832"}}); }),
+              AllOf(HasSubstr("degrees by their size"), HasSubstr("ETRS89 / UTM zone 32N")));
+}
+
+TEST(RequireWritable, TakesEveryFormatWhereGdalHasItsData) {
+  for (const LineFormatInfo& info : line_formats()) EXPECT_NO_THROW(require_writable(info.format));
+}
+
+}  // namespace
+}  // namespace ridgeline::io
