@@ -35,10 +35,9 @@ PlanMask::PlanMask(std::span<const Segment2> segments_in_local, double radius_m)
   check(std::isfinite(radius_m) && radius_m > 0.0, "PlanMask: radius_m = ", radius_m,
         ", must be positive and finite");
   for (const Segment2& segment : segments_in_local) {
-    const double farthest_m =
-        segment.start.cwiseAbs().cwiseMax(segment.end.cwiseAbs()).maxCoeff<Eigen::PropagateNaN>();
-    check(farthest_m <= kFarthest_m, "PlanMask: a segment has the coordinate ", farthest_m,
-          " m, must be within ", kFarthest_m, " m of the origin");
+    const Eigen::Array4d x(segment.start.x(), segment.start.y(), segment.end.x(), segment.end.y());
+    check((x.abs() <= kFarthest_m).all(), "PlanMask: coordinates of a segment = ", x.transpose(),
+          ", must be finite and at most ", kFarthest_m);
   }
   if (segments_in_local.empty()) return;
   lay_out(segments_in_local, radius_m);
