@@ -262,7 +262,7 @@ MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const LineMatch> matches,
                             std::span<const EdgeInBoth> reference,
                             const MatchScoringOptions& options) {
-  validate(options);
+  ridgeline::validate(options);
   check_indices(matches, left.size(), right.size());
   const std::vector<EdgeInBoth> edges = entries_of(reference, false);
   const std::vector<EdgeInBoth> wrong_pairs = entries_of(reference, true);
