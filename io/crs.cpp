@@ -37,6 +37,8 @@ using List = std::unique_ptr<PJ_OBJ_LIST, ListDeleter>;
 Context make_context() {
   Context context(proj_context_create());
   proj_log_level(context.get(), PJ_LOG_NONE);
+  // some errors are logged at any level
+  proj_log_func(context.get(), nullptr, [](void*, int, const char*) {});
   proj_context_set_enable_network(context.get(), 0);
   return context;
 }
@@ -299,6 +301,11 @@ class Memo {
 };
 
 }  // namespace
+
+void require_proj_data() {
+  const Context context = make_context();
+  check_proj_data(context.get());
+}
 
 bool is_wkt(const Crs& crs) {
   static Memo<bool> memo;

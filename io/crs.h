@@ -25,6 +25,10 @@ struct CrsFacts {
   std::string vertical_unit_name = "metre";
 };
 
+/// Throws std::invalid_argument if PROJ does not find its data base, without which it understands
+/// nothing: what could not be read may be right.
+void require_proj_data();
+
 /// Whether PROJ reads the definition as WKT, of any dialect.
 bool is_wkt(const Crs& crs);
 

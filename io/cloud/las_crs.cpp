@@ -38,6 +38,7 @@ Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
     }
   } catch (const std::invalid_argument&) {
   }
+  require_proj_data();
   warnings.push_back(fmt::format(
       "WKT record of {} bytes is no reference system that PROJ reads; it is ignored", wkt.size()));
   return {};

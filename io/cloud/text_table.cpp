@@ -116,16 +116,17 @@ class TextTableSource : public CloudSource {
   }
 
   double take_number(std::string_view& line, std::uint64_t line_number) const {
+    constexpr std::size_t kShown = 40;
     std::string_view token = take_token(line);
     if (token.starts_with('+')) token.remove_prefix(1);  // from_chars takes no plus sign
     double value = 0.0;
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
     if (token.empty() || error != std::errc{} || end != token.data() + token.size()) {
-      throw IoError(info().path,
-                    token.empty()
-                        ? fmt::format("line {} has too few numbers; {} are needed", line_number,
-                                      table_.items.size())
-                        : fmt::format("line {}: \"{}\" is no number", line_number, token));
+      throw IoError(info().path, token.empty()
+                                     ? fmt::format("line {} has too few numbers; {} are needed",
+                                                   line_number, table_.items.size())
+                                     : fmt::format("line {}: \"{}\" is no number", line_number,
+                                                   token.substr(0, kShown)));
     }
     return value;
   }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clouds and lines in feet, and data of PROJ and GDAL that are not found.
+#include "io/cloud/las_writer.h"
 #include "tests/cli/cli_fixture.h"
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace ridgeline::cli {
@@ -17,18 +20,43 @@ constexpr double kFoot_m = 0.3048;
 
 class Feet : public Cli {
  protected:
-  /// A flat roof of 20 m x 10 m with its eave at y = 0, above ground 6 m lower; coordinates times
-  /// `scale`.
-  void write_cloud(const std::string& name, double scale) const {
-    std::string text;
-    for (double x = 0.0; x <= 20.0; x += 0.25) {
-      for (double y = -10.0; y <= 10.0; y += 0.25) {
-        const double z = y < 0.0 ? 250.0 : 256.0;
-        text += fmt::format("{:.4f} {:.4f} {:.4f}\n", scale * (513000.0 + x),
-                            scale * (5403000.0 + y), scale * z);
+  /// A flat roof of 20 m x 10 m with its eave at y = 0, above ground 6 m lower, from an origin.
+  static std::vector<Eigen::Vector3d> roof_points_m() {
+    constexpr double kSpacing_m = 0.25;
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i <= 80; ++i) {
+      for (int j = -40; j <= 40; ++j) {
+        points.emplace_back(kSpacing_m * i, kSpacing_m * j, j < 0 ? 250.0 : 256.0);
       }
     }
+    return points;
+  }
+
+  /// The roof as text without a reference system, coordinates times `scale`.
+  void write_cloud(const std::string& name, double scale) const {
+    std::string text;
+    for (const Eigen::Vector3d& x : roof_points_m()) {
+      text += fmt::format("{:.4f} {:.4f} {:.4f}\n", scale * (513000.0 + x.x()),
+                          scale * (5403000.0 + x.y()), scale * x.z());
+    }
     write(path(name), text);
+  }
+
+  /// The roof in feet, as its reference system says.
+  void write_cloud_in_feet(const std::string& name) const {
+    const double scale = 1.0 / kFoot_m;
+    const LocalFrame frame{{std::round(scale * 513000.0), std::round(scale * 5403000.0), 0.0}};
+    std::vector<io::CloudPoint> points;
+    for (const Eigen::Vector3d& x : roof_points_m()) {
+      const Eigen::Vector3d local = frame.local_from_world(
+          scale * Eigen::Vector3d(513000.0 + x.x(), 5403000.0 + x.y(), x.z()));
+      points.emplace_back();
+      points.back().x = local.x();
+      points.back().y = local.y();
+      points.back().z = local.z();
+      points.back().return_number = 1;
+    }
+    io::write_las(path(name).string(), points, frame, {"EPSG:2992"});
   }
 
   void write_eave(const std::string& name, double scale) const {
@@ -64,6 +92,18 @@ TEST_F(Feet, LinesOutsideByTheFootNameTheFactor) {
   write_eave("metres.csv", 1.0);
   EXPECT_REFUSED(judge("metres.csv", "feet.xyz"),
                  AllOf(HasSubstr("not in the same frame"), HasSubstr("times 3.2808")));
+}
+
+TEST_F(Feet, LinesWithoutASystemAreInTheUnitsOfTheCloud) {
+  write_cloud_in_feet("feet.las");
+  write_eave("eave.csv", 1.0 / kFoot_m);
+  const ProgramResult result = judge("eave.csv", "feet.las");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("states no horizontal reference system"));
+  constexpr double kRounding_m = 1e-3;  // the LAS file's resolution, a thousandth of a foot
+  EXPECT_NEAR(mean_distance_m("eave"), 0.0, kRounding_m);
+  EXPECT_THAT(run({"info", "feet.las"}).out,
+              AllOf(HasSubstr("units       foot (0.3048 m) in plan"), Not(HasSubstr("metre"))));
 }
 
 TEST_F(Feet, InfoStatesOneUnit) {

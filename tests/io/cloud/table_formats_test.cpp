@@ -302,6 +302,12 @@ TEST(OpenPly, BlankAfterTheMagicWordIsADamagedPlyAndNoLas) {
               AllOf(HasSubstr("line 2"), HasSubstr("nonsense")));
 }
 
+TEST(OpenXyz, AnEndlessWordIsQuotedInPart) {
+  const std::string message = error_of("a.xyz", "1 2 3\n" + std::string(1'000'000, 'x'));
+  EXPECT_THAT(message, HasSubstr("line 2: \"xxx"));
+  EXPECT_LT(message.size(), 300U);
+}
+
 TEST(OpenPcd, PackedDataThatGrowBeyondMeasureAreRefused) {
   const std::uint32_t unpacked_size = 3'000'000 * 24;
   std::string packed(2, '\0');  // a byte, then copies of 264 bytes of it
