@@ -163,7 +163,8 @@ TEST_F(EvaluateBadInput, WrongKeyOfAPatchIsNamedBesideTheKnownOnes) {
 }
 
 TEST_F(EvaluateBadInput, FolderThatCannotBeMadeIsNamed) {
-  EXPECT_REFUSED(evaluate(kLines, "scene/lidar.las"), HasSubstr("scene/lidar.las: folder cannot be made"));
+  EXPECT_REFUSED(evaluate(kLines, "scene/lidar.las"),
+                 HasSubstr("scene/lidar.las: folder cannot be made"));
   EXPECT_REFUSED(evaluate(kLines, "/proc/out"), HasSubstr("/proc/out"));
 }
 
