@@ -87,6 +87,7 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
                          const PairFit& fit,
                          const std::vector<PairReading>& fitting) {
   std::vector<std::string> texts;
+  texts.reserve(fitting.size());
   std::string better;
   for (const PairReading& reading : fitting) texts.push_back(reading_text(pair.patch, reading));
   if (!fitting.empty()) {

@@ -17,7 +17,7 @@ bool is_file(const std::string& path_or_pattern) {
 
 /// The folder of a file; of a pattern the part of it before the first wildcard.
 fs::path folder_of(const std::string& path_or_pattern) {
-  const fs::path folder = fs::absolute(path_or_pattern).lexically_normal().parent_path();
+  fs::path folder = fs::absolute(path_or_pattern).lexically_normal().parent_path();
   if (is_file(path_or_pattern)) return folder;
   fs::path fixed;
   for (const fs::path& part : folder) {
