@@ -36,9 +36,8 @@ std::vector<ZonePoint> points_beside(const PointGrid& grid,
     return std::tuple(a.x.x(), a.x.y(), a.x.z(), a.index) <
            std::tuple(b.x.x(), b.x.y(), b.x.z(), b.index);
   });
-  const auto repeated = std::ranges::unique(
-      points, {}, [](const ZonePoint& p) { return std::tuple(p.x.x(), p.x.y(), p.x.z()); });
-  points.erase(repeated.begin(), repeated.end());
+  const auto is_same_place = [](const ZonePoint& a, const ZonePoint& b) { return a.x == b.x; };
+  points.erase(std::unique(points.begin(), points.end(), is_same_place), points.end());
   for (std::size_t i = 0; i < points.size(); ++i) points[i].rank = static_cast<std::uint32_t>(i);
   return points;
 }

@@ -49,7 +49,8 @@ std::size_t PointGrid::count_within(const Eigen::Vector2d& x, double radius_m) c
     places.push_back({point.x.x(), point.x.y(), point.x.z()});
   });
   std::ranges::sort(places);
-  return places.size() - std::ranges::unique(places).size();
+  const auto end = std::unique(places.begin(), places.end());
+  return static_cast<std::size_t>(end - places.begin());
 }
 
 }  // namespace ridgeline::evaluate
