@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 4> kWktNames{"wkt", "geometry", "geom", "
 
 /// Fields of a row; a field in double quotes may hold the separator, "" is a quote (RFC 4180).
 std::vector<std::string> fields_of(std::string_view row, char separator, const std::string& where) {
+  constexpr std::size_t kMostFields = 10'000;
   std::vector<std::string> fields(1);
   bool quoted = false;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -30,6 +31,9 @@ std::vector<std::string> fields_of(std::string_view row, char separator, const s
       quoted = !quoted;
     } else if (c == separator && !quoted) {
       fields.emplace_back();
+      if (fields.size() > kMostFields) {
+        throw IoError(where, fmt::format("more than {} fields", kMostFields));
+      }
     } else {
       fields.back() += c;
     }

@@ -66,17 +66,24 @@ Record parse_indices(const std::vector<std::string_view>& words,
   return record;
 }
 
-ObjFile parse_obj(const std::string& path, std::string_view content) {
+/// `set`: for the lines; it has to have room for them.
+ObjFile parse_obj(const std::string& path, std::string_view content, const LineSet& set) {
+  constexpr std::size_t kLongestRow = 4U << 20U;  // polylines of half a million vertices
   ObjFile obj;
   for (const LogicalRow& row : logical_rows(content)) {
+    const std::string where = place(path, row.number);
+    if (row.text.size() > kLongestRow) {
+      throw IoError(where, fmt::format("a row of {} bytes; at most {} are read", row.text.size(),
+                                       kLongestRow));
+    }
     const std::vector<std::string_view> words = words_of(row.text);
     if (words.empty()) continue;
-    const std::string where = place(path, row.number);
     if (words[0] == "v") {
       obj.vertices.push_back(parse_vertex(words, where));
     } else if (words[0] == "l" || words[0] == "f") {
       (words[0] == "l" ? obj.lines : obj.faces)
           .push_back(parse_indices(words, row.number, obj.vertices.size(), where));
+      refuse_more_lines(set, obj.lines.size());
     }
   }
   return obj;
@@ -171,8 +178,8 @@ void append_polylines(const Vertices& vertices,
 }  // namespace
 
 LineSet read_obj(const std::string& path, std::string_view content, bool vertex_pairs) {
-  const ObjFile obj = parse_obj(path, content);
   LineSet set = lines_for_file(path, "OBJ", content.size());
+  const ObjFile obj = parse_obj(path, content, set);
   if (vertex_pairs) {
     append_vertex_pairs(path, obj.vertices, set);
   } else if (has_shifted_pairs(obj)) {

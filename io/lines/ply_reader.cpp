@@ -161,7 +161,7 @@ class PlyReader {
  public:
   PlyReader(const std::string& path, std::string_view content)
       : path_(path),
-        n_bytes_(content.size()),
+        set_(lines_for_file(path, "PLY", content.size())),
         header_(parse_header(path, content)),
         body_(path, content.substr(header_.n_bytes), header_.encoding) {}
 
@@ -169,15 +169,14 @@ class PlyReader {
     for (const Element& element : header_.elements) {
       for (std::size_t i = 0; i < element.count; ++i) read_item(element);
     }
-    LineSet set = lines_for_file(
-        path_, edges_.empty() && !faces_.empty() ? "PLY, edges of faces" : "PLY", n_bytes_);
+    if (edges_.empty() && !faces_.empty()) set_.format = "PLY, edges of faces";
     check_indices(edges_);
     check_indices(faces_);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      append_segment({}, {vertices_[edges_[i][0]], vertices_[edges_[i][1]]}, i, set);
+      append_segment({}, {vertices_[edges_[i][0]], vertices_[edges_[i][1]]}, i, set_);
     }
-    if (edges_.empty()) append_distinct_edges(vertices_, faces_, set);
-    return set;
+    if (edges_.empty()) append_distinct_edges(vertices_, faces_, set_);
+    return std::move(set_);
   }
 
  private:
@@ -200,6 +199,7 @@ class PlyReader {
     }
     if (element.name == "vertex") vertices_.push_back(position);
     if (element.name == "edge") edges_.push_back(edge);
+    refuse_more_lines(set_, edges_.size());
     if (element.name == "face") faces_.push_back(polygon);
   }
 
@@ -227,7 +227,7 @@ class PlyReader {
   }
 
   std::string path_;
-  std::size_t n_bytes_;
+  LineSet set_;
   Header header_;
   Body body_;
   Vertices vertices_;

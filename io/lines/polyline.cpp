@@ -31,6 +31,12 @@ std::size_t text_bytes(const Line& line) {
          sizeof(int) * line.plane_ids.size();
 }
 
+[[noreturn]] void throw_out_of_memory(const LineSet& set) {
+  throw IoError(set.path,
+                "its lines take too much memory for a file of its size: vertices, edges or "
+                "attributes are repeated over and over; lines of objects have their own");
+}
+
 void take_memory(const Line& attributes, std::size_t n_segments, LineSet& set) {
   const std::size_t each = sizeof(Line) + 2 * text_bytes(attributes);
   constexpr std::size_t kMostSegments = 1'000'000;
@@ -38,10 +44,11 @@ void take_memory(const Line& attributes, std::size_t n_segments, LineSet& set) {
     set.memory_left_bytes -= n_segments * each;
     return;
   }
-  throw IoError(set.path, fmt::format("its lines take too much memory for its size, the latest "
-                                      "polyline has {} segments (at most {}); edges of objects "
-                                      "have few, and vertices of their own",
-                                      n_segments, kMostSegments));
+  if (n_segments > kMostSegments) {
+    throw IoError(set.path, fmt::format("a polyline has {} segments; at most {} are read",
+                                        n_segments, kMostSegments));
+  }
+  throw_out_of_memory(set);
 }
 
 }  // namespace
@@ -51,7 +58,14 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
   constexpr std::size_t kMostGrowth = 28;
   LineSet set{.path = path, .format = format, .crs = {}, .lines = {}, .warnings = {}};
   set.memory_left_bytes = std::max(kLeast_bytes, kMostGrowth * n_bytes);
+  // at once, as growth would hold them twice; pages that stay unused cost no memory
+  constexpr std::size_t kMostReserved_bytes = 512U << 20U;
+  set.lines.reserve(std::min(set.memory_left_bytes, kMostReserved_bytes) / sizeof(Line));
   return set;
+}
+
+void refuse_more_lines(const LineSet& set, std::size_t n_lines) {
+  if (n_lines > set.memory_left_bytes / sizeof(Line)) throw_out_of_memory(set);
 }
 
 void append_feature(const Line& attributes,

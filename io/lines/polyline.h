@@ -19,6 +19,10 @@ using Vertices = std::vector<Eigen::Vector3d>;
 /// it append_feature() throws IoError, as small files can repeat vertices and attributes endlessly.
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes);
 
+/// Throws IoError if the set has no room for so many lines; for readers that hold something for each
+/// before they append them.
+void refuse_more_lines(const LineSet& set, std::size_t n_lines);
+
 /// Adds one feature of a file to the set: an empty `attributes.id` becomes `number`, the feature's
 /// place in the file from 0. A feature with one segment keeps its id; the segments of a longer
 /// polyline (or of several parts) are "ID.0", "ID.1", ... with `parent_id` = ID. A part with one

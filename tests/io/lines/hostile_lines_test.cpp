@@ -94,11 +94,26 @@ TEST(ReadLines, RefusesALayerWithAGeneratedColumn) {
 TEST(ReadLines, RefusesPolylinesThatRepeatVerticesWithoutEnd) {
   const TempFolder folder;
   std::string obj = "v 0 0 0\nv 1 0 0\nl";
-  for (int i = 0; i < 1'000'000; ++i) obj += " 1 2";
-  EXPECT_THAT(reading_error(folder.write("a.obj", obj)), HasSubstr("too much memory"));
+  for (int i = 0; i < 1'100'000; ++i) obj += " 1 2";
+  EXPECT_THAT(reading_error(folder.write("a.obj", obj)), HasSubstr("a row of 4400002 bytes"));
+  std::string rows = "v 0 0 0\nv 1 0 0\n";
+  for (int i = 0; i < 200'000; ++i) rows += "l 1 2\n";
+  EXPECT_THAT(reading_error(folder.write("b.obj", rows)), HasSubstr("too much memory"));
   std::string wkt = "LINESTRING Z (";
   for (int i = 0; i < 1'000'000; ++i) wkt += "1 2 3,";
   EXPECT_THAT(reading_error(folder.write("a.wkt", wkt + "1 2 4)\n")), HasSubstr("too much memory"));
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty uchar x\nproperty uchar y\n"
+      "property uchar z\nelement edge 200000\nproperty uchar vertex1\nproperty uchar vertex2\n"
+      "end_header\n";
+  EXPECT_THAT(reading_error(folder.write("a.ply", header + std::string(400'006, '\0'))),
+              HasSubstr("too much memory"));
+}
+
+TEST(ReadLines, RefusesRowsOfFieldsWithoutEnd) {
+  const TempFolder folder;
+  EXPECT_THAT(reading_error(folder.write("a.csv", std::string(20'000, ','))),
+              HasSubstr("more than 10000 fields"));
 }
 
 TEST(ReadLines, RefusesALongAttributeThatEachSegmentOfAPolylineWouldCopy) {
