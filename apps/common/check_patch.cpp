@@ -79,7 +79,7 @@ bool is_file_name(const std::string& id) {
 /// Results begin with these and a dot, or are them: a patch of that name would stand in the place of one.
 bool is_name_of_result(const std::string& id) {
   const std::array<std::string, 6> results{"table1", "table2",    "run",
-                                            "report", "reference", "tolerances"};
+                                           "report", "reference", "tolerances"};
   const std::string lower = io::lower_case(id);
   return std::ranges::any_of(results, [&](const std::string& result) {
     return lower.starts_with(result + ".") || lower.starts_with(result + "_");

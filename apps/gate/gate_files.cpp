@@ -28,7 +28,8 @@ evaluate::Gate gate_of(const io::GateEntry& entry) {
   gate.max_ratio_to_class = entry.max_ratio_to_class;
   if (entry.ratio) gate.ratio = *entry.ratio;
   if (entry.max_increase_over_baseline) {
-    gate.max_increase_over_baseline.emplace(entry.max_increase_over_baseline->value);
+    gate.max_increase_over_baseline =
+        evaluate::BaselineIncrease{entry.max_increase_over_baseline->value};
   }
   gate.max_decrease_below_baseline = entry.max_decrease_below_baseline;
   if (entry.n_min) gate.n_min = static_cast<std::size_t>(*entry.n_min);

@@ -45,6 +45,7 @@ std::string reasons_text(std::span<const Evaluation> evaluations) {
   std::map<std::string, std::size_t> n_by_reason;
   for (const LineEvaluation& line : most->lines) ++n_by_reason[name(line.status)];
   std::vector<std::string> texts;
+  texts.reserve(n_by_reason.size());
   for (const auto& [reason, n] : n_by_reason) texts.push_back(fmt::format("{} {}", n, reason));
   return fmt::format("{}", fmt::join(texts, ", "));
 }

@@ -92,6 +92,7 @@ template <typename Entries>
 const auto& entry_of(const Entries& entries, std::string_view name) {
   if (const auto* entry = find_entry(entries, name)) return *entry;
   std::vector<std::string_view> known;
+  known.reserve(entries.size());
   for (const auto& entry : entries) known.push_back(entry.metric.name);
   throw std::invalid_argument(
       fmt::format("metric: {}; must be one of {}", name, fmt::join(known, ", ")));
