@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
+#include "apps/common/outcome.h"
 #include "apps/common/output_folder.h"
 #include "apps/evaluate/cloud_name.h"
 #include "apps/evaluate/judge_files.h"
@@ -247,8 +248,13 @@ int run_evaluate(const EvaluateArguments& arguments) {
   record.end_stage("hash_inputs");
   write_evaluations(judged.evaluations, out, "");
   write_truth(judged.truth, out);
-  fmt::print("{}", write_table2(judged.evaluations, out));
+  const std::string table2 = write_table2(judged.evaluations, out);
+  if (has_figures(judged.evaluations)) fmt::print("{}", table2);
+  const std::vector<std::string> messages =
+      judging_messages(options.patch_name, judged.evaluations);
+  for (const std::string& message : messages) fmt::print("{}\n", message);
   record.end_stage("write");
+  record.set("messages", messages);
   out.write("run.json", record.to_json());
   spdlog::info("local origin {:.0f} {:.0f} {:.0f} m; results in {}", judged.frame.origin_m.x(),
                judged.frame.origin_m.y(), judged.frame.origin_m.z(), arguments.out);

@@ -4,7 +4,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
-#include "apps/run/outcome.h"
+#include "apps/common/outcome.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"

@@ -5,7 +5,7 @@
 #include "apps/common/patch_views.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
-#include "apps/run/outcome.h"
+#include "apps/common/outcome.h"
 #include "io/error.h"
 #include "io/lines/text.h"
 #include "io/sha256.h"

@@ -55,5 +55,16 @@ TEST_F(Outcome, JudgedLinesNeedNoSentence) {
   EXPECT_TRUE(read_json(path("out/run.json"))["messages"].empty());
 }
 
+TEST_F(Outcome, EvaluateSaysWhyNoLineWasJudged) {
+  write(path("short.csv"),
+        "id,x1,y1,z1,x2,y2,z2\n"
+        "a,513010,5403010,250,513010.1,5403010,250\n"
+        "b,513015,5403015,250,513015.1,5403015,250\n");
+  const ProgramResult result =
+      run({"evaluate", "--lines", "short.csv", "--cloud", "patch/lidar.las", "--out", "out"});
+  expect_message(result, "Patch lidar: none of 2 lines could be judged: 2 too_short\\.");
+  EXPECT_THAT(result.out, Not(HasSubstr("RMS of the lines")));
+}
+
 }  // namespace
 }  // namespace ridgeline::cli

@@ -24,6 +24,10 @@ struct PatchCounts {
 std::vector<std::string> outcome_messages(const PatchCounts& counts,
                                           std::span<const evaluate::Evaluation> evaluations);
 
+/// The same for lines that are given: a sentence if none was judged. `evaluations`: one per file of lines.
+std::vector<std::string> judging_messages(const std::string& patch,
+                                          std::span<const evaluate::Evaluation> evaluations);
+
 /// Whether a figure of Table 2 exists.
 bool has_figures(std::span<const evaluate::Evaluation> evaluations);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/run/outcome.h"
+#include "apps/common/outcome.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,21 +50,29 @@ std::string reasons_text(std::span<const Evaluation> evaluations) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+bool none_is_reconstructed(std::span<const Evaluation> evaluations) {
+  return std::ranges::all_of(evaluations, [](const auto& e) { return n_reconstructed(e) == 0; });
+}
+
+std::string statuses_text(std::span<const Evaluation> evaluations) {
+  return fmt::format("none of {} could be judged: {}", lines_text(evaluations),
+                     reasons_text(evaluations));
+}
+
 std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evaluation> evaluations) {
   if (counts.n_matches == 0) {
     return fmt::format(
         "no line was reconstructed: 0 of {} segments of the left image found a match",
         counts.n_left_segments);
   }
-  if (std::ranges::all_of(evaluations, [](const auto& e) { return n_reconstructed(e) == 0; })) {
+  if (none_is_reconstructed(evaluations)) {
     return fmt::format("no line was reconstructed: none of {} matches gave one", counts.n_matches);
   }
   if (!counts.has_lidar) {
     return fmt::format("no LIDAR is given, so {} were reconstructed and none was judged",
                        lines_text(evaluations));
   }
-  return fmt::format("none of {} could be judged: {}", lines_text(evaluations),
-                     reasons_text(evaluations));
+  return statuses_text(evaluations);
 }
 
 /// The least median distance over the methods, if each of them has enough lines for one.
@@ -87,6 +95,14 @@ bool has_figures(std::span<const Evaluation> evaluations) {
   return std::ranges::any_of(evaluations, [](const Evaluation& evaluation) {
     return n_of(evaluation, [](Status status) { return status == Status::kEvaluated; }) > 0;
   });
+}
+
+std::vector<std::string> judging_messages(const std::string& patch,
+                                          std::span<const Evaluation> evaluations) {
+  if (evaluations.empty() || has_figures(evaluations)) return {};
+  const std::string why = none_is_reconstructed(evaluations) ? "no line has a geometry to judge"
+                                                             : statuses_text(evaluations);
+  return {fmt::format("Patch {}: {}.", patch, why)};
 }
 
 std::vector<std::string> outcome_messages(const PatchCounts& counts,
