@@ -52,14 +52,8 @@ void add(const LineEvaluation& line, Kind kind, double true_distance_m, Tally& t
   tally.n_within_30_cm += error_m <= 0.30 ? 1 : 0;
 }
 
-void judge_once_into(const SimulatedSurvey& survey,
-                     const Eigen::Vector3d& move_m,
-                     int seed,
-                     Tally& tally) {
-  evaluate::JudgeOptions options;
-  options.seed = seed;
-  const std::vector<JudgedResult> results =
-      judge_survey(survey, move_m, Eigen::Vector3d::Zero(), options);
+void judge_into(const SimulatedSurvey& survey, const Eigen::Vector3d& move_m, Tally& tally) {
+  const std::vector<JudgedResult> results = judge_survey(survey, move_m);
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!has_lidar(survey.truth[i])) continue;
     const simulate::SceneLine& line = survey.scene.lines[i];
@@ -69,25 +63,17 @@ void judge_once_into(const SimulatedSurvey& survey,
   }
 }
 
-/// Over that many seeds of the sample consensus: the shares of one seed move by 0.1 %.
-void judge_into(const SimulatedSurvey& survey,
-                const Eigen::Vector3d& move_m,
-                int n_seeds,
-                Tally& tally) {
-  for (int seed = 1; seed <= n_seeds; ++seed) judge_once_into(survey, move_m, seed, tally);
-}
-
 struct Tallies {
   Tally not_moved, moved, moved_up;
 };
 
-Tallies judge_villages(int n_villages, double density_per_m2, int n_seeds = 1) {
+Tallies judge_villages(int n_villages, double density_per_m2) {
   Tallies tallies;
   for (int i = 0; i < n_villages; ++i) {
     const SimulatedSurvey survey = simulated_survey(kFirstSeed + i, density_per_m2);
-    judge_into(survey, kNotMoved, n_seeds, tallies.not_moved);
-    judge_into(survey, kMoved, n_seeds, tallies.moved);
-    judge_into(survey, kMovedUp, n_seeds, tallies.moved_up);
+    judge_into(survey, kNotMoved, tallies.not_moved);
+    judge_into(survey, kMoved, tallies.moved);
+    judge_into(survey, kMovedUp, tallies.moved_up);
   }
   return tallies;
 }
@@ -128,7 +114,7 @@ void expect_judged_from_above(const Tally& tally, double evaluated_percent) {
 
 TEST(JudgeLines, ReportsTheTrueDistanceAt5PointsPerSquareMetre) {
   const Bounds bounds{.evaluated = 97, .within_2_cm = 95, .within_5_cm = 99, .right_kind = 98};
-  const Tallies tallies = judge_villages(20, 5.0, 4);
+  const Tallies tallies = judge_villages(20, 5.0);
   expect_at_least(bounds, tallies.not_moved, "not_moved");
   expect_at_least(bounds, tallies.moved, "moved");
   expect_judged_from_above(tallies.moved_up, 97);

@@ -43,8 +43,7 @@ inline SimulatedSurvey simulated_survey(std::uint64_t seed, double density_per_m
 inline std::vector<evaluate::JudgedResult> judge_survey(
     const SimulatedSurvey& survey,
     const Eigen::Vector3d& move_m,
-    const Eigen::Vector3d& shift_of_all_m = Eigen::Vector3d::Zero(),
-    const evaluate::JudgeOptions& options = {}) {
+    const Eigen::Vector3d& shift_of_all_m = Eigen::Vector3d::Zero()) {
   const auto position = [&](std::size_t i) {
     return Eigen::Vector3d(survey.points[i] + shift_of_all_m);
   };
@@ -57,7 +56,7 @@ inline std::vector<evaluate::JudgedResult> judge_survey(
     line.id = std::to_string(i);
     line.segment = {segment.start + move_and_shift_m, segment.end + move_and_shift_m};
   }
-  return evaluate::judge_lines(grid, lines, options);
+  return evaluate::judge_lines(grid, lines, {});
 }
 
 /// Whether the laser saw what a judge needs: a dozen returns on each plane of the line.
