@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -86,6 +87,20 @@ bool one_side_is_empty(std::span<const Placed> points, const JudgeOptions& optio
          2 * std::max(left, right) >= static_cast<std::size_t>(options.min_points);
 }
 
+/// Standard deviation at the middle of the line of the chosen plane that is known least.
+double largest_sigma_m(std::span<const CandidatePlane> candidates,
+                       const EdgeDecision& decision,
+                       const Footprint& footprint) {
+  const Eigen::Vector2d middle = footprint.middle();
+  double largest = 0.0;
+  for (const std::size_t i : decision.planes) {
+    const PlaneFit& fit = candidates[i].fit;
+    const Eigen::Vector3d on_plane(middle.x(), middle.y(), height_at(fit.plane, middle));
+    largest = std::max(largest, fit.sigma_at(on_plane));
+  }
+  return largest;
+}
+
 }  // namespace
 
 bool is_contradicted(std::span<const CandidatePlane> candidates,
@@ -101,12 +116,22 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
                                             const Footprint& footprint,
                                             const std::optional<ImageEvidence>& images,
                                             const JudgeOptions& options) {
+  // of the laser, placed on the line, that would tell as much of the plane: three make a plane
+  constexpr double kFewestPoints = 3.0;
   constexpr double kCanopy_m = 2.0;       // farther up it hides no edge that the images show
   constexpr Least kHedge{4, 0.15};        // a parapet of 0.3 m within 0.8 m on both sides
   constexpr Least kFence{4, 0.1};         // fewer are birds and antennas
   constexpr Least kFenceSeenOff{2, 0.1};  // unless the images show the line off the surface
   constexpr double kFence_m = 0.3;        // across; the line of a fence is off by that in plan
   constexpr double kThreePixels = 9.0;    // at one end, 2.1 at both
+  const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
+  const double sigma_m = largest_sigma_m(candidates, decision, footprint);
+  if (sigma_m > known_to_m) {
+    std::ostringstream reason;
+    reason << "its plane is known to " << sigma_m << " m at the line, must be known to "
+           << known_to_m << " m";
+    return reason.str();
+  }
   const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);
   const auto stands = [](const Placed& point) {
     return point.above_m > kAboveSurface_m && point.above_m < kCanopy_m;

@@ -19,16 +19,17 @@ bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images);
 
-/// Why a line may belong to something else than the planes that were chosen for it, of which the cloud
-/// has too little for a plane of its own: the line is ambiguous then. Nothing if there is no such reason.
+/// Why the planes that were chosen for a line may be the wrong ones: the line is ambiguous then. Nothing if there is no such reason.
 ///
+///   - A chosen plane is known less well at the middle of the line than three laser points there would tell: a
+///     few points aside that happen to lie in a plane.
 ///   - Points stand on the chosen surface along the line that no plane explains: a hedge, a parapet, or a
 ///     fence, which has few points but these in the line; two, if the images show the line off the surface.
 ///   - The images show the line on none of the chosen planes, and there are points beside it that no
 ///     plane explains, or the cloud has nothing on one side of it. Such a line lies in an alley or on a
 ///     wall, or it is wrong: the cloud does not tell.
 ///
-/// Without images only the first is looked for. The line's height plays no part but by the images.
+/// Without images only the first two are looked for. The line's height plays no part but by the images.
 /// @param zone      the points beside the line
 /// @param decision  one that evaluates
 std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
