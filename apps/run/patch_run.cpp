@@ -2,9 +2,9 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/option_flags.h"
+#include "apps/common/outcome.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
-#include "apps/common/outcome.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"

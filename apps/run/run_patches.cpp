@@ -2,10 +2,10 @@
 #include "apps/run/run_patches.h"
 
 #include "apps/common/option_flags.h"
+#include "apps/common/outcome.h"
 #include "apps/common/patch_views.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
-#include "apps/common/outcome.h"
 #include "io/error.h"
 #include "io/lines/text.h"
 #include "io/sha256.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace ridgeline::evaluate {
@@ -128,8 +129,8 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
   const double sigma_m = largest_sigma_m(candidates, decision, footprint);
   if (sigma_m > known_to_m) {
     std::ostringstream reason;
-    reason << "its plane is known to " << sigma_m << " m at the line, must be known to "
-           << known_to_m << " m";
+    reason << std::setprecision(3) << "its plane is known to " << sigma_m
+           << " m at the line, must be known to " << known_to_m << " m";
     return reason.str();
   }
   const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);

@@ -11,7 +11,9 @@ namespace ridgeline::evaluate {
 namespace {
 
 using testing::Eq;
+using testing::HasSubstr;
 using testing::Ne;
+using testing::Optional;
 
 constexpr double kLength_m = 10.0;
 constexpr double kDensity_per_m2 = 5.0;
@@ -19,12 +21,26 @@ constexpr double kDensity_per_m2 = 5.0;
 class Doubt : public testing::Test {
  protected:
   Doubt() {
-    ground_.fit.plane = Plane3(Eigen::Vector3d::UnitZ(), 0.0);
+    ground_.fit = fit_of_strip(150, 1.5);
     decision_.status = Status::kEvaluated;
     decision_.kind = Kind::kStep;
     decision_.planes = {0};
     constexpr double kHalf_m = 1.5;
     add_ground(-kHalf_m, kHalf_m);
+  }
+
+  /// Level ground from `n` points with noise of 3.4 cm, spread evenly over a strip along the whole line that
+  /// reaches from the line to `width_m` on its left.
+  static PlaneFit fit_of_strip(int n, double width_m) {
+    PlaneFit fit;
+    fit.plane = Plane3(Eigen::Vector3d::UnitZ(), 0.0);
+    fit.centroid = {-0.5 * width_m, 0.5 * kLength_m, 0.0};
+    fit.axes << 0.0, 1.0, 1.0, 0.0, 0.0, 0.0;
+    // a uniform distribution of width w has the variance w^2 / 12
+    fit.spread_m2 = n * Eigen::Vector2d(kLength_m, width_m).cwiseAbs2() / 12.0;
+    fit.n = n;
+    fit.sigma0_m = 0.034;
+    return fit;
   }
 
   /// Along s is north: across the base of the images.
@@ -53,6 +69,14 @@ class Doubt : public testing::Test {
 };
 
 TEST_F(Doubt, IsNoneOnOpenGround) { EXPECT_THAT(reason(), Eq(std::nullopt)); }
+
+TEST_F(Doubt, APlaneKnownLessWellThanThreePointsWouldTellGivesOne) {
+  // at the border of a strip n points tell as much as n / 4 at the place: 1/n + (w/2)^2 / (n w^2/12) = 4/n
+  ground_.fit = fit_of_strip(13, 1.5);
+  EXPECT_THAT(reason(), Eq(std::nullopt));
+  ground_.fit = fit_of_strip(11, 1.5);
+  EXPECT_THAT(reason(), Optional(HasSubstr("known to 0.0205 m at the line")));
+}
 
 TEST_F(Doubt, AFenceOfFewPointsInTheLineGivesOne) {
   for (const double s : {1.0, 3.0, 5.0, 7.0, 9.0}) add(s, 0.1, 1.2);
