@@ -46,6 +46,13 @@ constexpr std::array kCommands{
     Command{"info", "what a cloud, line or patch file holds", add_info},
 };
 
+constexpr const char* kOutputRules =
+    "Outputs are written whole or not at all. A file that an earlier run of ridgeline wrote is "
+    "replaced; any "
+    "other file that stands there, an input or a link ends the command. A folder of results serves "
+    "one run at "
+    "a time.";
+
 std::string version_text() {
   std::string text = fmt::format("ridgeline {} ({})\n", kVersion, kGitHash);
   const nlohmann::ordered_json all = versions();
@@ -111,6 +118,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
   for (const Command& command : kCommands) {
     CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
     const Run run = command.add(*subcommand);
+    if (subcommand->get_option_no_throw("--out") != nullptr) subcommand->footer(kOutputRules);
     subcommand->callback([&chosen, run] { chosen = run; });
   }
   try {

@@ -26,6 +26,12 @@ std::size_t n_reconstructed(const Evaluation& evaluation) {
   return n_of(evaluation, [](Status status) { return status != Status::kNotReconstructed; });
 }
 
+std::string counted(std::size_t n, const char* noun, const char* plural) {
+  return fmt::format("{} {}", n, n == 1 ? noun : plural);
+}
+
+std::string lines(std::size_t n) { return counted(n, "line", "lines"); }
+
 /// "57 lines", or "57 lines by direct, 55 lines by joint".
 std::string lines_text(std::span<const Evaluation> evaluations) {
   std::set<std::size_t> different;
@@ -33,9 +39,9 @@ std::string lines_text(std::span<const Evaluation> evaluations) {
   for (const Evaluation& evaluation : evaluations) {
     const std::size_t n = n_reconstructed(evaluation);
     different.insert(n);
-    texts.push_back(fmt::format("{} lines by {}", n, evaluation.method));
+    texts.push_back(fmt::format("{} by {}", lines(n), evaluation.method));
   }
-  if (different.size() == 1) return fmt::format("{} lines", *different.begin());
+  if (different.size() == 1) return lines(*different.begin());
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -55,22 +61,21 @@ bool none_is_reconstructed(std::span<const Evaluation> evaluations) {
 }
 
 std::string statuses_text(std::span<const Evaluation> evaluations) {
-  return fmt::format("none of {} could be judged: {}", lines_text(evaluations),
+  return fmt::format("0 of {} could be judged: {}", lines_text(evaluations),
                      reasons_text(evaluations));
 }
 
 std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evaluation> evaluations) {
   if (counts.n_matches == 0) {
-    return fmt::format(
-        "no line was reconstructed: 0 of {} segments of the left image found a match",
-        counts.n_left_segments);
+    return fmt::format("no line was reconstructed: 0 of {} of the left image found a match",
+                       counted(counts.n_left_segments, "segment", "segments"));
   }
   if (none_is_reconstructed(evaluations)) {
-    return fmt::format("no line was reconstructed: none of {} matches gave one", counts.n_matches);
+    return fmt::format("no line was reconstructed: 0 of {} gave one",
+                       counted(counts.n_matches, "match", "matches"));
   }
   if (!counts.has_lidar) {
-    return fmt::format("no LIDAR is given, so {} were reconstructed and none was judged",
-                       lines_text(evaluations));
+    return fmt::format("no LIDAR is given: {} reconstructed, none judged", lines_text(evaluations));
   }
   return statuses_text(evaluations);
 }

@@ -9,6 +9,7 @@
 #include "apps/reconstruct/reconstruct_patch.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/lines/write_lines.h"
 #include "io/matches_file.h"
 #include "io/segments_file.h"
@@ -106,6 +107,7 @@ std::optional<std::string_view> own_beginning(io::LineFormat format) {
 
 /// Neither an input nor anything of a user.
 void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
+  if (!a.matches.empty()) io::require_regular_file(a.matches);
   inputs.push_back(a.matches);
   (void)output_file(a.out, inputs);
   const std::optional<std::string_view> beginning = own_beginning(*io::line_format(a.format));
