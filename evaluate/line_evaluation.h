@@ -76,6 +76,13 @@ struct JudgingPlane {
   std::uint64_t id = 0;  ///< equal for planes that are the same one: lines sharing it are dependent
 };
 
+/// How far a line lies from the intersection of its two planes; see ridge_displacement().
+struct RidgeDisplacement {
+  double horizontal_m = 0.0;  ///< across the line in plan, positive to the side of larger x
+  double vertical_m = 0.0;    ///< positive: the line is too high
+  Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of (horizontal, vertical)
+};
+
 /// The judgement of one line. Distances are set only for status `evaluated`.
 struct LineEvaluation {
   std::string id;
@@ -98,6 +105,10 @@ struct LineEvaluation {
   std::optional<double> z;  ///< signed midpoint distance / sqrt(sigma_line^2 + sigma_plane^2)
   /// Ridge only: distance and angle of the line to the planes' intersection line.
   std::optional<double> intersection_distance_m, intersection_angle_deg;
+  std::optional<RidgeDisplacement> displacement;  ///< ridge only
+  /// Step only: the error in height if all of it were vertical, signed mean / n_z. A step does not tell
+  /// the two parts from each other.
+  std::optional<double> height_if_vertical_m;
 };
 
 }  // namespace ridgeline::evaluate

@@ -14,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -154,14 +155,20 @@ PatchOfRun read_patch_of_run(const std::string& folder, const std::string& patch
 
 /// "pairwise", "chio" or "both".
 std::string matcher_name(const std::string& folder) {
-  const auto run = nlohmann::json::parse(
-      io::read_text_file((fs::path(folder) / "run.json").string()), nullptr, false);
-  const nlohmann::json& options = run["options"];
-  const auto names = options["matchers"].get<std::vector<std::string>>();
-  std::string name = names.size() > 1 ? "both" : names.at(0);
-  if (names.front() == "pairwise" && options.value("propagate_heights", false))
-    name += ", by height";
-  return name;
+  const std::string file = (fs::path(folder) / "run.json").string();
+  try {
+    const auto run = nlohmann::json::parse(io::read_text_file(file));
+    const nlohmann::json& options = run.at("options");
+    const auto names = options.at("matchers").get<std::vector<std::string>>();
+    std::string name = names.size() > 1 ? "both" : names.at(0);
+    if (names.front() == "pairwise" && options.value("propagate_heights", false))
+      name += ", by height";
+    return name;
+  } catch (const nlohmann::json::exception& error) {
+    throw io::IoError(file, std::string("states no matchers: ") + error.what());
+  } catch (const std::out_of_range&) {
+    throw io::IoError(file, "options.matchers is empty; must name one matcher at least");
+  }
 }
 
 std::vector<std::string> patches_in(const std::string& folder) {

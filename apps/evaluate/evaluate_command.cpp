@@ -246,7 +246,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
     record.add_input(input.role, input.path);
   }
   record.end_stage("hash_inputs");
-  write_evaluations(judged.evaluations, out, "");
+  write_judged(judged, out, "");
   write_truth(judged.truth, out);
   const std::string table2 = write_table2(judged.evaluations, out);
   if (has_figures(judged.evaluations)) fmt::print("{}", table2);

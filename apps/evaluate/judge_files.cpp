@@ -213,7 +213,9 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
     refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
     references = reference_lines_of(set, judged.frame);
   }
+  judged.cloud_crs = cloud.crs();
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
     judged.evaluations.push_back(
         evaluation_of(judged.line_sets[i], std::move(batches.results[i]), judged.frame, options));
     refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud, options);

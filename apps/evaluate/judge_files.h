@@ -3,6 +3,7 @@
 
 #include "apps/common/run_record.h"
 #include "apps/evaluate/judged_lines.h"
+#include "evaluate/judge/judged_planes.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "io/cloud/read_cloud.h"
@@ -34,7 +35,9 @@ struct JudgedFiles {
   LocalFrame frame;
   std::vector<io::LineSet> line_sets;             ///< as read
   std::vector<evaluate::Evaluation> evaluations;  ///< one per line file; method: the file's stem
-  std::vector<TruthRows> truth;                   ///< one per evaluation
+  std::vector<std::vector<evaluate::JudgedPlane>> planes;  ///< of each evaluation
+  io::Crs cloud_crs;
+  std::vector<TruthRows> truth;  ///< one per evaluation
   std::vector<std::string> warnings;
   std::vector<std::string> unread_clouds;  ///< files of which no line is near
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/evaluate/write_results.h"
 
-#include "apps/evaluate/judge_files.h"
+#include "apps/evaluate/judged_map.h"
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
@@ -42,7 +42,7 @@ bool has_several_methods(std::span<const Evaluation> evaluations) {
 
 std::vector<std::string> evaluation_names(const std::string& method) {
   return {fmt::format("evaluation.{}.json", method), fmt::format("evaluation.{}.csv", method),
-          fmt::format("accuracy.{}.md", method)};
+          fmt::format("accuracy.{}.md", method), map_name(method)};
 }
 
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
@@ -57,15 +57,18 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
   return names;
 }
 
-void write_evaluations(std::span<const Evaluation> evaluations,
-                       const OutputFolder& out,
-                       const std::string& subfolder) {
-  for (const Evaluation& e : evaluations) {
+void write_judged(const JudgedFiles& judged,
+                  const OutputFolder& out,
+                  const std::string& subfolder) {
+  for (std::size_t i = 0; i < judged.evaluations.size(); ++i) {
+    const Evaluation& e = judged.evaluations[i];
     const std::vector<std::string> names = evaluation_names(e.method);
     out.write(subfolder + names[0], evaluate::to_json(e));
     out.write(subfolder + names[1], evaluate::to_line_csv(e));
     out.write(subfolder + names[2], evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
                                         evaluate::to_markdown(evaluate::stratify(e)));
+    write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
+                     judged.planes[i]);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/common/output_folder.h"
+#include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/judged_lines.h"
 #include "evaluate/statistics/evaluation.h"
 
@@ -15,14 +16,12 @@ namespace ridgeline::apps {
 /// checked before it.
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths);
 
-/// evaluation.METHOD.json, evaluation.METHOD.csv, accuracy.METHOD.md.
+/// evaluation.METHOD.json, evaluation.METHOD.csv, accuracy.METHOD.md, judged.METHOD.gpkg.
 std::vector<std::string> evaluation_names(const std::string& method);
 
-/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line) and accuracy.METHOD.md (the
-/// labelled accuracy numbers and the strata) of each evaluation, below `subfolder` ("" or "PATCH/").
-void write_evaluations(std::span<const evaluate::Evaluation> evaluations,
-                       const OutputFolder& out,
-                       const std::string& subfolder);
+/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line), accuracy.METHOD.md (the labelled accuracy
+/// numbers and the strata) and the map judged.METHOD.gpkg of each evaluation, below `subfolder` ("" or "PATCH/").
+void write_judged(const JudgedFiles& judged, const OutputFolder& out, const std::string& subfolder);
 
 /// Writes tolerances.{csv,md}: precision and completeness at tolerances; and, where there are
 /// reference lines, reference_errors.csv, reference_completeness.csv and reference.md.

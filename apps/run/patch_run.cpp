@@ -113,8 +113,8 @@ class PatchRun {
       }
     }
     stage("evaluate", evaluation_key(), files, [&] {
-      write_evaluations(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(), out_,
-                        patch_.id + "/");
+      write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(), out_,
+                   patch_.id + "/");
     });
     for (const Method method : options_.methods) {
       result_.evaluations.push_back(
@@ -142,7 +142,7 @@ class PatchRun {
     return stage_key(parts);
   }
 
-  std::vector<evaluate::Evaluation> judge_against_lidar() {
+  JudgedFiles judge_against_lidar() {
     JudgeFilesOptions options;
     for (const Method method : options_.methods) {
       options.line_paths.push_back(in_folder(PatchStages::line_file(method)));
@@ -159,26 +159,29 @@ class PatchRun {
     for (std::size_t i = 0; i < options_.methods.size(); ++i) {
       judged.evaluations[i].method = reconstruct::name(options_.methods[i]);
     }
-    return std::move(judged.evaluations);
+    return judged;
   }
 
   /// Every line gets the status `no_lidar`.
-  [[nodiscard]] std::vector<evaluate::Evaluation> judge_without_lidar() const {
+  [[nodiscard]] JudgedFiles judge_without_lidar() const {
     const auto nothing =
         evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
-    std::vector<evaluate::Evaluation> evaluations;
+    JudgedFiles judged;
+    judged.cloud_crs = patch_.crs;
     for (const Method method : options_.methods) {
       evaluate::Evaluation evaluation;
       evaluation.patch = patch_.id;
       evaluation.method = reconstruct::name(method);
       evaluation.origin_m = stages_.frame().origin_m;
       evaluation.options = options_.summary;
-      for (auto& judged : evaluate::judge_lines(nothing, lines_of(method), options_.judge)) {
-        evaluation.lines.push_back(std::move(judged.evaluation));
+      for (auto& result : evaluate::judge_lines(nothing, lines_of(method), options_.judge)) {
+        evaluation.lines.push_back(std::move(result.evaluation));
       }
-      evaluations.push_back(evaluate::with_summaries(std::move(evaluation)));
+      judged.line_sets.push_back(io::read_lines(in_folder(PatchStages::line_file(method))));
+      judged.evaluations.push_back(evaluate::with_summaries(std::move(evaluation)));
+      judged.planes.emplace_back();
     }
-    return evaluations;
+    return judged;
   }
 
   [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(Method method) const {

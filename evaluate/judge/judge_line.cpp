@@ -6,6 +6,8 @@
 #include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/image_evidence.h"
+#include "evaluate/judge/plan_hull.h"
+#include "evaluate/judge/ridge_displacement.h"
 
 #include <Eigen/Geometry>
 
@@ -114,6 +116,13 @@ std::vector<std::uint64_t> position_keys(std::span<const ZonePoint> points) {
   return keys;
 }
 
+std::vector<Eigen::Vector2d> hull_in_plan(std::span<const ZonePoint> points) {
+  std::vector<Eigen::Vector2d> xy;
+  xy.reserve(points.size());
+  for (const ZonePoint& p : points) xy.emplace_back(p.x.head<2>());
+  return convex_hull(std::move(xy));
+}
+
 /// What the cloud holds around an edge, and which planes judge it.
 struct Surroundings {
   Footprint footprint;
@@ -175,7 +184,7 @@ LineEvaluation undecided(const JudgedLine& line) {
 JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
   e.status = status;
   e.reason = std::move(reason);
-  return {std::move(e), {}, {}};
+  return {std::move(e), {}, {}, {}};
 }
 
 }  // namespace
@@ -237,12 +246,19 @@ JudgedResult judge_line(const PointGrid& grid,
     e.planes.push_back(judging_plane(candidates[i], footprint, line.segment));
     result.inliers.push_back(sorted_indices(candidates[i].inliers));
     result.inlier_keys.push_back(position_keys(candidates[i].inliers));
+    result.hulls.push_back(hull_in_plan(candidates[i].inliers));
   }
   e.status = Status::kEvaluated;
   e.kind = decision.kind;
   e.flags = std::move(decision.flags);
   summarise(e, line);
-  if (e.kind == Kind::kRidge) compare_with_intersection(e, line.segment);
+  if (e.kind == Kind::kRidge) {
+    compare_with_intersection(e, line.segment);
+    e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
+                                        {e.planes[0].sigma_m, e.planes[1].sigma_m});
+  } else {
+    e.height_if_vertical_m = e.signed_mean_m / e.planes[0].plane.normal().z();
+  }
   result.evaluation = std::move(e);
   return result;
 }

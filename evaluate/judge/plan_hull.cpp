@@ -32,17 +32,23 @@ void add_chain(Iterator first, Iterator last, std::vector<Eigen::Vector2d>& corn
 
 }  // namespace
 
-PlanHull::PlanHull(std::span<const ZonePoint> points) {
-  if (points.empty()) return;
-  std::vector<Eigen::Vector2d> sorted;
-  sorted.reserve(points.size());
-  for (const ZonePoint& p : points) sorted.emplace_back(p.s, p.t);
-  std::sort(sorted.begin(), sorted.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  std::vector<Eigen::Vector2d> corners;
+  if (points.empty()) return corners;
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
   });
-  add_chain(sorted.begin(), sorted.end(), corners_);
-  add_chain(sorted.rbegin(), sorted.rend(), corners_);
-  if (corners_.empty()) corners_.push_back(sorted.front());
+  add_chain(points.begin(), points.end(), corners);
+  add_chain(points.rbegin(), points.rend(), corners);
+  if (corners.empty()) corners.push_back(points.front());
+  return corners;
+}
+
+PlanHull::PlanHull(std::span<const ZonePoint> points) {
+  std::vector<Eigen::Vector2d> st;
+  st.reserve(points.size());
+  for (const ZonePoint& p : points) st.emplace_back(p.s, p.t);
+  corners_ = convex_hull(std::move(st));
 }
 
 bool PlanHull::contains(const Eigen::Vector2d& st) const {

@@ -31,6 +31,16 @@ Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
           {"max_distance_m", number_json(p.distance.max_abs)}};
 }
 
+/// null for a line that is no ridge, or whose planes are too parallel.
+Json displacement_json(const std::optional<RidgeDisplacement>& d) {
+  if (!d) return nullptr;
+  return {{"horizontal_m", number_json(d->horizontal_m)},
+          {"vertical_m", number_json(d->vertical_m)},
+          {"covariance_m2",
+           {{number_json(d->covariance_m2(0, 0)), number_json(d->covariance_m2(0, 1))},
+            {number_json(d->covariance_m2(1, 0)), number_json(d->covariance_m2(1, 1))}}}};
+}
+
 Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   Json json{{"id", line.id},
             {"class", line.line_class},
@@ -55,6 +65,8 @@ Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   json["z"] = if_evaluated(line.z);
   json["intersection_distance_m"] = if_evaluated(line.intersection_distance_m);
   json["intersection_angle_deg"] = if_evaluated(line.intersection_angle_deg);
+  json["displacement"] = displacement_json(line.displacement);
+  json["height_if_vertical_m"] = if_evaluated(line.height_if_vertical_m);
   return json;
 }
 

@@ -104,6 +104,27 @@ JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
   return p;
 }
 
+std::optional<RidgeDisplacement> parse_displacement(const Json& line) {
+  const auto found = line.find("displacement");
+  if (found == line.end() || found->is_null()) return std::nullopt;
+  RidgeDisplacement d;
+  d.horizontal_m = number(*found, "horizontal_m");
+  d.vertical_m = number(*found, "vertical_m");
+  const Json& rows = array(*found, "covariance_m2");
+  const auto is_pair = [](const Json& row) {
+    return row.is_array() && row.size() == 2 && row[0].is_number() && row[1].is_number();
+  };
+  check(rows.size() == 2 && is_pair(rows[0]) && is_pair(rows[1]), "covariance_m2: ", rows.dump(),
+        "; must be 2 x 2 numbers");
+  for (int i = 0; i < 2; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      d.covariance_m2(i, k) =
+          rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)].get<double>();
+    }
+  }
+  return d;
+}
+
 void parse_distances(const Json& json, LineEvaluation& line) {
   line.mean_distance_m = number(json, "mean_distance_m");
   line.max_distance_m = number(json, "max_distance_m");
@@ -114,6 +135,8 @@ void parse_distances(const Json& json, LineEvaluation& line) {
   line.z = number_if_any(json, "z");
   line.intersection_distance_m = number_if_any(json, "intersection_distance_m");
   line.intersection_angle_deg = number_if_any(json, "intersection_angle_deg");
+  line.displacement = parse_displacement(json);
+  line.height_if_vertical_m = number_if_any(json, "height_if_vertical_m");
 }
 
 LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
@@ -154,7 +177,7 @@ SummaryOptions parse_options(const Json& json) {
 Json parse_text(std::string_view text) {
   try {
     return Json::parse(text);
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {
     throw std::invalid_argument(std::string("not JSON: ") + error.what());
   }
 }

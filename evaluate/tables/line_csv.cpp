@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <functional>
 
 namespace ridgeline::evaluate {
@@ -36,17 +37,26 @@ std::string plane_columns(const LineEvaluation& line) {
       column([](const JudgingPlane& p) { return p.distance.end; }));
 }
 
+std::string displacement_columns(const LineEvaluation& line) {
+  if (!line.displacement) return fmt::format(",,,,{}", number(line.height_if_vertical_m));
+  const RidgeDisplacement& d = *line.displacement;
+  return fmt::format("{},{},{},{},", number(d.horizontal_m), number(d.vertical_m),
+                     number(std::sqrt(d.covariance_m2(0, 0))),
+                     number(std::sqrt(d.covariance_m2(1, 1))));
+}
+
 std::string row(const LineEvaluation& line, const Evaluation& evaluation) {
   const auto if_evaluated = [&](std::optional<double> value) {
     return line.status == Status::kEvaluated ? number(value) : std::string();
   };
   return fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(line.id),
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(line.id),
       escape_csv(evaluation.patch), escape_csv(line.line_class), number(line.epipolar_angle_deg),
       name(line.kind), escape_csv(evaluation.method), number(line.length_m), plane_columns(line),
       if_evaluated(line.mean_distance_m), if_evaluated(line.signed_mean_m),
       if_evaluated(line.sigma_line_m), if_evaluated(line.sigma_plane_m), if_evaluated(line.z),
-      name(line.status), escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))));
+      name(line.status), escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))),
+      displacement_columns(line));
 }
 
 }  // namespace
@@ -55,7 +65,8 @@ std::string to_line_csv(const Evaluation& evaluation) {
   std::string text =
       "id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers,plane_rms_m,hull_coverage,"
       "extrapolation_m,start_distance_m,end_distance_m,mean_distance_m,signed_mean_m,sigma_line_m,"
-      "sigma_plane_m,z,status,flags\n";
+      "sigma_plane_m,z,status,flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,"
+      "height_if_vertical_m\n";
   for (const LineEvaluation& line : evaluation.lines) text += row(line, evaluation);
   return text;
 }

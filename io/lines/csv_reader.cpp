@@ -98,6 +98,45 @@ std::vector<Vertices> parts_of_coordinates(const std::vector<std::string>& field
   return {{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}};
 }
 
+/// The numbers of the columns that hold no geometry.
+std::vector<std::size_t> attribute_columns(const Columns& columns) {
+  const auto& xyz = columns.coordinates;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < columns.names.size(); ++i) {
+    const bool is_geometry =
+        columns.wkt ? i == *columns.wkt : std::find(xyz.begin(), xyz.end(), i) != xyz.end();
+    if (!is_geometry) numbers.push_back(i);
+  }
+  return numbers;
+}
+
+/// What the columns of a row hold, as words; widens the types of the table's columns to take them.
+class RowValues {
+ public:
+  RowValues(const std::vector<std::string>& header, const Columns& columns, AttributeTable& table)
+      : numbers_(attribute_columns(columns)), seen_(numbers_.size(), 0), table_(table) {
+    for (const std::size_t i : numbers_) table.columns.push_back({header[i], ColumnType::kText});
+  }
+
+  SparseRow values_of(const std::vector<std::string>& fields) {
+    SparseRow row;
+    for (std::size_t k = 0; k < numbers_.size(); ++k) {
+      const std::string& word = fields[numbers_[k]];
+      if (word.empty()) continue;
+      ColumnType& type = table_.columns[k].type;
+      type = seen_[k] == 0 ? type_of_word(word) : common_type(type, type_of_word(word));
+      seen_[k] = 1;
+      row.emplace_back(k, word);
+    }
+    return row;
+  }
+
+ private:
+  std::vector<std::size_t> numbers_;
+  std::vector<char> seen_;
+  AttributeTable& table_;
+};
+
 nlohmann::json properties_of(const std::vector<std::string>& fields, const Columns& columns) {
   nlohmann::json properties = nlohmann::json::object();
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -149,9 +188,10 @@ LineSet read_csv(const std::string& path, std::string_view content) {
   const std::string first_place = place(path, rows.front().number);
   const std::vector<std::string> first = fields_of(rows.front().text, separator, first_place);
   const bool bare = is_bare(first);
-  const Columns columns =
-      columns_of(bare ? std::vector<std::string>(kCoordinates.begin(), kCoordinates.end()) : first,
-                 first_place);
+  const std::vector<std::string> header =
+      bare ? std::vector<std::string>(kCoordinates.begin(), kCoordinates.end()) : first;
+  const Columns columns = columns_of(header, first_place);
+  RowValues values(header, columns, set.features);
   if (columns.wkt) set.format = "CSV with WKT";
   for (std::size_t i = bare ? 0 : 1; i < rows.size(); ++i) {
     const std::string where = place(path, rows[i].number);
@@ -164,14 +204,15 @@ LineSet read_csv(const std::string& path, std::string_view content) {
                    columns.wkt
                        ? parts_of_wkt(without_srid(fields[*columns.wkt], set.crs, where), where)
                        : parts_of_coordinates(fields, columns, where),
-                   bare ? i : i - 1, set);
+                   static_cast<std::int64_t>(bare ? i : i - 1), set, values.values_of(fields));
   }
+  settle_types(set.features);
   return set;
 }
 
 LineSet read_wkt(const std::string& path, std::string_view content) {
   LineSet set = lines_for_file(path, "WKT", content.size());
-  std::size_t number = 0;
+  std::int64_t number = 0;
   for (const TextRow& row : rows_of(content)) {
     const std::string where = place(path, row.number);
     append_feature({}, parts_of_wkt(without_srid(row.text, set.crs, where), where), number++, set);

@@ -7,14 +7,19 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <limits>
 #include <map>
+#include <unordered_map>
+#include <utility>
 
 namespace ridgeline::io {
 namespace {
 
 using nlohmann::json;
 
+constexpr auto kLargestInteger =
+    static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 json parse(const std::string& path, std::string_view content) {
@@ -48,6 +53,7 @@ class GeoJsonReader {
       read_feature({{"type", "Feature"}, {"properties", nullptr}, {"geometry", document}});
     }
     warn_of_other_types();
+    settle_types(set_.features);
     return std::move(set_);
   }
 
@@ -86,11 +92,46 @@ class GeoJsonReader {
     if (type != "LineString" && type != "MultiLineString") {
       ++n_other_types_[type];
     } else {
-      Line line = line_from_properties(feature.value("properties", json()), where);
-      if (line.id.empty() && feature.contains("id")) line.id = text_of(feature["id"]);
-      append_feature(line, parts_of(geometry, type, where), number_, set_);
+      const json properties = feature.value("properties", json());
+      Line line = line_from_properties(properties, where);
+      std::int64_t fid = number_;
+      if (const auto id = feature.find("id"); id != feature.end()) {
+        if (line.id.empty()) line.id = text_of(*id);
+        if (id->is_number_integer()) fid = id->get<std::int64_t>();
+      }
+      append_feature(line, parts_of(geometry, type, where), fid, set_, values_of(properties));
     }
     ++number_;
+  }
+
+  /// The properties that are not null, for the columns of their names; arrays and objects as JSON text.
+  SparseRow values_of(const json& properties) {
+    SparseRow row;
+    if (!properties.is_object()) return row;
+    for (const auto& [name, value] : properties.items()) {
+      if (value.is_null()) continue;
+      const auto [type, held] = typed(value);
+      row.emplace_back(column_for(name, type), held);
+    }
+    return row;
+  }
+
+  static std::pair<ColumnType, Value> typed(const json& value) {
+    if (value.is_boolean()) return {ColumnType::kBoolean, std::int64_t{value.get<bool>() ? 1 : 0}};
+    if (value.is_number_unsigned() && value.get<std::uint64_t>() > kLargestInteger) {
+      return {ColumnType::kReal, value.get<double>()};
+    }
+    if (value.is_number_integer()) return {ColumnType::kInteger64, value.get<std::int64_t>()};
+    if (value.is_number()) return {ColumnType::kReal, value.get<double>()};
+    return {ColumnType::kText, value.is_string() ? value.get<std::string>() : json_text(value)};
+  }
+
+  std::size_t column_for(const std::string& name, ColumnType type) {
+    std::vector<Column>& columns = set_.features.columns;
+    const auto [entry, is_new] = columns_by_name_.try_emplace(name, columns.size());
+    if (is_new) columns.push_back({name, type});
+    columns[entry->second].type = common_type(columns[entry->second].type, type);
+    return entry->second;
   }
 
   static std::vector<Vertices> parts_of(const json& geometry,
@@ -137,8 +178,9 @@ class GeoJsonReader {
 
   std::string path_;
   LineSet set_;
-  std::size_t number_ = 0;
+  std::int64_t number_ = 0;
   std::map<std::string, int> n_other_types_;
+  std::unordered_map<std::string, std::size_t> columns_by_name_;
 };
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/attribute_table.h"
 #include "io/crs.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,7 +19,7 @@ namespace ridgeline::io {
 /// One 3D segment of a line file with what the file says of it. Attributes that the file does not
 /// have stay empty.
 struct Line {
-  std::string id;         ///< the file's own `id` property or column, else its number from 0
+  std::string id;         ///< the file's own `id` property or column, else source_fid
   std::string parent_id;  ///< of the polyline or track it is a part of; empty if it is whole
   Segment3 segment_in_world{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< file's CRS, m
   std::string line_class;  ///< `class`: aligned | not_aligned, or the file's own
@@ -37,6 +39,10 @@ struct Line {
   /// Covariance of (start, end) in world axes, m^2.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
   std::vector<int> plane_ids;  ///< of true lines: the planes they bound
+  /// Of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place from 0.
+  std::int64_t source_fid = 0;
+  int part = 0;         ///< place in its feature, from 0
+  std::size_t row = 0;  ///< of its feature in LineSet::features
 };
 
 struct LineSet {
@@ -44,6 +50,7 @@ struct LineSet {
   std::string format;  ///< "GeoJSON", "Line3D++", ...
   Crs crs;
   std::vector<Line> lines;
+  AttributeTable features;  ///< all that the file states of them; no columns in formats without
   std::vector<std::string> warnings;
   /// Metres per coordinate unit by axis, where the CRS does not say.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;

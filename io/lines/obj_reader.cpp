@@ -167,7 +167,7 @@ void drop_failed_segments(LineSet& set) {
 void append_polylines(const Vertices& vertices,
                       const std::vector<IndexList>& polylines,
                       LineSet& set) {
-  std::size_t number = 0;
+  std::int64_t number = 0;
   for (const IndexList& polyline : polylines) {
     Vertices points;
     for (const std::size_t index : polyline) points.push_back(vertices[index]);

@@ -12,6 +12,8 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -56,6 +58,44 @@ nlohmann::json value_of(OGRFeature& feature, int field) {
   }
 }
 
+ColumnType type_of(const OGRFieldDefn& field) {
+  switch (field.GetType()) {
+    case OFTInteger:
+      return field.GetSubType() == OFSTBoolean ? ColumnType::kBoolean : ColumnType::kInteger;
+    case OFTInteger64:
+      return ColumnType::kInteger64;
+    case OFTReal:
+      return ColumnType::kReal;
+    case OFTDate:
+      return ColumnType::kDate;
+    case OFTTime:
+      return ColumnType::kTime;
+    case OFTDateTime:
+      return ColumnType::kDateTime;
+    case OFTBinary:
+      return ColumnType::kBinary;
+    default:
+      return ColumnType::kText;
+  }
+}
+
+Value typed_value_of(OGRFeature& feature, int field) {
+  switch (feature.GetFieldDefnRef(field)->GetType()) {
+    case OFTInteger:
+    case OFTInteger64:
+      return static_cast<std::int64_t>(feature.GetFieldAsInteger64(field));
+    case OFTReal:
+      return feature.GetFieldAsDouble(field);
+    case OFTBinary: {
+      int n_bytes = 0;
+      const GByte* const bytes = feature.GetFieldAsBinary(field, &n_bytes);
+      return std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(n_bytes));
+    }
+    default:
+      return std::string(feature.GetFieldAsString(field));
+  }
+}
+
 nlohmann::json properties_of(OGRFeature& feature) {
   nlohmann::json properties = nlohmann::json::object();
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
@@ -87,7 +127,10 @@ class OgrReader {
   }
 
   LineSet read() {
-    for (OGRLayer* layer : dataset_->GetLayers()) read_layer(*layer);
+    const std::vector<OGRLayer*> layers = line_layers();
+    ids_name_layer_ = layers.size() > 1;
+    for (OGRLayer* layer : layers) read_layer(*layer);
+    settle_types(set_.features);
     for (const auto& [type, count] : n_other_types_) {
       set_.warnings.push_back(fmt::format("{} features are no lines: {}", count, type));
     }
@@ -95,12 +138,60 @@ class OgrReader {
   }
 
  private:
+  /// The layers with geometries; of several, the one called `lines` alone, as in our own maps.
+  std::vector<OGRLayer*> line_layers() {
+    std::vector<OGRLayer*> layers;
+    std::string others;
+    OGRLayer* lines = nullptr;
+    for (OGRLayer* layer : dataset_->GetLayers()) {
+      if (layer->GetGeomType() == wkbNone) continue;
+      layers.push_back(layer);
+      if (std::string_view(layer->GetName()) == "lines") {
+        lines = layer;
+      } else {
+        others += fmt::format("{}{}", others.empty() ? "" : ", ", layer->GetName());
+      }
+    }
+    if (lines == nullptr || layers.size() == 1) return layers;
+    set_.warnings.push_back("layer lines is read; left out: " + others);
+    return {lines};
+  }
+
+  /// Numbers in the set's table of the layer's columns.
+  std::vector<std::size_t> add_columns(OGRFeatureDefn& layer) {
+    std::vector<Column>& columns = set_.features.columns;
+    std::vector<std::size_t> numbers;
+    for (int i = 0; i < layer.GetFieldCount(); ++i) {
+      const OGRFieldDefn* const field = layer.GetFieldDefn(i);
+      const auto same_name = [&](const Column& c) { return c.name == field->GetNameRef(); };
+      const auto found = std::find_if(columns.begin(), columns.end(), same_name);
+      numbers.push_back(static_cast<std::size_t>(found - columns.begin()));
+      if (found == columns.end()) {
+        columns.push_back({field->GetNameRef(), type_of(*field)});
+      } else {
+        found->type = common_type(found->type, type_of(*field));
+      }
+    }
+    return numbers;
+  }
+
+  [[nodiscard]] SparseRow values_of(OGRFeature& feature) const {
+    SparseRow row;
+    for (int i = 0; i < feature.GetFieldCount(); ++i) {
+      if (!feature.IsFieldSetAndNotNull(i)) continue;
+      row.emplace_back(columns_[static_cast<std::size_t>(i)], typed_value_of(feature, i));
+    }
+    return row;
+  }
+
   void read_layer(OGRLayer& layer) {
     const Crs crs = crs_of(layer.GetSpatialRef());
     if (set_.crs.known() && crs.known() && crs.definition != set_.crs.definition) {
       throw IoError(path_, "layers in different CRS; give one layer a file");
     }
     if (crs.known()) set_.crs = crs;
+    columns_ = add_columns(*layer.GetLayerDefn());
+    layer_name_ = layer.GetName();
     for (const OGRFeatureUniquePtr& feature : layer) read_feature(*feature);
     if (CPLGetLastErrorType() == CE_Failure) throw IoError(path_, quiet_.complaints("is damaged"));
   }
@@ -120,8 +211,11 @@ class OgrReader {
     if (geometry != nullptr && !lines.is_line) {
       ++n_other_types_[geometry->getGeometryName()];
     } else {
-      append_feature(line_from_properties(properties_of(feature), where), lines.parts, number_,
-                     set_);
+      Line line = line_from_properties(properties_of(feature), where);
+      if (line.id.empty() && ids_name_layer_) {
+        line.id = fmt::format("{}.{}", layer_name_, feature.GetFID());
+      }
+      append_feature(line, lines.parts, feature.GetFID(), set_, values_of(feature));
     }
     count_feature();
   }
@@ -130,6 +224,9 @@ class OgrReader {
   QuietGdal quiet_;
   GDALDatasetUniquePtr dataset_;
   LineSet set_;
+  std::vector<std::size_t> columns_;  ///< of the layer that is read, in the set's table
+  std::string layer_name_;
+  bool ids_name_layer_ = false;  ///< feature ids count in each layer
   std::size_t number_ = 0;
   std::size_t n_most_features_ = 0;
   std::map<std::string, int> n_other_types_;

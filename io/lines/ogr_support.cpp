@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/ogr_support.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 
 #include <algorithm>
@@ -28,6 +29,9 @@ Vertices vertices_of(const OGRLineString& line) {
 }
 
 }  // namespace
+
+FixedDate::FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", kText); }
+FixedDate::~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
 
 QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }
 QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }

@@ -29,6 +29,17 @@ class QuietGdal {
   std::vector<std::string> complaints_;
 };
 
+/// A GeoPackage stores when it was written; a fixed date makes equal sets equal files. The option
+/// holds for this thread only.
+class FixedDate {
+ public:
+  static constexpr const char* kText = "2000-01-01T00:00:00.000Z";
+  FixedDate();
+  ~FixedDate();
+  FixedDate(const FixedDate&) = delete;
+  FixedDate& operator=(const FixedDate&) = delete;
+};
+
 /// Nothing if PROJ cannot read the definition or it is empty. Axes are east, north, up.
 std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
 

@@ -4,7 +4,6 @@
 #include "io/lines/ogr_support.h"
 #include "io/lines/writers.h"
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -26,16 +25,6 @@ OgrTarget target_of(LineFormat format) {
   if (format == LineFormat::kShapefile) return {"ESRI Shapefile", "epi_deg", true, false};
   return {"DXF", "", false, false};
 }
-
-/// A GeoPackage stores when it was written; a fixed date makes equal sets equal files. The option
-/// holds for this thread only.
-class FixedDate {
- public:
-  FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z"); }
-  ~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
-  FixedDate(const FixedDate&) = delete;
-  FixedDate& operator=(const FixedDate&) = delete;
-};
 
 class OgrWriter {
  public:

@@ -37,11 +37,24 @@ std::size_t text_bytes(const Line& line) {
                 "attributes are repeated over and over; lines of objects have their own");
 }
 
-void take_memory(const Line& attributes, std::size_t n_segments, LineSet& set) {
+std::size_t bytes_of(const SparseRow& values) {
+  std::size_t bytes = sizeof(SparseRow) + values.size() * sizeof(SparseRow::value_type);
+  for (const auto& [column, value] : values) {
+    if (const auto* const text = std::get_if<std::string>(&value)) bytes += text->size();
+  }
+  return bytes;
+}
+
+void take_memory(const Line& attributes,
+                 const SparseRow& values,
+                 std::size_t n_segments,
+                 LineSet& set) {
   const std::size_t each = sizeof(Line) + 2 * text_bytes(attributes);
+  const std::size_t once = bytes_of(values);
   constexpr std::size_t kMostSegments = 1'000'000;
-  if (n_segments <= std::min(kMostSegments, set.memory_left_bytes / each)) {
-    set.memory_left_bytes -= n_segments * each;
+  if (once <= set.memory_left_bytes &&
+      n_segments <= std::min(kMostSegments, (set.memory_left_bytes - once) / each)) {
+    set.memory_left_bytes -= once + n_segments * each;
     return;
   }
   if (n_segments > kMostSegments) {
@@ -56,7 +69,8 @@ void take_memory(const Line& attributes, std::size_t n_segments, LineSet& set) {
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes) {
   constexpr std::size_t kLeast_bytes = 64U << 20U;
   constexpr std::size_t kMostGrowth = 28;
-  LineSet set{.path = path, .format = format, .crs = {}, .lines = {}, .warnings = {}};
+  LineSet set{
+      .path = path, .format = format, .crs = {}, .lines = {}, .features = {}, .warnings = {}};
   set.memory_left_bytes = std::max(kLeast_bytes, kMostGrowth * n_bytes);
   // at once, as growth would hold them twice; pages that stay unused cost no memory
   constexpr std::size_t kMostReserved_bytes = 512U << 20U;
@@ -70,16 +84,22 @@ void refuse_more_lines(const LineSet& set, std::size_t n_lines) {
 
 void append_feature(const Line& attributes,
                     const std::vector<Vertices>& parts,
-                    std::size_t number,
-                    LineSet& set) {
+                    std::int64_t fid,
+                    LineSet& set,
+                    SparseRow values) {
   const std::vector<Segment3> segments = segments_of(parts);
-  take_memory(attributes, segments.size(), set);
-  const std::string id = attributes.id.empty() ? std::to_string(number) : attributes.id;
+  take_memory(attributes, values, segments.size(), set);
+  const std::string id = attributes.id.empty() ? std::to_string(fid) : attributes.id;
+  const std::size_t row = set.features.rows.size();
+  set.features.rows.push_back(std::move(values));
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Line line = attributes;
     line.segment_in_world = segments[i];
     line.id = segments.size() == 1 ? id : id + "." + std::to_string(i);
     if (segments.size() > 1) line.parent_id = id;
+    line.source_fid = fid;
+    line.part = static_cast<int>(i);
+    line.row = row;
     set.lines.push_back(std::move(line));
   }
 }
@@ -88,7 +108,8 @@ void append_segment(const Line& attributes,
                     const Segment3& segment_in_world,
                     std::size_t number,
                     LineSet& set) {
-  append_feature(attributes, {{segment_in_world.start, segment_in_world.end}}, number, set);
+  append_feature(attributes, {{segment_in_world.start, segment_in_world.end}},
+                 static_cast<std::int64_t>(number), set);
 }
 
 }  // namespace ridgeline::io

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,16 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
 /// before they append them.
 void refuse_more_lines(const LineSet& set, std::size_t n_lines);
 
-/// Adds one feature of a file to the set: an empty `attributes.id` becomes `number`, the feature's
-/// place in the file from 0. A feature with one segment keeps its id; the segments of a longer
+/// Adds one feature of a file to the set, with what its columns hold. `fid`: see Line::source_fid; it is the id
+/// where `attributes` has none. A feature with one segment keeps its id; the segments of a longer
 /// polyline (or of several parts) are "ID.0", "ID.1", ... with `parent_id` = ID. A part with one
 /// vertex is a segment of zero length, a feature without vertices a segment of NaN: both stay in
 /// the set, since a line that disappears would flatter its tool.
 void append_feature(const Line& attributes,
                     const std::vector<Vertices>& parts,
-                    std::size_t number,
-                    LineSet& set);
+                    std::int64_t fid,
+                    LineSet& set,
+                    SparseRow values = {});
 
 /// The feature with the one segment.
 void append_segment(const Line& attributes,

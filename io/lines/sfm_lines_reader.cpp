@@ -105,7 +105,7 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
 
 LineSet read_line3dpp(const std::string& path, std::string_view content) {
   LineSet set = lines_for_file(path, "Line3D++", content.size());
-  std::size_t number = 0;
+  std::int64_t number = 0;
   for (const TextRow& row : rows_of(content)) {
     const std::string where = place(path, row.number);
     const std::vector<std::string_view> words = words_of(row.text);

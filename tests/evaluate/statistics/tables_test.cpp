@@ -213,6 +213,7 @@ TEST(ParseEvaluation, NamesWhatIsWrong) {
     return "no error";
   };
   EXPECT_THAT(message_after("{", ""), StartsWith("not JSON"));
+  EXPECT_THAT(message_after("\"seed\": 1", "\"seed\": 1e400"), StartsWith("not JSON"));
   EXPECT_THAT(message_after("\"patch\"", "\"parch\""), HasSubstr("no key patch"));
   EXPECT_THAT(message_after("\"status\": \"no_plane\"", "\"status\": \"odd\""),
               HasSubstr("line 3: status: odd"));

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/judged_map.h"
+
+#include "apps/evaluate/judged_lines.h"
+#include "apps/evaluate/map_style.h"
+#include "io/geopackage_writer.h"
+#include "reconstruct/geometry/local_frame.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::JudgedPlane;
+using evaluate::JudgingPlane;
+using evaluate::LineEvaluation;
+using io::Column;
+using io::ColumnType;
+using io::Value;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+Value number(std::optional<double> x) {
+  return x && std::isfinite(*x) ? Value(*x) : Value(std::monostate());
+}
+Value integer(std::int64_t n) { return n; }
+Value text(std::string words) {
+  return words.empty() ? Value(std::monostate()) : Value(std::move(words));
+}
+
+/// A column of a layer and what it holds of one of its things.
+template <typename... Thing>
+struct Field {
+  const char* name;
+  ColumnType type;
+  Value (*value)(const Thing&...);
+};
+
+template <typename Fields>
+std::vector<Column> columns_of(const Fields& fields) {
+  std::vector<Column> columns;
+  for (const auto& field : fields) columns.push_back({field.name, field.type});
+  return columns;
+}
+
+template <typename Fields, typename... Thing>
+void add_values(const Fields& fields,
+                std::size_t first,
+                io::SparseRow& row,
+                const Thing&... thing) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    Value value = fields[i].value(thing...);
+    if (value.index() != 0) row.emplace_back(first + i, std::move(value));
+  }
+}
+
+std::optional<double> if_evaluated(const LineEvaluation& e, double value) {
+  return e.status == evaluate::Status::kEvaluated ? std::optional(value) : std::nullopt;
+}
+
+Value plane_id(const LineEvaluation& e, std::size_t i) {
+  return i < e.planes.size() ? integer(static_cast<std::int64_t>(e.planes[i].id)) : Value();
+}
+
+Value least_coverage(const LineEvaluation& e) {
+  if (e.planes.empty()) return {};
+  return number(std::ranges::min(e.planes, {}, &JudgingPlane::coverage).coverage);
+}
+
+Value sigma_of(const LineEvaluation& e) {
+  if (e.status != evaluate::Status::kEvaluated) return {};
+  return number(std::hypot(e.sigma_line_m.value_or(0.0), e.sigma_plane_m));
+}
+
+using LineField = Field<LineEvaluation, io::Line>;
+
+const std::vector<LineField>& line_fields() {
+  static const std::vector<LineField> fields{
+      {"source_fid", ColumnType::kInteger64,
+       [](const auto&, const io::Line& line) { return integer(line.source_fid); }},
+      {"part", ColumnType::kInteger,
+       [](const auto&, const io::Line& line) { return integer(line.part); }},
+      {"line_id", ColumnType::kText, [](const auto& e, const auto&) { return text(e.id); }},
+      {"class", ColumnType::kText, [](const auto& e, const auto&) { return text(e.line_class); }},
+      {"status", ColumnType::kText,
+       [](const auto& e, const auto&) { return text(evaluate::name(e.status)); }},
+      {"reason", ColumnType::kText, [](const auto& e, const auto&) { return text(e.reason); }},
+      {"kind", ColumnType::kText,
+       [](const auto& e, const auto&) { return text(evaluate::name(e.kind)); }},
+      {"flags", ColumnType::kText,
+       [](const auto& e, const auto&) { return text(fmt::format("{}", fmt::join(e.flags, ";"))); }},
+      {"length_m", ColumnType::kReal,
+       [](const auto& e, const auto&) { return number(e.length_m); }},
+      {"mean_distance_m", ColumnType::kReal,
+       [](const auto& e, const auto&) { return number(if_evaluated(e, e.mean_distance_m)); }},
+      {"signed_mean_m", ColumnType::kReal,
+       [](const auto& e, const auto&) { return number(if_evaluated(e, e.signed_mean_m)); }},
+      {"max_distance_m", ColumnType::kReal,
+       [](const auto& e, const auto&) { return number(if_evaluated(e, e.max_distance_m)); }},
+      {"horizontal_m", ColumnType::kReal,
+       [](const auto& e, const auto&) {
+         return e.displacement ? number(e.displacement->horizontal_m) : Value();
+       }},
+      {"vertical_m", ColumnType::kReal,
+       [](const auto& e, const auto&) {
+         return e.displacement ? number(e.displacement->vertical_m) : Value();
+       }},
+      {"height_if_vertical_m", ColumnType::kReal,
+       [](const auto& e, const auto&) { return number(e.height_if_vertical_m); }},
+      {"sigma_m", ColumnType::kReal, [](const auto& e, const auto&) { return sigma_of(e); }},
+      {"z", ColumnType::kReal, [](const auto& e, const auto&) { return number(e.z); }},
+      {"plane_1", ColumnType::kInteger64,
+       [](const auto& e, const auto&) { return plane_id(e, 0); }},
+      {"plane_2", ColumnType::kInteger64,
+       [](const auto& e, const auto&) { return plane_id(e, 1); }},
+      {"coverage", ColumnType::kReal, [](const auto& e, const auto&) { return least_coverage(e); }},
+      {"n_images", ColumnType::kInteger, [](const auto&, const io::Line& line) {
+         return line.n_images ? integer(*line.n_images) : Value();
+       }}};
+  return fields;
+}
+
+double normal_part(const JudgedPlane& p, int axis) { return p.plane.normal()[axis]; }
+
+/// Direction of steepest descent from north, clockwise; nothing for a level plane.
+std::optional<double> aspect_deg(const Plane3& plane) {
+  const Eigen::Vector3d n = plane.normal();
+  if (n.x() == 0.0 && n.y() == 0.0) return std::nullopt;
+  const double azimuth_deg = std::atan2(n.x(), n.y()) * kDegrees;
+  return azimuth_deg < 0.0 ? azimuth_deg + 360.0 : azimuth_deg;
+}
+
+using PlaneField = Field<JudgedPlane>;
+
+const std::vector<PlaneField>& plane_fields() {
+  static const std::vector<PlaneField> fields{
+      {"plane_id", ColumnType::kInteger64,
+       [](const auto& p) { return integer(static_cast<std::int64_t>(p.id)); }},
+      {"normal_x", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 0)); }},
+      {"normal_y", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 1)); }},
+      {"normal_z", ColumnType::kReal, [](const auto& p) { return number(normal_part(p, 2)); }},
+      {"slope_deg", ColumnType::kReal,
+       [](const auto& p) { return number(slope_rad(p.plane) * kDegrees); }},
+      {"aspect_deg", ColumnType::kReal, [](const auto& p) { return number(aspect_deg(p.plane)); }},
+      {"rms_m", ColumnType::kReal, [](const auto& p) { return number(p.rms_m); }},
+      {"inliers", ColumnType::kInteger, [](const auto& p) { return integer(p.n_inliers); }},
+      {"n_lines", ColumnType::kInteger, [](const auto& p) { return integer(p.n_lines); }}};
+  return fields;
+}
+
+using VectorField = Field<LineEvaluation, JudgingPlane>;
+
+const std::vector<VectorField>& vector_fields() {
+  static const std::vector<VectorField> fields{
+      {"line_id", ColumnType::kText, [](const auto& e, const auto&) { return text(e.id); }},
+      {"plane_id", ColumnType::kInteger64,
+       [](const auto&, const auto& p) { return integer(static_cast<std::int64_t>(p.id)); }},
+      {"distance_m", ColumnType::kReal,
+       [](const auto&, const auto& p) { return number(p.distance.mean); }}};
+  return fields;
+}
+
+std::string lower(std::string name) {
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  });
+  return name;
+}
+
+/// The input's columns under names that no other column of the layer has, whatever the case.
+std::vector<Column> renamed(std::vector<Column> columns) {
+  std::set<std::string> taken{"fid", "geom"};
+  for (const LineField& field : line_fields()) taken.insert(field.name);
+  for (Column& column : columns) {
+    if (column.name.empty()) column.name = "column";
+    const std::string name = column.name;
+    for (int n = 1; !taken.insert(lower(column.name)).second; ++n) {
+      column.name = n == 1 ? name + "_in" : fmt::format("{}_in{}", name, n);
+    }
+  }
+  return columns;
+}
+
+/// From local metres to the coordinates of the map.
+class ToMap {
+ public:
+  ToMap(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& unit_m)
+      : origin_m_(origin_m), unit_m_(unit_m) {}
+  Eigen::Vector3d operator()(const Eigen::Vector3d& x_in_local) const {
+    return (x_in_local + origin_m_).cwiseQuotient(unit_m_);
+  }
+
+ private:
+  Eigen::Vector3d origin_m_, unit_m_;
+};
+
+io::MapLayer lines_layer(const io::LineSet& set, const evaluate::Evaluation& evaluation) {
+  // the most that SQLite takes is 2000
+  constexpr std::size_t kMostColumns = 1900;
+  io::MapLayer layer{.name = "lines",
+                     .description = "Lines with their distances from LIDAR planes",
+                     .geometry = io::MapGeometry::kLine,
+                     .columns = renamed(set.features.columns),
+                     .features = {},
+                     .style = lines_style()};
+  if (layer.columns.size() > kMostColumns) layer.columns.resize(kMostColumns);
+  const std::size_t first = layer.columns.size();
+  for (Column& column : columns_of(line_fields())) layer.columns.push_back(std::move(column));
+  layer.features.reserve(set.lines.size());
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    const io::Line& line = set.lines[i];
+    io::MapFeature feature;
+    if (all_finite(line.segment_in_world)) {
+      feature.vertices = {line.segment_in_world.start, line.segment_in_world.end};
+    }
+    if (line.row < set.features.rows.size()) {
+      for (const auto& value : set.features.rows[line.row]) {
+        if (value.first < first) feature.values.push_back(value);
+      }
+    }
+    add_values(line_fields(), first, feature.values, evaluation.lines[i], line);
+    layer.features.push_back(std::move(feature));
+  }
+  return layer;
+}
+
+io::MapLayer planes_layer(const std::vector<JudgedPlane>& planes, const ToMap& to_map) {
+  io::MapLayer layer{.name = "planes",
+                     .description = "LIDAR planes that lines were judged by",
+                     .geometry = io::MapGeometry::kPolygon,
+                     .columns = columns_of(plane_fields()),
+                     .features = {},
+                     .style = planes_style()};
+  for (const JudgedPlane& plane : planes) {
+    io::MapFeature feature;
+    std::ranges::transform(plane.outline, std::back_inserter(feature.vertices), to_map);
+    add_values(plane_fields(), 0, feature.values, plane);
+    layer.features.push_back(std::move(feature));
+  }
+  return layer;
+}
+
+io::MapLayer vectors_layer(const io::LineSet& set,
+                           const evaluate::Evaluation& evaluation,
+                           const Eigen::Vector3d& unit_m,
+                           const ToMap& to_map) {
+  io::MapLayer layer{.name = "vectors",
+                     .description = "From the middle of a line to its foot on each of its planes",
+                     .geometry = io::MapGeometry::kLine,
+                     .columns = columns_of(vector_fields()),
+                     .features = {},
+                     .style = vectors_style()};
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    const LineEvaluation& e = evaluation.lines[i];
+    for (const JudgingPlane& p : e.planes) {
+      const Eigen::Vector3d middle = midpoint(set.lines[i].segment_in_world);
+      const Eigen::Vector3d x = middle.cwiseProduct(unit_m) - evaluation.origin_m;
+      io::MapFeature feature;
+      feature.vertices = {middle, to_map(p.plane.projection(x))};
+      add_values(vector_fields(), 0, feature.values, e, p);
+      layer.features.push_back(std::move(feature));
+    }
+  }
+  return layer;
+}
+
+}  // namespace
+
+std::string map_name(const std::string& method) { return fmt::format("judged.{}.gpkg", method); }
+
+void write_judged_map(const std::string& path,
+                      const io::LineSet& set,
+                      const io::Crs& cloud_crs,
+                      const evaluate::Evaluation& evaluation,
+                      const std::vector<JudgedPlane>& planes) {
+  const Eigen::Vector3d unit_m = unit_m_of(set);
+  const ToMap to_map(evaluation.origin_m, unit_m);
+  io::write_geopackage(path, set.crs.known() ? set.crs : cloud_crs,
+                       {planes_layer(planes, to_map), lines_layer(set, evaluation),
+                        vectors_layer(set, evaluation, unit_m, to_map)});
+}
+
+}  // namespace ridgeline::apps

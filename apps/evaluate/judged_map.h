@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/judged_planes.h"
+#include "evaluate/statistics/evaluation.h"
+#include "io/lines/line_set.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// "judged.STEM.gpkg".
+std::string map_name(const std::string& method);
+
+/// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
+/// coordinates in its units:
+///   lines    the lines as they were read, with every column of their file (those with the name of a column
+///            below as NAME_in), `source_fid`, `part`, and what became of them; coloured by distance
+///   planes   the LIDAR planes that judged them, as the hulls of their points
+///   vectors  from the middle of each judged line to its foot on each of its planes
+/// Throws IoError if the file cannot be written.
+void write_judged_map(const std::string& path,
+                      const io::LineSet& set,
+                      const io::Crs& cloud_crs,
+                      const evaluate::Evaluation& evaluation,
+                      const std::vector<evaluate::JudgedPlane>& planes);
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/geopackage_writer.h"
+
+namespace ridgeline::apps {
+
+// How the layers of a map of judged lines look when it is opened, as QML and SLD.
+
+/// Coloured by `mean_distance_m`, in the steps and colours of the report; grey where not judged.
+io::MapStyle lines_style();
+/// Thin outlines with a light fill.
+io::MapStyle planes_style();
+/// Thin dark lines.
+io::MapStyle vectors_style();
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/judge_line.h"
+#include "reconstruct/geometry/plane.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// A LIDAR plane with all lines that were judged by it. Local frame.
+struct JudgedPlane {
+  std::uint64_t id = 0;                         ///< JudgingPlane::id
+  Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< the fit with the most inliers
+  int n_inliers = 0;                            ///< of that fit
+  double rms_m = 0.0;
+  int n_lines = 0;
+  /// Hull in plan of the inliers of all lines, on the plane, counter-clockwise from above; not closed.
+  std::vector<Eigen::Vector3d> outline;
+};
+
+/// The planes of all results, in the order of their ids.
+std::vector<JudgedPlane> judged_planes(std::span<const JudgedResult> results);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/judge/ridge_displacement.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// The horizontal unit vector across a direction in plan, to the side of larger x, else of larger y.
+Eigen::Vector3d across(const Eigen::Vector2d& along) {
+  const Eigen::Vector2d left(-along.y(), along.x());
+  const bool is_to_larger = left.x() > 0.0 || (left.x() == 0.0 && left.y() > 0.0);
+  const Eigen::Vector2d h = is_to_larger ? left : Eigen::Vector2d(-left);
+  return {h.x(), h.y(), 0.0};
+}
+
+}  // namespace
+
+std::optional<RidgeDisplacement> ridge_displacement(const Segment3& segment,
+                                                    const std::array<Plane3, 2>& planes,
+                                                    const std::array<double, 2>& sigmas_m) {
+  const Eigen::Vector2d along = (segment.end - segment.start).head<2>();
+  const double angle_deg =
+      acute_angle_rad(Eigen::Vector3d(planes[0].normal()), Eigen::Vector3d(planes[1].normal())) *
+      180.0 / std::numbers::pi;
+  if (!(along.norm() > 0.0) || angle_deg < kLeastRidgeAngle_deg) return std::nullopt;
+  const Eigen::Vector3d h = across(along.normalized());
+  const Eigen::Vector3d x = midpoint(segment);
+  Eigen::Matrix2d n;
+  Eigen::Vector2d d;
+  Eigen::Vector2d variances_m2;
+  for (int i = 0; i < 2; ++i) {
+    const Plane3& plane = planes[static_cast<std::size_t>(i)];
+    n.row(i) << plane.normal().dot(h), plane.normal().z();
+    d[i] = plane.signedDistance(x);
+    variances_m2[i] = std::pow(sigmas_m[static_cast<std::size_t>(i)], 2);
+  }
+  if (!(std::abs(n.determinant()) > 0.0)) return std::nullopt;
+  const Eigen::Matrix2d inverse = n.inverse();
+  const Eigen::Vector2d parts = inverse * d;
+  return RidgeDisplacement{
+      .horizontal_m = parts[0],
+      .vertical_m = parts[1],
+      .covariance_m2 = inverse * variances_m2.asDiagonal() * inverse.transpose()};
+}
+
+}  // namespace ridgeline::evaluate

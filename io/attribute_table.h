@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// Of the columns of a vector file. Dates and times are held as text, "2026/11/24 10:00:00+00".
+enum class ColumnType : std::uint8_t {
+  kBoolean,
+  kInteger,  ///< 32 bits
+  kInteger64,
+  kReal,
+  kText,
+  kDate,
+  kTime,
+  kDateTime,
+  kBinary,
+};
+
+struct Column {
+  std::string name;
+  ColumnType type = ColumnType::kText;
+};
+
+/// Empty, a number (0 and 1 of a boolean), or text.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// The values of a feature that has them, by the number of the column.
+using SparseRow = std::vector<std::pair<std::size_t, Value>>;
+
+/// What the features of a file state, column by column.
+struct AttributeTable {
+  std::vector<Column> columns;
+  std::vector<SparseRow> rows;
+};
+
+/// The type that holds the values of both: integers become real where they must, all else text.
+ColumnType common_type(ColumnType a, ColumnType b);
+
+/// The type of a word of a text file: an integer if the number gives the word back ("007" and "+1" are
+/// text), real with a point or an exponent, else text.
+ColumnType type_of_word(const std::string& word);
+
+/// Turns the values into those of their columns' types: words into numbers, numbers into words.
+void settle_types(AttributeTable& table);
+
+}  // namespace ridgeline::io
