@@ -111,27 +111,35 @@ bool is_contradicted(std::span<const CandidatePlane> candidates,
   return images && least_cost(candidates, decision, *images) > kFivePixels;
 }
 
+std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
+                                                   const EdgeDecision& decision,
+                                                   const Footprint& footprint,
+                                                   const JudgeOptions& options) {
+  // of the laser, placed on the line, that would tell as much of the plane: three make a plane
+  constexpr double kFewestPoints = 3.0;
+  const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
+  const double sigma_m = largest_sigma_m(candidates, decision, footprint);
+  if (sigma_m <= known_to_m) return std::nullopt;
+  std::ostringstream reason;
+  reason << std::setprecision(3) << "its plane is known to " << sigma_m
+         << " m at the line, must be known to " << known_to_m << " m";
+  return reason.str();
+}
+
 std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
                                             std::span<const CandidatePlane> candidates,
                                             const EdgeDecision& decision,
                                             const Footprint& footprint,
                                             const std::optional<ImageEvidence>& images,
                                             const JudgeOptions& options) {
-  // of the laser, placed on the line, that would tell as much of the plane: three make a plane
-  constexpr double kFewestPoints = 3.0;
   constexpr double kCanopy_m = 2.0;       // farther up it hides no edge that the images show
   constexpr Least kHedge{4, 0.15};        // a parapet of 0.3 m within 0.8 m on both sides
   constexpr Least kFence{4, 0.1};         // fewer are birds and antennas
   constexpr Least kFenceSeenOff{2, 0.1};  // unless the images show the line off the surface
   constexpr double kFence_m = 0.3;        // across; the line of a fence is off by that in plan
   constexpr double kThreePixels = 9.0;    // at one end, 2.1 at both
-  const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
-  const double sigma_m = largest_sigma_m(candidates, decision, footprint);
-  if (sigma_m > known_to_m) {
-    std::ostringstream reason;
-    reason << std::setprecision(3) << "its plane is known to " << sigma_m
-           << " m at the line, must be known to " << known_to_m << " m";
-    return reason.str();
+  if (auto reason = reason_too_little_known(candidates, decision, footprint, options)) {
+    return reason;
   }
   const std::vector<Placed> points = place(zone, candidates, decision, footprint, options);
   const auto stands = [](const Placed& point) {

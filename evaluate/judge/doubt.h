@@ -19,10 +19,16 @@ bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images);
 
+/// Says so if a chosen plane is known less well at the middle of the line than three laser points there would
+/// tell, by PlaneFit::sigma_at(); nothing else.
+std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
+                                                   const EdgeDecision& decision,
+                                                   const Footprint& footprint,
+                                                   const JudgeOptions& options);
+
 /// Why the planes that were chosen for a line may be the wrong ones: the line is ambiguous then. Nothing if there is no such reason.
 ///
-///   - A chosen plane is known less well at the middle of the line than three laser points there would tell: a
-///     few points aside that happen to lie in a plane.
+///   - reason_too_little_known(): a few points aside that happen to lie in a plane.
 ///   - Points stand on the chosen surface along the line that no plane explains: a hedge, a parapet, or a
 ///     fence, which has few points but these in the line; two, if the images show the line off the surface.
 ///   - The images show the line on none of the chosen planes, and there are points beside it that no

@@ -7,6 +7,7 @@
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/image_evidence.h"
 #include "evaluate/judge/plan_hull.h"
+#include "evaluate/judge/plane_sigma.h"
 #include "evaluate/judge/ridge_displacement.h"
 
 #include <Eigen/Geometry>
@@ -45,7 +46,7 @@ JudgingPlane judging_plane(const CandidatePlane& candidate,
           .rms_m = candidate.fit.rms_m,
           .coverage = candidate.coverage,
           .extrapolation_m = extrapolation_beyond(candidate.inliers, footprint),
-          .sigma_m = candidate.fit.sigma_at(midpoint(segment)),
+          .sigma_m = plane_sigma_m(candidate.fit, candidate.inliers, midpoint(segment)),
           .distance = orthogonal_distance(segment, candidate.fit.plane)};
 }
 
@@ -254,8 +255,11 @@ JudgedResult judge_line(const PointGrid& grid,
   summarise(e, line);
   if (e.kind == Kind::kRidge) {
     compare_with_intersection(e, line.segment);
-    e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
-                                        {e.planes[0].sigma_m, e.planes[1].sigma_m});
+    // each plane by the points of its own side only, which may be few
+    if (!reason_too_little_known(candidates, decision, footprint, options)) {
+      e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
+                                          {e.planes[0].sigma_m, e.planes[1].sigma_m});
+    }
   } else {
     e.height_if_vertical_m = e.signed_mean_m / e.planes[0].plane.normal().z();
   }
