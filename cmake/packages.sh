@@ -7,7 +7,7 @@ build_packages=(
   libgdal-dev libsqlite3-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin)
 # for the tests with Node, which are skipped without; of any origin will do
 node_packages=()
 command -v npm >/dev/null || node_packages=(nodejs npm)

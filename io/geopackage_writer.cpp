@@ -11,7 +11,6 @@
 #include <ogrsf_frmts.h>
 
 #include <memory>
-#include <optional>
 
 namespace ridgeline::io {
 namespace {
@@ -91,10 +90,10 @@ class GeopackageWriter {
   }
 
   void write(const Crs& crs, const std::vector<MapLayer>& layers) {
-    std::optional<OGRSpatialReference> reference = spatial_reference(crs);
+    OGRSpatialReference reference = spatial_reference(crs).value_or(undefined_plane());
     // one transaction, as GDAL would sync the disk for each feature otherwise
     dataset_->StartTransaction();
-    for (const MapLayer& layer : layers) write_layer(layer, reference ? &*reference : nullptr);
+    for (const MapLayer& layer : layers) write_layer(layer, reference);
     write_styles(layers);
     dataset_->CommitTransaction();
     dataset_.reset();  // writes what is still in memory
@@ -123,10 +122,10 @@ class GeopackageWriter {
     return *layer;
   }
 
-  void write_layer(const MapLayer& layer, OGRSpatialReference* reference) {
+  void write_layer(const MapLayer& layer, OGRSpatialReference& reference) {
     const OGRwkbGeometryType type =
         layer.geometry == MapGeometry::kLine ? wkbLineString25D : wkbPolygon25D;
-    OGRLayer& target = create_layer(layer.name, layer.description, reference, type, layer.columns);
+    OGRLayer& target = create_layer(layer.name, layer.description, &reference, type, layer.columns);
     for (const MapFeature& source : layer.features) {
       OGRFeature feature(target.GetLayerDefn());
       for (const auto& [column, value] : source.values) {

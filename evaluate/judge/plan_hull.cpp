@@ -40,7 +40,7 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   });
   add_chain(points.begin(), points.end(), corners);
   add_chain(points.rbegin(), points.rend(), corners);
-  if (corners.empty()) corners.push_back(points.front());
+  if (corners.empty() || points.front() == points.back()) return {points.front()};
   return corners;
 }
 

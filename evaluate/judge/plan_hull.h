@@ -11,7 +11,7 @@
 namespace ridgeline::evaluate {
 
 /// The corners of the convex hull, counter-clockwise from the least x; of points on one line its two ends,
-/// of none none.
+/// of one point that, of none none.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
 /// Convex hull of points in the footprint's axes (s, t).

@@ -5,8 +5,10 @@
 #include <cpl_error.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 namespace ridgeline::io {
 namespace {
@@ -58,8 +60,19 @@ std::optional<OGRSpatialReference> spatial_reference(const Crs& crs) {
   return reference;
 }
 
+OGRSpatialReference undefined_plane() {
+  OGRSpatialReference reference;
+  reference.SetLocalCS("Undefined Cartesian SRS");
+  return reference;
+}
+
 Crs crs_of(const OGRSpatialReference* reference) {
+  // names that GeoPackage has for none; GDAL writes the geographic one whatever the coordinates are
+  constexpr std::array<std::string_view, 2> kNone{"Undefined Cartesian SRS",
+                                                  "Undefined geographic SRS"};
   if (reference == nullptr) return {};
+  const char* const name = reference->GetName();
+  if (name != nullptr && std::find(kNone.begin(), kNone.end(), name) != kNone.end()) return {};
   const QuietGdal quiet;
   const char* options[] = {"FORMAT=WKT2_2019", nullptr};
   char* text = nullptr;

@@ -43,7 +43,10 @@ class FixedDate {
 /// Nothing if PROJ cannot read the definition or it is empty. Axes are east, north, up.
 std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
 
-/// As WKT2; unknown for null.
+/// The system of a file for what states none: a plane with metres that is nowhere on Earth.
+OGRSpatialReference undefined_plane();
+
+/// As WKT2; unknown for null and for the undefined ones of GeoPackage.
 Crs crs_of(const OGRSpatialReference* reference);
 
 /// The vertices of a LineString or MultiLineString; arcs are stroked. `is_line` is false for other

@@ -39,6 +39,7 @@ class OgrWriter {
 
   void write(const LineSet& set) {
     std::optional<OGRSpatialReference> reference = spatial_reference(set.crs);
+    if (!reference && target_.has_long_text) reference = undefined_plane();
     const std::string name = std::filesystem::path(path_).stem().string();
     layer_ = dataset_->CreateLayer(name.c_str(), reference ? &*reference : nullptr,
                                    wkbLineString25D, nullptr);

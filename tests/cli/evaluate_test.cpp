@@ -35,8 +35,9 @@ TEST_F(Evaluate, WritesTheFilesOfTheContract) {
   const ProgramResult result = evaluate("scene/lines.good.geojson", "out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(names_in(path("out")),
-              IsSupersetOf({"evaluation.lines.good.json", "evaluation.lines.good.csv", "run.json",
-                            "table2.csv", "table2.json", "table2.md", "table2.tex"}));
+              IsSupersetOf({"evaluation.lines.good.json", "evaluation.lines.good.csv",
+                            "judged.lines.good.gpkg", "run.json", "table2.csv", "table2.json",
+                            "table2.md", "table2.tex"}));
   const std::string table = read(path("out/table2.md"));
   EXPECT_EQ(result.out, table);
   EXPECT_THAT(table, AllOf(HasSubstr("not_aligned"), HasSubstr("| lidar |")));
@@ -44,7 +45,7 @@ TEST_F(Evaluate, WritesTheFilesOfTheContract) {
 
 TEST_F(Evaluate, LeavesNoTemporaryFile) {
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "out").exit_code, 0);
-  const std::set<std::string> known{".json", ".csv", ".md", ".tex", ".html", ".png"};
+  const std::set<std::string> known{".json", ".csv", ".md", ".tex", ".html", ".png", ".gpkg"};
   for (const std::string& name : names_in(path("out"))) {
     EXPECT_TRUE(known.contains(std::filesystem::path(name).extension())) << name;
   }

@@ -29,6 +29,16 @@ TEST(PlanHull, ContainsItsInsideAndBorder) {
   EXPECT_EQ(hull.distance_to({2, 1}), 0.0);
 }
 
+TEST(ConvexHull, HasItsCornersCounterClockwiseFromTheLeastX) {
+  const std::vector<Eigen::Vector2d> corners =
+      convex_hull({{4, 2}, {1, 1}, {0, 2}, {4, 0}, {2, 0}, {0, 0}});
+  const std::vector<Eigen::Vector2d> expected{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  EXPECT_EQ(corners, expected);
+  EXPECT_EQ(convex_hull({{0, 0}, {2, 2}, {1, 1}}).size(), 2U);
+  EXPECT_EQ(convex_hull({{3, 1}, {3, 1}}).size(), 1U);
+  EXPECT_TRUE(convex_hull({}).empty());
+}
+
 TEST(PlanHull, TakesDegenerateSets) {
   EXPECT_EQ(PlanHull(at({})).distance_to({0, 0}), HUGE_VAL);
   EXPECT_NEAR(PlanHull(at({{3, 4}})).distance_to({0, 0}), 5.0, kTol);
