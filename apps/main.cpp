@@ -162,9 +162,9 @@ void open_standard_streams() {
 /// What is printed is held back until the results are complete, so that nothing that happens to the reader ends
 /// the work halfway.
 void hold_back_stdout() {
-  constexpr std::size_t kBytes = std::size_t{1} << 20U;
+  static std::array<char, std::size_t{1} << 20U> buffer;  // glibc takes no size without one
   std::signal(SIGPIPE, SIG_IGN);
-  if (isatty(STDOUT_FILENO) == 0) std::setvbuf(stdout, nullptr, _IOFBF, kBytes);
+  if (isatty(STDOUT_FILENO) == 0) std::setvbuf(stdout, buffer.data(), _IOFBF, buffer.size());
 }
 
 /// A reader that has seen enough, as `head`, is no fault.

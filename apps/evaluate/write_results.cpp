@@ -50,7 +50,8 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
       "table2.md",    "table2.csv",           "table2.json",
       "table2.tex",   "table2.common.md",     "table2.common.csv",
       "run.json",     "tolerances.csv",       "tolerances.md",
-      "reference.md", "reference_errors.csv", "reference_completeness.csv"};
+      "reference.md", "reference_errors.csv", "reference_completeness.csv",
+      "parts.csv"};
   for (const std::string& path : line_paths) {
     for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
   }
@@ -100,6 +101,7 @@ std::string write_table2(std::span<const Evaluation> evaluations, const OutputFo
   out.write("table2.csv", evaluate::to_csv(table));
   out.write("table2.json", evaluate::to_json(table));
   out.write("table2.tex", evaluate::to_latex(table));
+  out.write("parts.csv", evaluate::parts_to_csv(table));
   if (has_several_methods(evaluations)) {
     const evaluate::Table2 paired = evaluate::make_table2(on_common_lines_by_patch(evaluations));
     out.write("table2.common.md", evaluate::to_markdown(paired));

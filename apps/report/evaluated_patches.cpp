@@ -3,11 +3,14 @@
 
 #include "apps/common/evaluated_methods.h"
 #include "apps/evaluate/judged_lines.h"
+#include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
+#include "io/text_file.h"
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
@@ -101,7 +104,9 @@ void read_evaluation(const EvaluationFile& file,
                      std::vector<ReportPatch>& patches) {
   try {
     ReportMethod method;
-    method.evaluation = read_json_object(file.path);
+    const std::string text = io::read_text_file(file.path.string());
+    (void)evaluate::parse_judged_lines(text);  // that what is used below is there, with its types
+    method.evaluation = Json::parse(text);
     method.name = method.evaluation.at("method").get<std::string>();
     const auto patch_id = method.evaluation.at("patch").get<std::string>();
     if (!evaluated.contains({patch_id, method.name})) return;
@@ -111,6 +116,8 @@ void read_evaluation(const EvaluationFile& file,
     patch.methods.push_back(std::move(method));
   } catch (const Json::exception& error) {
     throw io::IoError(file.path.string(), std::string("is no evaluation: ") + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw io::IoError(file.path.string(), error.what());
   }
 }
 

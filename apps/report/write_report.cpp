@@ -49,15 +49,9 @@ std::string title_of(const ReportInput& input) {
 
 constexpr const char* kReportFile = "report.html";
 
-}  // namespace
-
-void add_report_flag(CLI::App& app, bool& report) {
-  app.add_flag("!--no-report", report, "leave out report.html and the figures beside it");
-}
-
-std::string write_report(const std::string& folder,
-                         const std::optional<evaluate::GateReport>& gates) {
-  const ReportInput input = read_report_input(folder);
+std::string write_report_of(const ReportInput& input,
+                            const std::string& folder,
+                            const std::optional<evaluate::GateReport>& gates) {
   const OutputFolder out(folder, input.input_paths);
   std::vector<ShownScene> scenes(input.patches.size());
   tbb::parallel_for(std::size_t{0}, scenes.size(),
@@ -76,6 +70,21 @@ std::string write_report(const std::string& folder,
                                .dump(-1, ' ', false, evaluate::Json::error_handler_t::replace);
   out.write(kReportFile, report_page(title_of(input), data));
   return out.path(kReportFile);
+}
+
+}  // namespace
+
+void add_report_flag(CLI::App& app, bool& report) {
+  app.add_flag("!--no-report", report, "leave out report.html and the figures beside it");
+}
+
+std::string write_report(const std::string& folder,
+                         const std::optional<evaluate::GateReport>& gates) {
+  try {
+    return write_report_of(read_report_input(folder), folder, gates);
+  } catch (const evaluate::Json::exception& error) {
+    throw io::IoError(folder, std::string("a file of its results is damaged: ") + error.what());
+  }
 }
 
 void remove_report(const std::string& folder) {

@@ -61,6 +61,10 @@ std::string why_no_value(const Summary& cell, const std::string& metric) {
     return fmt::format("none of the {} lines of class {} was evaluated", cell.n_lines,
                        cell.line_class);
   }
+  if (cell.n_parts == 0 && metric_count(cell, metric) == 0) {
+    return fmt::format("none of the {} lines is a ridge or hip whose parts could be told",
+                       cell.n_evaluated);
+  }
   return fmt::format("n = {} lines have no {}", cell.n_evaluated, metric);
 }
 

@@ -49,6 +49,13 @@ constexpr std::array kAccuracyMetrics{
                    [](const Summary& s) { return s.evaluated_share(); }},
     AccuracyMetric{{"evaluated_share_by_length", "the same, each line with its length", kAsShare},
                    [](const Summary& s) { return s.evaluated_share_by_length(); }},
+    AccuracyMetric{{"rmse_horizontal_m", "RMSE across ridges and hips in plan", kInMetres},
+                   [](const Summary& s) { return s.rmse_horizontal_m; }},
+    AccuracyMetric{{"rmse_vertical_m", "RMSE in height of ridges and hips", kInMetres},
+                   [](const Summary& s) { return s.rmse_vertical_m; }},
+    AccuracyMetric{
+        {"mean_vertical_m", "mean of the same; give it min and max", kInMetres, kIsSigned},
+        [](const Summary& s) { return s.mean_vertical_m; }},
 };
 
 struct MatchingMetric {
@@ -131,7 +138,9 @@ std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_v
 }
 
 std::size_t metric_count(const Summary& summary, std::string_view metric) {
-  return metric.starts_with("evaluated_share") ? summary.n_lines : summary.n_evaluated;
+  if (metric.starts_with("evaluated_share")) return summary.n_lines;
+  const bool is_of_ridges = metric.ends_with("horizontal_m") || metric.ends_with("vertical_m");
+  return is_of_ridges ? summary.n_parts : summary.n_evaluated;
 }
 
 std::size_t metric_count(const MatchCounts& counts, std::string_view metric) {

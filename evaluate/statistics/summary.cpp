@@ -117,6 +117,23 @@ void describe_errors(const Sample& sample, const SummaryOptions& options, Summar
   describe_outliers(errors, options, summary);
 }
 
+void describe_parts(std::span<const LineEvaluation> lines,
+                    std::span<const std::size_t> members,
+                    Summary& summary) {
+  std::vector<double> horizontal_m;
+  std::vector<double> vertical_m;
+  for (const std::size_t i : members) {
+    if (!lines[i].displacement) continue;
+    horizontal_m.push_back(lines[i].displacement->horizontal_m);
+    vertical_m.push_back(lines[i].displacement->vertical_m);
+  }
+  summary.n_parts = horizontal_m.size();
+  if (horizontal_m.empty()) return;
+  summary.rmse_horizontal_m = root_mean_square(horizontal_m);
+  summary.rmse_vertical_m = root_mean_square(vertical_m);
+  summary.mean_vertical_m = sum(vertical_m) / static_cast<double>(vertical_m.size());
+}
+
 void expect_equal(const Summary& total, const char* what, double whole, double parts) {
   constexpr double kRelativeTolerance = 1e-12;  // rounding of the compensated sums is near 1e-15
   if (std::abs(whole - parts) <= kRelativeTolerance * std::max(std::abs(whole), std::abs(parts))) {
@@ -183,6 +200,7 @@ Summary summarize(std::span<const LineEvaluation> lines,
   if (summary.n_evaluated == 0) return summary;
   describe_errors(sample, options, summary);
   describe_signed(sample.signed_errors, summary);
+  describe_parts(lines, members, summary);
   return summary;
 }
 

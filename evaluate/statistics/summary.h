@@ -60,6 +60,11 @@ struct Summary {
   std::size_t n_outliers = 0;                    ///< never left out of the figures above
   std::optional<double> rms_without_outliers_m;  ///< second table only
 
+  std::size_t n_parts = 0;                  ///< ridges and hips with RidgeDisplacement
+  std::optional<double> rmse_horizontal_m;  ///< of these, across the line in plan
+  std::optional<double> rmse_vertical_m;    ///< of these
+  std::optional<double> mean_vertical_m;    ///< of these; positive: the lines are too high
+
   [[nodiscard]] bool few_clusters() const { return n_clusters < kMinClusters; }
   /// n_evaluated / n_lines: stands beside every RMS. Empty for no lines.
   [[nodiscard]] std::optional<double> evaluated_share() const;

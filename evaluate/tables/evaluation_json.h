@@ -18,10 +18,14 @@ std::string to_json(const Evaluation& evaluation);
 /// Throws std::invalid_argument "what: value; rule" for text that is no such file.
 Evaluation parse_evaluation(std::string_view json);
 
+/// The same without the figures of classes: `classes` stays empty.
+Evaluation parse_judged_lines(std::string_view json);
+
 /// One row per line with 4 decimals in metres:
 /// id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers,plane_rms_m,hull_coverage,
 /// extrapolation_m,start_distance_m,end_distance_m,mean_distance_m,signed_mean_m,sigma_line_m,
-/// sigma_plane_m,z,status,flags. Figures of two planes and flags are separated by a semicolon.
+/// sigma_plane_m,z,status,flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,
+/// height_if_vertical_m. Figures of two planes and flags are separated by a semicolon.
 std::string to_line_csv(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

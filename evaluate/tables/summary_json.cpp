@@ -48,6 +48,10 @@ Json summary_json(const Summary& s) {
       {"gross_share", number_json(s.gross_share)},
       {"n_outliers", s.n_outliers},
       {"rms_without_outliers_m", number_json(s.rms_without_outliers_m)},
+      {"n_parts", s.n_parts},
+      {"rmse_horizontal_m", number_json(s.rmse_horizontal_m)},
+      {"rmse_vertical_m", number_json(s.rmse_vertical_m)},
+      {"mean_vertical_m", number_json(s.mean_vertical_m)},
   };
 }
 

@@ -89,6 +89,27 @@ std::string companions_markdown(const Table2& table) {
   return text;
 }
 
+/// Nothing if no ridge is in the table.
+std::string parts_markdown(const Table2& table) {
+  std::string rows;
+  for (const PatchMethodResult& result : table.results) {
+    for (const Summary& s : result.classes) {
+      if (s.n_parts == 0) continue;
+      rows += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(result.patch),
+                          escape_markdown(result.method), escape_markdown(s.line_class), s.n_parts,
+                          metres(s.rmse_horizontal_m), metres(s.rmse_vertical_m),
+                          metres(s.mean_vertical_m));
+    }
+  }
+  if (rows.empty()) return "";
+  return "Ridges and hips, from both planes: how far across in plan and how far in height. "
+         "Movement along a "
+         "line cannot be seen.\n\n"
+         "| patch | method | class | n | RMSE horizontal | RMSE vertical | mean vertical |\n"
+         "|---|---|---|--:|--:|--:|--:|\n" +
+         rows + "\n";
+}
+
 /// Whether lines of any result are of the two classes; a result without lines has them, too, but tells
 /// nothing beside others.
 bool has_classes(const Table2& table) {
@@ -135,8 +156,9 @@ std::string to_markdown(const Table2& table) {
   return fmt::format(
       "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}\n"
       "Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of "
-      "the mean absolute distances.\n\n{}\n{}\n",
-      published_form_markdown(table), companions_markdown(table), kFixedSentence);
+      "the mean absolute distances.\n\n{}\n{}{}\n",
+      published_form_markdown(table), companions_markdown(table), parts_markdown(table),
+      kFixedSentence);
 }
 
 std::string to_csv(const Table2& table) {
@@ -152,6 +174,20 @@ std::string to_csv(const Table2& table) {
                           escape_csv(result.method), escape_csv(s.line_class), s.n_lines,
                           s.n_evaluated, number(s.rms_m), number(low), number(high),
                           number(s.median_m), number(s.nmad_m), number(s.q95_m));
+    }
+  }
+  return text;
+}
+
+std::string parts_to_csv(const Table2& table) {
+  std::string text =
+      "patch,method,class,n_ridges,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m\n";
+  for (const PatchMethodResult& result : table.results) {
+    for (const Summary& s : result.classes) {
+      text +=
+          fmt::format("{},{},{},{},{},{},{}\n", escape_csv(result.patch), escape_csv(result.method),
+                      escape_csv(s.line_class), s.n_parts, metres(s.rmse_horizontal_m, ""),
+                      metres(s.rmse_vertical_m, ""), metres(s.mean_vertical_m, ""));
     }
   }
   return text;

@@ -39,6 +39,10 @@ std::string to_markdown(const Table2& table);
 /// figure that does not exist is an empty field.
 std::string to_csv(const Table2& table);
 
+/// `patch,method,class,n_ridges,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m`: the parts of ridges and hips,
+/// see RidgeDisplacement.
+std::string parts_to_csv(const Table2& table);
+
 /// Every figure in full precision: {"rows": [{patch, method, class, ...}], "note": ...}.
 std::string to_json(const Table2& table);
 

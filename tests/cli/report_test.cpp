@@ -250,7 +250,22 @@ TEST_F(Report, RefusesAFolderWithoutResults) {
   write(path("empty/evaluation.x.json"), "[]");
   EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("evaluation.x.json"));
   write(path("empty/evaluation.x.json"), R"({"method": "x", "lines": [{}]})");
-  EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("is no evaluation"));
+  EXPECT_REFUSED(run({"report", "empty"}),
+                 HasSubstr("evaluation.x.json: evaluation: no key patch"));
+}
+
+TEST_F(Report, RefusesResultsOfTheWrongTypes) {
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "out", {"--no-report"}).exit_code, 0);
+  const std::string file = "out/evaluation.lines.good.json";
+  const nlohmann::json good = read_json(path(file));
+  nlohmann::json bad = good;
+  bad["lines"][0]["planes"][0]["id"] = {1, 2};
+  write(path(file), bad.dump());
+  EXPECT_REFUSED(run({"report", "out"}), HasSubstr("lines.good.json: line 0: id: [1,2]"));
+  bad = good;
+  bad["summary"]["total"] = 7;
+  write(path(file), bad.dump());
+  EXPECT_REFUSED(run({"report", "out"}), HasSubstr("out: a file of its results is damaged"));
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ inline ResultFolder results_with(double aligned_m, const std::string& method = "
     e.lines.push_back(evaluated_line("n" + id, i % 2 == 0 ? 0.1 : -0.1, i + 1));
     e.lines.push_back(evaluated_line("a" + id, aligned_m, i + 1, "aligned"));
   }
+  for (LineEvaluation& line : e.lines) {
+    line.displacement = RidgeDisplacement{.horizontal_m = 0.1, .vertical_m = 0.1};
+  }
   for (int i = 0; i < 5; ++i) {
     e.lines.push_back(excluded_line("x" + std::to_string(i), Status::kNoPlane));
   }

@@ -228,8 +228,48 @@ TEST(LineCsv, HasARowPerLineWithTheDocumentedColumns) {
   EXPECT_THAT(text, StartsWith("id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers"));
   EXPECT_THAT(text, HasSubstr("\nb,1,not_aligned,,step,direct,5.0000,40,0.0000,1.0000,0.0000,"
                               "-0.4000,-0.4000,0.4000,-0.4000,,0.0000,,evaluated,"
-                              "merged;plane_ambiguous\n"));
-  EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,\n"));
+                              "merged;plane_ambiguous,,,,,\n"));
+  EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,,,,,,\n"));
+}
+
+TEST(Table2Parts, AreOfTheRidgesAlone) {
+  Evaluation evaluation = small_evaluation();
+  evaluation.lines[0].displacement = RidgeDisplacement{.horizontal_m = 0.3, .vertical_m = -0.1};
+  evaluation.lines[1].displacement = RidgeDisplacement{.horizontal_m = -0.4, .vertical_m = 0.3};
+  const Table2 table = make_table2(std::vector{with_summaries(evaluation)});
+  // rms of 0.3 and 0.4, of 0.1 and 0.3
+  EXPECT_THAT(parts_to_csv(table), HasSubstr("1,direct,not_aligned,2,0.354,0.224,0.100\n"));
+  EXPECT_THAT(parts_to_csv(table), HasSubstr("1,direct,aligned,0,,,\n"));
+  EXPECT_THAT(to_markdown(table), HasSubstr("| 1 | direct | total | 2 | 0.354 | 0.224 | 0.100 |"));
+  EXPECT_THAT(to_markdown(make_table2(std::vector{small_evaluation()})), Not(HasSubstr("hips")));
+}
+
+TEST(LineCsv, HasTheHorizontalAndVerticalPartsOfARidge) {
+  Evaluation evaluation = small_evaluation();
+  RidgeDisplacement d{.horizontal_m = 0.2, .vertical_m = -0.1, .covariance_m2 = {}};
+  d.covariance_m2 << 4e-4, 1e-4, 1e-4, 1e-4;
+  evaluation.lines[0].displacement = d;
+  evaluation.lines[1].height_if_vertical_m = -0.45;
+  const std::string text = to_line_csv(evaluation);
+  EXPECT_THAT(text, HasSubstr("flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,"
+                              "height_if_vertical_m\n"));
+  EXPECT_THAT(text, HasSubstr(",evaluated,,0.2000,-0.1000,0.0200,0.0100,\n"));
+  EXPECT_THAT(text, HasSubstr("plane_ambiguous,,,,,-0.4500\n"));
+}
+
+TEST(ParseEvaluation, TakesBackThePartsOfARidge) {
+  Evaluation evaluation = small_evaluation();
+  RidgeDisplacement d{.horizontal_m = 0.2, .vertical_m = -0.1, .covariance_m2 = {}};
+  d.covariance_m2 << 4e-4, 1e-4, 1e-4, 2e-4;
+  evaluation.lines[0].displacement = d;
+  evaluation.lines[1].height_if_vertical_m = -0.45;
+  const Evaluation again = parse_evaluation(to_json(evaluation));
+  ASSERT_TRUE(again.lines[0].displacement);
+  EXPECT_EQ(again.lines[0].displacement->horizontal_m, 0.2);
+  EXPECT_EQ(again.lines[0].displacement->vertical_m, -0.1);
+  EXPECT_EQ(again.lines[0].displacement->covariance_m2, d.covariance_m2);
+  EXPECT_FALSE(again.lines[1].displacement);
+  EXPECT_EQ(again.lines[1].height_if_vertical_m, -0.45);
 }
 
 }  // namespace
