@@ -8,6 +8,7 @@
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
+#include "io/cloud/labelled_points.h"
 #include "io/error.h"
 
 #include <fmt/core.h>
@@ -24,7 +25,7 @@ namespace {
 /// The options as they stand on the command line.
 struct EvaluateArguments {
   std::vector<std::string> lines, clouds;
-  std::string out, patch, reference_lines;
+  std::string out, patch, reference_lines, write_points;
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
   bool vertex_pairs = false, report = true;
@@ -53,6 +54,9 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "true 3D lines: precision and completeness at tolerances beside the distances");
   app.add_option("--assume-crs", a.assume_crs,
                  "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
+  app.add_option(
+      "--write-points", a.write_points,
+      "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
   add_report_flag(app, a.report);
   app.add_flag("--pairs", a.vertex_pairs, "an OBJ's vertices two by two are the lines");
 }
@@ -184,6 +188,7 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.lines.vertex_pairs = a.vertex_pairs;
   options.judge = a.judge;
   options.judge.method = consensus_named(a.sample_consensus);
+  options.judge.keep_points = !a.write_points.empty();
   options.summary = a.summary;
   validate(options.judge);
   validate(options.summary);
@@ -226,6 +231,19 @@ std::vector<Input> inputs_of(const EvaluateArguments& a, const JudgeFilesOptions
   return inputs;
 }
 
+void check_points_file(const EvaluateArguments& a, const std::vector<std::string>& inputs) {
+  if (a.write_points.empty()) return;
+  check(a.lines.size() == 1, "--write-points: there are ", a.lines.size(),
+        " line files; their planes differ, give one");
+  io::require_point_format(a.write_points);
+  (void)output_file(a.write_points, inputs);
+  if (!holds_something(a.write_points) || io::is_own_points_file(a.write_points)) return;
+  throw io::IoError(
+      a.write_points,
+      "is no points file of ridgeline and would be written over; choose another name or "
+      "remove it");
+}
+
 int run_evaluate(const EvaluateArguments& arguments) {
   RunRecord record("evaluate");
   const JudgeFilesOptions options = judge_files_options(arguments);
@@ -237,6 +255,8 @@ int run_evaluate(const EvaluateArguments& arguments) {
   const OutputFolder out(arguments.out, paths);
   for (const std::string& name : result_names(options.line_paths)) (void)out.path(name);
 
+  check_points_file(arguments, paths);
+
   const JudgedFiles judged = judge_files(options, record);
   for (const std::string& warning : judged.warnings) spdlog::warn("{}", warning);
   record.add_warnings(judged.warnings);
@@ -247,6 +267,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   }
   record.end_stage("hash_inputs");
   write_judged(judged, out, "");
+  if (!arguments.write_points.empty()) write_plane_points(arguments.write_points, judged);
   write_truth(judged.truth, out);
   const std::string table2 = write_table2(judged.evaluations, out);
   if (has_figures(judged.evaluations)) fmt::print("{}", table2);

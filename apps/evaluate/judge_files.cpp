@@ -214,6 +214,10 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
     references = reference_lines_of(set, judged.frame);
   }
   judged.cloud_crs = cloud.crs();
+  judged.cloud_unit_m = cloud.unit_m();
+  if (options.judge.keep_points) {
+    judged.points = evaluate::plane_points(batches.results.front());  // of the only file
+  }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
     judged.evaluations.push_back(

@@ -36,7 +36,9 @@ struct JudgedFiles {
   std::vector<io::LineSet> line_sets;             ///< as read
   std::vector<evaluate::Evaluation> evaluations;  ///< one per line file; method: the file's stem
   std::vector<std::vector<evaluate::JudgedPlane>> planes;  ///< of each evaluation
+  std::vector<evaluate::PlanePoint> points;  ///< of all planes, if the judge keeps them
   io::Crs cloud_crs;
+  Eigen::Vector3d cloud_unit_m = Eigen::Vector3d::Ones();
   std::vector<TruthRows> truth;  ///< one per evaluation
   std::vector<std::string> warnings;
   std::vector<std::string> unread_clouds;  ///< files of which no line is near

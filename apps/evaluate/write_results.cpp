@@ -7,9 +7,15 @@
 #include "evaluate/tables/accuracy_table.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
+#include "io/cloud/labelled_points.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -71,6 +77,31 @@ void write_judged(const JudgedFiles& judged,
     write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
                      judged.planes[i]);
   }
+}
+
+void write_plane_points(const std::string& path, const JudgedFiles& judged) {
+  // the largest plane, mostly the ground, is grey; the report has the same colours (colours.ts)
+  using Rgb = std::array<std::uint8_t, 3>;
+  constexpr std::array<Rgb, 8> kColours{
+      Rgb{0xb9, 0xb1, 0xa7}, Rgb{0x86, 0xc5, 0xec}, Rgb{0xef, 0xb9, 0x4d}, Rgb{0x9f, 0xcb, 0x7e},
+      Rgb{0xe6, 0xdc, 0x74}, Rgb{0x7f, 0xae, 0xdb}, Rgb{0xea, 0xa1, 0x94}, Rgb{0xdc, 0xa3, 0xc3}};
+  std::vector<evaluate::JudgedPlane> planes = judged.planes.front();
+  std::ranges::stable_sort(planes, std::greater<>(), &evaluate::JudgedPlane::n_inliers);
+  std::map<std::uint64_t, Rgb> colours;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    colours[planes[i].id] = kColours[i % kColours.size()];
+  }
+  io::LabelledPoints points{.frame = judged.frame,
+                            .crs = judged.cloud_crs,
+                            .unit_m = judged.cloud_unit_m,
+                            .x_in_local = {},
+                            .labels = {}};
+  for (const evaluate::PlanePoint& point : judged.points) {
+    points.x_in_local.push_back(point.x);
+    points.labels.push_back({colours.at(point.plane_id), static_cast<std::uint32_t>(point.plane_id),
+                             static_cast<float>(point.distance_m)});
+  }
+  io::write_labelled_points(path, points);
 }
 
 void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {

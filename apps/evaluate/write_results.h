@@ -23,6 +23,9 @@ std::vector<std::string> evaluation_names(const std::string& method);
 /// numbers and the strata) and the map judged.METHOD.gpkg of each evaluation, below `subfolder` ("" or "PATCH/").
 void write_judged(const JudgedFiles& judged, const OutputFolder& out, const std::string& subfolder);
 
+/// Writes the points of the planes, coloured by plane as in the report; see io::write_labelled_points().
+void write_plane_points(const std::string& path, const JudgedFiles& judged);
+
 /// Writes tolerances.{csv,md}: precision and completeness at tolerances; and, where there are
 /// reference lines, reference_errors.csv, reference_completeness.csv and reference.md.
 void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out);

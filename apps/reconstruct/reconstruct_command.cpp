@@ -36,6 +36,7 @@ struct ReconstructArguments {
   reconstruct::ReconstructOptions reconstruct;
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
+  bool local_origin = false;
 };
 
 struct MatchedPair {
@@ -131,12 +132,14 @@ int run_reconstruct(ReconstructArguments a) {
   const MatchedPair pair = matched_pair(patch, a);
   const io::LineSet lines = reconstruct_patch(patch, pair.segments, pair.matches, pair.images,
                                               a.reconstruct, a.matching.pairwise);
-  io::write_lines(a.out, lines, *io::line_format(a.format));
+  const std::size_t n_left_out =
+      io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =
       std::count_if(lines.lines.begin(), lines.lines.end(),
                     [](const io::Line& line) { return all_finite(line.segment_in_world); });
-  fmt::print("{}: {} lines by {}, {} without geometry\n", a.out, with_geometry, a.method,
-             static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry);
+  fmt::print("{}: {} lines by {}, {} without geometry{}\n", a.out, with_geometry, a.method,
+             static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry,
+             n_left_out > 0 ? ", left out of the file" : "");
   return kDone;
 }
 
@@ -155,6 +158,7 @@ Run add_reconstruct(CLI::App& subcommand) {
   subcommand.add_option("--format", a->format, "of --out")
       ->check(CLI::IsMember(line_format_names()))
       ->capture_default_str();
+  add_local_origin_flag(subcommand, a->local_origin);
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);
   add_flags(subcommand, a->extract, "Extract", "extract_");

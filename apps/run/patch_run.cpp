@@ -99,6 +99,7 @@ class PatchRun {
     const std::string name = reconstruct::name(method);
     std::vector<std::string> parts{match_key_, name, echo(options_.reconstruct).dump()};
     for (const std::string& file : stages_.line_files(method)) parts.push_back(file);
+    if (options_.local_origin) parts.emplace_back("local origin");
     lines_keys_.push_back(stage_key(parts));
     stage("reconstruct " + name, lines_keys_.back(), stages_.line_files(method),
           [&] { stages_.reconstruct(method); });

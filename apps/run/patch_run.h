@@ -31,6 +31,7 @@ struct RunOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
+  bool local_origin = false;                 ///< see io::WriteLinesOptions
   io::Crs assume_crs;          ///< declares or overrides that of patch, cloud and reference lines
   double max_image_mpx = 0.0;  ///< of io::read_image()
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< of check_pair()

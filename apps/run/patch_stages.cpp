@@ -9,6 +9,7 @@
 #include "io/segments_file.h"
 
 #include <fmt/core.h>
+#include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -166,8 +167,11 @@ void PatchStages::reconstruct(reconstruct::Method method) {
   for (const io::LineFormat format : options_.line_formats) {
     for (const io::LineFormatInfo& info : io::line_formats()) {
       if (info.format != format || format == io::LineFormat::kGeoJson) continue;
-      io::write_lines(path(fmt::format("lines.{}{}", reconstruct::name(method), info.extension)),
-                      lines, format);
+      const std::string file = fmt::format("lines.{}{}", reconstruct::name(method), info.extension);
+      const std::size_t n_left_out =
+          io::write_lines(path(file), lines, format, {.local_origin = options_.local_origin});
+      if (n_left_out == 0) continue;
+      spdlog::info("{}/{}: {} lines without geometry are left out", patch_.id, file, n_left_out);
     }
   }
 }

@@ -34,6 +34,13 @@ reconstruct::Method method_named(const std::string& name) {
       fmt::format("method = {}, must be one of direct, joint, network", name));
 }
 
+void add_local_origin_flag(CLI::App& app, bool& local_origin) {
+  app.add_flag(
+      "--local-origin", local_origin,
+      "lines as OBJ and PLY relative to an origin that the file states, for programs that hold "
+      "coordinates in 32 bits");
+}
+
 void add_run_flags(CLI::App& app, RunFlags& flags) {
   app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network")
       ->delimiter(',')
@@ -48,6 +55,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(line_format_names()));
+  add_local_origin_flag(app, flags.options.local_origin);
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
   app.add_option("--assume-crs", flags.options.assume_crs.definition,

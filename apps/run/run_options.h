@@ -21,6 +21,8 @@ struct RunFlags {
 
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
+void add_local_origin_flag(CLI::App& app, bool& local_origin);
+
 /// Throws std::invalid_argument for values out of range.
 RunOptions run_options(const RunFlags& flags);
 

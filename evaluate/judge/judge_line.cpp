@@ -185,7 +185,7 @@ LineEvaluation undecided(const JudgedLine& line) {
 JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
   e.status = status;
   e.reason = std::move(reason);
-  return {std::move(e), {}, {}, {}};
+  return {std::move(e), {}, {}, {}, {}};
 }
 
 }  // namespace
@@ -247,6 +247,7 @@ JudgedResult judge_line(const PointGrid& grid,
     e.planes.push_back(judging_plane(candidates[i], footprint, line.segment));
     result.inliers.push_back(sorted_indices(candidates[i].inliers));
     result.inlier_keys.push_back(position_keys(candidates[i].inliers));
+    if (options.keep_points) result.inlier_points.push_back(positions(candidates[i].inliers));
     result.hulls.push_back(hull_in_plan(candidates[i].inliers));
   }
   e.status = Status::kEvaluated;

@@ -18,6 +18,8 @@ struct JudgedResult {
   std::vector<std::vector<std::uint32_t>> inliers;  ///< per plane, indices into the cloud, sorted
   /// The same points by a hash of their position, which tells them in any part of a cloud.
   std::vector<std::vector<std::uint64_t>> inlier_keys;
+  std::vector<std::vector<Eigen::Vector3d>>
+      inlier_points;  ///< the same points if options keep them
   std::vector<std::vector<Eigen::Vector2d>>
       hulls;  ///< per plane, convex_hull() of the inliers, local
 };

@@ -3,7 +3,10 @@
 
 #include "evaluate/judge/plan_hull.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace ridgeline::evaluate {
@@ -45,6 +48,29 @@ std::vector<JudgedPlane> judged_planes(std::span<const JudgedResult> results) {
   planes.reserve(by_id.size());
   for (auto& [id, gathered] : by_id) planes.push_back(with_outline(std::move(gathered)));
   return planes;
+}
+
+std::vector<PlanePoint> plane_points(std::span<const JudgedResult> results) {
+  std::vector<PlanePoint> points;
+  for (const JudgedResult& result : results) {
+    for (std::size_t p = 0; p < result.inlier_points.size(); ++p) {
+      const JudgingPlane& fit = result.evaluation.planes[p];
+      for (const Eigen::Vector3d& x : result.inlier_points[p]) {
+        points.push_back({x, fit.id, fit.plane.signedDistance(x)});
+      }
+    }
+  }
+  const auto place = [](const PlanePoint& p) { return std::tuple(p.x.x(), p.x.y(), p.x.z()); };
+  const auto nearest_first = [&](const PlanePoint& a, const PlanePoint& b) {
+    return std::tuple(place(a), std::abs(a.distance_m), a.plane_id) <
+           std::tuple(place(b), std::abs(b.distance_m), b.plane_id);
+  };
+  std::ranges::sort(points, nearest_first);
+  const auto repeated = std::ranges::unique(
+      points, [&](const PlanePoint& a, const PlanePoint& b) { return place(a) == place(b); });
+  points.erase(repeated.begin(), repeated.end());
+  std::ranges::stable_sort(points, {}, &PlanePoint::plane_id);
+  return points;
 }
 
 }  // namespace ridgeline::evaluate

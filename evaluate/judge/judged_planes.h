@@ -26,4 +26,14 @@ struct JudgedPlane {
 /// The planes of all results, in the order of their ids.
 std::vector<JudgedPlane> judged_planes(std::span<const JudgedResult> results);
 
+/// A laser point that planes were fitted to.
+struct PlanePoint {
+  Eigen::Vector3d x;           ///< local, m
+  std::uint64_t plane_id = 0;  ///< of the nearest of its planes
+  double distance_m = 0.0;     ///< from that plane, signed
+};
+
+/// The points that the results keep (JudgeOptions::keep_points), each once, by plane, then x, y and z.
+std::vector<PlanePoint> plane_points(std::span<const JudgedResult> results);
+
 }  // namespace ridgeline::evaluate

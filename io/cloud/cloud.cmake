@@ -13,6 +13,7 @@ set(io_cloud_sources
   cloud/format_guess.cpp
   cloud/geotiff_keys.cpp
   cloud/header_lines.cpp
+  cloud/labelled_points.cpp
   cloud/las_crs.cpp
   cloud/las_header.cpp
   cloud/las_records.cpp
@@ -50,6 +51,7 @@ set(io_cloud_headers
   cloud/format_guess.h
   cloud/geotiff_keys.h
   cloud/header_lines.h
+  cloud/labelled_points.h
   cloud/las_crs.h
   cloud/las_header.h
   cloud/las_records.h

@@ -21,7 +21,13 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 375;
 constexpr std::size_t kVlrHeaderSize = 54;
-constexpr std::size_t kRecordLength = 30;
+/// Records of point format 6, or of format 7 with the extra bytes of a label.
+struct RecordLayout {
+  char format = 6;
+  std::size_t length = 30;
+};
+constexpr RecordLayout kPlain{};
+constexpr RecordLayout kLabelled{.format = 7, .length = 36 + 8};
 constexpr std::size_t kMaxReturns = 15;
 
 template <typename T>
@@ -77,12 +83,18 @@ void store_bounds(const Statistics& statistics,
   }
 }
 
+struct VariableRecords {
+  std::string bytes;
+  std::uint32_t n = 0;
+};
+
 /// Source: LAS Specification 1.4 R15, table 3.
 std::array<char, kHeaderSize> make_header(const Statistics& statistics,
                                           std::uint64_t n_points,
                                           const LocalFrame& frame,
                                           double scale_m,
-                                          std::size_t wkt_record_size) {
+                                          const RecordLayout& layout,
+                                          const VariableRecords& records) {
   constexpr std::uint16_t kCrsIsWkt = 0x10;
   constexpr std::uint16_t kCreationYear = 2000;  // fixed, for reproducible bytes
   std::array<char, kHeaderSize> header{};
@@ -96,10 +108,10 @@ std::array<char, kHeaderSize> make_header(const Statistics& statistics,
   store<std::uint16_t>(1, h + 90);  // day of the year
   store(kCreationYear, h + 92);
   store<std::uint16_t>(kHeaderSize, h + 94);
-  store(static_cast<std::uint32_t>(kHeaderSize + wkt_record_size), h + 96);
-  store<std::uint32_t>(wkt_record_size > 0 ? 1 : 0, h + 100);
-  h[104] = 6;
-  store<std::uint16_t>(kRecordLength, h + 105);
+  store(static_cast<std::uint32_t>(kHeaderSize + records.bytes.size()), h + 96);
+  store(records.n, h + 100);
+  h[104] = layout.format;
+  store(static_cast<std::uint16_t>(layout.length), h + 105);
   for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
     store(scale_m, h + 131 + 8 * axis);
     store(frame.origin_m[axis], h + 155 + 8 * axis);
@@ -110,18 +122,56 @@ std::array<char, kHeaderSize> make_header(const Statistics& statistics,
   return header;
 }
 
-/// The WKT record with its header, empty if the CRS is unknown.
-std::string make_wkt_record(const Crs& crs) {
-  if (!crs.known()) return {};
+std::string record_header(std::string_view user,
+                          std::uint16_t id,
+                          std::size_t n_bytes,
+                          std::string_view description) {
+  std::string record(kVlrHeaderSize, '\0');
+  store_text(user, record.data() + 2);
+  store(id, record.data() + 18);
+  store(static_cast<std::uint16_t>(n_bytes), record.data() + 20);
+  store_text(description, record.data() + 22);
+  return record;
+}
+
+void add_wkt(const Crs& crs, VariableRecords& records) {
+  if (!crs.known()) return;
   const std::string wkt = to_wkt(crs);
   check(wkt.size() < std::numeric_limits<std::uint16_t>::max(), "write_las: WKT of ", wkt.size(),
         " bytes, must be below 65535");
-  std::string record(kVlrHeaderSize, '\0');
-  store_text("LASF_Projection", record.data() + 2);
-  store<std::uint16_t>(2112, record.data() + 18);
-  store(static_cast<std::uint16_t>(wkt.size() + 1), record.data() + 20);
-  store_text("OGC coordinate system WKT", record.data() + 22);
-  return record + wkt + '\0';
+  records.bytes +=
+      record_header("LASF_Projection", 2112, wkt.size() + 1, "OGC coordinate system WKT") + wkt +
+      '\0';
+  ++records.n;
+}
+
+/// Source: LAS Specification 1.4 R15, tables 24 and 25.
+void add_extra_bytes(VariableRecords& records) {
+  constexpr std::size_t kDescriptorSize = 192;
+  struct Extra {
+    char type;
+    std::string_view name, description;
+  };
+  constexpr std::array kExtras{Extra{5, "plane_id", "number of the plane"},
+                               Extra{9, "distance_m", "from the plane"}};
+  std::string descriptors(kExtras.size() * kDescriptorSize, '\0');
+  for (std::size_t i = 0; i < kExtras.size(); ++i) {
+    char* const d = descriptors.data() + i * kDescriptorSize;
+    d[2] = kExtras[i].type;
+    store_text(kExtras[i].name, d + 4);
+    store_text(kExtras[i].description, d + 160);
+  }
+  records.bytes += record_header("LASF_Spec", 4, descriptors.size(), "extra bytes") + descriptors;
+  ++records.n;
+}
+
+/// Behind a record of point format 6.
+void store_label(const PointLabel& label, char* record) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    store(static_cast<std::uint16_t>(label.rgb[i] << 8U), record + 30 + 2 * i);
+  }
+  store(label.plane_id, record + 36);
+  store(label.distance_m, record + 40);
 }
 
 void store_record(const CloudPoint& point, double scale_m, char* record) {
@@ -134,16 +184,20 @@ void store_record(const CloudPoint& point, double scale_m, char* record) {
   store(point.source_id, record + 20);
 }
 
-void write_records(std::span<const CloudPoint> points, double scale_m, std::ostream& stream) {
+void write_records(std::span<const CloudPoint> points,
+                   std::span<const PointLabel> labels,
+                   double scale_m,
+                   std::ostream& stream) {
   constexpr std::size_t kPointsAtOnce = 16384;
-  std::vector<char> buffer(std::min(points.size(), kPointsAtOnce) * kRecordLength);
-  while (!points.empty()) {
-    const std::size_t count = std::min(points.size(), kPointsAtOnce);
+  const std::size_t length = labels.empty() ? kPlain.length : kLabelled.length;
+  std::vector<char> buffer(std::min(points.size(), kPointsAtOnce) * length);
+  for (std::size_t first = 0; first < points.size(); first += kPointsAtOnce) {
+    const std::size_t count = std::min(points.size() - first, kPointsAtOnce);
     for (std::size_t i = 0; i < count; ++i) {
-      store_record(points[i], scale_m, &buffer[i * kRecordLength]);
+      store_record(points[first + i], scale_m, &buffer[i * length]);
+      if (!labels.empty()) store_label(labels[first + i], &buffer[i * length]);
     }
-    stream.write(buffer.data(), static_cast<std::streamsize>(count * kRecordLength));
-    points = points.subspan(count);
+    stream.write(buffer.data(), static_cast<std::streamsize>(count * length));
   }
 }
 
@@ -153,19 +207,25 @@ void write_las(const std::string& path,
                std::span<const CloudPoint> points_in_local,
                const LocalFrame& frame,
                const Crs& crs,
-               const LasWriteOptions& options) {
+               const LasWriteOptions& options,
+               std::span<const PointLabel> labels) {
   check(std::isfinite(options.scale_m) && options.scale_m > 0.0,
         "write_las: scale_m = ", options.scale_m, ", must be positive and finite");
   check(frame.origin_m.allFinite(), "write_las: the origin of the frame must be finite");
   const Statistics statistics = summarise(points_in_local, options.scale_m);
-  const std::string wkt_record = make_wkt_record(crs);
+  check(labels.empty() || labels.size() == points_in_local.size(), "write_las: ", labels.size(),
+        " labels for ", points_in_local.size(), " points");
+  VariableRecords records;
+  add_wkt(crs, records);
+  if (!labels.empty()) add_extra_bytes(records);
   const std::array<char, kHeaderSize> header =
-      make_header(statistics, points_in_local.size(), frame, options.scale_m, wkt_record.size());
+      make_header(statistics, points_in_local.size(), frame, options.scale_m,
+                  labels.empty() ? kPlain : kLabelled, records);
 
   AtomicFile file(path);
   file.stream().write(header.data(), header.size());
-  file.stream() << wkt_record;
-  write_records(points_in_local, options.scale_m, file.stream());
+  file.stream() << records.bytes;
+  write_records(points_in_local, labels, options.scale_m, file.stream());
   file.commit();
 }
 

@@ -5,6 +5,8 @@
 #include "io/crs.h"
 #include "reconstruct/geometry/local_frame.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -14,15 +16,24 @@ struct LasWriteOptions {
   double scale_m = 0.001;  ///< resolution of the stored coordinates, at most 2^31 steps from origin
 };
 
+/// What a point has beside its return: colour and the plane that it was found to lie on.
+struct PointLabel {
+  std::array<std::uint8_t, 3> rgb{};
+  std::uint32_t plane_id = 0;
+  float distance_m = 0.0F;  ///< from the plane, along its normal
+};
+
 /// Writes points of a local frame as LAS 1.4, point format 6, GPS time 0: the frame's origin is the
 /// header's offset, the CRS a WKT record. The file appears whole or not at all; the same input
-/// gives the same bytes (the creation date is fixed).
+/// gives the same bytes (the creation date is fixed). With `labels`, one for each point or none at all: point
+/// format 7 with colours (8 bits in the upper half of 16) and the extra bytes `plane_id` and `distance_m`.
 /// Throws std::invalid_argument for a coordinate that is not finite or does not fit the scale, a
 /// return number above 15 or a CRS that PROJ cannot read; IoError if the file cannot be written.
 void write_las(const std::string& path,
                std::span<const CloudPoint> points_in_local,
                const LocalFrame& frame,
                const Crs& crs = {},
-               const LasWriteOptions& options = {});
+               const LasWriteOptions& options = {},
+               std::span<const PointLabel> labels = {});
 
 }  // namespace ridgeline::io

@@ -113,7 +113,6 @@ class OgrWriter {
 
   void write_line(const Line& line) {
     const Segment3& s = line.segment_in_world;
-    if (!target_.has_attributes && !all_finite(s)) return;
     OGRFeature feature(layer_->GetLayerDefn());
     if (target_.has_attributes) {
       set_attributes(line, feature);

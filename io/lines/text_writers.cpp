@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace ridgeline::io {
 namespace {
 
@@ -66,6 +70,22 @@ std::string wkt(const Segment3& s) {
                      coordinates(s.end, ' '));
 }
 
+/// What a mesh file has no place for, as comments of one line.
+std::vector<std::string> facts(const LineSet& set, const Eigen::Vector3d& origin) {
+  std::vector<std::string> facts;
+  if (set.crs.known()) {
+    std::string definition = set.crs.definition;
+    std::ranges::replace_if(
+        definition, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    facts.push_back("crs " + definition);
+  }
+  if (!origin.isZero(0.0)) {
+    facts.push_back(fmt::format("origin {:.0f} {:.0f} {:.0f}, to be added to the coordinates",
+                                origin.x(), origin.y(), origin.z()));
+  }
+  return facts;
+}
+
 }  // namespace
 
 std::string csv_text(const LineSet& set) {
@@ -83,27 +103,31 @@ std::string wkt_csv_text(const LineSet& set) {
   return text;
 }
 
-std::string obj_text(const LineSet& set) {
-  std::string vertices;
-  std::string lines;
-  for (std::size_t i = 0; i < set.lines.size(); ++i) {
-    const Segment3& s = set.lines[i].segment_in_world;
-    vertices += fmt::format("v {}\nv {}\n", coordinates(s.start, ' '), coordinates(s.end, ' '));
-    lines += fmt::format("l {} {}\n", 2 * i + 1, 2 * i + 2);
+std::string obj_text(const LineSet& set, const Eigen::Vector3d& origin) {
+  std::string text = "# 3D line segments, metres\n";
+  for (const std::string& fact : facts(set, origin)) text += fmt::format("# {}\n", fact);
+  for (const Line& line : set.lines) {
+    const Segment3& s = line.segment_in_world;
+    text += fmt::format("v {}\nv {}\n", coordinates(s.start - origin, ' '),
+                        coordinates(s.end - origin, ' '));
   }
-  return "# 3D line segments, metres\n" + vertices + lines;
+  for (std::size_t i = 0; i < set.lines.size(); ++i) {
+    text += fmt::format("l {} {}\n", 2 * i + 1, 2 * i + 2);
+  }
+  return text;
 }
 
-std::string ply_text(const LineSet& set) {
+std::string ply_text(const LineSet& set, const Eigen::Vector3d& origin) {
   const std::size_t n = set.lines.size();
-  std::string text = fmt::format(
-      "ply\nformat ascii 1.0\ncomment 3D line segments, metres\n"
+  std::string text = "ply\nformat ascii 1.0\ncomment 3D line segments, metres\n";
+  for (const std::string& fact : facts(set, origin)) text += fmt::format("comment {}\n", fact);
+  text += fmt::format(
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
       "element edge {}\nproperty int vertex1\nproperty int vertex2\nend_header\n",
       2 * n, n);
   for (const Line& line : set.lines) {
-    text += coordinates(line.segment_in_world.start, ' ') + "\n" +
-            coordinates(line.segment_in_world.end, ' ') + "\n";
+    text += coordinates(line.segment_in_world.start - origin, ' ') + "\n" +
+            coordinates(line.segment_in_world.end - origin, ' ') + "\n";
   }
   for (std::size_t i = 0; i < n; ++i) text += fmt::format("{} {}\n", 2 * i, 2 * i + 1);
   return text;

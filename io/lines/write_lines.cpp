@@ -5,6 +5,7 @@
 #include "io/lines/scratch_folder.h"
 #include "io/lines/writers.h"
 
+#include <Eigen/Geometry>
 #include <cpl_conv.h>
 #include <fmt/format.h>
 
@@ -24,16 +25,38 @@ constexpr std::array kFormats{LineFormatInfo{LineFormat::kGeoJson, "geojson", ".
                               LineFormatInfo{LineFormat::kObj, "obj", ".obj"},
                               LineFormatInfo{LineFormat::kPly, "ply", ".ply"}};
 
-std::string file_text(const LineSet& set, LineFormat format) {
+/// Whether the format has a place for a line without geometry.
+bool holds_lines_of_nowhere(LineFormat format) {
+  return format != LineFormat::kCsv && format != LineFormat::kDxf && format != LineFormat::kObj &&
+         format != LineFormat::kPly;
+}
+
+/// The lowest corner of the lines, down to whole hundreds.
+Eigen::Vector3d low_corner(const LineSet& set) {
+  constexpr double kStep = 100.0;
+  Eigen::AlignedBox3d box;
+  for (const Line& line : set.lines) {
+    if (!all_finite(line.segment_in_world)) continue;
+    box.extend(line.segment_in_world.start);
+    box.extend(line.segment_in_world.end);
+  }
+  if (box.isEmpty()) return Eigen::Vector3d::Zero();
+  return (box.min() / kStep).array().floor().matrix() * kStep;
+}
+
+std::string file_text(const LineSet& set, LineFormat format, const WriteLinesOptions& options) {
+  const auto origin = [&] {
+    return options.local_origin ? low_corner(set) : Eigen::Vector3d::Zero().eval();
+  };
   switch (format) {
     case LineFormat::kCsv:
       return csv_text(set);
     case LineFormat::kWktCsv:
       return wkt_csv_text(set);
     case LineFormat::kObj:
-      return obj_text(set);
+      return obj_text(set, origin());
     case LineFormat::kPly:
-      return ply_text(set);
+      return ply_text(set, origin());
     default:
       return geojson_text(set);
   }
@@ -65,11 +88,25 @@ void require_writable(LineFormat format) {
                   folder));
 }
 
-void write_lines(const std::string& path, const LineSet& set, LineFormat format) {
-  if (!is_ogr(format)) return write_file(path, file_text(set, format));
+std::size_t write_lines(const std::string& path,
+                        const LineSet& set,
+                        LineFormat format,
+                        const WriteLinesOptions& options) {
+  const auto is_nowhere = [](const Line& line) { return !all_finite(line.segment_in_world); };
+  if (!holds_lines_of_nowhere(format) && std::ranges::any_of(set.lines, is_nowhere)) {
+    LineSet kept = set;
+    const std::size_t n_left_out = std::erase_if(kept.lines, is_nowhere);
+    write_lines(path, kept, format, options);
+    return n_left_out;
+  }
+  if (!is_ogr(format)) {
+    write_file(path, file_text(set, format, options));
+    return 0;
+  }
   const ScratchFolder scratch(path);
   write_ogr(path, scratch.draft(), set, format);
   scratch.publish();
+  return 0;
 }
 
 }  // namespace ridgeline::io

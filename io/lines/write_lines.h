@@ -3,6 +3,7 @@
 
 #include "io/lines/line_set.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -37,17 +38,26 @@ std::optional<LineFormat> line_format(std::string_view name);
 /// no data for it: to be asked before the work is done.
 void require_writable(LineFormat format);
 
+struct WriteLinesOptions {
+  /// OBJ and PLY: coordinates relative to an origin of whole hundreds of metres that the file states, for
+  /// programs that hold them in 32 bits.
+  bool local_origin = false;
+};
+
 /// Writes one feature a line, in the order of the set, coordinates to 0.1 mm or better at any size.
 ///   GeoJSON, GeoPackage, WKT CSV   all attributes and the covariance; CSV with WKT states no CRS
 ///   Shapefile   all but the covariance, image segments and visible shares (columns hold 254 characters), CRS in the .prj
 ///   CSV         x1,y1,z1,x2,y2,z2 and all attributes, no CRS
 ///   DXF         one 3D polyline a line, layer = class; no other attributes, no CRS
-///   OBJ, PLY    geometry only
-/// A GeoJSON set without CRS gets `"crs": null`, which read_lines() takes as metres in a local
-/// frame. Coordinates that are not finite: null in GeoJSON, no geometry in GeoPackage, Shapefile
-/// and WKT, nan in CSV, OBJ and PLY; DXF leaves such lines out.
+///   OBJ, PLY    geometry; CRS and origin in comments
+/// A GeoJSON set without CRS gets `"crs": null`, which read_lines() and GDAL take as a plane that is nowhere on
+/// Earth. Lines with coordinates that are not finite have the geometry null in GeoJSON and none in GeoPackage,
+/// Shapefile and WKT; CSV, DXF, OBJ and PLY have no place for them and leave them out.
 /// The same set gives the same bytes. Written whole or not at all; missing folders are made.
-/// Throws IoError if the file cannot be written.
-void write_lines(const std::string& path, const LineSet& set, LineFormat format);
+/// Returns the number of lines left out. Throws IoError if the file cannot be written.
+std::size_t write_lines(const std::string& path,
+                        const LineSet& set,
+                        LineFormat format,
+                        const WriteLinesOptions& options = {});
 
 }  // namespace ridgeline::io

@@ -8,12 +8,14 @@
 
 namespace ridgeline::io {
 
-// One writer per format: the whole text of the file.
+// One writer per format: the whole text of the file. CSV, OBJ and PLY have no place for coordinates that are not
+// finite.
 std::string geojson_text(const LineSet& set);
 std::string csv_text(const LineSet& set);
 std::string wkt_csv_text(const LineSet& set);
-std::string obj_text(const LineSet& set);
-std::string ply_text(const LineSet& set);
+/// All coordinates finite; `origin` is stated and taken off them.
+std::string obj_text(const LineSet& set, const Eigen::Vector3d& origin);
+std::string ply_text(const LineSet& set, const Eigen::Vector3d& origin);
 
 /// GeoPackage, Shapefile or DXF at `draft`, which must not exist. Throws IoError naming `path`, the
 /// file that the draft will become.

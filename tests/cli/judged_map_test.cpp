@@ -105,5 +105,33 @@ TEST_F(JudgedMap, IsReadAgainAsLines) {
   EXPECT_EQ(first["summary"]["total"]["rms_m"], second["summary"]["total"]["rms_m"]);
 }
 
+class WritePoints : public Cli {};
+
+TEST_F(WritePoints, WritesThePointsOfThePlanesInEachFormat) {
+  for (const char* name : {"points.las", "points.pcd", "points.ply"}) {
+    const std::vector<std::string> more{"--no-report", "--write-points", name};
+    ASSERT_EQ(evaluate("scene/lines.good.geojson", "out", more).exit_code, 0) << name;
+    const std::string first = read(path(name));
+    ASSERT_EQ(evaluate("scene/lines.good.geojson", "out", more).exit_code, 0) << name;
+    EXPECT_EQ(read(path(name)), first) << name;
+    EXPECT_THAT(run({"info", name}).out, HasSubstr("point")) << name;
+  }
+}
+
+TEST_F(WritePoints, RefusesWhatItCannotDoBeforeTheWork) {
+  const auto refused = [&](const std::string& name) {
+    return evaluate("scene/lines.good.geojson", "out", {"--write-points", name});
+  };
+  EXPECT_REFUSED(refused("points.laz"), HasSubstr("points.laz, must end in .las, .pcd or .ply"));
+  write(path("mine.ply"), "ply of a user");
+  EXPECT_REFUSED(refused("mine.ply"), HasSubstr("mine.ply: is no points file of ridgeline"));
+  EXPECT_EQ(read(path("mine.ply")), "ply of a user");
+  EXPECT_REFUSED(refused("scene/lidar.las"), HasSubstr("scene/lidar.las: is an input"));
+  EXPECT_REFUSED(run({"evaluate", "--lines", "scene/lines.good.geojson", "scene/lines.poor.geojson",
+                      "--cloud", "scene/lidar.las", "--out", "out", "--write-points", "p.las"}),
+                 HasSubstr("there are 2 line files"));
+  EXPECT_FALSE(std::filesystem::exists(path("out/run.json")));
+}
+
 }  // namespace
 }  // namespace ridgeline::cli

@@ -14,7 +14,7 @@ using testing::SizeIs;
 /// The judge's zone reaches 4 m from the line.
 constexpr double kReach_m = 4.0;
 
-std::vector<JudgedResult> judge(const std::vector<Segment3>& segments) {
+std::vector<JudgedResult> judge(const std::vector<Segment3>& segments, bool keep_points = false) {
   const std::vector<Eigen::Vector3d> points = test::SampledRoof().sample(20.0, 0.0, 1);
   const auto grid = PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
   std::vector<JudgedLine> lines;
@@ -23,7 +23,9 @@ std::vector<JudgedResult> judge(const std::vector<Segment3>& segments) {
     lines.back().id = std::to_string(lines.size());
     lines.back().segment = segment;
   }
-  return judge_lines(grid, lines, {});
+  JudgeOptions options;
+  options.keep_points = keep_points;
+  return judge_lines(grid, lines, options);
 }
 
 TEST(JudgedPlanes, HasEachPlaneOnceWithTheHullOfItsPoints) {
@@ -50,6 +52,23 @@ TEST(JudgedPlanes, HasEachPlaneOnceWithTheHullOfItsPoints) {
     EXPECT_NEAR(farthest_m, far_m, 0.3);  // the points are about 0.2 m apart
   }
   EXPECT_EQ(n_lines, 3);
+}
+
+TEST(PlanePoints, AreEachOnceOfTheNearestPlane) {
+  const test::SampledRoof roof;
+  const double z = roof.ridge_height_m();
+  const Segment3 ridge{{0, 0, z}, {roof.length_m, 0, z}};
+
+  EXPECT_THAT(plane_points(judge({ridge, ridge})), SizeIs(0));
+  const std::vector<JudgedResult> results = judge({ridge, ridge}, true);
+  const std::vector<PlanePoint> points = plane_points(results);
+  const std::size_t n_of_first = results[0].inliers[0].size() + results[0].inliers[1].size();
+  EXPECT_EQ(points.size(), n_of_first);
+  for (const PlanePoint& point : points) {
+    EXPECT_NEAR(point.distance_m, 0.0, 1e-9);
+    EXPECT_NEAR(point.x.z(), roof.height(point.x.x(), point.x.y()), 1e-9);
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(points, {}, &PlanePoint::plane_id));
 }
 
 TEST(JudgedPlanes, LinesThatAreNotJudgedHaveNone) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 namespace ridgeline::io {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr double kCoordinateToleranceM = 0.5001e-4;  // four decimals are written, rounded
 constexpr double kCovarianceTolerance = 1e-5;        // six significant digits are written
@@ -69,6 +71,10 @@ bool has_covariance(LineFormat format) {
 bool has_crs(LineFormat format) {
   return format == LineFormat::kGeoJson || format == LineFormat::kGeoPackage ||
          format == LineFormat::kShapefile;
+}
+
+bool has_lines_of_nowhere(LineFormat format) {
+  return has_attributes(format) && format != LineFormat::kCsv;
 }
 
 class LineFormats : public ::testing::TestWithParam<LineFormatInfo> {
@@ -169,13 +175,16 @@ TEST_P(LineFormats, HoldNoLinesAsAValidResult) {
   EXPECT_THAT(actual.warnings, Contains(HasSubstr("no lines")));
 }
 
-TEST_P(LineFormats, KeepLinesThatAreNotFiniteExceptDxf) {
+TEST_P(LineFormats, KeepLinesThatAreNotFiniteWhereTheyHaveAPlaceForThem) {
   LineSet set = some_lines();
   set.lines[1].segment_in_world.end.y() = kNaN;
   set.lines[1].status.clear();
   const LineSet actual = written_and_read(set);
-  if (GetParam().format == LineFormat::kDxf) {
+  if (!has_lines_of_nowhere(GetParam().format)) {
     EXPECT_EQ(actual.lines.size(), 49U);
+    EXPECT_THAT(actual.warnings, Not(Contains(HasSubstr("not finite"))));
+    EXPECT_EQ(write_lines(folder_.file(name("again")), set, GetParam().format), 1U);
+    EXPECT_THAT(folder_.read(name("again")), Not(HasSubstr("nan")));
     return;
   }
   ASSERT_EQ(actual.lines.size(), set.lines.size());
@@ -183,6 +192,26 @@ TEST_P(LineFormats, KeepLinesThatAreNotFiniteExceptDxf) {
     EXPECT_EQ(all_finite(actual.lines[i].segment_in_world), i != 1) << i;
   }
   EXPECT_THAT(actual.warnings, Contains(HasSubstr("1 of 50 lines")));
+  EXPECT_EQ(write_lines(folder_.file(name("again")), set, GetParam().format), 0U);
+}
+
+TEST(MeshLines, StateTheirSystemAndOriginInComments) {
+  const TempFolder folder;
+  const LineSet set = some_lines();
+  const Eigen::Vector3d first = set.lines[0].segment_in_world.start;
+  for (const auto& [format, name, comment] :
+       {std::tuple(LineFormat::kObj, "a.obj", "# "), {LineFormat::kPly, "a.ply", "comment "}}) {
+    write_lines(folder.file(name), set, format);
+    EXPECT_THAT(folder.read(name), HasSubstr(std::string(comment) + "crs EPSG:25832\n"));
+    EXPECT_THAT(folder.read(name), Not(HasSubstr("origin")));
+    write_lines(folder.file(name), set, format, {.local_origin = true});
+    EXPECT_THAT(folder.read(name),
+                HasSubstr(std::string(comment) +
+                          "origin 512900 5402900 200, to be added to the coordinates\n"));
+    const Eigen::Vector3d start = read_lines(folder.file(name)).lines[0].segment_in_world.start;
+    EXPECT_LT((start + Eigen::Vector3d(512900, 5402900, 200) - first).norm(),
+              2.0 * kCoordinateToleranceM);
+  }
 }
 
 TEST_P(LineFormats, LeaveNothingBehindWhereTheyCannotBeWritten) {
