@@ -4,10 +4,13 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/say.h"
 #include "apps/evaluate/cloud_name.h"
 #include "apps/evaluate/judge_files.h"
+#include "apps/evaluate/judged_map.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
+#include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
 #include "io/error.h"
 
@@ -269,22 +272,21 @@ int run_evaluate(const EvaluateArguments& arguments) {
   write_judged(judged, out, "");
   if (!arguments.write_points.empty()) write_plane_points(arguments.write_points, judged);
   write_truth(judged.truth, out);
-  const std::string table2 = write_table2(judged.evaluations, out);
-  if (has_figures(judged.evaluations)) fmt::print("{}", table2);
+  write_table2(judged.evaluations, out);
+  if (has_figures(judged.evaluations)) {
+    say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
+  }
   const std::vector<std::string> messages =
       judging_messages(options.patch_name, judged.evaluations);
-  for (const std::string& message : messages) fmt::print("{}\n", message);
+  for (const std::string& message : messages) say("{}\n", message);
   record.end_stage("write");
   record.set("messages", messages);
   out.write("run.json", record.to_json());
-  spdlog::info("local origin {:.0f} {:.0f} {:.0f} m; results in {}", judged.frame.origin_m.x(),
-               judged.frame.origin_m.y(), judged.frame.origin_m.z(), arguments.out);
-  if (arguments.report) {
-    const std::optional<std::string> report = write_report_of_run(arguments.out);
-    if (report) spdlog::info("report in {}", *report);
-  } else {
-    remove_report(arguments.out);
+  for (const evaluate::Evaluation& e : judged.evaluations) {
+    say("Map for QGIS: {}\n", out.path(map_name(e.method)));
   }
+  say("Tables: {}\n", out.path("table2.md"));
+  write_report_of_run(arguments.out, arguments.report);
   return kDone;
 }
 

@@ -125,10 +125,9 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
   out.write("reference.md", evaluate::reference_to_markdown(references));
 }
 
-std::string write_table2(std::span<const Evaluation> evaluations, const OutputFolder& out) {
+void write_table2(std::span<const Evaluation> evaluations, const OutputFolder& out) {
   const evaluate::Table2 table = evaluate::make_table2(evaluations);
-  std::string markdown = evaluate::to_markdown(table);
-  out.write("table2.md", markdown);
+  out.write("table2.md", evaluate::to_markdown(table));
   out.write("table2.csv", evaluate::to_csv(table));
   out.write("table2.json", evaluate::to_json(table));
   out.write("table2.tex", evaluate::to_latex(table));
@@ -141,7 +140,6 @@ std::string write_table2(std::span<const Evaluation> evaluations, const OutputFo
     out.remove("table2.common.md");
     out.remove("table2.common.csv");
   }
-  return markdown;
 }
 
 }  // namespace ridgeline::apps

@@ -30,9 +30,8 @@ void write_plane_points(const std::string& path, const JudgedFiles& judged);
 /// reference lines, reference_errors.csv, reference_completeness.csv and reference.md.
 void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out);
 
-/// Writes table2.{md,csv,json,tex} of all evaluations and parts.csv, and returns the Markdown. Where a patch has
+/// Writes table2.{md,csv,json,tex} of all evaluations and parts.csv. Where a patch has
 /// several methods: also table2.common.{md,csv} on the lines that all of them have evaluated.
-std::string write_table2(std::span<const evaluate::Evaluation> evaluations,
-                         const OutputFolder& out);
+void write_table2(std::span<const evaluate::Evaluation> evaluations, const OutputFolder& out);
 
 }  // namespace ridgeline::apps

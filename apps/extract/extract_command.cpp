@@ -4,6 +4,7 @@
 #include "apps/common/image_options.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/say.h"
 #include "apps/extract/segment_overlay.h"
 #include "io/error.h"
 #include "io/image.h"
@@ -77,8 +78,8 @@ int run_extract(const ExtractArguments& a) {
   }
   double total_px = 0.0;
   for (const EdgeSegment& segment : segments) total_px += length(segment.in_image);
-  fmt::print("{}: {} x {} px, {} bands: {} segments, {:.0f} px together\n", a.image, image.cols,
-             image.rows, image.channels(), segments.size(), total_px);
+  say("{}: {} x {} px, {} bands: {} segments, {:.0f} px together\n", a.image, image.cols,
+      image.rows, image.channels(), segments.size(), total_px);
   return kDone;
 }
 

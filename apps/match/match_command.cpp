@@ -6,6 +6,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
+#include "apps/common/say.h"
 #include "apps/match/match_overlay.h"
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
@@ -33,13 +34,13 @@ struct MatchArguments {
 };
 
 void print_summary(const PatchViews& patch, const PatchMatches& result) {
-  fmt::print("{} segments in the left, {} in the right image\n", patch.views[0].segments.size(),
-             patch.views[1].segments.size());
+  say("{} segments in the left, {} in the right image\n", patch.views[0].segments.size(),
+      patch.views[1].segments.size());
   for (const MatchList& list : result.lists) {
     std::map<std::string, int> n;
     for (const std::string& reason : list.reasons) ++n[reason];
-    if (result.lists.size() > 1) fmt::print("{}:\n", list.name);
-    for (const auto& [reason, count] : n) fmt::print("  {:<21}{}\n", reason, count);
+    if (result.lists.size() > 1) say("{}:\n", list.name);
+    for (const auto& [reason, count] : n) say("  {:<21}{}\n", reason, count);
   }
 }
 
@@ -51,13 +52,12 @@ void print_processes(const reconstruct::ChioResult& result,
                          [&](const reconstruct::ChioLine& line) { return holds(line.acquired); });
   };
   using reconstruct::Acquired;
-  fmt::print("lines of chio by process:\n");
-  fmt::print("  1 and 2              {}\n",
-             count([](const Acquired& a) { return a.process <= 2; }));
-  fmt::print("  then 3 and 4         {}\n",
-             count([](const Acquired& a) { return a.process > 2 && !a.relaxed; }));
-  fmt::print("  relaxed to {:<5} m   {}\n", options.relaxed_height_difference_m,
-             count([](const Acquired& a) { return a.relaxed; }));
+  say("lines of chio by process:\n");
+  say("  1 and 2              {}\n", count([](const Acquired& a) { return a.process <= 2; }));
+  say("  then 3 and 4         {}\n",
+      count([](const Acquired& a) { return a.process > 2 && !a.relaxed; }));
+  say("  relaxed to {:<5} m   {}\n", options.relaxed_height_difference_m,
+      count([](const Acquired& a) { return a.relaxed; }));
 }
 
 /// Neither inputs nor each other, and all of them can be made.

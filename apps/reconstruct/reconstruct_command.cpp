@@ -6,6 +6,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
+#include "apps/common/say.h"
 #include "apps/reconstruct/reconstruct_patch.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
@@ -137,9 +138,9 @@ int run_reconstruct(ReconstructArguments a) {
   const auto with_geometry =
       std::count_if(lines.lines.begin(), lines.lines.end(),
                     [](const io::Line& line) { return all_finite(line.segment_in_world); });
-  fmt::print("{}: {} lines by {}, {} without geometry{}\n", a.out, with_geometry, a.method,
-             static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry,
-             n_left_out > 0 ? ", left out of the file" : "");
+  say("{}: {} lines by {}, {} without geometry{}\n", a.out, with_geometry, a.method,
+      static_cast<std::ptrdiff_t>(lines.lines.size()) - with_geometry,
+      n_left_out > 0 ? ", left out of the file" : "");
   return kDone;
 }
 

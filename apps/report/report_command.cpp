@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/common/say.h"
 #include "apps/gate/gate_files.h"
 #include "apps/report/write_report.h"
 
@@ -18,7 +19,7 @@ struct ReportArguments {
 int run_report(const ReportArguments& a) {
   std::optional<evaluate::GateReport> gates;
   if (!a.gates.empty()) gates = apply_gate_files(a.gates, a.results, a.baseline);
-  fmt::print("Report: {}\n", write_report(a.results, gates));
+  say("Report: {}\n", write_report(a.results, gates));
   return kDone;
 }
 

@@ -2,6 +2,7 @@
 #include "apps/report/write_report.h"
 
 #include "apps/common/output_folder.h"
+#include "apps/common/say.h"
 #include "apps/report/figures.h"
 #include "apps/report/page.h"
 #include "io/error.h"
@@ -11,6 +12,7 @@
 #include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 
@@ -49,9 +51,22 @@ std::string title_of(const ReportInput& input) {
 
 constexpr const char* kReportFile = "report.html";
 
+/// What the report warns of beside the run, which has said its warnings.
+void warn_as_the_page(const ReportInput& input, const std::optional<evaluate::GateReport>& gates) {
+  const auto said = input.run.value("warnings", std::vector<std::string>());
+  for (const ReportPatch& patch : input.patches) {
+    for (const std::string& note : patch.notes) {
+      if (std::ranges::find(said, note) == said.end()) spdlog::warn("{}", note);
+    }
+  }
+  if (!gates) return;
+  for (const std::string& warning : gates->warnings) spdlog::warn("{}", warning);
+}
+
 std::string write_report_of(const ReportInput& input,
                             const std::string& folder,
                             const std::optional<evaluate::GateReport>& gates) {
+  warn_as_the_page(input, gates);
   const OutputFolder out(folder, input.input_paths);
   std::vector<ShownScene> scenes(input.patches.size());
   tbb::parallel_for(std::size_t{0}, scenes.size(),
@@ -87,19 +102,17 @@ std::string write_report(const std::string& folder,
   }
 }
 
-void remove_report(const std::string& folder) {
+void write_report_of_run(const std::string& folder, bool is_wanted) {
+  if (is_wanted) {
+    try {
+      say("Report: {}\n", write_report(folder));
+      return;
+    } catch (const std::exception& error) {
+      spdlog::warn("the results are complete, but their report is not written: {}", error.what());
+    }
+  }
   std::error_code none;
   std::filesystem::remove(std::filesystem::path(folder) / kReportFile, none);
-}
-
-std::optional<std::string> write_report_of_run(const std::string& folder) {
-  try {
-    return write_report(folder);
-  } catch (const std::exception& error) {
-    remove_report(folder);
-    spdlog::warn("the results are complete, but their report is not written: {}", error.what());
-    return std::nullopt;
-  }
 }
 
 }  // namespace ridgeline::apps

@@ -20,11 +20,9 @@ void add_report_flag(CLI::App& app, bool& report);
 std::string write_report(const std::string& folder,
                          const std::optional<evaluate::GateReport>& gates = std::nullopt);
 
-/// Removes the report of an earlier run, which would show other figures than the tables beside it.
-void remove_report(const std::string& folder);
-
-/// As write_report(), after a run: its results are complete and stand whatever becomes of the
-/// report, so that a fault of it is a warning. Nothing then.
-std::optional<std::string> write_report_of_run(const std::string& folder);
+/// As write_report(), after a run, and says where it is. The results are complete and stand whatever becomes of
+/// the report, so that a fault of it is a warning. The report of an earlier run, which would show other figures than
+/// the tables beside it, is removed if none is wanted or it cannot be written.
+void write_report_of_run(const std::string& folder, bool is_wanted);
 
 }  // namespace ridgeline::apps

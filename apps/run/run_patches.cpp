@@ -4,8 +4,11 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
 #include "apps/common/patch_views.h"
+#include "apps/common/say.h"
+#include "apps/evaluate/judged_map.h"
 #include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
+#include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
 #include "io/lines/text.h"
 #include "io/sha256.h"
@@ -13,6 +16,7 @@
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -72,12 +76,10 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   return json;
 }
 
-std::string write_table1(const evaluate::Table1& table, const OutputFolder& out) {
-  std::string markdown = evaluate::to_markdown(table);
-  out.write("table1.md", markdown);
+void write_table1(const evaluate::Table1& table, const OutputFolder& out) {
+  out.write("table1.md", evaluate::to_markdown(table));
   out.write("table1.csv", evaluate::to_csv(table));
   out.write("table1.json", evaluate::to_json(table));
-  return markdown;
 }
 
 void warn_of_images(const std::vector<io::PatchFile>& patches) {
@@ -131,23 +133,25 @@ void run_patches(const std::string& command,
   if (options.resume) spdlog::info("{} finished stages skipped", n_skipped);
 
   // always written: an old table beside new ones would mislead
-  const std::string markdown1 = write_table1(table1, out);
-  if (!table1.rows.empty()) fmt::print("{}\n", markdown1);
-  const std::string markdown2 = write_table2(evaluations, out);
-  if (has_figures(evaluations)) fmt::print("{}", markdown2);
-  for (const std::string& message : messages) fmt::print("{}\n", message);
+  write_table1(table1, out);
+  write_table2(evaluations, out);
+  if (!table1.rows.empty()) say("{}\n", evaluate::to_terminal(table1));
+  if (has_figures(evaluations)) {
+    say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations)));
+  }
+  for (const std::string& message : messages) say("{}\n", message);
   write_truth(truth, out);
   record.end_stage("write");
   record.set("messages", messages);
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
-  fmt::print("\nResults: {}\n", results.string());
-  if (options.report) {
-    const std::optional<std::string> report = write_report_of_run(results.string());
-    if (report) fmt::print("Report: {}\n", *report);
-  } else {
-    remove_report(results.string());
+  say("Results: {}\n", results.string());
+  const std::string product =
+      reconstruct::name(std::ranges::max(options.methods));  // the last is the best
+  for (const io::PatchFile& patch : patches) {
+    say("Map for QGIS: {}\n", (results / patch.id / map_name(product)).string());
   }
+  write_report_of_run(results.string(), options.report);
 }
 
 }  // namespace ridgeline::apps

@@ -3,6 +3,7 @@
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/say.h"
 #include "apps/simulate/als.h"
 #include "apps/simulate/degrade.h"
 #include "apps/simulate/nominal_pair.h"
@@ -171,8 +172,8 @@ int run_simulate(SimulateArguments a) {
       out, "truth.geojson",
       a.no_images ? truth : write_stereo(scene, name_of_folder(a.out), a.stereo, truth, out));
   record_scene_files(out, names);
-  fmt::print("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
-             truth.lines.size(), cloud.points.size());
+  say("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
+      truth.lines.size(), cloud.points.size());
   return kDone;
 }
 

@@ -43,7 +43,7 @@ TEST_F(Outcome, RunWithoutLidarSaysHowManyLinesThereAre) {
   expect_message(result,
                  "Patch 1: no LIDAR is given: [1-9][0-9]* lines reconstructed, none "
                  "judged\\.");
-  EXPECT_THAT(result.out, Not(HasSubstr("RMS of the lines")));
+  EXPECT_THAT(result.out, Not(HasSubstr("Distances of the lines")));
   EXPECT_THAT(read(path("out/table2.md")), HasSubstr("RMS of the lines"));
 }
 
@@ -51,7 +51,7 @@ TEST_F(Outcome, JudgedLinesNeedNoSentence) {
   const ProgramResult result =
       run({"run", "patch/patch.yaml", "--methods", "direct", "--out", "out", "--no-report"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("RMS of the lines"), Not(HasSubstr("Patch 1:"))));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("Distances of the lines"), Not(HasSubstr("Patch 1:"))));
   EXPECT_TRUE(read_json(path("out/run.json"))["messages"].empty());
 }
 
@@ -63,7 +63,7 @@ TEST_F(Outcome, EvaluateSaysWhyNoLineWasJudged) {
   const ProgramResult result =
       run({"evaluate", "--lines", "short.csv", "--cloud", "patch/lidar.las", "--out", "out"});
   expect_message(result, "Patch lidar: 0 of 2 lines could be judged: 2 too_short\\.");
-  EXPECT_THAT(result.out, Not(HasSubstr("RMS of the lines")));
+  EXPECT_THAT(result.out, Not(HasSubstr("Distances of the lines")));
 }
 
 }  // namespace

@@ -42,6 +42,14 @@ TEST_F(Outputs, ReaderThatHasSeenEnoughIsNoFault) {
   EXPECT_EQ(result.err, "");
 }
 
+TEST_F(Outputs, QuietPrintsErrorsOnly) {
+  const ProgramResult good = evaluate(kGood, "out", {"--quiet"});
+  EXPECT_EQ(good.exit_code, 0);
+  EXPECT_EQ(good.out + good.err, "");
+  EXPECT_REFUSED(evaluate("none.geojson", "out", {"--quiet"}), HasSubstr("none.geojson"));
+  EXPECT_NE(run({"info", kGood, "--quiet"}).out, "");
+}
+
 TEST_F(Outputs, FailedCommandsLeaveNoFolders) {
   EXPECT_REFUSED(evaluate("none.geojson", "new/deep"), HasSubstr("none.geojson"));
   EXPECT_REFUSED(

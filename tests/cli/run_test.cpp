@@ -65,9 +65,10 @@ TEST_F(RunPatch, WritesTheFilesOfTheContractAndPrintsBothTables) {
   EXPECT_THAT(names_in(path("out/1")),
               IsSupersetOf({"evaluation.direct.json", "evaluation.joint.json", "lines.direct.csv",
                             "lines.direct.geojson", "lines.joint.dxf", "lines.joint.geojson",
-                            "matches.csv", "segments.left.csv", "segments.right.csv"}));
-  EXPECT_THAT(result.out, AllOf(HasSubstr(read(path("out/table1.md"))),
-                                HasSubstr(read(path("out/table2.md")))));
+                            "judged.joint.gpkg", "matches.csv", "segments.left.csv",
+                            "segments.right.csv"}));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("Matches\n"), HasSubstr("Distances of the lines"),
+                                HasSubstr("out/1/judged.joint.gpkg\n")));
   // RFC 7946: a feature without a place has no geometry
   EXPECT_THAT(read(path("out/1/lines.joint.geojson")),
               AllOf(HasSubstr("\"geometry\":null"), Not(HasSubstr("[null"))));

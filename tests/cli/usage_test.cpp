@@ -63,14 +63,6 @@ TEST_F(Usage, WrongUsageNamesTheWrongWord) {
   EXPECT_REFUSED(run({"--jobs", "-1", "info", "scene/lidar.las"}), HasSubstr("-1"));
 }
 
-TEST_F(Usage, QuietLeavesStderrEmpty) {
-  const ProgramResult loud = evaluate("scene/lines.good.geojson", "loud");
-  const ProgramResult quiet = evaluate("scene/lines.good.geojson", "quiet", {"--quiet"});
-  EXPECT_THAT(loud.err, Not(IsEmpty()));
-  EXPECT_THAT(quiet.err, IsEmpty());
-  EXPECT_EQ(loud.out, quiet.out);
-}
-
 TEST_F(Usage, SimulateRefusesWhatCannotBeASceneWithTheRule) {
   const auto simulate = [&](const std::string& option, const std::string& value) {
     return run({"simulate", "--out", "s", option, value});
