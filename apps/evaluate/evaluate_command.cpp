@@ -28,7 +28,7 @@ namespace {
 /// The options as they stand on the command line.
 struct EvaluateArguments {
   std::vector<std::string> lines, clouds;
-  std::string out, patch, reference_lines, write_points;
+  std::string out, patch, reference_lines, write_points, schema = "plain";
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
   bool vertex_pairs = false, report = true;
@@ -60,6 +60,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
   app.add_option(
       "--write-points", a.write_points,
       "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
+  add_schema_option(app, a.schema);
   add_report_flag(app, a.report);
   app.add_flag("--pairs", a.vertex_pairs, "an OBJ's vertices two by two are the lines");
 }
@@ -269,7 +270,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
     record.add_input(input.role, input.path);
   }
   record.end_stage("hash_inputs");
-  write_judged(judged, out, "");
+  write_judged(judged, map_schema_named(arguments.schema), out, "");
   if (!arguments.write_points.empty()) write_plane_points(arguments.write_points, judged);
   write_truth(judged.truth, out);
   write_table2(judged.evaluations, out);

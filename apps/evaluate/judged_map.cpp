@@ -3,6 +3,7 @@
 
 #include "apps/evaluate/judged_lines.h"
 #include "apps/evaluate/map_style.h"
+#include "apps/evaluate/roof_kind.h"
 #include "io/geopackage_writer.h"
 #include "reconstruct/geometry/local_frame.h"
 
@@ -80,51 +81,87 @@ Value sigma_of(const LineEvaluation& e) {
   return number(std::hypot(e.sigma_line_m.value_or(0.0), e.sigma_plane_m));
 }
 
-using LineField = Field<LineEvaluation, io::Line>;
+/// A judged line with what is known of it.
+struct MapLine {
+  const LineEvaluation& e;
+  const io::Line& line;
+  std::string kind;  ///< roof_kind()
+};
+
+using LineField = Field<MapLine>;
 
 const std::vector<LineField>& line_fields() {
   static const std::vector<LineField> fields{
       {"source_fid", ColumnType::kInteger64,
-       [](const auto&, const io::Line& line) { return integer(line.source_fid); }},
-      {"part", ColumnType::kInteger,
-       [](const auto&, const io::Line& line) { return integer(line.part); }},
-      {"line_id", ColumnType::kText, [](const auto& e, const auto&) { return text(e.id); }},
-      {"class", ColumnType::kText, [](const auto& e, const auto&) { return text(e.line_class); }},
-      {"status", ColumnType::kText,
-       [](const auto& e, const auto&) { return text(evaluate::name(e.status)); }},
-      {"reason", ColumnType::kText, [](const auto& e, const auto&) { return text(e.reason); }},
-      {"kind", ColumnType::kText,
-       [](const auto& e, const auto&) { return text(evaluate::name(e.kind)); }},
+       [](const auto& m) { return integer(m.line.source_fid); }},
+      {"part", ColumnType::kInteger, [](const auto& m) { return integer(m.line.part); }},
+      {"line_id", ColumnType::kText, [](const auto& m) { return text(m.e.id); }},
+      {"class", ColumnType::kText, [](const auto& m) { return text(m.e.line_class); }},
+      {"status", ColumnType::kText, [](const auto& m) { return text(evaluate::name(m.e.status)); }},
+      {"reason", ColumnType::kText, [](const auto& m) { return text(m.e.reason); }},
+      {"kind", ColumnType::kText, [](const auto& m) { return text(m.kind); }},
       {"flags", ColumnType::kText,
-       [](const auto& e, const auto&) { return text(fmt::format("{}", fmt::join(e.flags, ";"))); }},
-      {"length_m", ColumnType::kReal,
-       [](const auto& e, const auto&) { return number(e.length_m); }},
+       [](const auto& m) { return text(fmt::format("{}", fmt::join(m.e.flags, ";"))); }},
+      {"length_m", ColumnType::kReal, [](const auto& m) { return number(m.e.length_m); }},
       {"mean_distance_m", ColumnType::kReal,
-       [](const auto& e, const auto&) { return number(if_evaluated(e, e.mean_distance_m)); }},
+       [](const auto& m) { return number(if_evaluated(m.e, m.e.mean_distance_m)); }},
       {"signed_mean_m", ColumnType::kReal,
-       [](const auto& e, const auto&) { return number(if_evaluated(e, e.signed_mean_m)); }},
+       [](const auto& m) { return number(if_evaluated(m.e, m.e.signed_mean_m)); }},
       {"max_distance_m", ColumnType::kReal,
-       [](const auto& e, const auto&) { return number(if_evaluated(e, e.max_distance_m)); }},
+       [](const auto& m) { return number(if_evaluated(m.e, m.e.max_distance_m)); }},
       {"horizontal_m", ColumnType::kReal,
-       [](const auto& e, const auto&) {
-         return e.displacement ? number(e.displacement->horizontal_m) : Value();
+       [](const auto& m) {
+         return m.e.displacement ? number(m.e.displacement->horizontal_m) : Value();
        }},
       {"vertical_m", ColumnType::kReal,
-       [](const auto& e, const auto&) {
-         return e.displacement ? number(e.displacement->vertical_m) : Value();
+       [](const auto& m) {
+         return m.e.displacement ? number(m.e.displacement->vertical_m) : Value();
        }},
       {"height_if_vertical_m", ColumnType::kReal,
-       [](const auto& e, const auto&) { return number(e.height_if_vertical_m); }},
-      {"sigma_m", ColumnType::kReal, [](const auto& e, const auto&) { return sigma_of(e); }},
-      {"z", ColumnType::kReal, [](const auto& e, const auto&) { return number(e.z); }},
-      {"plane_1", ColumnType::kInteger64,
-       [](const auto& e, const auto&) { return plane_id(e, 0); }},
-      {"plane_2", ColumnType::kInteger64,
-       [](const auto& e, const auto&) { return plane_id(e, 1); }},
-      {"coverage", ColumnType::kReal, [](const auto& e, const auto&) { return least_coverage(e); }},
-      {"n_images", ColumnType::kInteger, [](const auto&, const io::Line& line) {
-         return line.n_images ? integer(*line.n_images) : Value();
+       [](const auto& m) { return number(m.e.height_if_vertical_m); }},
+      {"sigma_m", ColumnType::kReal, [](const auto& m) { return sigma_of(m.e); }},
+      {"z", ColumnType::kReal, [](const auto& m) { return number(m.e.z); }},
+      {"plane_1", ColumnType::kInteger64, [](const auto& m) { return plane_id(m.e, 0); }},
+      {"plane_2", ColumnType::kInteger64, [](const auto& m) { return plane_id(m.e, 1); }},
+      {"coverage", ColumnType::kReal, [](const auto& m) { return least_coverage(m.e); }},
+      {"n_images", ColumnType::kInteger,
+       [](const auto& m) { return m.line.n_images ? integer(*m.line.n_images) : Value(); }}};
+  return fields;
+}
+
+/// A deviation in whole centimetres, never rounded to a better one.
+Value centimetres(std::optional<double> x_m) {
+  if (!x_m || !std::isfinite(*x_m)) return {};
+  return integer(static_cast<std::int64_t>(std::ceil(std::abs(*x_m) * 100.0)));
+}
+
+std::string fkb_type(const MapLine& m) {
+  if (m.kind.empty()) return "";
+  if (m.kind == "step") return "Taksprang";
+  return m.kind == "eave" || m.kind == "verge" ? "Takkant" : "M\xC3\xB8nelinje";
+}
+
+/// Of the Norwegian specification FKB-Bygning.
+const std::vector<LineField>& fkb_fields() {
+  static const std::vector<LineField> fields{
+      {"objtype", ColumnType::kText, [](const auto& m) { return text(fkb_type(m)); }},
+      {"n\xC3\xB8yaktighet", ColumnType::kInteger,
+       [](const auto& m) {
+         return centimetres(m.e.displacement ? m.e.displacement->horizontal_m
+                                             : if_evaluated(m.e, m.e.mean_distance_m));
+       }},
+      {"n\xC3\xB8yaktighetH\xC3\xB8yde", ColumnType::kInteger, [](const auto& m) {
+         return centimetres(m.e.displacement ? m.e.displacement->vertical_m
+                                             : m.e.height_if_vertical_m);
        }}};
+  return fields;
+}
+
+std::vector<LineField> fields_of(MapSchema schema) {
+  std::vector<LineField> fields = line_fields();
+  if (schema == MapSchema::kFkb) {
+    fields.insert(fields.end(), fkb_fields().begin(), fkb_fields().end());
+  }
   return fields;
 }
 
@@ -176,9 +213,9 @@ std::string lower(std::string name) {
 }
 
 /// The input's columns under names that no other column of the layer has, whatever the case.
-std::vector<Column> renamed(std::vector<Column> columns) {
+std::vector<Column> renamed(std::vector<Column> columns, const std::vector<LineField>& fields) {
   std::set<std::string> taken{"fid", "geom"};
-  for (const LineField& field : line_fields()) taken.insert(field.name);
+  for (const LineField& field : fields) taken.insert(lower(field.name));
   for (Column& column : columns) {
     if (column.name.empty()) column.name = "column";
     const std::string name = column.name;
@@ -202,31 +239,58 @@ class ToMap {
   Eigen::Vector3d origin_m_, unit_m_;
 };
 
-io::MapLayer lines_layer(const io::LineSet& set, const evaluate::Evaluation& evaluation) {
-  // the most that SQLite takes is 2000
-  constexpr std::size_t kMostColumns = 1900;
+/// Without what a table of SQLite has no room for.
+std::vector<Column> input_columns(const io::LineSet& set, const std::vector<LineField>& fields) {
+  constexpr std::size_t kMost = 1900;  // of 2000
+  std::vector<Column> columns = renamed(set.features.columns, fields);
+  if (columns.size() > kMost) columns.resize(kMost);
+  return columns;
+}
+
+io::SparseRow input_values(const io::LineSet& set, const io::Line& line, std::size_t n_columns) {
+  io::SparseRow values;
+  if (line.row >= set.features.rows.size()) return values;
+  for (const auto& value : set.features.rows[line.row]) {
+    if (value.first < n_columns) values.push_back(value);
+  }
+  return values;
+}
+
+Segment3 segment_in_local(const io::Line& line,
+                          const Eigen::Vector3d& unit_m,
+                          const Eigen::Vector3d& origin_m) {
+  return {line.segment_in_world.start.cwiseProduct(unit_m) - origin_m,
+          line.segment_in_world.end.cwiseProduct(unit_m) - origin_m};
+}
+
+io::MapLayer lines_layer(const io::LineSet& set,
+                         const evaluate::Evaluation& evaluation,
+                         const std::vector<JudgedPlane>& planes,
+                         MapSchema schema) {
+  const std::vector<LineField> fields = fields_of(schema);
   io::MapLayer layer{.name = "lines",
                      .description = "Lines with their distances from LIDAR planes",
                      .geometry = io::MapGeometry::kLine,
-                     .columns = renamed(set.features.columns),
+                     .columns = input_columns(set, fields),
                      .features = {},
                      .style = lines_style()};
-  if (layer.columns.size() > kMostColumns) layer.columns.resize(kMostColumns);
   const std::size_t first = layer.columns.size();
-  for (Column& column : columns_of(line_fields())) layer.columns.push_back(std::move(column));
+  for (Column& column : columns_of(fields)) layer.columns.push_back(std::move(column));
+  PlanesById by_id;
+  for (const JudgedPlane& plane : planes) by_id[plane.id] = &plane;
+  const Eigen::Vector3d unit_m = unit_m_of(set);
   layer.features.reserve(set.lines.size());
   for (std::size_t i = 0; i < set.lines.size(); ++i) {
     const io::Line& line = set.lines[i];
+    const LineEvaluation& e = evaluation.lines[i];
     io::MapFeature feature;
     if (all_finite(line.segment_in_world)) {
       feature.vertices = {line.segment_in_world.start, line.segment_in_world.end};
     }
-    if (line.row < set.features.rows.size()) {
-      for (const auto& value : set.features.rows[line.row]) {
-        if (value.first < first) feature.values.push_back(value);
-      }
-    }
-    add_values(line_fields(), first, feature.values, evaluation.lines[i], line);
+    feature.values = input_values(set, line, first);
+    const MapLine judged{e, line,
+                         roof_kind(e, segment_in_local(line, unit_m, evaluation.origin_m), by_id)};
+    add_values(fields, first, feature.values, judged);
     layer.features.push_back(std::move(feature));
   }
   return layer;
@@ -276,15 +340,28 @@ io::MapLayer vectors_layer(const io::LineSet& set,
 
 std::string map_name(const std::string& method) { return fmt::format("judged.{}.gpkg", method); }
 
+void add_schema_option(CLI::App& app, std::string& schema) {
+  app.add_option(
+         "--schema", schema,
+         "of the map's lines; fkb: with objtype and accuracies in cm as FKB-Bygning names them")
+      ->check(CLI::IsMember({"plain", "fkb"}))
+      ->capture_default_str();
+}
+
+MapSchema map_schema_named(const std::string& name) {
+  return name == "fkb" ? MapSchema::kFkb : MapSchema::kPlain;
+}
+
 void write_judged_map(const std::string& path,
                       const io::LineSet& set,
                       const io::Crs& cloud_crs,
                       const evaluate::Evaluation& evaluation,
-                      const std::vector<JudgedPlane>& planes) {
+                      const std::vector<JudgedPlane>& planes,
+                      MapSchema schema) {
   const Eigen::Vector3d unit_m = unit_m_of(set);
   const ToMap to_map(evaluation.origin_m, unit_m);
   io::write_geopackage(path, set.crs.known() ? set.crs : cloud_crs,
-                       {planes_layer(planes, to_map), lines_layer(set, evaluation),
+                       {planes_layer(planes, to_map), lines_layer(set, evaluation, planes, schema),
                         vectors_layer(set, evaluation, unit_m, to_map)});
 }
 

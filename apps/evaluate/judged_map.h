@@ -5,6 +5,9 @@
 #include "evaluate/statistics/evaluation.h"
 #include "io/lines/line_set.h"
 
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,16 @@ namespace ridgeline::apps {
 
 /// "judged.STEM.gpkg".
 std::string map_name(const std::string& method);
+
+/// Columns of the layer `lines` beside the common ones.
+enum class MapSchema : std::uint8_t {
+  kPlain,
+  kFkb,  ///< objtype, nøyaktighet, nøyaktighetHøyde (cm) of the Norwegian FKB-Bygning
+};
+
+/// `--schema`.
+void add_schema_option(CLI::App& app, std::string& schema);
+MapSchema map_schema_named(const std::string& name);
 
 /// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
 /// coordinates in its units:
@@ -24,6 +37,7 @@ void write_judged_map(const std::string& path,
                       const io::LineSet& set,
                       const io::Crs& cloud_crs,
                       const evaluate::Evaluation& evaluation,
-                      const std::vector<evaluate::JudgedPlane>& planes);
+                      const std::vector<evaluate::JudgedPlane>& planes,
+                      MapSchema schema);
 
 }  // namespace ridgeline::apps

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/evaluate/write_results.h"
 
-#include "apps/evaluate/judged_map.h"
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
@@ -65,6 +64,7 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
 }
 
 void write_judged(const JudgedFiles& judged,
+                  MapSchema schema,
                   const OutputFolder& out,
                   const std::string& subfolder) {
   for (std::size_t i = 0; i < judged.evaluations.size(); ++i) {
@@ -75,7 +75,7 @@ void write_judged(const JudgedFiles& judged,
     out.write(subfolder + names[2], evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
                                         evaluate::to_markdown(evaluate::stratify(e)));
     write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
-                     judged.planes[i]);
+                     judged.planes[i], schema);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "apps/common/output_folder.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/judged_lines.h"
+#include "apps/evaluate/judged_map.h"
 #include "evaluate/statistics/evaluation.h"
 
 #include <span>
@@ -21,7 +22,10 @@ std::vector<std::string> evaluation_names(const std::string& method);
 
 /// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line), accuracy.METHOD.md (the labelled accuracy
 /// numbers and the strata) and the map judged.METHOD.gpkg of each evaluation, below `subfolder` ("" or "PATCH/").
-void write_judged(const JudgedFiles& judged, const OutputFolder& out, const std::string& subfolder);
+void write_judged(const JudgedFiles& judged,
+                  MapSchema schema,
+                  const OutputFolder& out,
+                  const std::string& subfolder);
 
 /// Writes the points of the planes, coloured by plane as in the report; see io::write_labelled_points().
 void write_plane_points(const std::string& path, const JudgedFiles& judged);

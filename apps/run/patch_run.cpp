@@ -114,8 +114,8 @@ class PatchRun {
       }
     }
     stage("evaluate", evaluation_key(), files, [&] {
-      write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(), out_,
-                   patch_.id + "/");
+      write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(),
+                   options_.map_schema, out_, patch_.id + "/");
     });
     for (const Method method : options_.methods) {
       result_.evaluations.push_back(
@@ -132,6 +132,7 @@ class PatchRun {
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
     parts.push_back(echo(options_.judge).dump());
+    if (options_.map_schema == MapSchema::kFkb) parts.emplace_back("fkb");
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
                                 options_.summary.bootstrap.seed));

@@ -7,6 +7,7 @@
 #include "apps/common/progress.h"
 #include "apps/common/run_record.h"
 #include "apps/evaluate/judged_lines.h"
+#include "apps/evaluate/judged_map.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
@@ -31,7 +32,8 @@ struct RunOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
-  bool local_origin = false;                 ///< see io::WriteLinesOptions
+  MapSchema map_schema = MapSchema::kPlain;
+  bool local_origin = false;   ///< see io::WriteLinesOptions
   io::Crs assume_crs;          ///< declares or overrides that of patch, cloud and reference lines
   double max_image_mpx = 0.0;  ///< of io::read_image()
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< of check_pair()

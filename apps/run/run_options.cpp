@@ -56,6 +56,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(line_format_names()));
   add_local_origin_flag(app, flags.options.local_origin);
+  add_schema_option(app, flags.schema);
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
   app.add_option("--assume-crs", flags.options.assume_crs.definition,
@@ -91,6 +92,7 @@ RunOptions run_options(const RunFlags& flags) {
     io::require_writable(*format);
     options.line_formats.push_back(*format);
   }
+  options.map_schema = map_schema_named(flags.schema);
   validate(options.extract);
   validate_matching(options.matching);
   validate(options.reconstruct);

@@ -16,6 +16,7 @@ struct RunFlags {
   std::vector<std::string> matchers{"pairwise"};
   std::string detector = "ours";
   std::vector<std::string> line_formats;
+  std::string schema = "plain";
   RunOptions options;
 };
 

@@ -66,9 +66,10 @@ std::vector<PlanePoint> plane_points(std::span<const JudgedResult> results) {
            std::tuple(place(b), std::abs(b.distance_m), b.plane_id);
   };
   std::ranges::sort(points, nearest_first);
-  const auto repeated = std::ranges::unique(
-      points, [&](const PlanePoint& a, const PlanePoint& b) { return place(a) == place(b); });
-  points.erase(repeated.begin(), repeated.end());
+  const auto same_place = [&](const PlanePoint& a, const PlanePoint& b) {
+    return place(a) == place(b);
+  };
+  points.erase(std::unique(points.begin(), points.end(), same_place), points.end());
   std::ranges::stable_sort(points, {}, &PlanePoint::plane_id);
   return points;
 }

@@ -89,6 +89,28 @@ TEST_F(JudgedMap, HasThePlanesAndTheWayToThem) {
               AllOf(HasSubstr("= lines"), HasSubstr("= planes"), HasSubstr("= vectors")));
 }
 
+TEST_F(JudgedMap, NamesTheKindsOfRoofEdges) {
+  ASSERT_EQ(evaluate("scene/truth.geojson", "out", {"--no-report", "--schema", "fkb"}).exit_code,
+            0);
+  const auto n = [&](const std::string& condition) {
+    const std::string text =
+        sql("out/judged.truth.gpkg", "SELECT count(*) AS n FROM lines WHERE " + condition);
+    return std::stoi(text.substr(text.find("n (Integer) = ") + 14));
+  };
+  // valleys and hips of a roof with dormers meet planes of few points
+  constexpr double kLeastRight = 0.95;
+  for (const std::string kind : {"ridge", "valley", "hip", "eave", "verge"}) {
+    const std::string judged =
+        "status = 'evaluated' AND kind != 'step' AND kind_in = '" + kind + "'";
+    EXPECT_GE(n(judged + " AND kind = '" + kind + "'"), kLeastRight * n(judged)) << kind;
+  }
+  EXPECT_EQ(n("kind = 'ridge' AND objtype != 'M\xC3\xB8nelinje'"), 0);
+  EXPECT_EQ(n("status = 'evaluated' AND \"n\xC3\xB8yaktighet\" IS NULL"), 0);
+  EXPECT_EQ(n("horizontal_m IS NOT NULL AND (\"n\xC3\xB8yaktighet\" < 100 * abs(horizontal_m) OR "
+              "\"n\xC3\xB8yaktighet\" > 100 * abs(horizontal_m) + 1)"),
+            0);
+}
+
 TEST_F(JudgedMap, IsTheSameFromRunToRun) {
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "a", {"--no-report", "--jobs", "1"}).exit_code, 0);
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "b", {"--no-report", "--jobs", "2"}).exit_code, 0);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/roof_kind.h"
+
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <vector>
+
+namespace ridgeline::apps {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr double kLevelLine_rad = 5.0 * kRadians;
+constexpr double kLevelPlane_rad = 5.0 * kRadians;
+
+double slope_rad(const Segment3& s) {
+  const Eigen::Vector3d d = s.end - s.start;
+  return std::atan2(std::abs(d.z()), d.head<2>().norm());
+}
+
+/// Distance of the middle of a plane's points above another plane.
+double height_above(const PlanesById& planes, std::uint64_t id, const Plane3& other) {
+  const auto found = planes.find(id);
+  if (found == planes.end() || found->second->outline.empty()) return 0.0;
+  const std::vector<Eigen::Vector3d>& outline = found->second->outline;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : outline) middle += corner;
+  return other.signedDistance(middle / static_cast<double>(outline.size()));
+}
+
+/// Two planes fall away from their edge if the points of each lie below the other.
+bool is_convex(const evaluate::LineEvaluation& line, const PlanesById& planes) {
+  const auto& [a, b] = std::tie(line.planes[0], line.planes[1]);
+  return height_above(planes, a.id, b.plane) + height_above(planes, b.id, a.plane) < 0.0;
+}
+
+std::string kind_of_border(const Plane3& plane, const Segment3& segment) {
+  if (ridgeline::slope_rad(plane) < kLevelPlane_rad) return "step";
+  const Eigen::Vector2d down = plane.normal().head<2>().normalized();
+  const Eigen::Vector2d along = (segment.end - segment.start).head<2>().normalized();
+  return std::abs(down.dot(along)) < std::numbers::sqrt2 / 2.0 ? "eave" : "verge";
+}
+
+}  // namespace
+
+std::string roof_kind(const evaluate::LineEvaluation& line,
+                      const Segment3& segment_in_local,
+                      const PlanesById& planes) {
+  if (line.planes.empty()) return "";
+  if (line.planes.size() == 1) return kind_of_border(line.planes[0].plane, segment_in_local);
+  if (!is_convex(line, planes)) return "valley";
+  return slope_rad(segment_in_local) < kLevelLine_rad ? "ridge" : "hip";
+}
+
+}  // namespace ridgeline::apps
