@@ -71,7 +71,8 @@ struct JudgingPlane {
   double rms_m = 0.0;            ///< of the inliers' orthogonal distances
   double coverage = 0.0;         ///< share of the line over the hull of the inliers, 0..1
   double extrapolation_m = 0.0;  ///< largest distance in plan from the line to that hull
-  double sigma_m = 0.0;          ///< of the plane at the line's midpoint, random part only
+  double sigma_m = 0.0;          ///< of the plane at the line's midpoint; see plane_sigma_m()
+  double sigma_random_m = 0.0;   ///< the same as if the points' errors were independent
   SegmentPlaneDistance distance;
   std::uint64_t id = 0;  ///< equal for planes that are the same one: lines sharing it are dependent
 };

@@ -273,6 +273,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   write_judged(judged, map_schema_named(arguments.schema), out, "");
   if (!arguments.write_points.empty()) write_plane_points(arguments.write_points, judged);
   write_truth(judged.truth, out);
+  write_quality(judged.evaluations, judged.truth, out);
   write_table2(judged.evaluations, out);
   if (has_figures(judged.evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));

@@ -153,7 +153,8 @@ TruthRows compare_with_truth(
   add("lines",
       evaluate::measure_against_lines(finite_segments(lines), segments_of(*references), options));
   rows.references.push_back(
-      {evaluation.patch, evaluation.method, evaluate::compare_with_references(lines, *references)});
+      {evaluation.patch, evaluation.method, evaluate::compare_with_references(lines, *references),
+       evaluate::wireframe_scores(finite_segments(lines), segments_of(*references))});
   return rows;
 }
 

@@ -5,6 +5,7 @@
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
 #include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/standards_table.h"
 #include "evaluate/tables/table2.h"
 #include "io/cloud/labelled_points.h"
 
@@ -72,8 +73,10 @@ void write_judged(const JudgedFiles& judged,
     const std::vector<std::string> names = evaluation_names(e.method);
     out.write(subfolder + names[0], evaluate::to_json(e));
     out.write(subfolder + names[1], evaluate::to_line_csv(e));
-    out.write(subfolder + names[2], evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
-                                        evaluate::to_markdown(evaluate::stratify(e)));
+    out.write(subfolder + names[2],
+              evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
+                  evaluate::to_markdown(evaluate::stratify(e)) +
+                  evaluate::standards_to_markdown(evaluate::standards_blocks(e)));
     write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
                      judged.planes[i], schema);
   }
@@ -104,6 +107,24 @@ void write_plane_points(const std::string& path, const JudgedFiles& judged) {
   io::write_labelled_points(path, points);
 }
 
+void write_quality(std::span<const Evaluation> evaluations,
+                   const std::vector<TruthRows>& truth,
+                   const OutputFolder& out) {
+  constexpr double kTolerance_m = 0.25;  // of those that are measured
+  std::vector<evaluate::StandardsRow> rows;
+  for (std::size_t i = 0; i < evaluations.size(); ++i) {
+    std::optional<evaluate::ToleranceMeasures> against_lines;
+    for (const evaluate::ToleranceRow& row : truth[i].tolerances) {
+      const bool counts = row.reference == "lines" && row.measures.tolerance_m == kTolerance_m;
+      if (counts) against_lines = row.measures;
+    }
+    rows.push_back({evaluations[i].patch, evaluations[i].method,
+                    evaluate::standards_blocks(evaluations[i], against_lines)});
+  }
+  out.write("quality.csv", evaluate::measures_to_csv(rows));
+  out.write("quality.xml", evaluate::measures_to_xml(rows));
+}
+
 void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
   std::vector<evaluate::ToleranceRow> tolerances;
   std::vector<evaluate::ReferenceRow> references;
@@ -115,13 +136,14 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
   out.write("tolerances.md", evaluate::tolerances_to_markdown(tolerances));
   if (references.empty()) {
     for (const char* name :
-         {"reference_errors.csv", "reference_completeness.csv", "reference.md"}) {
+         {"reference_errors.csv", "reference_completeness.csv", "reference.md", "wireframe.csv"}) {
       out.remove(name);
     }
     return;
   }
   out.write("reference_errors.csv", evaluate::reference_errors_to_csv(references));
   out.write("reference_completeness.csv", evaluate::reference_completeness_to_csv(references));
+  out.write("wireframe.csv", evaluate::wireframe_to_csv(references));
   out.write("reference.md", evaluate::reference_to_markdown(references));
 }
 

@@ -30,6 +30,11 @@ void write_judged(const JudgedFiles& judged,
 /// Writes the points of the planes, coloured by plane as in the report; see io::write_labelled_points().
 void write_plane_points(const std::string& path, const JudgedFiles& judged);
 
+/// Writes quality.csv and quality.xml: the measures of ISO 19157. `truth`: one for each evaluation.
+void write_quality(std::span<const evaluate::Evaluation> evaluations,
+                   const std::vector<TruthRows>& truth,
+                   const OutputFolder& out);
+
 /// Writes tolerances.{csv,md}: precision and completeness at tolerances; and, where there are
 /// reference lines, reference_errors.csv, reference_completeness.csv and reference.md.
 void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out);

@@ -141,6 +141,7 @@ void run_patches(const std::string& command,
   }
   for (const std::string& message : messages) say("{}\n", message);
   write_truth(truth, out);
+  write_quality(evaluations, truth, out);
   record.end_stage("write");
   record.set("messages", messages);
   out.write("run.json", record.to_json());

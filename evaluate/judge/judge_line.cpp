@@ -47,6 +47,7 @@ JudgingPlane judging_plane(const CandidatePlane& candidate,
           .coverage = candidate.coverage,
           .extrapolation_m = extrapolation_beyond(candidate.inliers, footprint),
           .sigma_m = plane_sigma_m(candidate.fit, candidate.inliers, midpoint(segment)),
+          .sigma_random_m = candidate.fit.sigma_at(midpoint(segment)),
           .distance = orthogonal_distance(segment, candidate.fit.plane)};
 }
 

@@ -2,6 +2,7 @@
 #include "evaluate/tables/evaluation_json.h"
 
 #include "evaluate/statistics/accuracy.h"
+#include "evaluate/statistics/standards.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table2.h"
@@ -22,6 +23,7 @@ Json plane_json(const JudgingPlane& p, const Eigen::Vector3d& origin_m) {
           {"coverage", number_json(p.coverage)},
           {"extrapolation_m", number_json(p.extrapolation_m)},
           {"sigma_m", number_json(p.sigma_m)},
+          {"sigma_random_m", number_json(p.sigma_random_m)},
           {"id", p.id},
           {"start_distance_m", number_json(p.distance.start)},
           {"end_distance_m", number_json(p.distance.end)},
@@ -95,6 +97,45 @@ Json accuracy_json(const Evaluation& evaluation) {
   return json;
 }
 
+Json measures_json(const StandardsBlock& block) {
+  Json measures = Json::array();
+  for (const IsoMeasure& m : block.iso19157) {
+    measures.push_back({{"id", m.id},
+                        {"name", m.name},
+                        {"value", number_json(m.value)},
+                        {"unit", m.unit},
+                        {"n", m.n}});
+  }
+  return measures;
+}
+
+Json standards_json(const Evaluation& evaluation) {
+  Json json = Json::object();
+  for (const StandardsBlock& b : standards_blocks(evaluation)) {
+    json[b.line_class] = {{"asprs",
+                           {{"n", b.asprs.n},
+                            {"rmse_horizontal_m", number_json(b.asprs.rmse_horizontal_m)},
+                            {"rmse_vertical_m", number_json(b.asprs.rmse_vertical_m)},
+                            {"rmse_3d_m", number_json(b.asprs.rmse_3d_m)},
+                            {"best_class_m", number_json(b.asprs.best_class_m)},
+                            {"few_checkpoints", b.asprs.few_checkpoints},
+                            {"biased", b.asprs.biased}}},
+                          {"nssda",
+                           {{"horizontal_m", number_json(b.nssda.horizontal_m)},
+                            {"vertical_m", number_json(b.nssda.vertical_m)}}},
+                          {"uncertainty",
+                           {{"laser_random_m", number_json(b.budget.laser_random_m)},
+                            {"laser_systematic_m", number_json(b.budget.laser_systematic_m)},
+                            {"plane_fit_m", number_json(b.budget.plane_fit_m)},
+                            {"combined_m", number_json(b.budget.combined_m())},
+                            {"expanded_m", number_json(b.budget.expanded_m())},
+                            {"k", 2},
+                            {"sampling_m", number_json(b.budget.sampling_m)}}},
+                          {"iso19157", measures_json(b)}};
+  }
+  return json;
+}
+
 Json calibration_json(const Calibration& c) {
   return {{"n", c.n},
           {"nees_per_dof", number_json(c.nees_per_dof)},
@@ -142,6 +183,7 @@ std::string to_json(const Evaluation& evaluation) {
                    {"options", options_json(evaluation.options)},
                    {"summary", std::move(summary)},
                    {"accuracy", accuracy_json(evaluation)},
+                   {"standards", standards_json(evaluation)},
                    {"calibration", total_calibration_json(evaluation)},
                    {"strata", strata_json(evaluation)},
                    {"lines", std::move(lines)}});

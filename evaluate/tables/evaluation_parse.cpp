@@ -94,6 +94,7 @@ JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
   p.coverage = number(json, "coverage");
   p.extrapolation_m = number_if_any(json, "extrapolation_m").value_or(0.0);
   p.sigma_m = number_if_any(json, "sigma_m").value_or(0.0);
+  p.sigma_random_m = number_if_any(json, "sigma_random_m").value_or(p.sigma_m);
   p.id = count<std::uint64_t>(json, "id");
   p.distance.start = number(json, "start_distance_m");
   p.distance.end = number(json, "end_distance_m");

@@ -45,6 +45,26 @@ std::string reference_completeness_to_csv(const std::vector<ReferenceRow>& rows)
   return text;
 }
 
+std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
+  std::string text =
+      "patch,method,what,threshold_m,n_found,n_true,n_matched,precision,recall,f1,mean_offset_m\n";
+  for (const ReferenceRow& row : rows) {
+    for (const WireframeScore& w : row.wireframe) {
+      const auto add = [&](const char* what, const DetectionScore& d,
+                           std::optional<double> offset_m) {
+        text += fmt::format("{},{},{},{:g},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
+                            escape_csv(row.method), what, w.threshold_m, d.n_found, d.n_true,
+                            d.n_matched, fixed(d.precision(), kShareDecimals, ""),
+                            fixed(d.recall(), kShareDecimals, ""),
+                            fixed(d.f1(), kShareDecimals, ""), metres(offset_m, ""));
+      };
+      add("edges", w.edges, std::nullopt);
+      add("corners", w.corners, w.mean_corner_offset_m);
+    }
+  }
+  return text;
+}
+
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
   std::string text =
       "Mean distance from the true line that both image segments lie on.\n\n"
@@ -66,6 +86,21 @@ std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
       text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
                           escape_markdown(row.method), escape_markdown(c.kind), c.n_lines,
                           c.n_reconstructed, percent(share_of(c)));
+    }
+  }
+  text +=
+      "\nThe lines as a wireframe: corners (ends of lines) and edges (both ends) matched one to "
+      "one to true ones.\n\n"
+      "| patch | method | threshold m | edge precision % | recall % | F1 % | corner precision % | "
+      "recall % | F1 % | "
+      "mean corner offset m |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const ReferenceRow& row : rows) {
+    for (const WireframeScore& w : row.wireframe) {
+      text += fmt::format(
+          "| {} | {} | {:g} | {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
+          escape_markdown(row.method), w.threshold_m, percent(w.edges.precision()),
+          percent(w.edges.recall()), percent(w.edges.f1()), percent(w.corners.precision()),
+          percent(w.corners.recall()), percent(w.corners.f1()), metres(w.mean_corner_offset_m));
     }
   }
   return text;

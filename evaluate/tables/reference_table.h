@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/statistics/reference_errors.h"
+#include "evaluate/statistics/wireframe.h"
 
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace ridgeline::evaluate {
 struct ReferenceRow {
   std::string patch, method;
   ReferenceComparison comparison;
+  std::vector<WireframeScore> wireframe;
 };
 
 /// `patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share`; a figure
@@ -21,7 +23,10 @@ std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows);
 /// `patch,method,kind,n_reference_lines,n_reconstructed,share`.
 std::string reference_completeness_to_csv(const std::vector<ReferenceRow>& rows);
 
-/// Both tables.
+/// `patch,method,what,threshold_m,n_found,n_true,n_matched,precision,recall,f1,mean_offset_m` for edges and corners.
+std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows);
+
+/// All tables.
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows);
 
 }  // namespace ridgeline::evaluate

@@ -122,7 +122,10 @@ TEST(CompareWithReferences, CompletenessCountsHalfOfTheLengthOfVisibleLines) {
 
 TEST(ReferenceTables, FigureThatDoesNotExistIsEmpty) {
   const std::vector<ReferenceRow> rows{
-      {"1", "joint", compare_with_references({}, std::vector<ReferenceLine>{{kRidge, "ridge"}})}};
+      {"1",
+       "joint",
+       compare_with_references({}, std::vector<ReferenceLine>{{kRidge, "ridge"}}),
+       {}}};
   EXPECT_THAT(reference_errors_to_csv(rows), testing::HasSubstr("1,joint,total,0,0,,,,,\n"));
   EXPECT_THAT(reference_completeness_to_csv(rows), testing::HasSubstr("1,joint,all,1,0,0.0000\n"));
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// Precision, recall and F1 of things that are found, matched one to one.
+struct DetectionScore {
+  std::size_t n_found = 0, n_true = 0, n_matched = 0;
+
+  [[nodiscard]] std::optional<double> precision() const;  ///< empty without found ones
+  [[nodiscard]] std::optional<double> recall() const;     ///< empty without true ones
+  [[nodiscard]] std::optional<double> f1() const;  ///< 0 if nothing is matched; empty without both
+};
+
+/// A set of lines as a wireframe, at one threshold.
+struct WireframeScore {
+  double threshold_m = 0.0;
+  DetectionScore corners, edges;
+  std::optional<double> mean_corner_offset_m;  ///< of the matched corners
+};
+
+inline constexpr double kWireframeThresholds_m[] = {0.1, 0.25, 0.5, 1.0};
+
+/// The measures of Building3D (Wang et al. 2023): corners are the ends of the lines, those within a centimetre of each
+/// other once. Corners are matched to true ones nearest first, each once, up to the threshold; an edge is found where
+/// both its ends are matched to the ends of one true edge, which counts once.
+/// Throws std::invalid_argument for a segment that is not finite.
+std::vector<WireframeScore> wireframe_scores(std::span<const Segment3> lines,
+                                             std::span<const Segment3> references);
+
+}  // namespace ridgeline::evaluate
