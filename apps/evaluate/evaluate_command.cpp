@@ -9,6 +9,7 @@
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/judged_map.h"
 #include "apps/evaluate/write_results.h"
+#include "apps/report/page_facts.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
@@ -40,6 +41,7 @@ struct EvaluateArguments {
   double max_resolution_m = 0.0;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
+  PageFacts page;
 };
 
 void add_inputs(CLI::App& app, EvaluateArguments& a) {
@@ -61,6 +63,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
       "--write-points", a.write_points,
       "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
   add_schema_option(app, a.schema);
+  add_page_options(app, a.page);
   add_report_flag(app, a.report);
   app.add_flag("--pairs", a.vertex_pairs, "an OBJ's vertices two by two are the lines");
 }
@@ -283,6 +286,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   for (const std::string& message : messages) say("{}\n", message);
   record.end_stage("write");
   record.set("messages", messages);
+  record.set("page", to_json(arguments.page));
   out.write("run.json", record.to_json());
   for (const evaluate::Evaluation& e : judged.evaluations) {
     say("Map for QGIS: {}\n", out.path(map_name(e.method)));

@@ -250,7 +250,7 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
 /// without times, so that equal runs give equal reports.
 Json run_json(const Json& run) {
   Json json = Json::object();
-  for (const char* key : {"command", "versions", "options", "inputs", "messages"}) {
+  for (const char* key : {"command", "versions", "options", "inputs", "messages", "page"}) {
     if (run.contains(key)) json[key] = run[key];
   }
   // a resumed run does not meet them again; those of the cloud come from reading it

@@ -8,6 +8,7 @@
 #include "apps/common/run_record.h"
 #include "apps/evaluate/judged_lines.h"
 #include "apps/evaluate/judged_map.h"
+#include "apps/report/page_facts.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
@@ -39,6 +40,7 @@ struct RunOptions {
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< of check_pair()
   bool resume = false;
   bool report = true;  ///< report.html and the figures
+  PageFacts page;
 };
 
 /// Matching and evaluation of one patch; its files are written.

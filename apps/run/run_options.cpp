@@ -64,6 +64,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
   add_pair_check_option(app, flags.options.max_y_parallax_px);
   add_image_size_option(app, flags.options.max_image_mpx);
   add_report_flag(app, flags.options.report);
+  add_page_options(app, flags.options.page);
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

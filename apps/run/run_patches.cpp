@@ -144,6 +144,7 @@ void run_patches(const std::string& command,
   write_quality(evaluations, truth, out);
   record.end_stage("write");
   record.set("messages", messages);
+  record.set("page", to_json(options.page));
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());

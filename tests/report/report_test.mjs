@@ -55,6 +55,53 @@ test('three patches fit into 8 MB and open', async () => {
   await close(page);
 });
 
+test('opens on the product method with the figure that counts, a plan and the worst lines', async () => {
+  const page = await openReport('demo');
+  const state = await selection(page);
+  assert.equal(await page.evaluate(() => globalThis.ridgeline.state.method.name), 'joint');
+  const rows = readJson('demo/table2.json').rows.filter((r) => r.method === 'joint' && r.class === 'total');
+  const n = rows.reduce((sum, r) => sum + r.n_evaluated, 0);
+  const rms = Math.sqrt(rows.reduce((sum, r) => sum + r.rms_m ** 2 * r.n_evaluated, 0) / n);
+  assert.equal(await page.locator('#key-figure .value').innerText(), `${metres(rms)} m`);
+  assert.match(await page.locator('#verdict').innerText(), /^No specification was given/);
+  const lines = readJson('demo', rows[0].patch, 'evaluation.joint.json').lines;
+  const worst = lines.filter((l) => l.mean_distance_m !== null).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
+  const captions = await textOf(page, '#worst figcaption');
+  assert.equal(captions.length, 5);
+  assert.ok(captions[0].startsWith(`${worst[0].id} ${metres(worst[0].mean_distance_m)} m`), captions[0]);
+  assert.ok(await page.locator('#plan svg line').count() > 0.9 * worst.length);
+  // selecting a line there moves the camera
+  const before = await page.evaluate(() => globalThis.ridgeline.scene.screenPositionOf(0));
+  await page.locator('#worst figcaption button').first().click();
+  const line = (await selection(page)).line;
+  assert.notEqual(line, state.line);
+  const at = await page.evaluate((i) => globalThis.ridgeline.scene.screenPositionOf(i), line);
+  const box = await page.locator('#scene canvas').boundingBox();
+  assert.ok(Math.hypot(at[0] - box.width / 2, at[1] - box.height / 2) < 3, `${at} of ${box.width} x ${box.height}, before ${before}`);
+  await close(page);
+});
+
+test('prints its first page to A4', async () => {
+  const page = await openReport('demo');
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  assert.ok(pdf.toString('latin1').includes('/MediaBox [0 0 594.95996 841.91998]') || /\/MediaBox \[0 0 59[45][^ ]* 84[12]/.test(pdf.toString('latin1')));
+  await page.emulateMedia({ media: 'print' });
+  const { height } = await page.locator('#acceptance').boundingBox();
+  console.log(`acceptance section ${height.toFixed(0)} px high in print`);
+  await close(page);
+});
+
+test('an evaluation has a title, panels and facts of its own', async () => {
+  const { lines, cloud } = hostileLines();
+  ridgeline('evaluate', '--lines', lines, '--cloud', cloud, '--out', join(work, 'facts'), '--project', '<b>P</b>', '--operator', 'O', '--date', '2026-11-25');
+  const page = await openReport('facts');
+  assert.equal(await page.locator('h1').innerText(), 'Accuracy of 3D lines against LIDAR');
+  assert.equal(await page.locator('#table1, #table1-missing, #images').count(), 0);
+  const facts = await page.locator('#facts').innerText();
+  for (const text of ['<b>P</b>', 'O', '2026-11-25']) assert.ok(facts.includes(text), facts);
+  await close(page);
+});
+
 test('tables hold the figures of the JSON files', async () => {
   const page = await openReport('demo');
   const table1 = await textOf(page, '#table1 tbody tr');
@@ -78,7 +125,7 @@ test('tables hold the figures of the JSON files', async () => {
 
 test('a row of the table selects the line everywhere, by mouse and by keys', async () => {
   const page = await openReport('demo');
-  const lines = readJson('demo', '1', 'evaluation.direct.json').lines;
+  const lines = readJson('demo', '1', 'evaluation.joint.json').lines;
   await page.locator('#line-table tbody tr[data-line="4"]').click();
   assert.equal((await selection(page)).line, 4);
   assert.match(await page.locator('#details h3').innerText(), new RegExp(`Line ${lines[4].id}$`));
@@ -100,7 +147,7 @@ test('a click in 3D selects a line', async () => {
   const box = await sceneBox(page);
   await page.keyboard.press('t');
   await page.waitForTimeout(300);
-  const lines = readJson('demo', '1', 'evaluation.direct.json').lines;
+  const lines = readJson('demo', '1', 'evaluation.joint.json').lines;
   const longest = lines.map((line, i) => ({ i, length: line.length_m })).sort((a, b) => b.length - a.length).slice(0, 12);
   let hit = 0;
   for (const { i } of longest) {
@@ -157,6 +204,7 @@ test('measuring takes two clicks', async () => {
 
 test('the method switch changes lines, charts and figures, and keeps the line', async () => {
   const page = await openReport('demo');
+  await page.locator('#methods button').nth(0).click();
   await page.locator('#line-table tbody tr[data-line="4"]').click();
   const direct = await page.locator('#statistics').innerText();
   await page.locator('#methods button').nth(1).click();
@@ -181,7 +229,7 @@ test('the method switch changes lines, charts and figures, and keeps the line', 
 
 test('the table sorts, filters and exports', async () => {
   const page = await openReport('demo');
-  const lines = readJson('demo', '1', 'evaluation.direct.json').lines;
+  const lines = readJson('demo', '1', 'evaluation.joint.json').lines;
   const header = page.locator('#line-table th button[data-key="mean_distance_m"]');
   await header.click();
   await header.click();
@@ -192,7 +240,7 @@ test('the table sorts, filters and exports', async () => {
   const ridges = lines.filter((l) => l.kind === 'ridge' || l.flags.some((f) => f.includes('ridge')));
   assert.equal(await page.locator('#line-table tbody tr').count(), ridges.length);
   const csv = await downloadOf(page, () => page.locator('#export-lines').click());
-  assert.equal(csv.name, 'lines.1.direct.csv');
+  assert.equal(csv.name, 'lines.1.joint.csv');
   assert.equal(csv.text.trim().split('\n').length, ridges.length + 1);
   assert.ok(csv.text.startsWith('id,class,status,kind,'));
   await close(page);
@@ -361,7 +409,7 @@ test('gates give the verdict', async () => {
   writeFileSync(gates, 'gates:\n  - {class: total, metric: rms_m, max: 0.001}\n');
   ridgeline('report', join(work, 'demo'), '--gates', gates);
   const page = await openReport('demo');
-  assert.match(await page.locator('#verdict').innerText(), /^Gates failed: 3 of 3 checks/);
+  assert.match(await page.locator('#verdict').innerText(), /^Not accepted: 3 of 3 checks of the specification fail: /);
   assert.equal(await page.locator('#gates tbody tr').count(), 3);
   await close(page);
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { readReport } from './data/decode';
-import type { Patch } from './data/schema';
+import { isOfFiles } from './data/product';
+import type { Patch, Report } from './data/schema';
 import { Review } from './review/review';
 import { ReviewPanel } from './review/review_panel';
 import { ScenePanel } from './scene/scene_panel';
@@ -8,10 +9,11 @@ import { State } from './state';
 import { append, button, h, replace, tabs } from './ui/dom';
 import { fixed, percent, words } from './ui/format';
 import { themeButton } from './ui/theme';
+import { Acceptance, titleOf } from './views/acceptance';
 import { Charts } from './views/charts';
 import { Details } from './views/details';
 import { figuresOfMethod } from './views/figures_of_method';
-import { head, messages, verdict } from './views/head';
+import { head, messages } from './views/head';
 import { helpDialog } from './views/help';
 import { ImagePair } from './views/image_pair';
 import { LineTable } from './views/line_table';
@@ -28,6 +30,9 @@ function factsOf(patch: Patch): string {
     return `${m.name}: ${m.lines.length} lines, ${kinds('step')} steps, ${kinds('ridge')} ridges. `;
   }).join('') + (unmatched.length > 0 ? `Left segments without a match: ${unmatched.join(', ')}.` : '');
 }
+
+/** An evaluation of line files has no panel of images unless a patch names them. */
+const hasImages = (report: Report): boolean => !isOfFiles(report) || report.patches.some((p) => p.images !== null);
 
 class Page {
   private readonly review: Review;
@@ -60,13 +65,13 @@ class Page {
     const { report } = this.state;
     const applyTheme = (): void => { this.scene.view?.applyTheme(); this.charts.show(this.state.method); this.pair.draw(); };
     replace(root,
-      h('header', {}, h('h1', {}, 'Line reconstruction report'),
+      h('header', {}, h('h1', {}, titleOf(report)),
         h('div', { class: 'controls' }, themeButton(applyTheme), button('Help (?)', () => this.help.showModal(), { id: 'help-button' }))),
       ...messages(report),
-      verdict(report),
+      new Acceptance(this.state).element,
       ...head(report),
       h('section', { id: 'patch' }, this.patchHead, this.patchFacts,
-        h('div', { class: 'views' }, this.scene.element, h('div', {}, this.pair.element, this.reviewPanel.element, this.details.element)),
+        h('div', { class: 'views' }, this.scene.element, h('div', {}, hasImages(report) ? this.pair.element : null, this.reviewPanel.element, this.details.element)),
         new LineTable(this.state).element,
         this.charts.element, this.figures),
       provenance(report), this.help);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { productIndex } from './data/product';
 import type { Line, Method, Patch, Report } from './data/schema';
 
 export interface Selection {
@@ -15,7 +16,9 @@ export class State {
   private selection: Selection = { patch: 0, method: 0, line: null, match: null };
   private readonly listeners: Listener[] = [];
 
-  constructor(readonly report: Report) {}
+  constructor(readonly report: Report) {
+    this.selection.method = productIndex(this.patch.methods);
+  }
 
   get now(): Selection {
     return this.selection;
@@ -45,7 +48,7 @@ export class State {
   choosePatch(patch: number): void {
     const methods = this.report.patches[patch]!.methods;
     const same = methods.findIndex((m) => m.name === this.method.name);
-    this.set({ patch, method: Math.max(0, same), line: null, match: null });
+    this.set({ patch, method: same >= 0 ? same : productIndex(this.report.patches[patch]!.methods), line: null, match: null });
   }
 
   /** The other method's line of the same id stays selected. */

@@ -58,7 +58,12 @@ export function distanceColour(line: Line): string {
   return distanceSteps.find((step) => d <= step.upTo_m)?.colour ?? okabeIto.grey;
 }
 
-/** Planes, neighbours in the list far apart; the largest, mostly the ground, is grey. */
-const planePalette = ['#b9b1a7', '#86c5ec', '#efb94d', '#9fcb7e', '#e6dc74', '#7faedb', '#eaa194', '#dca3c3'] as const;
-export const planeColour = (index: number): string => planePalette[index % planePalette.length]!;
+/** What is selected, in no scale of lines or planes. */
+export const selectionColour = '#e6007e';
+
+/** Planes, neighbours in the list far apart; the largest, mostly the ground, is grey. Pale, so that no plane has the
+ * colour of a line; write_results.cpp has the same. `deep`: for small drawings on white. */
+const planePalette = ['#b9b1a7', '#c3d3e3', '#e0cfae', '#c5d6b8', '#dfdcb4', '#bfc6dc', '#e0c4bd', '#d9c6d2'] as const;
+const deepPalette = ['#8d857b', '#5f86ad', '#a88a4c', '#6f9356', '#9a9540', '#6470a3', '#ad6c5d', '#97718a'] as const;
+export const planeColour = (index: number, deep = false): string => (deep ? deepPalette : planePalette)[index % planePalette.length]!;
 export const noPlaneColour = (): string => (isDark() ? '#8a8d92' : '#c9c9c9');

@@ -28,6 +28,11 @@ export interface Summary {
   gross_share: number | null;
   n_outliers: number;
   rms_without_outliers_m: number | null;
+  /** Ridges and hips with horizontal and vertical parts. */
+  n_parts: number;
+  rmse_horizontal_m: number | null;
+  rmse_vertical_m: number | null;
+  mean_vertical_m: number | null;
 }
 
 export interface Table2Row extends Summary {
@@ -102,6 +107,8 @@ export interface Line {
   sigma_plane_m: number | null;
   sigma_line_m: number | null;
   z: number | null;
+  displacement?: { horizontal_m: number; vertical_m: number; covariance_m2: [[number, number], [number, number]] } | null;
+  height_if_vertical_m?: number | null;
   start?: Triple;
   end?: Triple;
   left?: number | null;
@@ -204,6 +211,8 @@ export interface Report {
   note: string;
   run: {
     command?: string;
+    /** What the operator wants on top. */
+    page?: { title?: string; project?: string; operator?: string; date?: string };
     versions?: Record<string, string>;
     options?: Record<string, unknown>;
     inputs?: { role: string; path: string; bytes: number; sha256: string }[];

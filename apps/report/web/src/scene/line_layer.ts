@@ -3,7 +3,7 @@ import { Color, Group, Vector3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { classColour, distanceColour, okabeIto, statusColour } from '../data/colours';
+import { classColour, distanceColour, selectionColour, statusColour } from '../data/colours';
 import type { Line } from '../data/schema';
 
 export type LineColouring = 'class' | 'status' | 'distance';
@@ -63,7 +63,7 @@ export class LineLayer {
   select(line: number | null): void {
     this.chosen = line;
     const chosen = this.chosen === null ? [] : this.lines.slice(this.chosen, this.chosen + 1);
-    this.fill(this.selected, chosen, () => okabeIto.orange);
+    this.fill(this.selected, chosen, () => selectionColour);
   }
 
   setResolution(width: number, height: number): void {

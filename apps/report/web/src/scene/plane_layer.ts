@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, MeshBasicMaterial } from 'three';
-import { okabeIto, planeColour } from '../data/colours';
+import { planeColour, selectionColour } from '../data/colours';
 import type { Method, Plane } from '../data/schema';
 
 const material = (opacity: number): MeshBasicMaterial =>
@@ -52,6 +52,6 @@ export class PlaneLayer {
 
   highlight(ids: readonly number[]): void {
     this.chosen.geometry.dispose();
-    this.chosen.geometry = geometryOf(this.planes.filter((p) => ids.includes(p.id)).map((plane) => ({ plane, colour: okabeIto.orange })));
+    this.chosen.geometry = geometryOf(this.planes.filter((p) => ids.includes(p.id)).map((plane) => ({ plane, colour: selectionColour })));
   }
 }

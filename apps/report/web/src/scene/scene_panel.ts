@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 3D view with its controls and legend; a message where the browser has no WebGL.
-import { classColour, distanceSteps, okabeIto, statusColour } from '../data/colours';
+import { classColour, distanceSteps, okabeIto, selectionColour, statusColour } from '../data/colours';
 import type { State } from '../state';
 import { append, button, checkbox, choice, h, replace } from '../ui/dom';
 import { words } from '../ui/format';
@@ -20,6 +20,7 @@ export class ScenePanel {
   private readonly thinned = h('p', { class: 'caption', id: 'thinned' });
   private readonly measured = h('p', { class: 'caption', id: 'measured', role: 'status' });
   private colouring: LineColouring = 'class';
+  private isPicking = false;
 
   constructor(private readonly state: State) {
     append(this.element, h('h3', {}, '3D view'));
@@ -29,7 +30,7 @@ export class ScenePanel {
     }
     this.view = new SceneView();
     append(this.element, this.controls(this.view), this.view.element, this.legend, this.thinned, this.measured);
-    this.view.onPick = (line) => state.set({ line });
+    this.view.onPick = (line) => { this.isPicking = true; state.set({ line }); this.isPicking = false; };
     this.view.measure.onChange = (text) => { this.measured.textContent = text; };
     state.onChange((now, before) => {
       if (now.patch === before.patch && now.method !== before.method) {
@@ -37,6 +38,8 @@ export class ScenePanel {
         this.updateLegend();
       }
       this.view?.select(now.line);
+      // what was picked in the view is in sight
+      if (now.line !== null && now.line !== before.line && !this.isPicking) this.view?.centreOn(now.line);
     });
   }
 
@@ -81,6 +84,6 @@ export class ScenePanel {
       : this.colouring === 'status'
         ? [...new Set(lines.map((l) => l.status))].map((s) => swatch(statusColour(s), `${words(s)} ${count((l) => l.status === s)}`))
         : [...distanceSteps.map((s) => swatch(s.colour, s.text)), swatch(okabeIto.grey, 'not evaluated')];
-    replace(this.legend, ...items, h('span', { class: 'legend-item' }, 'dashed: not evaluated'), swatch(okabeIto.orange, 'selected, with its planes'));
+    replace(this.legend, ...items, h('span', { class: 'legend-item' }, 'dashed: not evaluated'), swatch(selectionColour, 'selected, with its planes'));
   }
 }

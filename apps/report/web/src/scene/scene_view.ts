@@ -95,12 +95,14 @@ export class SceneView {
     this.redraw();
   }
 
-  /** Brings the line into the middle without turning the view. */
+  /** Brings the line into the middle without turning the view, from 60 m at most. */
   centreOn(line: number): void {
     const middle = this.lines.middleOf(line);
     if (!middle) return;
     const target = this.content.localToWorld(middle);
-    this.camera.position.add(target.clone().sub(this.controls.target));
+    const farthest_m = 60;
+    const offset = this.camera.position.clone().sub(this.controls.target).clampLength(0, farthest_m);
+    this.camera.position.copy(target).add(offset);
     this.controls.target.copy(target);
     this.controls.update();
     this.redraw();

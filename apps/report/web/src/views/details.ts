@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The selected line: its figures, its planes, its chips of both images.
-import { okabeIto } from '../data/colours';
+import { okabeIto, selectionColour } from '../data/colours';
 import type { Line } from '../data/schema';
 import type { State } from '../state';
 import { append, h, replace, table } from '../ui/dom';
@@ -72,7 +72,7 @@ export class Details {
       paintEpipolar(v, canvas, images, images.segmentOfLine((1 - v) as ViewIndex, line));
       const seen = images.projected(v, line);
       if (seen) canvas.segment(seen, { colour: okabeIto.black, width: 1.5, dash: [3, 3], halo: true });
-      canvas.segment(segment, { colour: okabeIto.orange, width: 1.5 });
+      canvas.segment(segment, { colour: selectionColour, width: 1.5 });
     });
     append(parent, h('figure', {}, chip.canvas, h('figcaption', { class: 'caption' }, view.id)));
     chip.frame(segment);

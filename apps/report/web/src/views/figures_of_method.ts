@@ -73,10 +73,12 @@ export function figuresOfMethod(method: Method, patch: Patch, note: string): HTM
     ...patch.methods.filter((m) => m !== method).map((other) => h('p', { class: 'paired' }, pairedText(method, other))),
     h('h3', {}, 'Accuracy statement'),
     accuracyTable(method),
+    h('p', { class: 'caption' }, 'Observed: against the planes, as they were fitted. Product: against the true datum, that is, with the error of the laser and of the planes added. Method only: with that error taken off. NMAD: 1.4826 times the median absolute deviation, the standard deviation that the bulk of the lines suggests.'),
     h('p', { class: 'caption' }, note, ' ', total
       ? `In the style of ASPRS Edition 2: RMSE ${metres(method.accuracy['total']?.product_m)} m with the error of the reference included, from ${total.n_evaluated} lines`
         + (total.n_evaluated < 30 ? ' (below the 30 that it asks for).' : '.') : ''),
     h('p', { id: 'calibration' }, calibrationText(method.calibration)),
+    h('p', { class: 'caption' }, 'NEES: squared distance over the variance that line and plane predict; 1 on average if the predictions are right. A single line that is judged by a wrong surface can raise the mean by much; the median and the share within 1.96 tell of the bulk.'),
     h('details', {}, h('summary', {}, 'Strata'), ...Object.entries(method.strata).map(([by, strata]) => strataTable(by, strata))),
   ];
 }

@@ -1,51 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Verdict and Tables 1 and 2.
+// Gates and Tables 1 and 2.
+import { isOfFiles } from '../data/product';
 import type { Report, Summary, Table1Row, Table2Row } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { excluded, fixed, interval, metres, missing, percent, words } from '../ui/format';
 
 const unique = (names: readonly string[]): string[] => [...new Set(names)];
 
-/** RMS over several patches: their sums of squares and counts add up. */
-function pooled(rows: readonly Table2Row[]): { rms_m: number | null; n: number; lines: number } {
-  let squares = 0;
-  let n = 0;
-  let lines = 0;
-  for (const row of rows) {
-    lines += row.n_lines;
-    if (row.rms_m === null) continue;
-    squares += row.rms_m ** 2 * row.n_evaluated;
-    n += row.n_evaluated;
-  }
-  return { rms_m: n > 0 ? Math.sqrt(squares / n) : null, n, lines };
-}
-
-function gatesText(report: Report): { text: string; state: string } {
-  if (!report.gates) return { text: 'No gates given.', state: 'none' };
-  const all = report.gates.gates.length;
-  const failed = report.gates.gates.filter((g) => g.verdict !== 'passed').length;
-  return report.gates.passed
-    ? { text: `Gates passed: all ${all} checks.`, state: 'passed' }
-    : { text: `Gates failed: ${failed} of ${all} checks.`, state: 'failed' };
-}
-
 const hasFigures = (report: Report): boolean => report.table2.some((row) => row.rms_m !== null);
 
 /** In place of figures that there are none of. */
 export const messages = (report: Report): HTMLElement[] =>
   (report.run.messages ?? []).map((text) => h('p', { class: 'message', role: 'status' }, text));
-
-export function verdict(report: Report): HTMLElement {
-  const gates = gatesText(report);
-  const methods = unique(report.table2.map((r) => r.method)).map((method) => {
-    const p = pooled(report.table2.filter((r) => r.method === method && r.class === 'total'));
-    const rms = p.rms_m === null ? 'no RMS' : `${metres(p.rms_m)} m RMS`;
-    return `${method} ${rms} (${p.n} of ${p.lines} lines evaluated)`;
-  });
-  const n = report.patches.length;
-  const where = n === 1 ? 'On one patch: ' : `Over ${n} patches: `;
-  return h('p', { id: 'verdict', class: `verdict ${gates.state}` }, h('strong', {}, gates.text), ' ', where, methods.join('; '), '.');
-}
 
 function gateTable(report: Report): HTMLElement | null {
   if (!report.gates) return null;
@@ -65,7 +31,8 @@ function gateTable(report: Report): HTMLElement | null {
     ...report.gates.warnings.map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)));
 }
 
-function table1(report: Report): HTMLElement {
+function table1(report: Report): HTMLElement | null {
+  if (isOfFiles(report)) return null;
   const rows = report.table1;
   const hasMatches = report.patches.some((p) => (p.images?.matches.length ?? 0) > 0);
   const withInterval = (share: number | null, ci: [number, number] | null): string =>
@@ -124,6 +91,8 @@ export function summaryColumns<Row extends Summary>(): Column<Row>[] {
     metre('68.3 %', (s) => s.q683_m),
     metre('95 %', (s) => s.q95_m),
     metre('max', (s) => s.max_m),
+    metre('RMSE H', (s) => s.rmse_horizontal_m, 'ridges and hips, across in plan'),
+    metre('RMSE V', (s) => s.rmse_vertical_m, 'ridges and hips, in height'),
     { title: 'gross %', number: true, hint: 'lines farther off than the gross limit', cell: (s) => percent(s.gross_share) },
     { title: 'excluded', cell: (s) => excluded(s.n_excluded) },
   ];

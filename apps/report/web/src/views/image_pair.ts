@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Both images: segments (Fig. 1), matches (Fig. 7) or reconstructed lines; the selected line with its
 // epipolar lines.
-import { classColour, okabeIto, verdictColours } from '../data/colours';
+import { classColour, okabeIto, selectionColour, verdictColours } from '../data/colours';
 import { distanceToSegment, type Point2 } from '../data/geometry';
 import type { ImageSegment } from '../data/schema';
 import type { Review } from '../review/review';
@@ -104,7 +104,7 @@ export class ImagePair {
     } else if (this.layer === 'lines') {
       items.push(legendItem('aligned', { colour: classColour('aligned'), width: 2, dash: [7, 4] }), legendItem('not aligned', { colour: okabeIto.skyBlue, width: 2 }));
     }
-    replace(this.legend, ...items, legendItem('selected', { colour: okabeIto.orange, width: 3 }), legendItem('its epipolar lines', { colour: okabeIto.purple, width: 1.5, dash: [4, 4] }));
+    replace(this.legend, ...items, legendItem('selected', { colour: selectionColour, width: 3 }), legendItem('its epipolar lines', { colour: okabeIto.purple, width: 1.5, dash: [4, 4] }));
   }
 
   private paint(v: ViewIndex, canvas: ImageCanvas): void {
@@ -157,7 +157,7 @@ export class ImagePair {
       const seen = images.projected(v, line);
       if (seen) canvas.segment(seen, { colour: okabeIto.black, width: 1.5, dash: [3, 3], halo: true });
     }
-    if (own) canvas.segment(own, { colour: okabeIto.orange, width: 3, halo: true });
+    if (own) canvas.segment(own, { colour: selectionColour, width: 3, halo: true });
   }
 
   private click(v: ViewIndex, x: Point2, reach_px: number): void {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which method's lines are the product; the others are baselines and never shown first.
+import type { Line, Method, Patch, Report, Table2Row } from './schema';
+
+const byRank = ['network', 'joint', 'direct'];
+
+/** Of several methods the best that was run; of several line files the first. */
+export function productIndex(methods: readonly Method[]): number {
+  for (const name of byRank) {
+    const index = methods.findIndex((m) => m.name === name);
+    if (index >= 0) return index;
+  }
+  return 0;
+}
+
+export const product = (patch: Patch): Method | undefined => patch.methods[productIndex(patch.methods)];
+
+/** Rows of class `total` of each patch's product. */
+export function productRows(report: Report): Table2Row[] {
+  return report.patches.flatMap((patch) => {
+    const name = product(patch)?.name;
+    return report.table2.filter((row) => row.patch === patch.id && row.method === name && row.class === 'total');
+  });
+}
+
+/** The judged lines farthest off, each with its index. */
+export function worstLines(lines: readonly Line[], n: number): { line: Line; index: number }[] {
+  return lines.map((line, index) => ({ line, index })).filter(({ line }) => line.mean_distance_m !== null)
+    .sort((a, b) => b.line.mean_distance_m! - a.line.mean_distance_m!).slice(0, n);
+}
+
+export const isOfFiles = (report: Report): boolean => report.run.command === 'evaluate';

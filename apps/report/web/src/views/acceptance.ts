@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a client reads first: what was judged by what, the verdict, the figure that counts, where the lines lie, and
+// the worst of them.
+import { isOfFiles, productRows } from '../data/product';
+import type { GateResult, Report, Summary, Table2Row } from '../data/schema';
+import type { State } from '../state';
+import { h } from '../ui/dom';
+import { fixed, interval, metres, percent } from '../ui/format';
+import { Plan } from './plan';
+import { WorstLines } from './worst_lines';
+
+export const titleOf = (report: Report): string =>
+  report.run.page?.title || (isOfFiles(report) ? 'Accuracy of 3D lines against LIDAR' : 'Line reconstruction report');
+
+/** RMS over several patches: their sums of squares and counts add up. */
+function pooled(rows: readonly Table2Row[]): { rms_m: number | null; n: number; lines: number } {
+  let squares = 0;
+  let n = 0;
+  let lines = 0;
+  for (const row of rows) {
+    lines += row.n_lines;
+    if (row.rms_m === null) continue;
+    squares += row.rms_m ** 2 * row.n_evaluated;
+    n += row.n_evaluated;
+  }
+  return { rms_m: n > 0 ? Math.sqrt(squares / n) : null, n, lines };
+}
+
+const ofGate = (g: GateResult): string => `${g.rule}${g.value === null ? '' : ` (is ${fixed(g.value, 4)})`}`;
+
+export function verdict(report: Report): HTMLElement {
+  const { gates } = report;
+  if (!gates) {
+    return h('p', { id: 'verdict', class: 'verdict none' }, h('strong', {}, 'No specification was given'), ', so that nothing is accepted or rejected here.');
+  }
+  const failed = gates.gates.filter((g) => g.verdict !== 'passed');
+  if (gates.passed) {
+    return h('p', { id: 'verdict', class: 'verdict passed' }, h('strong', {}, 'Accepted'), `: all ${gates.gates.length} checks of the specification hold.`);
+  }
+  const shown = failed.slice(0, 3).map(ofGate).join('; ');
+  return h('p', { id: 'verdict', class: 'verdict failed' }, h('strong', {}, 'Not accepted'),
+    `: ${failed.length} of ${gates.gates.length} checks of the specification fail: ${shown}${failed.length > 3 ? '; …' : ''}.`);
+}
+
+function keyFigure(report: Report): HTMLElement | null {
+  const rows = productRows(report);
+  const all = pooled(rows);
+  if (all.rms_m === null) return null;
+  const one = rows.length === 1 ? rows[0]! : null;
+  const about = [
+    one?.ci95_m ? `95 % interval ${interval(one.ci95_m)} m` : null,
+    one ? `median ${metres(one.median_m)} m` : `medians ${rows.map((r) => metres(r.median_m)).join(', ')} m`,
+    `${all.n} of ${all.lines} lines judged (${percent(all.lines > 0 ? all.n / all.lines : null)} %)`,
+  ].filter((text): text is string => text !== null);
+  return h('div', { id: 'key-figure' }, h('span', { class: 'value' }, `${metres(all.rms_m)} m`),
+    h('div', {}, h('strong', {}, 'RMS distance of the lines from LIDAR planes'), h('p', { class: 'caption' }, `${about.join('; ')}.`), parts(rows)));
+}
+
+/** Horizontal and vertical, where one patch has ridges. */
+function parts(rows: readonly Summary[]): HTMLElement | null {
+  const [row] = rows;
+  if (rows.length !== 1 || !row || !row.n_parts) return null;
+  return h('p', { class: 'caption', id: 'parts' }, `At ${row.n_parts} ridges and hips: RMSE ${metres(row.rmse_horizontal_m)} m across in plan, ${metres(row.rmse_vertical_m)} m in height (mean ${metres(row.mean_vertical_m)} m).`);
+}
+
+function facts(report: Report): HTMLElement {
+  const { run } = report;
+  const files = (role: string): string => (run.inputs ?? []).filter((i) => i.role === role).map((i) => `${i.path} (${i.sha256.slice(0, 12)})`).join(', ');
+  const methods = [...new Set(productRows(report).map((r) => r.method))].join(', ');
+  const images = [...new Set((run.inputs ?? []).filter((i) => i.role === 'image').map((i) => i.path))].length;
+  const rows: [string, string | undefined][] = [
+    ['Project', run.page?.project],
+    ['Product', isOfFiles(report) ? files('lines') : `3D lines by method ${methods}${images > 0 ? ` of ${(run.inputs ?? []).filter((i) => i.role === 'image').length} images` : ''}`],
+    ['Reference', files('cloud') || files('lidar') || 'none'],
+    ['CRS', [...new Set(report.patches.map((p) => p.crs))].join('; ')],
+    ['Operator', run.page?.operator],
+    ['Date', run.page?.date],
+    ['Made with', `ridgeline ${run.versions?.['ridgeline'] ?? ''}`],
+  ];
+  return h('dl', { id: 'facts' }, ...rows.flatMap(([name, value]) => (value ? [h('dt', {}, name), h('dd', {}, value)] : [])));
+}
+
+export class Acceptance {
+  readonly element: HTMLElement;
+  private readonly plan: Plan;
+  private readonly worst: WorstLines;
+
+  constructor(private readonly state: State) {
+    const { report } = state;
+    this.plan = new Plan(state);
+    this.worst = new WorstLines(state);
+    this.element = h('section', { id: 'acceptance' }, verdict(report),
+      h('div', { class: 'columns' }, h('div', {}, keyFigure(report), facts(report), this.worst.element), this.plan.element));
+    this.show();
+    state.onChange((now, before) => {
+      if (now.patch !== before.patch || now.method !== before.method) this.show();
+      this.plan.select(now.line);
+    });
+  }
+
+  show(): void {
+    this.plan.show(this.state.patch, this.state.method);
+    this.worst.show(this.state.patch, this.state.method);
+  }
+}
