@@ -48,6 +48,7 @@ struct Field {
 template <typename Fields>
 std::vector<Column> columns_of(const Fields& fields) {
   std::vector<Column> columns;
+  columns.reserve(fields.size());
   for (const auto& field : fields) columns.push_back({field.name, field.type});
   return columns;
 }

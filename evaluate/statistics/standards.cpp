@@ -97,6 +97,7 @@ std::vector<IsoMeasure> measures_of(const std::vector<const LineEvaluation*>& li
                                     const Summary& s,
                                     const SummaryOptions& options) {
   std::vector<double> errors_m;
+  errors_m.reserve(lines.size());
   for (const LineEvaluation* line : lines) errors_m.push_back(line->mean_distance_m);
   std::vector<double> kept_m = errors_m;
   const double limit_m =
