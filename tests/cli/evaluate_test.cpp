@@ -48,7 +48,8 @@ TEST_F(Evaluate, WritesTheFilesOfTheContract) {
 
 TEST_F(Evaluate, LeavesNoTemporaryFile) {
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "out").exit_code, 0);
-  const std::set<std::string> known{".json", ".csv", ".md", ".tex", ".html", ".png", ".gpkg", ".xml"};
+  const std::set<std::string> known{".json", ".csv", ".md",   ".tex",
+                                    ".html", ".png", ".gpkg", ".xml"};
   for (const std::string& name : names_in(path("out"))) {
     EXPECT_TRUE(known.contains(std::filesystem::path(name).extension())) << name;
   }
