@@ -47,11 +47,11 @@ constexpr std::array kCommands{
 };
 
 constexpr const char* kOutputRules =
-    "Outputs are written whole or not at all. A file that an earlier run of ridgeline wrote is "
-    "replaced; any "
-    "other file that stands there, an input or a link ends the command. A folder of results serves "
-    "one run at "
-    "a time.";
+    "Outputs are written whole or not at all, and never over an input. A file that an option names "
+    "is "
+    "replaced only if ridgeline wrote it. A link is replaced; the file that it names stays. A "
+    "folder of "
+    "results serves one run at a time.";
 
 std::string version_text() {
   std::string text = fmt::format("ridgeline {} ({})\n", kVersion, kGitHash);
