@@ -47,11 +47,9 @@ constexpr std::array kCommands{
 };
 
 constexpr const char* kOutputRules =
-    "Outputs are written whole or not at all, and never over an input. A file that an option names "
-    "is "
-    "replaced only if ridgeline wrote it. A link is replaced; the file that it names stays. A "
-    "folder of "
-    "results serves one run at a time.";
+    "Outputs are written whole or not at all, and never over an input. A file that an option "
+    "names is replaced only if ridgeline wrote it. A link is replaced; the file that it names "
+    "stays. A folder of results serves one run at a time.";
 
 std::string version_text() {
   std::string text = fmt::format("ridgeline {} ({})\n", kVersion, kGitHash);

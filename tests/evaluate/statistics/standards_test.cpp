@@ -66,6 +66,19 @@ TEST(StandardsBlock, SplitsTheUncertaintyOfALine) {
   EXPECT_TRUE(budget.sampling_m);
 }
 
+TEST(StandardsBlock, AveragesTheTwoPlanesOfARidge) {
+  Evaluation e = ridges(30);
+  for (LineEvaluation& line : e.lines) {
+    line.planes.push_back(line.planes[0]);
+    line.planes[1].sigma_random_m = 0.008;
+    line.sigma_plane_m = 0.013;
+  }
+  const UncertaintyBudget budget = total(standards_blocks(with_summaries(e))).budget;
+  EXPECT_NEAR(budget.laser_random_m, 0.005,
+              kExact);  // the mean of 6 and 8 mm that err independently
+  EXPECT_NEAR(budget.plane_fit_m, 0.012, kExact);
+}
+
 TEST(StandardsBlock, SaysWhereThereAreTooFewCheckpoints) {
   EXPECT_FALSE(total(standards_blocks(ridges(30))).asprs.few_checkpoints);
   const StandardsBlock few = total(standards_blocks(ridges(29)));

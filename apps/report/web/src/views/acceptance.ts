@@ -90,7 +90,7 @@ export class Acceptance {
     this.plan = new Plan(state);
     this.worst = new WorstLines(state);
     this.element = h('section', { id: 'acceptance' }, verdict(report),
-      h('div', { class: 'columns' }, h('div', {}, keyFigure(report), facts(report), this.worst.element), this.plan.element));
+      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), facts(report)), this.plan.element, this.worst.element));
     this.show();
     state.onChange((now, before) => {
       if (now.patch !== before.patch || now.method !== before.method) this.show();
