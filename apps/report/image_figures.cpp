@@ -2,9 +2,11 @@
 #include "apps/common/overlay_canvas.h"
 #include "apps/common/patch_views.h"
 #include "apps/report/figure_colours.h"
+#include "apps/report/figure_frame.h"
 #include "apps/report/figures.h"
 #include "reconstruct/geometry/epipolar.h"
 
+#include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
@@ -22,6 +24,7 @@ class SegmentPicture {
     scale_ = std::min(1.0, std::sqrt(kMostPixels / static_cast<double>(image.total())));
     if (scale_ < 1.0) cv::resize(image, shown, {}, scale_, scale_, cv::INTER_AREA);
     canvas_ = overlay_canvas(shown);
+    canvas_scale_ = static_cast<double>(canvas_.cols) / shown.cols;
     // faded, so that dark and bright lines both stand out
     canvas_.convertTo(canvas_, -1, 0.7, 40.0);
   }
@@ -44,6 +47,8 @@ class SegmentPicture {
   }
 
   [[nodiscard]] const cv::Mat& canvas() const { return canvas_; }
+  /// Of the canvas for one of the image.
+  [[nodiscard]] double scale() const { return scale_ * canvas_scale_; }
 
  private:
   [[nodiscard]] cv::Point at(const Eigen::Vector2d& x_px) const {
@@ -52,15 +57,54 @@ class SegmentPicture {
 
   cv::Mat canvas_;
   double scale_ = 1.0;
+  double canvas_scale_ = 1.0;
 };
 
 constexpr int kThin = 1;
 constexpr int kThick = 2;
 
+/// Pixels of the image per metre, along its rows at its middle and at the mean height of the patch.
+double px_per_m(const ReportPatch& patch, std::size_t image) {
+  constexpr double kHalf_px = 50.0;
+  const auto [low_m, high_m] = patch_heights_m(*patch.patch, patch.frame);
+  const ProjectionMatrix camera = patch_cameras(*patch.patch, patch.frame)[image];
+  const Plane3 ground(Eigen::Vector3d::UnitZ(), -(low_m + high_m) / 2.0);
+  const cv::Mat& pixels = patch.images->images[image];
+  const Eigen::Vector2d middle_px(0.5 * pixels.cols, 0.5 * pixels.rows);
+  const Eigen::Vector2d beside_px(kHalf_px, 0.0);
+  const double distance_m = (point_on_plane(camera, middle_px + beside_px, ground) -
+                             point_on_plane(camera, middle_px - beside_px, ground))
+                                .norm();
+  return 2.0 * kHalf_px / distance_m;
+}
+
+cv::Mat framed_image(const SegmentPicture& picture,
+                     const ReportPatch& patch,
+                     std::size_t image,
+                     const std::string& title,
+                     std::vector<LegendEntry> legend) {
+  const std::string& id = patch.patch->images[image].id;
+  return framed(picture.canvas(),
+                {.title = fmt::format("{}, patch {}, image {}", title, patch.id, id),
+                 .legend = std::move(legend),
+                 .px_per_m = picture.scale() * px_per_m(patch, image),
+                 .scale_note = "at mid height, in the middle of the image"});
+}
+
 /// The segment of an image that a match names.
 const Segment2& segment_of(const ReportImages& images, std::size_t image, const LineMatch& match) {
   const int index = image == 0 ? match.left : match.right;
   return images.segments[image].at(static_cast<std::size_t>(index)).in_image;
+}
+
+std::vector<LegendEntry> match_legend(bool has_reference) {
+  const LegendEntry unmatched{LegendMark::kLine, {colour::kGrey}, "no match"};
+  if (!has_reference) return {{LegendMark::kLine, {colour::kSkyBlue}, "matched"}, unmatched};
+  return {{LegendMark::kLine, {colour::kCorrect}, "correct"},
+          {LegendMark::kDashedLine, {colour::kFalse}, "false"},
+          {LegendMark::kLine, {colour::kMissed}, "missed"},
+          {LegendMark::kLine, {colour::kSkyBlue}, "not judged"},
+          unmatched};
 }
 
 }  // namespace
@@ -74,7 +118,10 @@ cv::Mat figure1(const ReportPatch& patch) {
     picture.draw(segment.in_image, is_aligned ? colour::kAligned : colour::kNotAligned,
                  is_aligned ? kThick : kThin);
   }
-  return picture.canvas();
+  return framed_image(
+      picture, patch, 0, "Line segments",
+      {{LegendMark::kLine, {colour::kAligned}, "aligned with the epipolar line (up to 10 degrees)"},
+       {LegendMark::kLine, {colour::kNotAligned}, "not aligned"}});
 }
 
 cv::Mat figure7(const ReportPatch& patch, std::size_t image) {
@@ -101,7 +148,7 @@ cv::Mat figure7(const ReportPatch& patch, std::size_t image) {
       picture.draw(segment_of(images, image, missed), colour::kMissed, kThick);
     }
   }
-  return picture.canvas();
+  return framed_image(picture, patch, image, "Matches", match_legend(images.score.has_value()));
 }
 
 }  // namespace ridgeline::apps

@@ -217,6 +217,7 @@ Json method_json(const ReportPatch& patch, const ReportMethod& method, const Sho
   for (const char* key : {"options", "summary", "accuracy", "calibration", "strata"}) {
     json[key] = method.evaluation.at(key);
   }
+  if (method.evaluation.contains("standards")) json["standards"] = method.evaluation["standards"];
   Json lines = Json::array();
   for (std::size_t i = 0; i < method.lines.size(); ++i) {
     lines.push_back(line_json(method, i, patch.frame));

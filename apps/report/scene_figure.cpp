@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/figure_colours.h"
+#include "apps/report/figure_frame.h"
 #include "apps/report/figures.h"
 
+#include <fmt/core.h>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -76,6 +78,7 @@ class SceneCanvas {
     const Eigen::Vector2d v = in_view(x).head<2>();
     return px_per_m_ * (v - corner_m_).array() + kMargin_px;
   }
+  [[nodiscard]] double px_per_m() const { return px_per_m_; }
   cv::Mat& canvas() { return canvas_; }
 
  private:
@@ -84,7 +87,9 @@ class SceneCanvas {
   Eigen::Vector2d corner_m_ = Eigen::Vector2d::Zero();
 };
 
-cv::Vec3b plane_colour(std::uint16_t plane) {
+const cv::Scalar kNoPlane = cv::Scalar::all(225.0);
+
+cv::Scalar plane_colour(std::uint16_t plane) {
   static constexpr std::array<std::array<std::uint8_t, 3>, 8> kPale{{{205, 198, 190},
                                                                      {233, 180, 86},
                                                                      {90, 190, 245},
@@ -94,12 +99,11 @@ cv::Vec3b plane_colour(std::uint16_t plane) {
                                                                      {150, 160, 235},
                                                                      {200, 165, 215}}};
   const auto& c = kPale[static_cast<std::size_t>(plane - 1U) % kPale.size()];
-  return {c[0], c[1], c[2]};
+  return {c[0] * 1.0, c[1] * 1.0, c[2] * 1.0};
 }
 
 /// Far points first.
 void draw_points(const ShownCloud& points, const ShownPlanes& planes, SceneCanvas& scene) {
-  const cv::Vec3b none(225, 225, 225);
   std::vector<double> depth(points.x_in_local.size());
   std::vector<std::size_t> order(points.x_in_local.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -110,9 +114,8 @@ void draw_points(const ShownCloud& points, const ShownPlanes& planes, SceneCanva
   for (const std::size_t i : order) {
     const Eigen::Vector2d x = scene.at(points.x_in_local[i]);
     const std::uint16_t plane = planes.plane_of_point[i];
-    const cv::Vec3b c = plane == 0 ? none : plane_colour(plane);
     cv::circle(scene.canvas(), {cvRound(x.x()), cvRound(x.y())}, radius,
-               {c[0] * 1.0, c[1] * 1.0, c[2] * 1.0}, cv::FILLED);
+               plane == 0 ? kNoPlane : plane_colour(plane), cv::FILLED);
   }
 }
 
@@ -147,7 +150,17 @@ cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t m
                 aligned ? colour::kAligned : colour::kBlue, aligned ? 4 : 3, scene);
     }
   }
-  return scene.canvas();
+  return framed(scene.canvas(),
+                {.title = fmt::format("Lines of method {} and LIDAR points, patch {}, from south-west",
+                                      lines.name, patch.id),
+                 .legend = {{LegendMark::kLine, {colour::kAligned}, "aligned lines"},
+                            {LegendMark::kLine, {colour::kBlue}, "lines not aligned"},
+                            {LegendMark::kPoints,
+                             {plane_colour(2), plane_colour(3), plane_colour(4)},
+                             "points of a plane, a colour each"},
+                            {LegendMark::kPoints, {kNoPlane}, "other points"}},
+                 .px_per_m = scene.px_per_m(),
+                 .scale_note = "across the view"});
 }
 
 }  // namespace ridgeline::apps

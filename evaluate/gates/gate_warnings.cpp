@@ -16,10 +16,16 @@ void warn_of_calibration(const Evaluation& e, std::vector<std::string>& warnings
   std::iota(all.begin(), all.end(), std::size_t{0});
   const Calibration c = calibrate(e.lines, all, std::string(kTotal), e.options.sigma_sys_m);
   if (!c.nees_per_dof || (*c.nees_per_dof >= 0.5 && *c.nees_per_dof <= 2.0)) return;
-  warnings.push_back(fmt::format(
-      "patch {}, {}: mean NEES / dof = {:.3g} (n = {}), outside [0.5, 2]: the predicted "
-      "sigmas are too {}",
-      e.patch, e.method, *c.nees_per_dof, c.n, *c.nees_per_dof > 1.0 ? "small" : "large"));
+  const std::string why =
+      *c.nees_per_dof < 1.0
+          ? "the predicted sigmas are too large"
+          : fmt::format(
+                "the predicted sigmas are too small, or the {:.1f} % of the lines with |z| above "
+                "3.29 were judged by a wrong surface (median z^2 {:.2f}, 0.455 expected)",
+                100.0 * *c.share_beyond_99_9, *c.median_z2);
+  warnings.push_back(
+      fmt::format("patch {}, {}: mean NEES / dof = {:.3g} (n = {}), outside [0.5, 2]: {}", e.patch,
+                  e.method, *c.nees_per_dof, c.n, why));
 }
 
 void warn_of_time(const ResultFolder& results,

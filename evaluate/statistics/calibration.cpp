@@ -14,6 +14,7 @@ Calibration calibrate(std::span<const LineEvaluation> lines,
                       std::string label,
                       double sigma_sys_m) {
   constexpr double kTwoSided95 = 1.96 * 1.96;
+  constexpr double kTwoSided99_9 = 3.2905 * 3.2905;
   std::vector<double> z2;
   std::vector<double> sigmas_m;
   for (const std::size_t i : members) {
@@ -32,9 +33,11 @@ Calibration calibrate(std::span<const LineEvaluation> lines,
   const auto n = static_cast<double>(z2.size());
   result.nees_per_dof = sum(z2) / n;
   result.bounds95 = chi_square_ratio_bounds(z2.size());
-  const auto n_covered =
-      std::count_if(z2.begin(), z2.end(), [](double v) { return v <= kTwoSided95; });
-  result.coverage_1_96 = static_cast<double>(n_covered) / n;
+  const auto share_within = [&](double limit) {
+    return static_cast<double>(std::ranges::count_if(z2, [&](double v) { return v <= limit; })) / n;
+  };
+  result.coverage_1_96 = share_within(kTwoSided95);
+  result.share_beyond_99_9 = 1.0 - share_within(kTwoSided99_9);
   result.median_z2 = median(std::move(z2));
   result.median_sigma_m = median(std::move(sigmas_m));
   return result;

@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -100,26 +101,88 @@ double mean_distance_m(const Segment3& segment, const Segment3& reference) {
   return sum_m / kSamples;
 }
 
+/// How far a line lies from its reference line across in plan and in height.
+struct ErrorParts {
+  double mean_square_horizontal_m2 = 0.0, mean_square_vertical_m2 = 0.0, mean_vertical_m = 0.0;
+};
+
+/// The offsets of the ends; in between they change linearly. Nothing for a steep reference line.
+std::optional<ErrorParts> error_parts(const Segment3& segment, const Segment3& reference) {
+  constexpr double kSteepest = 3.732;  // tan 75 degrees
+  const Eigen::Vector3d along = reference.end - reference.start;
+  const double plan_m = along.head<2>().norm();
+  if (!(std::abs(along.z()) <= kSteepest * plan_m) || !(plan_m > 0.0)) return std::nullopt;
+  const Eigen::Vector2d u = along.head<2>() / plan_m;
+  std::array<double, 2> across_m{};
+  std::array<double, 2> above_m{};
+  for (const std::size_t end : {0U, 1U}) {
+    const Eigen::Vector3d offset = (end == 0 ? segment.start : segment.end) - reference.start;
+    across_m[end] = u.x() * offset.y() - u.y() * offset.x();
+    above_m[end] = offset.z() - offset.head<2>().dot(u) * along.z() / plan_m;
+  }
+  const auto mean_square = [](const std::array<double, 2>& v) {
+    return (v[0] * v[0] + v[0] * v[1] + v[1] * v[1]) / 3.0;
+  };
+  return ErrorParts{mean_square(across_m), mean_square(above_m), (above_m[0] + above_m[1]) / 2.0};
+}
+
 bool has_geometry(const JudgedLine& line) { return line.reconstructed && in_range(line.segment); }
 
 bool is_of(const JudgedLine& line, std::string_view line_class) {
   return line_class == kTotal || line.line_class == line_class;
 }
 
+/// A line beside its reference line.
+struct LineError {
+  double mean_m = 0.0;
+  std::optional<ErrorParts> parts;
+};
+
+std::vector<std::optional<LineError>> line_errors(std::span<const JudgedLine> lines,
+                                                  std::span<const ReferenceLine> references,
+                                                  const ReferenceOptions& options) {
+  const auto assigned = reference_of_each(lines, references, options);
+  std::vector<std::optional<LineError>> errors(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!assigned[i] || !has_geometry(lines[i])) continue;
+    const Segment3& reference = references[*assigned[i]].segment;
+    errors[i] = {mean_distance_m(lines[i].segment, reference),
+                 error_parts(lines[i].segment, reference)};
+  }
+  return errors;
+}
+
+void add_parts(std::span<const ErrorParts> parts, ReferenceErrors& result) {
+  result.n_parts = parts.size();
+  if (parts.empty()) return;
+  ErrorParts sum;
+  for (const ErrorParts& p : parts) {
+    sum.mean_square_horizontal_m2 += p.mean_square_horizontal_m2;
+    sum.mean_square_vertical_m2 += p.mean_square_vertical_m2;
+    sum.mean_vertical_m += p.mean_vertical_m;
+  }
+  const auto n = static_cast<double>(parts.size());
+  result.rmse_horizontal_m = std::sqrt(sum.mean_square_horizontal_m2 / n);
+  result.rmse_vertical_m = std::sqrt(sum.mean_square_vertical_m2 / n);
+  result.mean_vertical_m = sum.mean_vertical_m / n;
+}
+
 ReferenceErrors errors_of(std::span<const JudgedLine> lines,
-                          std::span<const std::optional<double>> errors_m,
+                          std::span<const std::optional<LineError>> errors,
                           std::string_view line_class,
                           const ReferenceOptions& options) {
   ReferenceErrors result;
   result.line_class = line_class;
   std::vector<double> e;
+  std::vector<ErrorParts> parts;
   std::size_t gross = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!is_of(lines[i], line_class)) continue;
     ++result.n_lines;
-    if (!errors_m[i]) continue;
-    e.push_back(*errors_m[i]);
-    if (*errors_m[i] > options.gross_m) ++gross;
+    if (!errors[i]) continue;
+    e.push_back(errors[i]->mean_m);
+    if (errors[i]->mean_m > options.gross_m) ++gross;
+    if (errors[i]->parts) parts.push_back(*errors[i]->parts);
   }
   result.n_on_reference = e.size();
   if (e.empty()) return result;
@@ -129,6 +192,7 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
   result.q95_m = quantile(e, 0.95);
   result.max_m = *std::max_element(e.begin(), e.end());
   result.gross_share = static_cast<double>(gross) / n;
+  add_parts(parts, result);
   return result;
 }
 
@@ -202,11 +266,9 @@ std::vector<std::optional<std::size_t>> reference_of_each(std::span<const Judged
 std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine> lines,
                                                       std::span<const ReferenceLine> references,
                                                       const ReferenceOptions& options) {
-  const auto assigned = reference_of_each(lines, references, options);
-  std::vector<std::optional<double>> errors_m(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!assigned[i] || !has_geometry(lines[i])) continue;
-    errors_m[i] = mean_distance_m(lines[i].segment, references[*assigned[i]].segment);
+  std::vector<std::optional<double>> errors_m;
+  for (const auto& error : line_errors(lines, references, options)) {
+    errors_m.push_back(error ? std::optional(error->mean_m) : std::nullopt);
   }
   return errors_m;
 }
@@ -214,10 +276,10 @@ std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine
 ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,
                                             std::span<const ReferenceLine> references,
                                             const ReferenceOptions& options) {
-  const auto errors_m = reference_errors_m(lines, references, options);
+  const auto errors = line_errors(lines, references, options);
   ReferenceComparison comparison;
   for (const std::string_view line_class : {kNotAligned, kAligned, kTotal}) {
-    comparison.classes.push_back(errors_of(lines, errors_m, line_class, options));
+    comparison.classes.push_back(errors_of(lines, errors, line_class, options));
   }
   comparison.completeness = completeness_of(lines, references, options);
   return comparison;

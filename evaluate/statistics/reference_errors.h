@@ -40,6 +40,10 @@ struct ReferenceErrors {
   std::size_t n_on_reference = 0;  ///< n of the figures below; the others lie on no reference line
   std::optional<double> rms_m, median_m, q95_m, max_m;
   std::optional<double> gross_share;
+  /// Across the reference line in plan and, at the same place in plan, in height: root mean squares along each line,
+  /// then over the lines. Reference lines steeper than 75 degrees have neither.
+  std::size_t n_parts = 0;
+  std::optional<double> rmse_horizontal_m, rmse_vertical_m, mean_vertical_m;
 };
 
 struct ReferenceCompleteness {

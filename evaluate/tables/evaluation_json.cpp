@@ -142,6 +142,7 @@ Json calibration_json(const Calibration& c) {
           {"bounds95", interval_json(c.bounds95)},
           {"median_z2", number_json(c.median_z2)},
           {"coverage_1_96", number_json(c.coverage_1_96)},
+          {"share_beyond_99_9", number_json(c.share_beyond_99_9)},
           {"median_sigma_m", number_json(c.median_sigma_m)}};
 }
 

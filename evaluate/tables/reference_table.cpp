@@ -21,13 +21,16 @@ std::optional<double> share_of(const ReferenceCompleteness& row) {
 
 std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows) {
   std::string text =
-      "patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share\n";
+      "patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share,"
+      "n_parts,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m\n";
   for (const ReferenceRow& row : rows) {
     for (const ReferenceErrors& e : row.comparison.classes) {
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
                           escape_csv(row.method), e.line_class, e.n_lines, e.n_on_reference,
                           metres(e.rms_m, ""), metres(e.median_m, ""), metres(e.q95_m, ""),
-                          metres(e.max_m, ""), fixed(e.gross_share, kShareDecimals, ""));
+                          metres(e.max_m, ""), fixed(e.gross_share, kShareDecimals, ""),
+                          e.n_parts, metres(e.rmse_horizontal_m, ""),
+                          metres(e.rmse_vertical_m, ""), metres(e.mean_vertical_m, ""));
     }
   }
   return text;
@@ -67,15 +70,19 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
 
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
   std::string text =
-      "Mean distance from the true line that both image segments lie on.\n\n"
+      "Mean distance from the true line that both image segments lie on; RMSE across it in plan (H) and in height at the "
+      "same place in plan (V).\n\n"
       "| patch | method | class | lines | on a true line | RMS m | median m | 95 % m | max m | "
-      "gross % |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+      "gross % | RMSE H m | RMSE V m | mean V m |\n"
+      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const ReferenceRow& row : rows) {
     for (const ReferenceErrors& e : row.comparison.classes) {
-      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
                           escape_markdown(row.patch), escape_markdown(row.method), e.line_class,
                           e.n_lines, e.n_on_reference, metres(e.rms_m), metres(e.median_m),
-                          metres(e.q95_m), metres(e.max_m), percent(e.gross_share));
+                          metres(e.q95_m), metres(e.max_m), percent(e.gross_share),
+                          metres(e.rmse_horizontal_m), metres(e.rmse_vertical_m),
+                          metres(e.mean_vertical_m));
     }
   }
   text +=

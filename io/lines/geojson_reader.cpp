@@ -2,6 +2,7 @@
 #include "io/error.h"
 #include "io/lines/attributes.h"
 #include "io/lines/json_text.h"
+#include "io/lines/ogr_support.h"
 #include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 
@@ -81,7 +82,9 @@ class GeoJsonReader {
     if (crs->is_null()) return;
     const json name = crs->value(json::json_pointer("/properties/name"), json());
     if (!name.is_string()) throw IoError(path_, "\"crs\" has no properties.name");
-    set_.crs.definition = name.get<std::string>();
+    const Crs stated{name.get<std::string>()};
+    const auto reference = spatial_reference(stated);
+    if (!reference || !is_undefined(*reference)) set_.crs = stated;
   }
 
   void read_feature(const json& feature) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 
 namespace ridgeline::io {
 namespace {
@@ -89,10 +90,18 @@ std::string crs_name(const Crs& crs) {
   return fmt::format("urn:ogc:def:crs,crs:EPSG::{},crs:EPSG::{}", *horizontal, *vertical);
 }
 
+/// GDAL, and so QGIS, takes a file without `crs` or with null for degrees of WGS 84.
+Crs stated(const Crs& crs) {
+  if (crs.known()) return crs;
+  char* text = nullptr;
+  undefined_plane().exportToWkt(&text);
+  const std::unique_ptr<char, decltype(&VSIFree)> owner(text, VSIFree);
+  return {text};
+}
+
 std::string crs_text(const Crs& crs) {
-  if (!crs.known()) return "null";
   return fmt::format("{{\"type\":\"name\",\"properties\":{{\"name\":{}}}}}",
-                     json_text(crs_name(crs)));
+                     json_text(crs_name(stated(crs))));
 }
 
 }  // namespace

@@ -63,16 +63,20 @@ std::optional<OGRSpatialReference> spatial_reference(const Crs& crs) {
 OGRSpatialReference undefined_plane() {
   OGRSpatialReference reference;
   reference.SetLocalCS("Undefined Cartesian SRS");
+  reference.SetLinearUnits("metre", 1.0);
   return reference;
 }
 
-Crs crs_of(const OGRSpatialReference* reference) {
+bool is_undefined(const OGRSpatialReference& reference) {
   // names that GeoPackage has for none; GDAL writes the geographic one whatever the coordinates are
   constexpr std::array<std::string_view, 2> kNone{"Undefined Cartesian SRS",
                                                   "Undefined geographic SRS"};
-  if (reference == nullptr) return {};
-  const char* const name = reference->GetName();
-  if (name != nullptr && std::find(kNone.begin(), kNone.end(), name) != kNone.end()) return {};
+  const char* const name = reference.GetName();
+  return name != nullptr && std::ranges::find(kNone, name) != kNone.end();
+}
+
+Crs crs_of(const OGRSpatialReference* reference) {
+  if (reference == nullptr || is_undefined(*reference)) return {};
   const QuietGdal quiet;
   const char* options[] = {"FORMAT=WKT2_2019", nullptr};
   char* text = nullptr;

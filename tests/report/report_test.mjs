@@ -68,6 +68,8 @@ test('opens on the product method with the figure that counts, a plan and the wo
   const worst = lines.filter((l) => l.mean_distance_m !== null).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
   const captions = await textOf(page, '#worst figcaption');
   assert.equal(captions.length, 5);
+  assert.match(await page.locator('#worst h3').innerText(), new RegExp(`patch ${rows[0].patch}, method joint$`));
+  assert.match(await page.locator('#key-figure').innerText(), new RegExp(`over ${rows.length} patches`));
   assert.ok(captions[0].startsWith(`${worst[0].id} ${metres(worst[0].mean_distance_m)} m`), captions[0]);
   assert.ok(await page.locator('#plan svg line').count() > 0.9 * worst.length);
   // selecting a line there moves the camera
@@ -121,6 +123,23 @@ test('tables hold the figures of the JSON files', async () => {
   }
   const published = await page.locator('#table2 tbody td').allTextContents();
   assert.deepEqual(published, rows.map((r) => `${metres(r.rms_m)} ${r.n_evaluated}/${r.n_lines}`));
+  await close(page);
+});
+
+test('shows the measures of standards with their ids, and the parts of a ridge', async () => {
+  const page = await openReport('demo');
+  const evaluation = readJson('demo', '1', 'evaluation.joint.json');
+  await page.locator('#standards summary').click();
+  const { total } = evaluation.standards;
+  assert.deepEqual(await textOf(page, '#iso19157 tbody tr td:first-child'), total.iso19157.map((m) => String(m.id)));
+  const rmse = total.iso19157.find((m) => m.id === 39);
+  assert.ok((await textOf(page, '#iso19157 tbody tr')).some((row) => row.startsWith('39') && row.includes(rmse.value.toFixed(4))));
+  assert.ok((await page.locator('#asprs').innerText()).includes(metres(total.asprs.rmse_horizontal_m)));
+  const ridge = evaluation.lines.findIndex((l) => l.displacement);
+  const { horizontal_m, covariance_m2 } = evaluation.lines[ridge].displacement;
+  await page.evaluate((line) => globalThis.ridgeline.state.set({ line }), ridge);
+  const details = await page.locator('#details').innerText();
+  assert.ok(details.includes(`${metres(horizontal_m)} ± ${metres(1.96 * Math.sqrt(covariance_m2[0][0]))} m across in plan`), details);
   await close(page);
 });
 

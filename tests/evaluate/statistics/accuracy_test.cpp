@@ -91,6 +91,7 @@ TEST(Calibrate, HandCheckedCase) {
   EXPECT_NEAR(*c.nees_per_dof, 5.0, kTol);
   EXPECT_NEAR(*c.median_z2, 5.0, kTol);
   EXPECT_NEAR(*c.coverage_1_96, 0.5, kTol);
+  EXPECT_EQ(*c.share_beyond_99_9, 0.0) << "z = -3 is within 3.29";
   EXPECT_NEAR(*c.median_sigma_m, 0.1, kTol);
   EXPECT_TRUE(c.optimistic());
   EXPECT_NEAR(*calibrate(lines, all_of(lines), "", std::sqrt(0.03)).nees_per_dof, 1.25, kTol);
@@ -109,6 +110,7 @@ TEST(Calibrate, FindsRightSigmasRight) {
   EXPECT_NEAR(*c.nees_per_dof, 1.0, 4.0 * std::sqrt(2.0 / 4000.0));  // 4 sigma
   EXPECT_NEAR(*c.median_z2, 0.455, 0.05);
   EXPECT_NEAR(*c.coverage_1_96, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / 4000.0));
+  EXPECT_NEAR(*c.share_beyond_99_9, 0.001, 4.0 * std::sqrt(0.001 / 4000.0));
   for (LineEvaluation& line : lines) *line.sigma_line_m *= 2.0;
   EXPECT_TRUE(calibrate(lines, all_of(lines), "total", 0.0).pessimistic());
 }

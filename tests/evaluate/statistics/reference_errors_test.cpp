@@ -51,6 +51,35 @@ TEST(CompareWithReferences, ErrorIsTheMeanDistanceFromTheLineThatTheImagesShow) 
   EXPECT_EQ(found.classes[2].n_on_reference, 2U);
 }
 
+TEST(CompareWithReferences, PartsAreAcrossInPlanAndInHeightAtTheSamePlace) {
+  // a hip that rises 4 m over 5 m in plan; moved along itself, then across to the left and up
+  const Segment3 hip{{0, 0, 5}, {3, 4, 9}};
+  const Eigen::Vector3d across(-0.8 * 0.2, 0.6 * 0.2, 0.0);
+  const Eigen::Vector3d along = 0.1 * (hip.end - hip.start);
+  const Segment3 found{hip.start + along + across + Eigen::Vector3d(0, 0, 0.3),
+                       hip.end + across + Eigen::Vector3d(0, 0, -0.1)};
+  const auto total = compare_with_references(
+                         std::vector<JudgedLine>{reconstructed(hip, found, "aligned")},
+                         std::vector<ReferenceLine>{{hip, "hip"}})
+                         .classes[2];
+  EXPECT_EQ(total.n_parts, 1U);
+  EXPECT_NEAR(*total.rmse_horizontal_m, 0.2, kExact);
+  EXPECT_NEAR(*total.mean_vertical_m, 0.1, kExact);
+  // the height runs linearly from 0.3 to -0.1 m
+  EXPECT_NEAR(*total.rmse_vertical_m, std::sqrt((0.09 - 0.03 + 0.01) / 3.0), kExact);
+}
+
+TEST(CompareWithReferences, UprightReferenceHasNoParts) {
+  const Segment3 corner{{0, 0, 2}, {0, 0.1, 5}};
+  const auto total = compare_with_references(
+                         std::vector<JudgedLine>{reconstructed(corner, corner, "aligned")},
+                         std::vector<ReferenceLine>{{corner, "corner"}})
+                         .classes[2];
+  EXPECT_EQ(total.n_on_reference, 1U);
+  EXPECT_EQ(total.n_parts, 0U);
+  EXPECT_FALSE(total.rmse_horizontal_m);
+}
+
 TEST(ReferenceErrors, BelongToTheLinesInTheirOrder) {
   std::vector<JudgedLine> lines{reconstructed(moved(kRidge, {0, 0.5, 0}), kRidge, "aligned"),
                                 reconstructed(kEave, moved(kEave, {0, 0, 0.1}), "not_aligned"),
@@ -126,7 +155,7 @@ TEST(ReferenceTables, FigureThatDoesNotExistIsEmpty) {
        "joint",
        compare_with_references({}, std::vector<ReferenceLine>{{kRidge, "ridge"}}),
        {}}};
-  EXPECT_THAT(reference_errors_to_csv(rows), testing::HasSubstr("1,joint,total,0,0,,,,,\n"));
+  EXPECT_THAT(reference_errors_to_csv(rows), testing::HasSubstr("1,joint,total,0,0,,,,,,0,,,\n"));
   EXPECT_THAT(reference_completeness_to_csv(rows), testing::HasSubstr("1,joint,all,1,0,0.0000\n"));
 }
 

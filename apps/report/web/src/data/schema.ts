@@ -72,7 +72,40 @@ export interface Calibration {
   bounds95: [number, number] | null;
   median_z2: number | null;
   coverage_1_96: number | null;
+  share_beyond_99_9: number | null;
   median_sigma_m: number | null;
+}
+
+export interface IsoMeasure {
+  id: number;
+  name: string;
+  value: number | null;
+  unit: string;
+  n: number;
+}
+
+/** One class in the terms of standards. */
+export interface Standards {
+  asprs: {
+    n: number;
+    rmse_horizontal_m: number | null;
+    rmse_vertical_m: number | null;
+    rmse_3d_m: number | null;
+    best_class_m: number | null;
+    few_checkpoints: boolean;
+    biased: boolean;
+  };
+  nssda: { horizontal_m: number | null; vertical_m: number | null };
+  uncertainty: {
+    laser_random_m: number | null;
+    laser_systematic_m: number | null;
+    plane_fit_m: number | null;
+    combined_m: number | null;
+    expanded_m: number | null;
+    k: number;
+    sampling_m: number | null;
+  };
+  iso19157: IsoMeasure[];
 }
 
 export interface Stratum extends Summary {
@@ -135,6 +168,8 @@ export interface Method {
   accuracy: Record<string, Accuracy>;
   calibration: Calibration;
   strata: Record<string, Stratum[]>;
+  /** By class; absent in the results of earlier versions. */
+  standards?: Record<string, Standards>;
   lines: Line[];
   planes: Plane[];
   plane_of_point: string;

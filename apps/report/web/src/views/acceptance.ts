@@ -50,6 +50,7 @@ function keyFigure(report: Report): HTMLElement | null {
   const about = [
     one?.ci95_m ? `95 % interval ${interval(one.ci95_m)} m` : null,
     one ? `median ${metres(one.median_m)} m` : `medians ${rows.map((r) => metres(r.median_m)).join(', ')} m`,
+    rows.length > 1 ? `over ${rows.length} patches` : null,
     `${all.n} of ${all.lines} lines judged (${percent(all.lines > 0 ? all.n / all.lines : null)} %)`,
   ].filter((text): text is string => text !== null);
   return h('div', { id: 'key-figure' }, h('span', { class: 'value' }, `${metres(all.rms_m)} m`),

@@ -9,6 +9,9 @@ import { ImageCanvas } from './image_canvas';
 import { paintEpipolar } from './image_pair';
 import type { PatchImages, ViewIndex } from './patch_images';
 
+/** With the 95 % interval. */
+const plusMinus = (value_m: number, variance_m2: number): string => `${metres(value_m)} ± ${metres(1.96 * Math.sqrt(variance_m2))} m`;
+
 function facts(line: Line): HTMLElement {
   const rows: [string, string][] = [
     ['class', `${words(line.class)}, ${fixed(line.epipolar_angle_deg, 1)}° to the epipolar line`],
@@ -19,6 +22,12 @@ function facts(line: Line): HTMLElement {
   if (line.mean_distance_m !== null) {
     rows.push(['distance', `${metres(line.mean_distance_m)} m on average, ${metres(line.max_distance_m)} m at most, signed ${metres(line.signed_mean_m)} m`],
       ['sigma', `line ${metres(line.sigma_line_m)} m, plane ${metres(line.sigma_plane_m)} m, z ${fixed(line.z, 2)}`]);
+  }
+  if (line.displacement) {
+    const { horizontal_m, vertical_m, covariance_m2 } = line.displacement;
+    rows.push(['horizontal', `${plusMinus(horizontal_m, covariance_m2[0][0])} across in plan`], ['vertical', `${plusMinus(vertical_m, covariance_m2[1][1])} at the same place in plan`]);
+  } else if (typeof line.height_if_vertical_m === 'number') {
+    rows.push(['vertical', `${metres(line.height_if_vertical_m)} m if the offset were vertical: one plane cannot tell`]);
   }
   if (typeof line.true_error_m === 'number') rows.push(['true error', `${metres(line.true_error_m)} m`]);
   if (line.construction) rows.push(['made by', words(line.construction) + (line.n_points ? ` with ${line.n_points} artificial points` : '')]);

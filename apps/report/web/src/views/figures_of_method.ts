@@ -4,6 +4,7 @@ import type { Accuracy, Calibration, Method, Patch, Stratum, Summary } from '../
 import { h, table, type Column } from '../ui/dom';
 import { fixed, interval, metres, missing, percent, words } from '../ui/format';
 import { summaryColumns } from './head';
+import { standards } from './standards';
 
 interface Named<T> { name: string; value: T }
 const named = <T>(record: Record<string, T>): Named<T>[] => Object.entries(record).map(([name, value]) => ({ name, value }));
@@ -31,9 +32,10 @@ function calibrationText(c: Calibration): string {
   if (c.nees_per_dof === null || c.bounds95 === null) return 'No line states its covariance.';
   const verdict = c.nees_per_dof > c.bounds95[1] ? 'optimistic (sigmas too small)'
     : c.nees_per_dof < c.bounds95[0] ? 'pessimistic (sigmas too large)' : 'right';
-  return `Predicted sigmas are ${verdict}: mean normalised squared error ${fixed(c.nees_per_dof, 2)} per degree of freedom `
+  const beyond = c.share_beyond_99_9 === null ? '' : `${percent(c.share_beyond_99_9)} % beyond 3.29 (0.1 % expected); `;
+  return `On average, predicted sigmas are ${verdict}: mean normalised squared error ${fixed(c.nees_per_dof, 2)} per degree of freedom `
     + `(${fixed(c.bounds95[0], 2)} to ${fixed(c.bounds95[1], 2)} expected, n = ${c.n}); median z² ${fixed(c.median_z2, 3)} (0.455 expected); `
-    + `${percent(c.coverage_1_96)} % of |z| up to 1.96 (95 % expected); median sigma ${metres(c.median_sigma_m)} m.`;
+    + `${percent(c.coverage_1_96)} % of |z| up to 1.96 (95 % expected); ${beyond}median sigma ${metres(c.median_sigma_m)} m.`;
 }
 
 function strataTable(by: string, strata: readonly Stratum[]): HTMLElement {
@@ -77,8 +79,9 @@ export function figuresOfMethod(method: Method, patch: Patch, note: string): HTM
     h('p', { class: 'caption' }, note, ' ', total
       ? `In the style of ASPRS Edition 2: RMSE ${metres(method.accuracy['total']?.product_m)} m with the error of the reference included, from ${total.n_evaluated} lines`
         + (total.n_evaluated < 30 ? ' (below the 30 that it asks for).' : '.') : ''),
+    ...standards(method),
     h('p', { id: 'calibration' }, calibrationText(method.calibration)),
-    h('p', { class: 'caption' }, 'NEES: squared distance over the variance that line and plane predict; 1 on average if the predictions are right. A single line that is judged by a wrong surface can raise the mean by much; the median and the share within 1.96 tell of the bulk.'),
+    h('p', { class: 'caption' }, 'NEES: squared distance over the variance that line and plane predict; 1 on average if the predictions are right. A few lines that are judged by a wrong surface raise the mean by much: they are those beyond 3.29. The median and the share within 1.96 tell of the others.'),
     h('details', {}, h('summary', {}, 'Strata'), ...Object.entries(method.strata).map(([by, strata]) => strataTable(by, strata))),
   ];
 }

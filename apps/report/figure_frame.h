@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+enum class LegendMark { kLine, kDashedLine, kPoints };
+
+struct LegendEntry {
+  LegendMark mark = LegendMark::kLine;
+  std::vector<cv::Scalar> colours;  ///< blue, green, red; several for points in many colours
+  std::string text;                 ///< ASCII: the fonts of OpenCV have no more
+};
+
+/// What a figure says beside its picture.
+struct FigureFrame {
+  std::string title;  ///< ASCII
+  std::vector<LegendEntry> legend{};
+  double px_per_m = 0.0;  ///< of the picture; 0: no scale bar
+  std::string scale_note{};  ///< after the length of the bar, where the scale is not the same everywhere
+};
+
+/// The picture with the title above it, and the legend and the scale bar below. CV_8UC3.
+cv::Mat framed(const cv::Mat& picture, const FigureFrame& frame);
+
+/// The length of a scale bar: 1, 2 or 5 times a power of ten, the longest of at most `longest_m`.
+double scale_bar_m(double longest_m);
+
+}  // namespace ridgeline::apps
