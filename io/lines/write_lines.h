@@ -50,8 +50,8 @@ struct WriteLinesOptions {
 ///   CSV         x1,y1,z1,x2,y2,z2 and all attributes, no CRS
 ///   DXF         one 3D polyline a line, layer = class; no other attributes, no CRS
 ///   OBJ, PLY    geometry; CRS and origin in comments
-/// A GeoJSON set without CRS gets `"crs": null`, which read_lines() and GDAL take as a plane that is nowhere on
-/// Earth. Lines with coordinates that are not finite have the geometry null in GeoJSON and none in GeoPackage,
+/// A GeoJSON set without CRS gets that of a plane that is nowhere on Earth, which read_lines() takes back as none; GDAL
+/// would take no `crs`, or null, for degrees. Lines with coordinates that are not finite have the geometry null in GeoJSON and none in GeoPackage,
 /// Shapefile and WKT; CSV, DXF, OBJ and PLY have no place for them and leave them out.
 /// The same set gives the same bytes. Written whole or not at all; missing folders are made.
 /// Returns the number of lines left out. Throws IoError if the file cannot be written.

@@ -89,20 +89,6 @@ TEST_F(JudgedMap, HasThePlanesAndTheWayToThem) {
               AllOf(HasSubstr("= lines"), HasSubstr("= planes"), HasSubstr("= vectors")));
 }
 
-TEST_F(JudgedMap, LinesWithoutCrsAreNowhereOnEarth) {
-  std::string patch = read(path("scene/patch.yaml"));
-  const std::size_t crs = patch.find("crs:");
-  ASSERT_NE(crs, std::string::npos);
-  patch.erase(crs, patch.find('\n', crs) + 1 - crs);
-  write(path("scene/nowhere.yaml"), patch);
-  ASSERT_EQ(run({"reconstruct", "scene/nowhere.yaml", "--out", "lines.geojson"}).exit_code, 0);
-  const std::string facts = ogrinfo("lines.geojson", {"-so", "lines"});
-  EXPECT_THAT(facts, AllOf(HasSubstr("Undefined Cartesian SRS"), Not(HasSubstr("WGS 84"))));
-  // what we write as none we read as none
-  const ProgramResult info = run({"info", "lines.geojson"});
-  EXPECT_THAT(info.out, Not(HasSubstr("Cartesian")));
-}
-
 TEST_F(JudgedMap, NamesTheKindsOfRoofEdges) {
   ASSERT_EQ(evaluate("scene/truth.geojson", "out", {"--no-report", "--schema", "fkb"}).exit_code,
             0);

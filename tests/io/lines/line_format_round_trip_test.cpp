@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
 #include <cmath>
 #include <limits>
@@ -230,6 +231,23 @@ TEST_P(LineFormats, ReplaceAnOlderFileWhole) {
   few.lines.resize(2);
   write_lines(folder_.file(name("lines")), some_lines(), GetParam().format);
   EXPECT_EQ(written_and_read(few).lines.size(), 2U);
+}
+
+TEST(LineFormats, GeoJsonWithoutCrsIsNowhereOnEarthForOthersAndWithoutCrsForUs) {
+  const TempFolder folder;
+  LineSet set = some_lines();
+  set.crs = {};
+  const std::string path = folder.file("lines.geojson");
+  write_lines(path, set, LineFormat::kGeoJson);
+  GDALAllRegister();
+  const GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
+  ASSERT_TRUE(file);
+  // GDAL takes GeoJSON that states nothing, or null, for degrees
+  const OGRSpatialReference* reference = file->GetLayer(0)->GetSpatialRef();
+  EXPECT_TRUE(reference == nullptr || reference->IsLocal() != 0);
+  const LineSet back = read_lines(path);
+  EXPECT_FALSE(back.crs.known());
+  EXPECT_THAT(back.warnings, IsEmpty());
 }
 
 }  // namespace
