@@ -22,7 +22,8 @@ struct FigureFrame {
   std::string title;  ///< ASCII
   std::vector<LegendEntry> legend{};
   double px_per_m = 0.0;  ///< of the picture; 0: no scale bar
-  std::string scale_note{};  ///< after the length of the bar, where the scale is not the same everywhere
+  std::string
+      scale_note{};  ///< after the length of the bar, where the scale is not the same everywhere
 };
 
 /// The picture with the title above it, and the legend and the scale bar below. CV_8UC3.

@@ -150,17 +150,18 @@ cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t m
                 aligned ? colour::kAligned : colour::kBlue, aligned ? 4 : 3, scene);
     }
   }
-  return framed(scene.canvas(),
-                {.title = fmt::format("Lines of method {} and LIDAR points, patch {}, from south-west",
-                                      lines.name, patch.id),
-                 .legend = {{LegendMark::kLine, {colour::kAligned}, "aligned lines"},
-                            {LegendMark::kLine, {colour::kBlue}, "lines not aligned"},
-                            {LegendMark::kPoints,
-                             {plane_colour(2), plane_colour(3), plane_colour(4)},
-                             "points of a plane, a colour each"},
-                            {LegendMark::kPoints, {kNoPlane}, "other points"}},
-                 .px_per_m = scene.px_per_m(),
-                 .scale_note = "across the view"});
+  return framed(
+      scene.canvas(),
+      {.title = fmt::format("Lines of method {} and LIDAR points, patch {}, from south-west",
+                            lines.name, patch.id),
+       .legend = {{LegendMark::kLine, {colour::kAligned}, "aligned lines"},
+                  {LegendMark::kLine, {colour::kBlue}, "lines not aligned"},
+                  {LegendMark::kPoints,
+                   {plane_colour(2), plane_colour(3), plane_colour(4)},
+                   "points of a plane, a colour each"},
+                  {LegendMark::kPoints, {kNoPlane}, "other points"}},
+       .px_per_m = scene.px_per_m(),
+       .scale_note = "across the view"});
 }
 
 }  // namespace ridgeline::apps

@@ -16,6 +16,8 @@ std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
   FlightOptions nominal;
   nominal.attitude_sigma_deg = 0.0;
   nominal.position_sigma_m = 0.0;
+  nominal.size_px.fill(
+      {2, 2});  // angles are the same in any window; that of a town has too many pixels
   const std::array<AerialView, 2> views = aerial_pair(scene, nominal);
   return {views[0].image_from_world, views[1].image_from_world};
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -47,16 +48,59 @@ JudgedResult duplicate(const JudgedLine& line) {
   return result;
 }
 
-/// The label that most of a plane's points carry already, if they are a good part of them.
-std::uint64_t common_label(const std::vector<std::uint64_t>& inliers,
-                           const std::unordered_map<std::uint64_t, std::uint64_t>& labels) {
-  constexpr double kShared = 0.3;  // neighbouring facets share only the points at their edge
-  std::unordered_map<std::uint64_t, std::size_t> votes;
-  for (const std::uint64_t key : inliers) {
-    const auto label = labels.find(key);
-    if (label != labels.end()) ++votes[label->second];
+/// Labels of points by their keys. Open addressing: a cloud has millions of them, and they are hashes already.
+class PointLabels {
+ public:
+  PointLabels() : keys_(kFirstSlots, 0), labels_(kFirstSlots, 0) {}
+
+  /// 0 for a point without a label.
+  [[nodiscard]] std::uint32_t of(std::uint64_t key) const { return labels_[slot_of(key)]; }
+
+  /// A point keeps its first label.
+  void add(std::uint64_t key, std::uint32_t label) {
+    const std::size_t slot = slot_of(key);
+    if (labels_[slot] != 0) return;
+    keys_[slot] = key;
+    labels_[slot] = label;
+    if (4 * ++n_used_ > 3 * labels_.size()) grow();
   }
-  std::uint64_t best = 0;
+
+ private:
+  static constexpr std::size_t kFirstSlots = 1U << 10U;
+
+  /// Where the key is, or would be put.
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
+    const std::size_t mask = labels_.size() - 1;
+    std::size_t slot = key & mask;
+    while (labels_[slot] != 0 && keys_[slot] != key) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  void grow() {
+    const auto keys = std::exchange(keys_, std::vector<std::uint64_t>(2 * keys_.size(), 0));
+    const auto labels = std::exchange(labels_, std::vector<std::uint32_t>(2 * labels_.size(), 0));
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (labels[i] == 0) continue;
+      const std::size_t slot = slot_of(keys[i]);
+      keys_[slot] = keys[i];
+      labels_[slot] = labels[i];
+    }
+  }
+
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint32_t> labels_;
+  std::size_t n_used_ = 0;
+};
+
+/// The label that most of a plane's points carry already, if they are a good part of them.
+std::uint32_t common_label(const std::vector<std::uint64_t>& inliers, const PointLabels& labels) {
+  constexpr double kShared = 0.3;  // neighbouring facets share only the points at their edge
+  std::unordered_map<std::uint32_t, std::size_t> votes;
+  for (const std::uint64_t key : inliers) {
+    const std::uint32_t label = labels.of(key);
+    if (label != 0) ++votes[label];
+  }
+  std::uint32_t best = 0;
   std::size_t most = 0;
   for (const auto& [label, count] : votes) {
     if (count > most || (count == most && label < best)) {
@@ -69,13 +113,13 @@ std::uint64_t common_label(const std::vector<std::uint64_t>& inliers,
 
 /// One id for planes fitted to the same points, in the order of the lines.
 void identify_planes(std::vector<JudgedResult>& results) {
-  std::unordered_map<std::uint64_t, std::uint64_t> labels;
-  std::uint64_t next = 1;
+  PointLabels labels;
+  std::uint32_t next = 1;
   for (JudgedResult& result : results) {
     for (std::size_t p = 0; p < result.inlier_keys.size(); ++p) {
-      std::uint64_t label = common_label(result.inlier_keys[p], labels);
+      std::uint32_t label = common_label(result.inlier_keys[p], labels);
       if (label == 0) label = next++;
-      for (const std::uint64_t key : result.inlier_keys[p]) labels.try_emplace(key, label);
+      for (const std::uint64_t key : result.inlier_keys[p]) labels.add(key, label);
       result.evaluation.planes[p].id = label;
     }
   }

@@ -246,9 +246,11 @@ JudgedResult judge_line(const PointGrid& grid,
   JudgedResult result;
   for (const std::size_t i : decision.planes) {
     e.planes.push_back(judging_plane(candidates[i], footprint, line.segment));
-    result.inliers.push_back(sorted_indices(candidates[i].inliers));
     result.inlier_keys.push_back(position_keys(candidates[i].inliers));
-    if (options.keep_points) result.inlier_points.push_back(positions(candidates[i].inliers));
+    if (options.keep_points) {
+      result.inliers.push_back(sorted_indices(candidates[i].inliers));
+      result.inlier_points.push_back(positions(candidates[i].inliers));
+    }
     result.hulls.push_back(hull_in_plan(candidates[i].inliers));
   }
   e.status = Status::kEvaluated;

@@ -15,7 +15,8 @@ namespace ridgeline::evaluate {
 /// A judged line and the points its planes were fitted to.
 struct JudgedResult {
   LineEvaluation evaluation;
-  std::vector<std::vector<std::uint32_t>> inliers;  ///< per plane, indices into the cloud, sorted
+  /// Per plane, indices into the cloud, sorted; only if options keep the points.
+  std::vector<std::vector<std::uint32_t>> inliers;
   /// The same points by a hash of their position, which tells them in any part of a cloud.
   std::vector<std::vector<std::uint64_t>> inlier_keys;
   std::vector<std::vector<Eigen::Vector3d>>

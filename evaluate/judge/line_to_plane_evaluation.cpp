@@ -20,7 +20,9 @@ std::vector<LineEvaluation> LineToPlaneEvaluation<PointT>::compute() {
         .template cast<double>();
   };
   const PointGrid grid = PointGrid::build(indices_->size(), x_in_local, cell_m_);
-  results_ = judge_lines(grid, lines_, options_);
+  JudgeOptions options = options_;
+  options.keep_points = true;
+  results_ = judge_lines(grid, lines_, options);
   for (JudgedResult& result : results_) {
     for (auto& inliers : result.inliers) {
       for (std::uint32_t& i : inliers) i = static_cast<std::uint32_t>((*indices_)[i]);

@@ -44,7 +44,7 @@ struct JudgeOptions {
   double min_length_m = 0.3;  ///< shorter lines are `too_short`
   int max_iterations = 300;   ///< of the sample consensus
   int seed = 1;               ///< of the sample consensus, combined with the line's id
-  bool keep_points = false;   ///< JudgedResult::inlier_points, for those who write them
+  bool keep_points = false;   ///< JudgedResult::inliers and inlier_points, for those who want them
 
   static constexpr auto fields() {
     using O = JudgeOptions;

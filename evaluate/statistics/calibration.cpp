@@ -14,7 +14,7 @@ Calibration calibrate(std::span<const LineEvaluation> lines,
                       std::string label,
                       double sigma_sys_m) {
   constexpr double kTwoSided95 = 1.96 * 1.96;
-  constexpr double kTwoSided99_9 = 3.2905 * 3.2905;
+  constexpr double kTwoSided999 = 3.2905 * 3.2905;
   std::vector<double> z2;
   std::vector<double> sigmas_m;
   for (const std::size_t i : members) {
@@ -37,7 +37,7 @@ Calibration calibrate(std::span<const LineEvaluation> lines,
     return static_cast<double>(std::ranges::count_if(z2, [&](double v) { return v <= limit; })) / n;
   };
   result.coverage_1_96 = share_within(kTwoSided95);
-  result.share_beyond_99_9 = 1.0 - share_within(kTwoSided99_9);
+  result.share_beyond_99_9 = 1.0 - share_within(kTwoSided999);
   result.median_z2 = median(std::move(z2));
   result.median_sigma_m = median(std::move(sigmas_m));
   return result;

@@ -21,10 +21,10 @@ struct Calibration {
   std::optional<double> nees_per_dof;
   /// A few lines judged by a wrong surface decide the mean; `median_z2` and the shares tell of the rest.
   std::optional<double> share_beyond_99_9;  ///< of |z| > 3.29, 0.1 % under a right, normal sigma
-  std::optional<Interval> bounds95;      ///< of nees_per_dof under a right sigma
-  std::optional<double> median_z2;       ///< 0.455 under a right, normal sigma
-  std::optional<double> coverage_1_96;   ///< share of |z| <= 1.96, 95 % under a right sigma
-  std::optional<double> median_sigma_m;  ///< predicted
+  std::optional<Interval> bounds95;         ///< of nees_per_dof under a right sigma
+  std::optional<double> median_z2;          ///< 0.455 under a right, normal sigma
+  std::optional<double> coverage_1_96;      ///< share of |z| <= 1.96, 95 % under a right sigma
+  std::optional<double> median_sigma_m;     ///< predicted
   [[nodiscard]] bool optimistic() const { return bounds95 && *nees_per_dof > bounds95->high; }
   [[nodiscard]] bool pessimistic() const { return bounds95 && *nees_per_dof < bounds95->low; }
 };

@@ -35,15 +35,16 @@ std::string interval_text(const Summary& s) {
 
 std::string strata_table(const Stratification& stratification) {
   std::string text = fmt::format(
-      "| {} | n / lines | RMS | 95 % interval | NMAD | 95 % | NEES / dof | median z2 | \\|z\\| <= 1.96 % | "
+      "| {} | n / lines | RMS | 95 % interval | NMAD | 95 % | NEES / dof | median z2 | \\|z\\| <= "
+      "1.96 % | "
       "\\|z\\| > 3.29 % |\n"
       "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n",
       stratification.by);
   for (const Stratum& stratum : stratification.strata) {
     const Summary& s = stratum.summary;
     text += fmt::format(
-        "| {} | {} / {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", s.line_class, s.n_evaluated, s.n_lines,
-        metres(s.rms_m), interval_text(s), metres(s.nmad_m), metres(s.q95_m),
+        "| {} | {} / {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", s.line_class, s.n_evaluated,
+        s.n_lines, metres(s.rms_m), interval_text(s), metres(s.nmad_m), metres(s.q95_m),
         fixed(stratum.calibration.nees_per_dof, 2), fixed(stratum.calibration.median_z2, 2),
         percent(stratum.calibration.coverage_1_96), percent(stratum.calibration.share_beyond_99_9));
   }

@@ -28,9 +28,9 @@ std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
                           escape_csv(row.method), e.line_class, e.n_lines, e.n_on_reference,
                           metres(e.rms_m, ""), metres(e.median_m, ""), metres(e.q95_m, ""),
-                          metres(e.max_m, ""), fixed(e.gross_share, kShareDecimals, ""),
-                          e.n_parts, metres(e.rmse_horizontal_m, ""),
-                          metres(e.rmse_vertical_m, ""), metres(e.mean_vertical_m, ""));
+                          metres(e.max_m, ""), fixed(e.gross_share, kShareDecimals, ""), e.n_parts,
+                          metres(e.rmse_horizontal_m, ""), metres(e.rmse_vertical_m, ""),
+                          metres(e.mean_vertical_m, ""));
     }
   }
   return text;
@@ -70,7 +70,8 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
 
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
   std::string text =
-      "Mean distance from the true line that both image segments lie on; RMSE across it in plan (H) and in height at the "
+      "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
+      "(H) and in height at the "
       "same place in plan (V).\n\n"
       "| patch | method | class | lines | on a true line | RMS m | median m | 95 % m | max m | "
       "gross % | RMSE H m | RMSE V m | mean V m |\n"

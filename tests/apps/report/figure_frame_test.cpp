@@ -41,9 +41,9 @@ TEST(ScaleBar, IsTheLongestOfOneTwoAndFiveTimesAPowerOfTen) {
 TEST(FramedFigure, KeepsThePictureWholeAndAddsTitleLegendAndScale) {
   const cv::Mat picture(300, 800, CV_8UC3, kPicture);
   const cv::Mat bare = framed(picture, {.title = "Lines"});
-  const cv::Mat page = framed(picture, {.title = "Lines",
-                                        .legend = {{LegendMark::kLine, {kRed}, "aligned"}},
-                                        .px_per_m = 12.5});
+  const cv::Mat page = framed(
+      picture,
+      {.title = "Lines", .legend = {{LegendMark::kLine, {kRed}, "aligned"}}, .px_per_m = 12.5});
   EXPECT_EQ(page.cols, picture.cols);
   EXPECT_EQ(count_of(page, kPicture), 300 * 800);
   EXPECT_GT(count_of(page, kRed), 10);
@@ -60,9 +60,10 @@ TEST(FramedFigure, BarIsAsLongAsItSays) {
 }
 
 TEST(FramedFigure, LegendOfANarrowPictureTakesMoreRows) {
-  const std::vector<LegendEntry> legend{{LegendMark::kLine, {kRed}, "aligned with the epipolar line"},
-                                        {LegendMark::kPoints, {kRed}, "points of a plane"},
-                                        {LegendMark::kDashedLine, {kRed}, "false"}};
+  const std::vector<LegendEntry> legend{
+      {LegendMark::kLine, {kRed}, "aligned with the epipolar line"},
+      {LegendMark::kPoints, {kRed}, "points of a plane"},
+      {LegendMark::kDashedLine, {kRed}, "false"}};
   const auto rows_beside_picture = [&](int width_px) {
     const cv::Mat picture(50, width_px, CV_8UC3, kPicture);
     return framed(picture, {.title = "Matches", .legend = legend}).rows - picture.rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/aerial_pair.h"
 
+#include "apps/simulate/nominal_pair.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,12 @@ TEST(AerialPair, RefusesImagesThatFillTheMemory) {
   scene.extent_m = {2000.0, 2000.0};
   options.focal_length_px = 1e5;  // more pixels than an int counts
   EXPECT_THROW((void)aerial_pair(scene, options), std::invalid_argument);
+}
+
+TEST(NominalPair, ClassesTheLinesOfATownTooLargeForImages) {
+  Scene scene = test::flat_house();
+  scene.extent_m = {2000.0, 2000.0};
+  EXPECT_NO_THROW((void)nominal_pair(scene));
 }
 
 }  // namespace

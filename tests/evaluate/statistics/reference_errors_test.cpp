@@ -58,10 +58,10 @@ TEST(CompareWithReferences, PartsAreAcrossInPlanAndInHeightAtTheSamePlace) {
   const Eigen::Vector3d along = 0.1 * (hip.end - hip.start);
   const Segment3 found{hip.start + along + across + Eigen::Vector3d(0, 0, 0.3),
                        hip.end + across + Eigen::Vector3d(0, 0, -0.1)};
-  const auto total = compare_with_references(
-                         std::vector<JudgedLine>{reconstructed(hip, found, "aligned")},
-                         std::vector<ReferenceLine>{{hip, "hip"}})
-                         .classes[2];
+  const auto total =
+      compare_with_references(std::vector<JudgedLine>{reconstructed(hip, found, "aligned")},
+                              std::vector<ReferenceLine>{{hip, "hip"}})
+          .classes[2];
   EXPECT_EQ(total.n_parts, 1U);
   EXPECT_NEAR(*total.rmse_horizontal_m, 0.2, kExact);
   EXPECT_NEAR(*total.mean_vertical_m, 0.1, kExact);
@@ -71,10 +71,10 @@ TEST(CompareWithReferences, PartsAreAcrossInPlanAndInHeightAtTheSamePlace) {
 
 TEST(CompareWithReferences, UprightReferenceHasNoParts) {
   const Segment3 corner{{0, 0, 2}, {0, 0.1, 5}};
-  const auto total = compare_with_references(
-                         std::vector<JudgedLine>{reconstructed(corner, corner, "aligned")},
-                         std::vector<ReferenceLine>{{corner, "corner"}})
-                         .classes[2];
+  const auto total =
+      compare_with_references(std::vector<JudgedLine>{reconstructed(corner, corner, "aligned")},
+                              std::vector<ReferenceLine>{{corner, "corner"}})
+          .classes[2];
   EXPECT_EQ(total.n_on_reference, 1U);
   EXPECT_EQ(total.n_parts, 0U);
   EXPECT_FALSE(total.rmse_horizontal_m);
