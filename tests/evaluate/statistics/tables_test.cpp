@@ -166,9 +166,11 @@ TEST(AccuracyMarkdown, LabelsTheThreeNumbersUnderTheFixedSentence) {
 
 TEST(StrataMarkdown, HasARowPerStratum) {
   const std::string text = to_markdown(stratify(small_evaluation()));
-  EXPECT_THAT(text, HasSubstr("| 20-45 | 1 / 1 | 0.300 | - | 0.000 | 0.300 | 2.25 | 100.0 |\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("| 20-45 | 1 / 1 | 0.300 | - | 0.000 | 0.300 | 2.25 | 2.25 | 100.0 | 0.0 |\n"));
   EXPECT_THAT(text, HasSubstr("| unknown | 2 / 3 |"));
-  EXPECT_THAT(text, HasSubstr("| 0-2 | 0 / 0 | - | - | - | - | - | - |\n"));
+  EXPECT_THAT(text, HasSubstr("| 0-2 | 0 / 0 | - | - | - | - | - | - | - | - |\n"));
 }
 
 TEST(EvaluationJson, SurvivesARoundTrip) {
