@@ -3,7 +3,7 @@
 build_packages=(
   g++ cmake ninja-build pkg-config git ccache
   libeigen3-dev libpcl-dev libflann-dev liblz4-dev libboost-dev
-  libopencv-dev libopencv-contrib-dev
+  libopencv-dev
   libgdal-dev libsqlite3-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )

@@ -48,7 +48,8 @@ MatchList pairwise_list(const reconstruct::MatchView& left,
                  reasons_of(found.outcomes)};
   if (!options.propagate_heights) return list;
   reconstruct::ChioOptions propagation = options.chio;
-  propagation.range_m = options.propagate_range_m;
+  propagation.range_m =
+      0.0;  // heights of lines that are only nearby brought more wrong lines than right ones
   propagation.min_similarity =
       std::max(propagation.min_similarity, options.propagate_min_similarity);
   const reconstruct::ChioResult more = reconstruct::propagate_heights(
@@ -102,10 +103,6 @@ void add_matcher_options(CLI::App& app, std::vector<std::string>& names, Matchin
   app.add_option(
          "--propagate-heights", options.propagate_heights,
          "lines that pairwise leaves unmatched may take the height of matched lines they meet")
-      ->capture_default_str();
-  app.add_option("--propagate-range-m", options.propagate_range_m,
-                 "and that of lines up to this distance")
-      ->check(CLI::Range(0.0, 1e3))
       ->capture_default_str();
   app.add_option("--propagate-min-similarity", options.propagate_min_similarity,
                  "if they look alike to at least this")

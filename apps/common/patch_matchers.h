@@ -28,10 +28,7 @@ struct MatchingOptions {
   /// Lines that `pairwise` left unmatched may take the height of matched neighbours
   /// (reconstruct::propagate_heights()).
   bool propagate_heights = true;
-  /// Beside neighbours of the same structure those up to this distance count. On the real pair that
-  /// brought more wrong lines than right ones: 0, none.
-  double propagate_range_m = 0.0;
-  /// And they must look more alike than lines that pairs of segments support (chio.min_similarity): on
+  /// They must look more alike than lines that pairs of segments support (chio.min_similarity): on
   /// the training villages 4 of 19 below this were false, of 6 from here on none.
   double propagate_min_similarity = 0.82;
 };

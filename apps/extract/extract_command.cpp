@@ -24,7 +24,6 @@ namespace {
 
 struct ExtractArguments {
   std::string image, out, overlay, patch, image_id;
-  std::string detector = "ours";
   double max_image_mpx = 0.0;
   reconstruct::ExtractOptions options;
 };
@@ -64,14 +63,12 @@ void check_outputs(const ExtractArguments& a) {
 }
 
 int run_extract(const ExtractArguments& a) {
-  reconstruct::ExtractOptions options = a.options;
-  options.detector = reconstruct::detector_named(a.detector);
-  validate(options);
+  validate(a.options);
   check_outputs(a);
   const reconstruct::PixelMap ideal_from_image = pixel_map(a);
   const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
   const std::vector<EdgeSegment> segments =
-      reconstruct::extract_segments(image, ideal_from_image, options);
+      reconstruct::extract_segments(image, ideal_from_image, a.options);
   io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {
     io::write_png(a.overlay, segment_overlay(image, segments));
@@ -96,9 +93,6 @@ Run add_extract(CLI::App& subcommand) {
   subcommand.add_option("--overlay", a->overlay, "PNG of the image with its segments");
   subcommand.add_option("--patch", a->patch, "patch file: removes the distortion of its camera");
   subcommand.add_option("--image-id", a->image_id, "of the camera; default: the one of this file");
-  subcommand.add_option("--detector", a->detector, "of the segments")
-      ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
-      ->capture_default_str();
   add_image_size_option(subcommand, a->max_image_mpx);
   add_flags(subcommand, a->options, "Extraction");
   return [a] { return run_extract(*a); };

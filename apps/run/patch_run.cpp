@@ -75,7 +75,6 @@ class PatchRun {
 
   void extract() {
     std::vector<std::string> parts{patch_key_, echo(options_.extract).dump(),
-                                   reconstruct::name(options_.extract.detector),
                                    fmt::format("{}", options_.max_y_parallax_px)};
     for (std::size_t i = 0; i < 2; ++i) {
       parts.push_back(io::sha256_of_file(patch_.images[i].path));
@@ -87,8 +86,7 @@ class PatchRun {
   void match() {
     std::vector<std::string> parts{extract_key_, echo(options_.matching.pairwise).dump(),
                                    echo(options_.matching.chio).dump(),
-                                   fmt::format("{} {} {}", options_.matching.propagate_heights,
-                                               options_.matching.propagate_range_m,
+                                   fmt::format("{} {}", options_.matching.propagate_heights,
                                                options_.matching.propagate_min_similarity)};
     for (const Matcher matcher : options_.matching.matchers) parts.emplace_back(name(matcher));
     match_key_ = stage_key(parts);

@@ -48,9 +48,6 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_matcher_options(app, flags.matchers, flags.options.matching);
-  app.add_option("--detector", flags.detector, "of the line segments")
-      ->check(CLI::IsMember({"ours", "edge_drawing", "lsd"}))
-      ->capture_default_str();
   app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -86,7 +83,6 @@ RunOptions run_options(const RunFlags& flags) {
     }
   }
   options.matching.matchers = matchers_named(flags.matchers);
-  options.extract.detector = reconstruct::detector_named(flags.detector);
   for (const std::string& name : flags.line_formats) {
     const auto format = io::line_format(name);
     if (!format) continue;

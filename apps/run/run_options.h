@@ -14,7 +14,6 @@ namespace ridgeline::apps {
 struct RunFlags {
   std::vector<std::string> methods{"direct", "joint"};
   std::vector<std::string> matchers{"pairwise"};
-  std::string detector = "ours";
   std::vector<std::string> line_formats;
   std::string schema = "plain";
   RunOptions options;

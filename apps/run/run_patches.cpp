@@ -59,12 +59,10 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   }
   json["max_image_mpx"] = options.max_image_mpx;
   json["max_y_parallax_px"] = options.max_y_parallax_px;
-  json["detector"] = reconstruct::name(options.extract.detector);
   json["extract"] = echo(options.extract);
   json["matchers"] = nlohmann::ordered_json::array();
   for (const Matcher matcher : options.matching.matchers) json["matchers"].push_back(name(matcher));
   json["propagate_heights"] = options.matching.propagate_heights;
-  json["propagate_range_m"] = options.matching.propagate_range_m;
   json["propagate_min_similarity"] = options.matching.propagate_min_similarity;
   json["match"] = echo(options.matching.pairwise);
   json["chio"] = echo(options.matching.chio);

@@ -40,9 +40,7 @@ std::vector<ChainPoint> chain_points(const EpipolarTransfer& right_from_left,
   return points;
 }
 
-std::vector<EdgePiece> pieces_of(std::span<const ChainPoint> points,
-                                 double limit_m,
-                                 const ChioOptions& options) {
+std::vector<EdgePiece> pieces_of(std::span<const ChainPoint> points, double limit_m) {
   std::vector<EdgePiece> pieces;
   pieces.reserve(points.size());
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -52,9 +50,7 @@ std::vector<EdgePiece> pieces_of(std::span<const ChainPoint> points,
     piece.first = static_cast<int>(i);
     piece.run_m = d.head<2>().norm();
     piece.rate = d.z() / piece.run_m;
-    const bool long_enough =
-        options.piece_limit_is_upper ? piece.run_m <= limit_m : piece.run_m >= limit_m;
-    piece.reliable = long_enough && std::isfinite(piece.rate);
+    piece.reliable = piece.run_m >= limit_m && std::isfinite(piece.rate);
     pieces.push_back(piece);
   }
   return pieces;
@@ -137,7 +133,7 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
   EdgeChain chain;
   chain.points = chain_points(right_from_left, left_points, RightLine(right.segment));
   if (chain.points.empty()) return chain;
-  chain.pieces = pieces_of(chain.points, options.min_piece_gsd * gsd_m, options);
+  chain.pieces = pieces_of(chain.points, options.min_piece_gsd * gsd_m);
   summarise_pieces(chain);
   summarise_heights(right_from_left, left_points, left, right, chain);
   return chain;

@@ -12,7 +12,6 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// Ground pixel of the paper's images.
-constexpr double kPaperGsd_m = 0.24;
 constexpr double kSigmas = 2.0;  // by which the difference of two heights may be off
 
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
@@ -65,10 +64,9 @@ class Iteration {
     }
   }
 
-  [[nodiscard]] double limit_m(int left, HeightLimit limit) const {
-    const double paper_m = limit == HeightLimit::kClose ? options_.height_difference_m
-                                                        : options_.relaxed_height_difference_m;
-    return options_.scale_heights ? paper_m * candidates_[left].gsd_m / kPaperGsd_m : paper_m;
+  [[nodiscard]] double limit_m(HeightLimit limit) const {
+    return limit == HeightLimit::kClose ? options_.height_difference_m
+                                        : options_.relaxed_height_difference_m;
   }
 
   /// Height of a candidate's line at a point of the left image beside it.
@@ -93,7 +91,7 @@ class Iteration {
                              const Neighbour& neighbour,
                              HeightLimit limit) const {
     const CoreCandidate& mate = acquisition_.mate(neighbour.left);
-    const double most_m = limit_m(left, limit);
+    const double most_m = limit_m(limit);
     if (options_.paper) {
       return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= most_m;
     }
@@ -121,7 +119,7 @@ class Iteration {
     });
     if (!choice) return false;
     acquisition_.acquire(left, {*choice, process, neighbour.left, height_of(neighbour),
-                                limit_m(left, limit), limit == HeightLimit::kRelaxed});
+                                limit_m(limit), limit == HeightLimit::kRelaxed});
     return true;
   }
 

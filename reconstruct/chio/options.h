@@ -17,10 +17,7 @@ struct ChioOptions {
   bool paper = false;
 
   double min_piece_gsd = 0.5;  ///< dP(i), 0.12 m: shorter pieces are not reliable
-  /// The other reading of "reasonable horizontal distance": longer pieces are not reliable. Pieces
-  /// are about a ground pixel long, so that this leaves next to none.
-  bool piece_limit_is_upper = false;
-  double max_rate = 1.0;  ///< m/m, of the mean rate of height change
+  double max_rate = 1.0;       ///< m/m, of the mean rate of height change
   double max_azimuth_deg = 10.0;
   double max_flank_difference = 20.0 / 255.0;  ///< of the range of grey values
   int min_pieces = 8;
@@ -30,9 +27,7 @@ struct ChioOptions {
 
   double height_difference_m = 0.5;  ///< of the second to the fourth process
   double relaxed_height_difference_m =
-      5.0;  ///< of the third and fourth, once nothing more is found
-  /// Height differences in ground pixels (0.5 m: 2.08, 5 m: 20.8) instead of metres.
-  bool scale_heights = false;
+      5.0;               ///< of the third and fourth, once nothing more is found
   double range_m = 5.0;  ///< of the fourth process; ours
 
   double min_epipolar_angle_deg = 5.0;   ///< below it a segment is left to others; ours
@@ -50,8 +45,6 @@ struct ChioOptions {
               "thresholds and choice to the letter, without regard to noise and look"},
         Field{"min_piece_gsd", &O::min_piece_gsd, 0.0, 100.0,
               "horizontal length of a reliable edge piece, in ground pixels"},
-        Field{"piece_limit_is_upper", &O::piece_limit_is_upper, false, true,
-              "read that length as the largest one"},
         Field{"max_rate", &O::max_rate, 0.0, 1e3, "mean rate of height change, m/m"},
         Field{"max_azimuth_deg", &O::max_azimuth_deg, 0.0, 90.0,
               "difference of the azimuths of two candidates"},
@@ -68,8 +61,6 @@ struct ChioOptions {
               "to a neighbour that is matched already"},
         Field{"relaxed_height_difference_m", &O::relaxed_height_difference_m, 0.0, 1e3,
               "the same, once nothing more is found"},
-        Field{"scale_heights", &O::scale_heights, false, true,
-              "scale both with the ground pixel over 0.24 m"},
         Field{"range_m", &O::range_m, 0.0, 1e3, "of the search for lines near matched ones"},
         Field{"min_epipolar_angle_deg", &O::min_epipolar_angle_deg, 0.1, 45.0,
               "below this angle to the epipolar line a segment is left alone"},

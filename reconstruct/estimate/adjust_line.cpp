@@ -23,23 +23,23 @@ struct Incidence {
 
 /// Sums over the conditions, S = G cov_e G'.
 struct LineEquations {
-  Matrix6d matrix = Matrix6d::Zero();  ///< sum p C' S^-1 C
-  Vector6d right = Vector6d::Zero();   ///< -sum p C' S^-1 (C M)
-  double omega = 0.0;                  ///< sum p (C M)' S^-1 (C M)
+  Matrix6d matrix = Matrix6d::Zero();  ///< sum C' S^-1 C
+  Vector6d right = Vector6d::Zero();   ///< -sum C' S^-1 (C M)
+  double omega = 0.0;                  ///< sum (C M)' S^-1 (C M)
 
   /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line: with the observed
   /// one the right side would not be the gradient of omega, and lines whose planes nearly coincide
   /// would oscillate.
-  void add(const Incidence& incidence, const Uncertain<4>& entity, double information) {
+  void add(const Incidence& incidence, const Uncertain<4>& entity) {
     const Eigen::Matrix<double, 2, 4>& g = incidence.g;
     const Eigen::Vector2d misclosure = -g * entity.mean;
     const Eigen::Matrix2d inverse = (g * entity.cov * g.transpose()).inverse();
     const Eigen::Vector4d fitted = entity.mean + entity.cov * g.transpose() * inverse * misclosure;
     const Eigen::Matrix<double, 2, 6> c =
         select_rows(incidence.transposed_c(fitted).transpose(), incidence.rows);
-    matrix += information * c.transpose() * inverse * c;
-    right -= information * c.transpose() * inverse * misclosure;
-    omega += information * misclosure.dot(inverse * misclosure);
+    matrix += c.transpose() * inverse * c;
+    right -= c.transpose() * inverse * misclosure;
+    omega += misclosure.dot(inverse * misclosure);
   }
 
   /// L_h,z / |L_h| = 0.
@@ -58,7 +58,7 @@ struct LineEquations {
 /// What determines a line.
 struct LineConditions {
   std::span<const UncertainPlane3> planes;
-  std::span<const PointOnLine> points;
+  std::span<const UncertainPoint3> points;
   std::optional<double> sigma_slope;
 };
 
@@ -68,8 +68,8 @@ LineEquations line_equations(const LineConditions& conditions, const Vector6d& l
   const Incidence plane{pi_matrix, in_plane, select_rows(gamma_matrix(line), in_plane)};
   const Incidence point{pi_bar_matrix, on_line, select_rows(gamma_bar_matrix(line), on_line)};
   LineEquations n;
-  for (const UncertainPlane3& p : conditions.planes) n.add(plane, p, 1.0);
-  for (const PointOnLine& p : conditions.points) n.add(point, p.point, p.information);
+  for (const UncertainPlane3& p : conditions.planes) n.add(plane, p);
+  for (const UncertainPoint3& p : conditions.points) n.add(point, p);
   if (conditions.sigma_slope) n.add_horizontal(line, *conditions.sigma_slope);
   return n;
 }
@@ -115,8 +115,8 @@ Vector6d start_line(const LineConditions& c) {
     stacked.middleRows<4>(row) = pi_matrix(plane.mean).transpose();
     row += 4;
   }
-  for (const PointOnLine& p : c.points) {
-    stacked.middleRows<4>(row) = pi_bar_matrix(p.point.mean).transpose();
+  for (const UncertainPoint3& p : c.points) {
+    stacked.middleRows<4>(row) = pi_bar_matrix(p.mean).transpose();
     row += 4;
   }
   stacked.row(row).setZero();
@@ -163,7 +163,7 @@ Linearised descend(const LineConditions& conditions, const Linearised& from, con
 }  // namespace
 
 std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
-                                        std::span<const PointOnLine> points,
+                                        std::span<const UncertainPoint3> points,
                                         std::optional<double> sigma_slope) {
   constexpr int kMaxPasses = 20;
   // 0.01 would serve accuracy; this makes the result independent of the frame to the last digits

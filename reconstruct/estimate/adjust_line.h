@@ -8,12 +8,6 @@
 
 namespace ridgeline::reconstruct {
 
-/// A point on the line to be estimated.
-struct PointOnLine {
-  UncertainPoint3 point;
-  double information = 1.0;  ///< factor p_i of the inverse covariance of its conditions
-};
-
 struct AdjustedLine {
   UncertainLine3 line;  ///< unit vector on the Pluecker quadric; covariance of rank 4
   /// Sum of the squared normalised misclosures. Nominal redundancy 2 (planes + points) - 4; smaller
@@ -41,7 +35,7 @@ struct AdjustedLine {
 /// With `sigma_slope` the line is also horizontal within it: condition L_h,z / |L_h| = 0, one freedom
 /// more, Z being up.
 std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
-                                        std::span<const PointOnLine> points,
+                                        std::span<const UncertainPoint3> points,
                                         std::optional<double> sigma_slope = std::nullopt);
 
 }  // namespace ridgeline::reconstruct

@@ -19,8 +19,7 @@ double distance_to_line(const Eigen::Vector3d& point, const Eigen::Vector3d& lin
 PairMeasures measures(const StereoLines& lines,
                       const ObservedPair& line,
                       int neighbour,
-                      const ImagePoints& x,
-                      const ReconstructOptions& options) {
+                      const ImagePoints& x) {
   const std::array<Eigen::Vector3d, 2> epipolar_line{lines.right_from_left.transpose() * x[1].mean,
                                                      lines.right_from_left * x[0].mean};
   const auto in_image = [&](std::size_t j) {
@@ -31,7 +30,7 @@ PairMeasures measures(const StereoLines& lines,
         scale_px * distance(a, b), scale_px * distance_to_line(x[j].mean, epipolar_line[j]),
         acute_angle_rad(Eigen::Vector2d(a.end - a.start), Eigen::Vector2d(b.end - b.start))};
   };
-  return combine({in_image(0), in_image(1)}, options);
+  return smaller_of_each({in_image(0), in_image(1)});
 }
 
 /// Where the lines cross in each image (Eq. 2).
@@ -43,27 +42,20 @@ ImagePoints crossings(const ObservedPair& line, const ObservedPair& mate) {
   return x;
 }
 
-bool passes_test(const EstimatedPoint& estimated, const ReconstructOptions& options) {
-  return !options.point_test || estimated.omega <= options.max_point_omega;
-}
-
 std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
                                               const ObservedPair& line,
                                               int neighbour,
                                               const ReconstructOptions& options) {
   const ObservedPair& mate = lines.lines[static_cast<std::size_t>(neighbour)];
   const ImagePoints x = crossings(line, mate);
-  const double weight = point_weight(measures(lines, line, neighbour, x, options), options);
+  const double weight = point_weight(measures(lines, line, neighbour, x), options);
   if (weight <= 0.0) return std::nullopt;
 
   const std::array<PointObservation, 2> observations{
       PointObservation{lines.stereo.views[0].image_from_object, x[0]},
       PointObservation{lines.stereo.views[1].image_from_object, x[1]}};
   const std::optional<EstimatedPoint> estimated = estimate_point(observations);
-  if (!estimated || !plausible(lines, estimated->point.mean, options) ||
-      !passes_test(*estimated, options)) {
-    return std::nullopt;
-  }
+  if (!estimated || !plausible(lines, estimated->point.mean, options)) return std::nullopt;
   const double parameter = parameter_along(line[0].segment, x[0].mean.hnormalized());
   return CandidatePoint{*estimated, {parameter, weight, estimated->omega, neighbour}};
 }
@@ -75,7 +67,7 @@ double pair_weight(const StereoLines& lines,
                    int neighbour,
                    const ReconstructOptions& options) {
   const ImagePoints x = crossings(line, lines.lines[static_cast<std::size_t>(neighbour)]);
-  return point_weight(measures(lines, line, neighbour, x, options), options);
+  return point_weight(measures(lines, line, neighbour, x), options);
 }
 
 double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {

@@ -43,8 +43,7 @@ double pair_weight(const StereoLines& lines,
 
 /// The artificial points of a line: its intersections with each of the neighbours in both images
 /// and their points in object space (Ok et al. 2011, section 3.1). Left out are points of weight
-/// zero, undetermined, behind a camera, outside the range of heights or, with `point_test`, failing
-/// it.
+/// zero, undetermined, behind a camera or outside the range of heights.
 std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
                                              const ObservedPair& line,
                                              std::span<const int> neighbours,

@@ -200,7 +200,7 @@ bool add_flank_points(const Heard& heard,
   for (const FlankCorrelation::Homologous& x : *found) {
     if (const auto point =
             point_in_object(heard.lines, heard.line, x, options.sigma_flank_px, options)) {
-      support.ends.push_back({*point});
+      support.ends.push_back(*point);
       support.ends_in_images.push_back(x);
     }
   }
@@ -231,7 +231,7 @@ LineSupport support_of(const Heard& heard,
   for (const std::size_t i : part.supports) {
     if (i < heard.points.size()) continue;
     const std::size_t end = i - heard.points.size();
-    support.ends.push_back({heard.ends[end]});
+    support.ends.push_back(heard.ends[end]);
     support.ends_in_images.push_back(
         ends_in_images(heard.lines, heard.line, heard.which_ends[end]));
   }

@@ -19,7 +19,7 @@ struct LineSupport {
   std::vector<CandidatePoint> points;  ///< artificial points, one per region at most
   /// What both images show at points of their segments: where the strips beside the line correlate,
   /// else the ends, where the artificial points fix no direction.
-  std::vector<PointOnLine> ends;
+  std::vector<UncertainPoint3> ends;
   /// The same as seen in the left and the right image.
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images;
   bool has_flanks = false;            ///< the ends are where the strips correlate

@@ -26,15 +26,6 @@ struct ReconstructOptions {
   double sigma_epipolar_px = 2.0;       ///< sigma_2 of Eq. 6: distance to the epipolar line
   double min_pair_angle_deg = 10.0;     ///< a pair up to this angle gives no point (t of Eq. 6)
   double min_weight = 0.01;             ///< T_w: points up to this weight are discarded
-  /// Reading of the "minimum" measures of Eq. 6 over the two images as their maximum instead.
-  bool weight_from_maxima = false;
-  /// Let W of Eq. 6 scale a point's weight in the normal equations, not only select it. Not stated
-  /// in the paper.
-  bool w_information = false;
-  /// Reject points whose two image points miss the epipolar geometry by more than chance. Not in
-  /// the paper.
-  bool point_test = false;
-  double max_point_omega = 10.83;  ///< chi-square, 1 degree of freedom, 99.9 %
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the
   /// right segment: its left one continues far beyond a short right one. Not in the paper.
   double max_end_sigma_m = 0.5;
@@ -86,13 +77,6 @@ struct ReconstructOptions {
         Field{"min_pair_angle_deg", &O::min_pair_angle_deg, 0.0, 90.0,
               "weight of a point: 0 up to this angle of its two segments"},
         Field{"min_weight", &O::min_weight, 0.0, 1.0, "points up to this weight are discarded"},
-        Field{"weight_from_maxima", &O::weight_from_maxima, false, true,
-              "weight of a point: the worse of both images, not the better"},
-        Field{"w_information", &O::w_information, false, true,
-              "the weight of a point scales its share in the adjustment"},
-        Field{"point_test", &O::point_test, false, true,
-              "reject points that fail the test of their epipolar geometry"},
-        Field{"max_point_omega", &O::max_point_omega, 0.0, 1e6, "limit of that test, chi-square"},
         Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
               "lines less certain than this at an end are given between the right ends"},
         Field{"register_profiles", &O::register_profiles, false, true,

@@ -16,12 +16,9 @@ bool better(const RankedPoint& a, const RankedPoint& b) {
 
 }  // namespace
 
-PairMeasures combine(const std::array<PairMeasures, 2>& images, const ReconstructOptions& options) {
-  const auto choose = [&](double a, double b) {
-    return options.weight_from_maxima ? std::max(a, b) : std::min(a, b);
-  };
-  return {choose(images[0].distance_px, images[1].distance_px),
-          choose(images[0].epipolar_distance_px, images[1].epipolar_distance_px),
+PairMeasures smaller_of_each(const std::array<PairMeasures, 2>& images) {
+  return {std::min(images[0].distance_px, images[1].distance_px),
+          std::min(images[0].epipolar_distance_px, images[1].epipolar_distance_px),
           std::min(images[0].angle_rad, images[1].angle_rad)};
 }
 

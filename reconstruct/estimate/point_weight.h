@@ -17,9 +17,8 @@ struct PairMeasures {
   double angle_rad;             ///< acute, enclosed by the segments
 };
 
-/// The measures of both images as one: the smaller of each ("minimum" in Ok et al. 2011), or the
-/// larger distances for `weight_from_maxima`; always the smaller angle.
-PairMeasures combine(const std::array<PairMeasures, 2>& images, const ReconstructOptions& options);
+/// The measures of both images as one: the smaller of each ("minimum" in Ok et al. 2011).
+PairMeasures smaller_of_each(const std::array<PairMeasures, 2>& images);
 
 /// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to min_pair_angle_deg, else
 /// 1 (Ok et al. 2011, Eq. 6, rearranged). In [0, 1].

@@ -149,9 +149,9 @@ void reconstruct_joint(const StereoLines& lines,
     if (result.segment_in_local) result.status = Status::kNoPoints;
     return;
   }
-  std::vector<PointOnLine> points = support.ends;
+  std::vector<UncertainPoint3> points = support.ends;
   for (const CandidatePoint& p : support.points) {
-    points.push_back({p.estimated.point, options.w_information ? p.ranked.weight : 1.0});
+    points.push_back(p.estimated.point);
     result.points.push_back(used_point(p, lines.stereo.object));
   }
   const std::array<UncertainPlane3, 2> planes{support.seen[0].plane, support.seen[1].plane};

@@ -2,13 +2,11 @@
 #include "reconstruct/extract/extract_segments.h"
 
 #include "reconstruct/extract/bends.h"
-#include "reconstruct/extract/colour_boosting.h"
 #include "reconstruct/extract/edge_chains.h"
 #include "reconstruct/extract/edge_detection.h"
 #include "reconstruct/extract/edge_segments.h"
 #include "reconstruct/extract/junctions.h"
 #include "reconstruct/extract/line_tracer.h"
-#include "reconstruct/extract/opencv_detectors.h"
 #include "reconstruct/extract/separate_edges.h"
 #include "reconstruct/extract/straight_pieces.h"
 #include "reconstruct/geometry/check.h"
@@ -116,27 +114,15 @@ ExtractOptions for_faint_edges(ExtractOptions options) {
   return options;
 }
 
-std::vector<DetectedEdge> our_edges(const cv::Mat& image, const ExtractOptions& options) {
-  const cv::Mat colours = options.colour_boosting ? colour_boosted(image) : image;
-  std::vector<DetectedEdge> edges = edges_beside({}, colours, options);
+std::vector<DetectedEdge> detected_edges(const cv::Mat& image, const ExtractOptions& options) {
+  std::vector<DetectedEdge> edges = edges_beside({}, image, options);
   if (options.faint_edges) {
-    std::vector<DetectedEdge> faint = edges_beside(edges, colours, for_faint_edges(options));
+    std::vector<DetectedEdge> faint = edges_beside(edges, image, for_faint_edges(options));
     edges.insert(edges.end(), std::make_move_iterator(faint.begin()),
                  std::make_move_iterator(faint.end()));
   }
   edges = cut_at_junctions(std::move(edges), options);
   return options.separate_edges ? separate_edges(std::move(edges), image) : edges;
-}
-
-/// The segments of another detector and the edges beside them, from which their uncertainty comes.
-std::vector<DetectedEdge> foreign_edges(const cv::Mat& image, const ExtractOptions& options) {
-  const GradientImage gradient = gradient_image(image, options);
-  const LineTracer tracer(gradient, options);
-  std::vector<DetectedEdge> edges;
-  for (const Segment2& segment : opencv_segments(image, options)) {
-    edges.push_back({tracer.along(segment), segment});
-  }
-  return edges;
 }
 
 }  // namespace
@@ -147,10 +133,7 @@ std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
   check(!image.empty() && image.depth() == CV_32F && image.channels() <= 4,
         "extract_segments: the image must have 1 to 4 bands of float");
   validate(options);
-  const std::vector<DetectedEdge> edges = options.detector == Detector::kOurs
-                                              ? our_edges(image, options)
-                                              : foreign_edges(image, options);
-  return edge_segments(edges, image, ideal_from_image, options);
+  return edge_segments(detected_edges(image, options), image, ideal_from_image, options);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -3,25 +3,15 @@
 
 #include "reconstruct/geometry/field.h"
 
-#include <cstdint>
-#include <string_view>
 #include <tuple>
 
 namespace ridgeline::reconstruct {
 
-enum class Detector : std::uint8_t { kOurs, kEdgeDrawing, kLsd };
-const char* name(Detector detector);  ///< "ours" | "edge_drawing" | "lsd"
-/// Throws std::invalid_argument for another name.
-Detector detector_named(std::string_view name);
-
 /// Strengths are multiples of the local noise: the typical strength of the gradient where there is
 /// no edge (NoiseGrid).
 struct ExtractOptions {
-  Detector detector = Detector::kOurs;
-
   int diffusion_levels = 3;        ///< of the non-linear diffusion before detection; 0: none
   double diffusion_lambda = 2.0;   ///< edges this much stronger than the noise stop it
-  bool colour_boosting = false;    ///< detect in decorrelated colour derivatives
   double gradient_sigma_px = 0.8;  ///< more loses close edges, less is noisier
   /// A second look where the first one found nothing: ridges and hips between faces of nearly the
   /// same colour.
@@ -53,8 +43,6 @@ struct ExtractOptions {
               "levels of edge-preserving colour diffusion before detection"},
         Field{"diffusion_lambda", &O::diffusion_lambda, 0.1, 100.0,
               "edges this many times as strong as the noise stop the diffusion"},
-        Field{"colour_boosting", &O::colour_boosting, false, true,
-              "detect edges in decorrelated colour derivatives"},
         Field{"gradient_sigma_px", &O::gradient_sigma_px, 0.5, 5.0,
               "smoothing of the colour gradient"},
         Field{"faint_edges", &O::faint_edges, false, true,

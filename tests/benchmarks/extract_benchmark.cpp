@@ -25,7 +25,6 @@ void normalise(benchmark::State& state) {
 void extract(benchmark::State& state) {
   const cv::Mat image = normalised_image(scene(static_cast<int>(state.range(0))));
   ExtractOptions options;
-  options.detector = static_cast<Detector>(state.range(1));
   std::size_t n = 0;
   for (auto _ : state) {
     const auto segments = extract_segments(image, {}, options);
@@ -39,8 +38,6 @@ void accuracy(benchmark::State& state) {
   const test::BlurredScene scene = test::blurred_scene(101, {.size_px = 1000});
   const cv::Mat image = normalised_image(scene.raw);
   ExtractOptions options;
-  options.detector = static_cast<Detector>(state.range(0));
-  state.SetLabel(name(options.detector));
   std::vector<EdgeSegment> segments;
   for (auto _ : state) segments = extract_segments(image, {}, options);
   const auto summary = test::summary(test::edge_errors(scene.edges, segments), scene.edges);
@@ -58,17 +55,13 @@ BENCHMARK(normalise)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK(extract)
-    ->Args({1000, 0})
-    ->Args({2000, 0})
-    ->Args({4000, 0})
+    ->Arg(1000)
+    ->Arg(2000)
+    ->Arg(4000)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
-BENCHMARK(accuracy)
-    ->DenseRange(0, 2)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
+BENCHMARK(accuracy)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace
 }  // namespace ridgeline::reconstruct

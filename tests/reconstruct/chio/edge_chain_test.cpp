@@ -84,8 +84,6 @@ TEST_F(Chain, PiecesAreAsLongAsTheOptionsAsk) {
   EXPECT_GT(chain_of(edge, edge, options).summary.n_reliable, 90);  // 103 px
   options.min_piece_gsd = 1.5;
   EXPECT_EQ(chain_of(edge, edge, options).summary.n_reliable, 0);
-  options.piece_limit_is_upper = true;
-  EXPECT_GT(chain_of(edge, edge, options).summary.n_reliable, 90);
 }
 
 TEST_F(Chain, AcrossAGapThereIsNoPiece) {

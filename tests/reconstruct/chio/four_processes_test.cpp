@@ -143,14 +143,6 @@ TEST_F(FigureThree, HeightsTellWhatTheRelaxedLimitReaches) {
   EXPECT_EQ(outcomes[8], ChioOutcome::kOutOfReach);
 }
 
-TEST_F(FigureThree, ScaledLimitsAreThoseOfThePapersGroundPixel) {
-  ChioOptions options;
-  options.scale_heights = true;
-  const auto [acquired, outcomes] = process(options);
-  ASSERT_TRUE(acquired[kD]);
-  EXPECT_NEAR(acquired[kD]->limit_m, acquired[kD]->relaxed ? 5.0 / 3.0 : 0.5 / 3.0, 1e-12);
-}
-
 TEST_F(FigureThree, TheHeightOfTheNeighbourChoosesAmongCandidates) {
   // a right segment that looks more like C, at 14 m; without the constraint it would win
   views_[1].segments.push_back(test::edge(project(pair_.right, Segment3{{3, 0, 14}, {8, 8, 14}})));

@@ -20,7 +20,7 @@ using test::ConditionedScene;
 using test::kDegree;
 
 using Planes = std::vector<UncertainPlane3>;
-using Points = std::vector<PointOnLine>;
+using Points = std::vector<UncertainPoint3>;
 
 /// Of an independent 3D point, metres: twice as long in height, as from a stereo pair.
 const Eigen::Vector3d kPointSigmaM(0.05, 0.05, 0.2);
@@ -30,10 +30,10 @@ Planes planes_of(const std::array<ObservedLine, 2>& observed) {
 }
 
 /// A point of the segment, with random error or none without `random`.
-PointOnLine point_of(const ConditionedScene& scene,
-                     const Segment3& truth,
-                     double parameter,
-                     test::Random* random) {
+UncertainPoint3 point_of(const ConditionedScene& scene,
+                         const Segment3& truth,
+                         double parameter,
+                         test::Random* random) {
   Eigen::Vector3d x = point_at(truth, parameter);
   if (random != nullptr) {
     for (int i = 0; i < 3; ++i) x(i) += random->normal(kPointSigmaM(i));
@@ -41,7 +41,7 @@ PointOnLine point_of(const ConditionedScene& scene,
   UncertainPoint3 point{scene.conditioned(x).homogeneous(), Eigen::Matrix4d::Zero()};
   const Eigen::Vector3d sigma = kPointSigmaM / scene.stereo.object.scale_m;
   point.cov.topLeftCorner<3, 3>() = sigma.cwiseAbs2().asDiagonal();
-  return {spherically_normalised(point)};
+  return spherically_normalised(point);
 }
 
 Segment3 segment_at(const ConditionedScene& scene, double theta_deg) {
@@ -109,7 +109,7 @@ TEST(AdjustLine, SolvesTheBorderedNormalEquations) {
     add(pi_matrix(p.mean), gamma_matrix(line), p.cov, line_in_plane_rows(k));
   }
   for (const auto& p : points) {
-    add(pi_bar_matrix(p.point.mean), gamma_bar_matrix(line), p.point.cov, point_on_line_rows(k));
+    add(pi_bar_matrix(p.mean), gamma_bar_matrix(line), p.cov, point_on_line_rows(k));
   }
   bordered.block<6, 1>(0, 6) = dual(line);
   bordered.block<6, 1>(0, 7) = line;
@@ -138,14 +138,14 @@ TEST(AdjustLine, HasTheCovarianceOfItsDifferentialByTheEntities) {
       };
       const auto by_point = [&](const Eigen::Vector4d& x) {
         Points changed = points;
-        changed[i].point.mean = x;
+        changed[i].mean = x;
         return oriented(adjust_line(planes, changed));
       };
       const Eigen::Matrix<double, 6, 4> jp =
           test::central_differences<6, 4>(by_plane, planes[i].mean);
       const Eigen::Matrix<double, 6, 4> jx =
-          test::central_differences<6, 4>(by_point, points[i].point.mean);
-      expected += jp * planes[i].cov * jp.transpose() + jx * points[i].point.cov * jx.transpose();
+          test::central_differences<6, 4>(by_point, points[i].mean);
+      expected += jp * planes[i].cov * jp.transpose() + jx * points[i].cov * jx.transpose();
     }
     const Matrix6d cov = adjust_line(planes, points)->line.cov;
     EXPECT_LT((cov - expected).norm(), 1e-4 * expected.norm()) << theta_deg;
@@ -242,8 +242,8 @@ TEST(AdjustLine, NullDirectionsAreTwoOneAndNoneWithMorePoints) {
   const ConditionedScene scene;
   const Segment3 truth = segment_at(scene, 0.0);
   const ObservedLine left = scene.observe(test::exact_pair(scene.scene, truth))[0];
-  const PointOnLine a = point_of(scene, truth, 0.1, nullptr);
-  const PointOnLine b = point_of(scene, truth, 0.9, nullptr);
+  const UncertainPoint3 a = point_of(scene, truth, 0.1, nullptr);
+  const UncertainPoint3 b = point_of(scene, truth, 0.9, nullptr);
   // free directions carry no increment and no covariance; their line is one of many
   const auto free_directions = [&](const Points& points) {
     const auto adjusted = adjust_line(Planes{left.plane, left.plane}, points);
@@ -256,18 +256,6 @@ TEST(AdjustLine, NullDirectionsAreTwoOneAndNoneWithMorePoints) {
   EXPECT_EQ(free_directions({a, b}), 0);
 }
 
-TEST(AdjustLine, CountsAPointByItsInformation) {
-  const ConditionedScene scene;
-  const Segment3 truth = segment_at(scene, 5.0);
-  const Planes planes = planes_of(scene.observe(test::exact_pair(scene.scene, truth)));
-  const PointOnLine once = point_of(scene, truth, 0.2, nullptr);
-  PointOnLine twice = once;
-  twice.information = 2.0;
-  const Matrix6d expected = adjust_line(planes, Points{once, once})->line.cov;
-  EXPECT_LT((adjust_line(planes, Points{twice})->line.cov - expected).norm(),
-            1e-6 * expected.norm());
-}
-
 TEST(AdjustLine, IgnoresTheSignOfItsEntities) {
   const ConditionedScene scene;
   test::Random random(126);
@@ -276,7 +264,7 @@ TEST(AdjustLine, IgnoresTheSignOfItsEntities) {
   Points points{point_of(scene, truth, 0.1, &random), point_of(scene, truth, 0.9, &random)};
   const auto expected = adjust_line(planes, points);
   planes[0].mean *= -1.0;
-  points[1].point.mean *= -1.0;
+  points[1].mean *= -1.0;
   const auto actual = adjust_line(planes, points);
   EXPECT_LT(difference_up_to_sign(actual->line.mean, expected->line.mean), 1e-10);
   EXPECT_NEAR(actual->omega, expected->omega, 1e-8);

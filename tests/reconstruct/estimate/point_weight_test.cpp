@@ -35,17 +35,11 @@ TEST(PointWeight, IsZeroForANarrowIntersection) {
   EXPECT_EQ(point_weight({0, 0, std::nan("")}, kDefaults), 0.0);
 }
 
-TEST(Combine, TakesTheMinimaOrTheLargerDistances) {
-  const std::array<PairMeasures, 2> images{PairMeasures{3, 1, 0.5}, PairMeasures{2, 4, 0.7}};
-  const PairMeasures minima = combine(images, kDefaults);
-  EXPECT_EQ(minima.distance_px, 2);
-  EXPECT_EQ(minima.epipolar_distance_px, 1);
-  EXPECT_EQ(minima.angle_rad, 0.5);
-  ReconstructOptions maxima;
-  maxima.weight_from_maxima = true;
-  EXPECT_EQ(combine(images, maxima).distance_px, 3);
-  EXPECT_EQ(combine(images, maxima).epipolar_distance_px, 4);
-  EXPECT_EQ(combine(images, maxima).angle_rad, 0.5);
+TEST(SmallerOfEach, TakesEachMeasureFromTheImageWhereItIsSmaller) {
+  const PairMeasures smaller = smaller_of_each({PairMeasures{3, 1, 0.5}, PairMeasures{2, 4, 0.7}});
+  EXPECT_EQ(smaller.distance_px, 2);
+  EXPECT_EQ(smaller.epipolar_distance_px, 1);
+  EXPECT_EQ(smaller.angle_rad, 0.5);
 }
 
 TEST(Region, SplitsAtTheThirdsAndIsUnboundedOutside) {

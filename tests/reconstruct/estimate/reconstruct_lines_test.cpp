@@ -220,25 +220,6 @@ TEST(ReconstructLines, WeighsPointsByTheMeasuresOfBothImages) {
               std::exp(-std::min(distance_px[0], distance_px[1]) / 10.0 -
                        std::min(epipolar_px[0], epipolar_px[1]) / 4.0),
               kTol);
-  options.weight_from_maxima = true;
-  EXPECT_NEAR(group.reconstruct(options)[0].points.at(0).weight,
-              std::exp(-std::max(distance_px[0], distance_px[1]) / 10.0 -
-                       std::max(epipolar_px[0], epipolar_px[1]) / 4.0),
-              kTol);
-}
-
-TEST(ReconstructLines, ScalesPointsByTheirWeightOnRequest) {
-  test::Random random(135);
-  const LineGroup group =
-      make_group(line_at(3.0), {{0.05, 80, 3, 10}, {0.5, -60, 3, 20}, {0.95, 110}}, {}, &random);
-  ReconstructOptions options = published_options();
-  const ReconstructedLine selected = group.reconstruct(options)[0];
-  options.w_information = true;
-  const ReconstructedLine scaled = group.reconstruct(options)[0];
-  ASSERT_EQ(selected.points.size(), 3);
-  EXPECT_EQ(scaled.points.size(), 3);
-  EXPECT_NE(selected.segment_in_local->start, scaled.segment_in_local->start);
-  EXPECT_LT(selected.covariance_m2->trace(), scaled.covariance_m2->trace());
 }
 
 TEST(ReconstructLines, DiscardsPointsOutsideTheRangeOfHeights) {
@@ -248,22 +229,6 @@ TEST(ReconstructLines, DiscardsPointsOutsideTheRangeOfHeights) {
   EXPECT_EQ(group.reconstruct(options)[0].points.size(), 2);
   options.highest_height_m = 3.7;
   EXPECT_EQ(group.reconstruct(options)[0].points.size(), 1);
-}
-
-TEST(ReconstructLines, DiscardsPointsThatMissTheEpipolarGeometryOnRequest) {
-  LineGroup group = make_group(line_at(8.0), kThreeNeighbours);
-  for (Eigen::Vector2d* x : {&group.segments[1][2].segment.start, &group.segments[1][2].segment.end,
-                             &group.segments[1][2].centroid_px}) {
-    x->x() += 60.0;  // the mate of neighbour 2 is another line: false incidence
-  }
-  ReconstructOptions options = published_options();
-  options.sigma_epipolar_px = 100.0;  // let the weight pass it
-  EXPECT_EQ(group.reconstruct(options)[0].points.size(), 3);
-  options.point_test = true;
-  const std::vector<UsedPoint> points = group.reconstruct(options)[0].points;
-  ASSERT_EQ(points.size(), 2);
-  EXPECT_EQ(points[0].neighbour, 1);
-  EXPECT_EQ(points[1].neighbour, 3);
 }
 
 TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {

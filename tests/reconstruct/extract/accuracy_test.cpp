@@ -16,9 +16,8 @@ struct Found {
   std::vector<Segment2> edges;
 };
 
-Found found_edges(const test::BlurredSceneOptions& scene_options, Detector detector) {
+Found found_edges(const test::BlurredSceneOptions& scene_options) {
   ExtractOptions options;
-  options.detector = detector;
   options.systematic_across_px = 0.01;  // these edges are as simple as the model
   Found found;
   for (const std::uint64_t seed : {101, 102, 103, 104}) {
@@ -44,7 +43,7 @@ Eigen::Vector2d common_shift_px(const std::vector<test::EdgeError>& errors) {
 
 TEST(Accuracy, EdgesOfGoodContrastAreFoundToAFewHundredthsOfAPixel) {
   for (const double blur_px : {0.5, 0.8, 1.2}) {
-    const Found found = found_edges({.blur_px = blur_px}, Detector::kOurs);
+    const Found found = found_edges({.blur_px = blur_px});
     const test::ErrorSummary s = test::summary(found.errors, found.edges);
     EXPECT_LT(s.rms_px, 0.05) << blur_px;
     EXPECT_LT(std::abs(s.bias_px), 0.005) << blur_px;
@@ -55,7 +54,7 @@ TEST(Accuracy, EdgesOfGoodContrastAreFoundToAFewHundredthsOfAPixel) {
 
 TEST(Accuracy, StatedSigmasAreThoseOfTheErrors) {
   // noise that outweighs the systematic part of the sigmas
-  const Found found = found_edges({.blur_px = 0.8, .noise = 0.02}, Detector::kOurs);
+  const Found found = found_edges({.blur_px = 0.8, .noise = 0.02});
   const test::ErrorSummary s = test::summary(found.errors, found.edges);
   // 15.16 of the specification asks for 10 % of sigma, 20 % of the variance
   EXPECT_NEAR(s.across_z2, 1.0, 0.2);
@@ -80,28 +79,10 @@ TEST(Accuracy, EdgesNear45DegreesAreFoundOverTheirLength) {
 
 TEST(Accuracy, FaintEdgesAreFoundInNoise) {
   // the step is three times the noise of a pixel in each band
-  const Found found = found_edges({.noise = 0.02, .contrast = 0.06}, Detector::kOurs);
+  const Found found = found_edges({.noise = 0.02, .contrast = 0.06});
   const test::ErrorSummary s = test::summary(found.errors, found.edges);
   EXPECT_GT(s.completeness, 0.7);
   EXPECT_LT(s.rms_px, 0.2);
-}
-
-TEST(Accuracy, DetectorsOfOpenCvHaveNoCommonShift) {
-  for (const Detector detector : {Detector::kLsd, Detector::kEdgeDrawing}) {
-    const Found found = found_edges({}, detector);
-    EXPECT_LT(common_shift_px(found.errors).norm(), 0.02) << name(detector);
-    EXPECT_GT(test::summary(found.errors, found.edges).completeness, 0.85) << name(detector);
-  }
-}
-
-TEST(Accuracy, ColourBoostingKeepsIt) {
-  const test::BlurredScene scene = test::blurred_scene(105);
-  ExtractOptions options;
-  options.colour_boosting = true;
-  const auto segments = extract_segments(normalised_image(scene.raw), {}, options);
-  const auto s = test::summary(test::edge_errors(scene.edges, segments), scene.edges);
-  EXPECT_LT(s.rms_px, 0.1);
-  EXPECT_GT(s.completeness, 0.85);
 }
 
 }  // namespace

@@ -15,12 +15,8 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr std::array kDetectors{Detector::kOurs, Detector::kEdgeDrawing, Detector::kLsd};
-
-std::vector<EdgeSegment> extract(const cv::Mat& raw, Detector detector = Detector::kOurs) {
-  ExtractOptions options;
-  options.detector = detector;
-  return extract_segments(normalised_image(raw), {}, options);
+std::vector<EdgeSegment> extract(const cv::Mat& raw) {
+  return extract_segments(normalised_image(raw));
 }
 
 /// Grey, with white from column `x` on.
@@ -31,9 +27,7 @@ cv::Mat white_from_column(int x, int size_px, int type = CV_8UC1) {
 }
 
 TEST(ExtractSegments, AnImageWithoutTextureHasNone) {
-  for (const Detector detector : kDetectors) {
-    EXPECT_THAT(extract(cv::Mat(300, 300, CV_8UC3, cv::Scalar::all(90)), detector), IsEmpty());
-  }
+  EXPECT_THAT(extract(cv::Mat(300, 300, CV_8UC3, cv::Scalar::all(90))), IsEmpty());
 }
 
 TEST(ExtractSegments, NoiseAloneHasAlmostNone) {
@@ -44,12 +38,10 @@ TEST(ExtractSegments, NoiseAloneHasAlmostNone) {
 }
 
 TEST(ExtractSegments, TakesImagesOfAFewPixels) {
-  for (const Detector detector : kDetectors) {
-    for (const cv::Size size : {cv::Size(1, 1), cv::Size(2, 1), cv::Size(1, 40), cv::Size(3, 3)}) {
-      cv::Mat raw(size, CV_8UC1, cv::Scalar(7));
-      raw.at<std::uint8_t>(0, 0) = 200;
-      EXPECT_THAT(extract(raw, detector), IsEmpty()) << size;
-    }
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(2, 1), cv::Size(1, 40), cv::Size(3, 3)}) {
+    cv::Mat raw(size, CV_8UC1, cv::Scalar(7));
+    raw.at<std::uint8_t>(0, 0) = 200;
+    EXPECT_THAT(extract(raw), IsEmpty()) << size;
   }
 }
 
@@ -220,16 +212,12 @@ TEST(ExtractSegments, ThePixelMapMovesTheLineNotItsPlaceInTheImage) {
   const PixelMap map = [](const Eigen::Vector2d& x) {
     return Eigen::Vector2d(2.0 * x.x() + 7.0, 2.0 * x.y());
   };
-  for (const Detector detector : kDetectors) {
-    ExtractOptions options;
-    options.detector = detector;
-    const auto plain = extract_segments(image, {}, options);
-    const auto mapped = extract_segments(image, map, options);
-    ASSERT_EQ(plain.size(), mapped.size());
-    ASSERT_THAT(plain, SizeIs(1)) << name(detector);
-    EXPECT_EQ(plain[0].in_image.start, mapped[0].in_image.start);
-    EXPECT_LT((*map(plain[0].line.segment.start) - mapped[0].line.segment.start).norm(), 1e-9);
-  }
+  const auto plain = extract_segments(image);
+  const auto mapped = extract_segments(image, map);
+  ASSERT_THAT(plain, SizeIs(1));
+  ASSERT_THAT(mapped, SizeIs(1));
+  EXPECT_EQ(plain[0].in_image.start, mapped[0].in_image.start);
+  EXPECT_LT((*map(plain[0].line.segment.start) - mapped[0].line.segment.start).norm(), 1e-9);
 }
 
 TEST(ExtractSegments, EdgesOutsideOfTheFieldOfTheCalibrationAreLeftOut) {
