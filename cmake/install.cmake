@@ -1,9 +1,9 @@
-# `find_package(ridgeline)` gives ridgeline::geometry, ::extract, ::match, ::chio, ::estimate, ::io and
-# ::evaluate.
+# `find_package(ridgeline)` gives ridgeline::geometry, ::extract, ::match, ::chio, ::estimate,
+# ::reconstruct, ::io and ::evaluate.
 include(CMakePackageConfigHelpers)
 
 set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
-    ridgeline_io ridgeline_evaluate)
+    ridgeline_reconstruct ridgeline_io ridgeline_evaluate)
 install(TARGETS ${libraries}
   EXPORT ridgelineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

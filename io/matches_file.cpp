@@ -87,9 +87,9 @@ std::string pixel_text(const Segment2& s) {
 
 }  // namespace
 
-void write_matches(const std::string& path, std::span<const MatchRow> matches) {
+void write_matches(const std::string& path, std::span<const FoundMatch> matches) {
   std::string text = "left_id,right_id,score,votes,matcher\n";
-  for (const MatchRow& row : matches) {
+  for (const FoundMatch& row : matches) {
     const ScoredMatch& m = row.scored;
     text += fmt::format("{},{},{:.4f},{:.3f},{}\n", m.match.left, m.match.right, m.score, m.votes,
                         row.matcher);
@@ -97,10 +97,10 @@ void write_matches(const std::string& path, std::span<const MatchRow> matches) {
   write_file(path, text);
 }
 
-std::vector<MatchRow> read_matches(const std::string& path) {
+std::vector<FoundMatch> read_matches(const std::string& path) {
   const CsvTable table(path);
   const std::vector<LineMatch> pairs = pairs_of(table);
-  std::vector<MatchRow> rows(pairs.size());
+  std::vector<FoundMatch> rows(pairs.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     rows[row].scored.match = pairs[row];
     if (table.has("score")) rows[row].scored.score = table.number(row, table.column("score"));

@@ -12,21 +12,14 @@
 
 namespace ridgeline::io {
 
-/// A line of matches.csv.
-struct MatchRow {
-  ScoredMatch scored;
-  std::string
-      matcher;  ///< "pairwise" | "chio" | "pairwise+chio" (both found it) | another tool's name
-};
-
 /// Writes `left_id,right_id,score,votes,matcher`, one row per match; ids are indices of the segment
 /// files. Whole or not at all. Throws IoError.
-void write_matches(const std::string& path, std::span<const MatchRow> matches);
+void write_matches(const std::string& path, std::span<const FoundMatch> matches);
 
 /// Reads matches.csv; columns in any order, of which left_id and right_id must be there, others are
 /// passed over. Throws IoError naming the row for a missing column, an id that is no index or below
 /// 0, and for a pair of ids that occurs twice.
-std::vector<MatchRow> read_matches(const std::string& path);
+std::vector<FoundMatch> read_matches(const std::string& path);
 
 /// A true edge with the part of it that is visible in each image, pixels of the files.
 struct ReferenceEdge {

@@ -48,6 +48,14 @@ void check_segment_ids(const std::string& file,
   }
 }
 
+std::vector<LineMatch> read_line_matches(
+    const std::string& file, const std::array<std::vector<EdgeSegment>, 2>& segments) {
+  std::vector<LineMatch> matches;
+  for (const FoundMatch& found : io::read_matches(file)) matches.push_back(found.scored.match);
+  check_segment_ids(file, matches, segments);
+  return matches;
+}
+
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,

@@ -3,7 +3,6 @@
 
 #include "apps/common/check_pair.h"
 #include "io/image.h"
-#include "reconstruct/extract/extract_segments.h"
 #include "reconstruct/extract/normalised_image.h"
 
 #include <tbb/parallel_for.h>
@@ -14,14 +13,10 @@
 namespace ridgeline::apps {
 
 LocalFrame patch_frame(const io::PatchFile& patch) {
-  constexpr double kStep_m = 100.0;
   const io::PatchImage& base = patch.images[0];
   const io::ImageFacts facts = io::image_facts(base.path);
-  const double mean_m = 0.5 * (patch.height_range_m[0] + patch.height_range_m[1]);
-  const Eigen::Vector3d x =
-      point_on_plane(base.image_from_world, {0.5 * facts.width_px, 0.5 * facts.height_px},
-                     Plane3(Eigen::Vector3d::UnitZ(), -mean_m));
-  return {(x / kStep_m).array().round() * kStep_m};
+  return reconstruct::local_frame(base.image_from_world, {facts.width_px, facts.height_px},
+                                  patch.height_range_m);
 }
 
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
@@ -58,20 +53,27 @@ std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFra
           patch.height_range_m[1] - frame.origin_m.z()};
 }
 
-PatchViews load_patch_views(const io::PatchFile& patch,
-                            const reconstruct::ExtractOptions& options,
-                            double max_y_parallax_px) {
+reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
+                                    const std::array<cv::Mat, 2>& images,
+                                    const std::array<std::vector<EdgeSegment>, 2>& segments) {
+  const LocalFrame frame = patch_frame(patch);
+  const auto [left, right] = patch_cameras(patch, frame);
+  return {{reconstruct::MatchView{left, images[0], segments[0]},
+           reconstruct::MatchView{right, images[1], segments[1]}},
+          patch_heights_m(patch, frame)};
+}
+
+reconstruct::StereoPair load_pair(const io::PatchFile& patch,
+                                  const reconstruct::ExtractOptions& options,
+                                  double max_y_parallax_px) {
   check_patch(patch);
-  PatchViews pair;
-  pair.frame = patch_frame(patch);
-  pair.height_range_in_local_m = patch_heights_m(patch, pair.frame);
-  const std::array<ProjectionMatrix, 2> cameras = patch_cameras(patch, pair.frame);
   const std::array<cv::Mat, 2> images = patch_images(patch);
   check_pair(patch, images, max_y_parallax_px);
+  std::array<std::vector<EdgeSegment>, 2> segments;
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
-    pair.views[i] = {cameras[i], images[i], extract_patch_image(patch, i, images[i], options)};
+    segments[i] = extract_patch_image(patch, i, images[i], options);
   });
-  return pair;
+  return stereo_pair(patch, images, segments);
 }
 
 }  // namespace ridgeline::apps

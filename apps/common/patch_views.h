@@ -2,10 +2,7 @@
 #pragma once
 
 #include "io/patch.h"
-#include "reconstruct/extract/options.h"
-#include "reconstruct/geometry/edge_segment.h"
-#include "reconstruct/geometry/local_frame.h"
-#include "reconstruct/match/match_view.h"
+#include "reconstruct/reconstruct.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -47,16 +44,14 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
 std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame);
 std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFrame& frame);
 
-/// The pair of a patch, ready to be matched.
-struct PatchViews {
-  LocalFrame frame;
-  std::array<reconstruct::MatchView, 2> views;
-  std::array<double, 2> height_range_in_local_m{};
-};
+/// The pair of a patch with its segments, ready to be matched.
+reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
+                                    const std::array<cv::Mat, 2>& images,
+                                    const std::array<std::vector<EdgeSegment>, 2>& segments);
 
 /// check_patch(), then images, check_pair(), cameras and segments of the pair. Throws IoError.
-PatchViews load_patch_views(const io::PatchFile& patch,
-                            const reconstruct::ExtractOptions& options,
-                            double max_y_parallax_px);
+reconstruct::StereoPair load_pair(const io::PatchFile& patch,
+                                  const reconstruct::ExtractOptions& options,
+                                  double max_y_parallax_px);
 
 }  // namespace ridgeline::apps

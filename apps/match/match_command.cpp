@@ -6,6 +6,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
+#include "apps/common/patch_views.h"
 #include "apps/common/say.h"
 #include "apps/match/match_overlay.h"
 #include "io/atomic_file.h"
@@ -30,13 +31,13 @@ struct MatchArguments {
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   std::vector<std::string> matchers{"pairwise"};
-  MatchingOptions matching;
+  reconstruct::MatchingOptions matching;
 };
 
-void print_summary(const PatchViews& patch, const PatchMatches& result) {
-  say("{} segments in the left, {} in the right image\n", patch.views[0].segments.size(),
-      patch.views[1].segments.size());
-  for (const MatchList& list : result.lists) {
+void print_summary(const reconstruct::StereoPair& pair, const reconstruct::Matches& result) {
+  say("{} segments in the left, {} in the right image\n", pair.views[0].segments.size(),
+      pair.views[1].segments.size());
+  for (const reconstruct::MatchList& list : result.lists) {
     std::map<std::string, int> n;
     for (const std::string& reason : list.reasons) ++n[reason];
     if (result.lists.size() > 1) say("{}:\n", list.name);
@@ -69,29 +70,28 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   check_is_own(a.out, "left_id,right_id,score,", "table of matches");
   check_is_own(a.provenance, "left_id,right_id,linked_right_ids,", "table of lines of chio");
   check_is_png("--overlay", a.overlay);
-  const std::vector<Matcher>& matchers = a.matching.matchers;
+  const std::vector<reconstruct::Matcher>& matchers = a.matching.matchers;
   check(a.provenance.empty() ||
-            std::find(matchers.begin(), matchers.end(), Matcher::kChio) != matchers.end(),
+            std::find(matchers.begin(), matchers.end(), reconstruct::Matcher::kChio) != matchers.end(),
         "provenance: lines of pairwise have none; needs --matcher chio");
 }
 
 int run_match(MatchArguments a) {
   a.matching.matchers = matchers_named(a.matchers);
-  validate_matching(a.matching);
+  validate(a.matching);
   io::PatchFile file = io::read_patch(a.patch);
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
-  const PatchViews patch = load_patch_views(file, a.extract, a.max_y_parallax_px);
-  const PatchMatches result =
-      match_views(patch.views[0], patch.views[1], patch.height_range_in_local_m, a.matching);
-  io::write_matches(a.out, result.used().rows);
+  const reconstruct::StereoPair pair = load_pair(file, a.extract, a.max_y_parallax_px);
+  const reconstruct::Matches result = reconstruct::match(pair, a.matching);
+  io::write_matches(a.out, result.used().matches);
   if (!a.provenance.empty()) {
-    io::write_file(a.provenance, chio_csv(*result.chio, patch.frame));
+    io::write_file(a.provenance, chio_csv(*result.chio, patch_frame(file)));
   }
   if (!a.overlay.empty()) {
-    io::write_png(a.overlay, match_overlay(patch.views[0], patch.views[1], result.used().rows));
+    io::write_png(a.overlay, match_overlay(pair.views[0], pair.views[1], result.used().matches));
   }
-  print_summary(patch, result);
+  print_summary(pair, result);
   if (result.chio) print_processes(*result.chio, a.matching.chio);
   return kDone;
 }

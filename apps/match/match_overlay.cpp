@@ -46,12 +46,12 @@ void label(cv::Mat& canvas, const EdgeSegment& segment, int number, const cv::Sc
 
 cv::Mat match_overlay(const reconstruct::MatchView& left,
                       const reconstruct::MatchView& right,
-                      std::span<const io::MatchRow> matches) {
+                      std::span<const FoundMatch> matches) {
   constexpr int kLabelled = 5;
   std::array<cv::Mat, 2> canvases{overlay_canvas(left.image), overlay_canvas(right.image)};
   for (const EdgeSegment& segment : left.segments) draw(canvases[0], segment, kUnmatched, 1);
   for (const EdgeSegment& segment : right.segments) draw(canvases[1], segment, kUnmatched, 1);
-  for (const io::MatchRow& row : matches) {
+  for (const FoundMatch& row : matches) {
     const LineMatch& match = row.scored.match;
     const cv::Scalar colour = colour_of(match.left);
     const EdgeSegment& a = left.segments[static_cast<std::size_t>(match.left)];

@@ -14,6 +14,6 @@ namespace ridgeline::apps {
 /// the same on both sides, with the left index at every fifth; the others thin and grey.
 cv::Mat match_overlay(const reconstruct::MatchView& left,
                       const reconstruct::MatchView& right,
-                      std::span<const io::MatchRow> matches);
+                      std::span<const FoundMatch> matches);
 
 }  // namespace ridgeline::apps

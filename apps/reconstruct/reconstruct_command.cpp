@@ -6,13 +6,14 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
 #include "apps/common/patch_matchers.h"
+#include "apps/common/patch_matching.h"
+#include "apps/common/patch_views.h"
 #include "apps/common/say.h"
-#include "apps/reconstruct/reconstruct_patch.h"
+#include "apps/common/reconstructed_lines.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/lines/write_lines.h"
-#include "io/matches_file.h"
 #include "io/segments_file.h"
 
 #include <fmt/core.h>
@@ -32,18 +33,12 @@ namespace {
 struct ReconstructArguments {
   std::string patch, matches, out, method = "joint", format = "geojson";
   reconstruct::ExtractOptions extract;
-  MatchingOptions matching;
+  reconstruct::MatchingOptions matching;
   std::vector<std::string> matchers{"pairwise"};
   reconstruct::ReconstructOptions reconstruct;
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   bool local_origin = false;
-};
-
-struct MatchedPair {
-  std::array<cv::Mat, 2> images;
-  std::array<std::vector<EdgeSegment>, 2> segments;
-  std::vector<LineMatch> matches;
 };
 
 /// The segments that a matches file speaks of: those in segments.IMAGE.csv beside it, else
@@ -60,35 +55,18 @@ std::vector<EdgeSegment> segments_of(const io::PatchFile& patch,
   return extract_patch_image(patch, i, image, a.extract);
 }
 
-std::vector<LineMatch> read_line_matches(const std::string& path,
-                                         const std::array<std::vector<EdgeSegment>, 2>& segments) {
-  std::vector<LineMatch> matches;
-  for (const io::MatchRow& row : io::read_matches(path)) {
-    const LineMatch& match = row.scored.match;
-    if (static_cast<std::size_t>(match.left) >= segments[0].size() ||
-        static_cast<std::size_t>(match.right) >= segments[1].size()) {
-      throw io::IoError(
-          path, fmt::format("match {},{}: the images have {} and {} segments; ids "
-                            "must be indices of these",
-                            match.left, match.right, segments[0].size(), segments[1].size()));
-    }
-    matches.push_back(match);
-  }
-  return matches;
-}
-
-MatchedPair matched_pair(const io::PatchFile& patch, const ReconstructArguments& a) {
-  MatchedPair pair;
-  pair.images = patch_images(patch);
-  check_pair(patch, pair.images, a.max_y_parallax_px);
-  for (std::size_t i = 0; i < 2; ++i) pair.segments[i] = segments_of(patch, i, pair.images[i], a);
-  if (!a.matches.empty()) {
-    pair.matches = read_line_matches(a.matches, pair.segments);
-    return pair;
-  }
-  const PatchMatches matches = match_patch(patch, pair.images, pair.segments, a.matching);
-  for (const io::MatchRow& row : matches.used().rows) pair.matches.push_back(row.scored.match);
-  return pair;
+/// The lines of the patch, from the matches of a file or from those made now.
+std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
+                                                     const ReconstructArguments& a) {
+  const std::array<cv::Mat, 2> images = patch_images(patch);
+  check_pair(patch, images, a.max_y_parallax_px);
+  std::array<std::vector<EdgeSegment>, 2> segments;
+  for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
+  const reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
+  const std::vector<LineMatch> matches =
+      a.matches.empty() ? reconstruct::line_matches(reconstruct::match(pair, a.matching).used())
+                        : read_line_matches(a.matches, segments);
+  return reconstruct::estimate(pair, matches, a.reconstruct, a.matching.pairwise);
 }
 
 /// How files of the format begin that were written here. Those that GDAL writes bear no such mark.
@@ -122,7 +100,7 @@ void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
 int run_reconstruct(ReconstructArguments a) {
   validate(a.extract);
   a.matching.matchers = matchers_named(a.matchers);
-  validate_matching(a.matching);
+  validate(a.matching);
   validate(a.reconstruct);
   a.reconstruct.method = method_named(a.method);
   io::PatchFile patch = io::read_patch(a.patch);
@@ -130,9 +108,8 @@ int run_reconstruct(ReconstructArguments a) {
   check_patch(patch);
   check_out(a, paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
-  const MatchedPair pair = matched_pair(patch, a);
-  const io::LineSet lines = reconstruct_patch(patch, pair.segments, pair.matches, pair.images,
-                                              a.reconstruct, a.matching.pairwise);
+  const io::LineSet lines =
+      line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs, a.reconstruct.method);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =

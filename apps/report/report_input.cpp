@@ -26,10 +26,10 @@ namespace {
 
 using evaluate::Json;
 
-std::vector<LineMatch> line_matches(const std::vector<io::MatchRow>& rows) {
+std::vector<LineMatch> line_matches(const std::vector<FoundMatch>& rows) {
   std::vector<LineMatch> matches;
   matches.reserve(rows.size());
-  for (const io::MatchRow& row : rows) matches.push_back(row.scored.match);
+  for (const FoundMatch& row : rows) matches.push_back(row.scored.match);
   return matches;
 }
 

@@ -37,7 +37,7 @@ struct ReportMethod {
 struct ReportImages {
   std::array<cv::Mat, 2> images;  ///< normalised
   std::array<std::vector<EdgeSegment>, 2> segments;
-  std::vector<io::MatchRow> matches;
+  std::vector<FoundMatch> matches;
   std::optional<evaluate::MatchingScore> score;    ///< with reference matches only
   std::map<std::string, std::size_t> n_unmatched;  ///< left segments by reason
 };

@@ -88,7 +88,9 @@ class PatchRun {
                                    echo(options_.matching.chio).dump(),
                                    fmt::format("{} {}", options_.matching.propagate_heights,
                                                options_.matching.propagate_min_similarity)};
-    for (const Matcher matcher : options_.matching.matchers) parts.emplace_back(name(matcher));
+    for (const auto matcher : options_.matching.matchers) {
+      parts.emplace_back(reconstruct::name(matcher));
+    }
     match_key_ = stage_key(parts);
     stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });
   }

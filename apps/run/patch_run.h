@@ -28,7 +28,7 @@ struct RunOptions {
   std::vector<reconstruct::Method> methods{reconstruct::Method::kDirect,
                                            reconstruct::Method::kJoint};
   reconstruct::ExtractOptions extract;
-  MatchingOptions matching;
+  reconstruct::MatchingOptions matching;
   reconstruct::ReconstructOptions reconstruct;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;

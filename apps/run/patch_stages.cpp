@@ -3,7 +3,7 @@
 
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
-#include "apps/reconstruct/reconstruct_patch.h"
+#include "apps/common/reconstructed_lines.h"
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/segments_file.h"
@@ -19,12 +19,6 @@ namespace {
 
 /// The list that lines are reconstructed from; with two matchers that of both.
 constexpr const char* kMatches = "matches.csv";
-
-std::vector<LineMatch> read_line_matches(const std::string& path) {
-  std::vector<LineMatch> matches;
-  for (const io::MatchRow& row : io::read_matches(path)) matches.push_back(row.scored.match);
-  return matches;
-}
 
 /// Of one of several matchers.
 std::string list_file(const char* stem, const std::string& matcher) {
@@ -71,16 +65,16 @@ std::vector<std::string> PatchStages::segment_files() const {
 /// Of the lists of matches.
 std::vector<std::string> PatchStages::list_names() const {
   std::vector<std::string> names;
-  for (const Matcher matcher : options_.matching.matchers) names.emplace_back(name(matcher));
-  if (names.size() > 1) names.emplace_back(kBothMatchers);
+  for (const reconstruct::Matcher matcher : options_.matching.matchers) names.emplace_back(name(matcher));
+  if (names.size() > 1) names.emplace_back(reconstruct::kBothMatchers);
   return names;
 }
 
 std::vector<std::string> PatchStages::match_files() const {
   std::vector<std::string> files{kMatches, "unmatched.csv"};
-  const std::vector<Matcher>& matchers = options_.matching.matchers;
-  for (const Matcher matcher : matchers) {
-    if (matcher == Matcher::kChio) files.emplace_back("chio.csv");
+  const std::vector<reconstruct::Matcher>& matchers = options_.matching.matchers;
+  for (const reconstruct::Matcher matcher : matchers) {
+    if (matcher == reconstruct::Matcher::kChio) files.emplace_back("chio.csv");
     if (matchers.size() == 1) continue;
     files.push_back(list_file("matches", name(matcher)));
     files.push_back(list_file("unmatched", name(matcher)));
@@ -119,6 +113,10 @@ std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
   return {io::read_segments(path(files[0])), io::read_segments(path(files[1]))};
 }
 
+reconstruct::StereoPair PatchStages::pair() {
+  return stereo_pair(patch_, {image(0), image(1)}, segments());
+}
+
 void PatchStages::extract() {
   const std::vector<std::string> files = segment_files();
   // both at once: of one image, what is traced in the order of lengths would keep one core only
@@ -135,7 +133,7 @@ void PatchStages::extract() {
 void PatchStages::remove_match_lists() const {
   std::vector<std::string> files{"chio.csv", "verdicts.csv"};
   for (const char* stem : {"matches", "unmatched", "verdicts"}) {
-    for (const Matcher matcher : {Matcher::kPairwise, Matcher::kChio}) {
+    for (const reconstruct::Matcher matcher : {reconstruct::Matcher::kPairwise, reconstruct::Matcher::kChio}) {
       files.push_back(list_file(stem, name(matcher)));
     }
   }
@@ -144,25 +142,24 @@ void PatchStages::remove_match_lists() const {
 
 void PatchStages::match() {
   remove_match_lists();
-  const PatchMatches result =
-      match_patch(patch_, {image(0), image(1)}, segments(), options_.matching);
-  io::write_matches(path(kMatches), result.used().rows);
+  const reconstruct::Matches result = reconstruct::match(pair(), options_.matching);
+  io::write_matches(path(kMatches), result.used().matches);
   io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
   if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, frame_));
   for (std::size_t i = 0; i + 1 < result.lists.size(); ++i) {
-    const MatchList& list = result.lists[i];
-    io::write_matches(path(list_file("matches", list.name)), list.rows);
+    const reconstruct::MatchList& list = result.lists[i];
+    io::write_matches(path(list_file("matches", list.name)), list.matches);
     io::write_file(path(list_file("unmatched", list.name)), unmatched_csv(list));
   }
 }
 
 void PatchStages::reconstruct(reconstruct::Method method) {
-  const auto extracted = segments();
-  const std::vector<LineMatch> matches = read_line_matches(path(kMatches));
+  const std::vector<LineMatch> matches = read_line_matches(path(kMatches), segments());
   reconstruct::ReconstructOptions options = options_.reconstruct;
   options.method = method;
-  const io::LineSet lines = reconstruct_patch(patch_, extracted, matches, {image(0), image(1)},
-                                              options, options_.matching.pairwise);
+  const io::LineSet lines =
+      line_set_of(reconstruct::estimate(pair(), matches, options, options_.matching.pairwise),
+                  frame_, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormat format : options_.line_formats) {
     for (const io::LineFormatInfo& info : io::line_formats()) {
@@ -188,7 +185,7 @@ std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
   for (const std::string& matcher : names) {
     const bool is_used = matcher == names.back();
     const std::vector<LineMatch> matches =
-        read_line_matches(path(is_used ? kMatches : list_file("matches", matcher)));
+        read_line_matches(path(is_used ? kMatches : list_file("matches", matcher)), extracted);
     const auto score = score_patch_matches(patch_, extracted, matches);
     if (!score) continue;
     rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});

@@ -48,6 +48,7 @@ class PatchStages {
   [[nodiscard]] std::string path(const std::string& file) const;
   const cv::Mat& image(std::size_t i);
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
+  reconstruct::StereoPair pair();
 
   const io::PatchFile& patch_;
   const RunOptions& options_;

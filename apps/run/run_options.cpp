@@ -91,7 +91,7 @@ RunOptions run_options(const RunFlags& flags) {
   }
   options.map_schema = map_schema_named(flags.schema);
   validate(options.extract);
-  validate_matching(options.matching);
+  validate(options.matching);
   validate(options.reconstruct);
   validate(options.judge);
   validate(options.summary);

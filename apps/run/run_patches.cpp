@@ -61,7 +61,9 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["max_y_parallax_px"] = options.max_y_parallax_px;
   json["extract"] = echo(options.extract);
   json["matchers"] = nlohmann::ordered_json::array();
-  for (const Matcher matcher : options.matching.matchers) json["matchers"].push_back(name(matcher));
+  for (const auto matcher : options.matching.matchers) {
+    json["matchers"].push_back(reconstruct::name(matcher));
+  }
   json["propagate_heights"] = options.matching.propagate_heights;
   json["propagate_min_similarity"] = options.matching.propagate_min_similarity;
   json["match"] = echo(options.matching.pairwise);

@@ -78,7 +78,7 @@ double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
 bool plausible(const StereoLines& lines,
                const Eigen::Vector4d& x,
                const ReconstructOptions& options) {
-  for (const View& view : lines.stereo.views) {
+  for (const ConditionedView& view : lines.stereo.views) {
     if (!in_front(view, x)) return false;
   }
   const double height_m = lines.stereo.object.local_from_conditioned(x.hnormalized()).z();

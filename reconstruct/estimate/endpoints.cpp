@@ -10,7 +10,7 @@ namespace {
 
 /// Plane through the image line normal to the segment at `x`; uncertain by the position of x along
 /// the segment only.
-UncertainPlane3 end_plane(const View& view,
+UncertainPlane3 end_plane(const ConditionedView& view,
                           const ObservedLine& observed,
                           const Eigen::Vector2d& x) {
   const Eigen::Vector2d along = (observed.segment.end - observed.segment.start).normalized();
@@ -39,12 +39,12 @@ Endpoint endpoint(const UncertainLine3& line, const UncertainPlane3& plane) {
 }  // namespace
 
 std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
-                                           const View& view,
+                                           const ConditionedView& view,
                                            const ObservedLine& observed,
-                                           std::span<const View> views) {
+                                           std::span<const ConditionedView> views) {
   const Endpoint start = endpoint(line, end_plane(view, observed, observed.segment.start));
   const Endpoint end = endpoint(line, end_plane(view, observed, observed.segment.end));
-  const bool visible = std::all_of(views.begin(), views.end(), [&](const View& v) {
+  const bool visible = std::all_of(views.begin(), views.end(), [&](const ConditionedView& v) {
     return in_front(v, start.point) && in_front(v, end.point);
   });
   if (!visible) return std::nullopt;  // a point at infinity is not in front either

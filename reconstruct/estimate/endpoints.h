@@ -21,8 +21,8 @@ struct UncertainSegment3 {
 /// covariance has the line's share and, along the line, that of the image endpoint.
 /// Empty if an endpoint is at infinity or behind one of `views`.
 std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
-                                           const View& view,
+                                           const ConditionedView& view,
                                            const ObservedLine& observed,
-                                           std::span<const View> views);
+                                           std::span<const ConditionedView> views);
 
 }  // namespace ridgeline::reconstruct

@@ -32,7 +32,7 @@ bool assign_geometry(const StereoViews& stereo,
                      const UncertainLine3& estimate,
                      const ReconstructOptions& options,
                      ReconstructedLine& result) {
-  const std::array<View, 2>& views = stereo.views;
+  const std::array<ConditionedView, 2>& views = stereo.views;
   const auto left = endpoints(estimate, views[0], seen[0], views);
   if (!left) return false;
   const auto right = endpoints(estimate, views[1], seen[1], views);

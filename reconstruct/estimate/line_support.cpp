@@ -75,7 +75,7 @@ std::optional<UncertainPoint3> point_in_object(const StereoLines& lines,
                                                const ReconstructOptions& options) {
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
-    const View& view = lines.stereo.views[j];
+    const ConditionedView& view = lines.stereo.views[j];
     observations.push_back(
         {view.image_from_object, end_in_image(line[j], x[j], sigma_px / view.image.scale_px)});
   }

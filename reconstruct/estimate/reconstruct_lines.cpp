@@ -23,7 +23,7 @@ void classify(const StereoLines& lines,
               std::size_t line,
               const ReconstructOptions& options,
               ReconstructedLine& result) {
-  const std::array<View, 2>& views = lines.stereo.views;
+  const std::array<ConditionedView, 2>& views = lines.stereo.views;
   for (std::size_t j = 0; j < 2; ++j) {
     result.epipolar_angles_rad[j] = epipolar_angle_rad(
         views[j].image_from_object, views[1 - j].image_from_object, lines.lines[line][j].segment);
@@ -35,7 +35,7 @@ void classify(const StereoLines& lines,
   result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
 }
 
-Segment2 in_image(const View& view, const ObservedLine& observed) {
+Segment2 in_image(const ConditionedView& view, const ObservedLine& observed) {
   return {view.image.image_from_conditioned(observed.segment.start),
           view.image.image_from_conditioned(observed.segment.end)};
 }

@@ -80,7 +80,7 @@ StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
   }
   StereoLines lines;
   lines.stereo = condition(cameras.first<2>(), {seen[0], seen[1]});
-  const std::array<View, 2>& views = lines.stereo.views;
+  const std::array<ConditionedView, 2>& views = lines.stereo.views;
   lines.right_from_left =
       fundamental_matrix(views[0].image_from_object, views[1].image_from_object);
   std::map<int, int> num_mates;

@@ -44,12 +44,12 @@ ImageConditioning image_conditioning(std::span<const Segment2> patch) {
 
 }  // namespace
 
-bool in_front(const View& view, const Eigen::Vector4d& point) {
+bool in_front(const ConditionedView& view, const Eigen::Vector4d& point) {
   const double depth = view.image_from_object.row(2).dot(point);
   return depth * point.w() * view.image_from_object.leftCols<3>().determinant() > 0.0;
 }
 
-ObservedLine observe(const View& view, const UncertainSegment2& segment, LineCovariance form) {
+ObservedLine observe(const ConditionedView& view, const UncertainSegment2& segment, LineCovariance form) {
   ObservedLine observed;
   observed.segment = {view.image.conditioned_from_image(segment.segment.start),
                       view.image.conditioned_from_image(segment.segment.end)};

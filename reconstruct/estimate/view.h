@@ -14,14 +14,14 @@
 namespace ridgeline::reconstruct {
 
 /// A camera between the conditioned frames, in which all estimation happens.
-struct View {
+struct ConditionedView {
   ProjectionMatrix image_from_object;
   ImageConditioning image;
 };
 
 /// Whether a point that is not at infinity lies in front of the camera, for either sign of the
 /// homogeneous vector and of the matrix (Hartley and Zisserman 2004, result 6.1).
-bool in_front(const View& view, const Eigen::Vector4d& point);
+bool in_front(const ConditionedView& view, const Eigen::Vector4d& point);
 
 /// An image segment as the estimation uses it; all members in the conditioned frames.
 struct ObservedLine {
@@ -35,12 +35,12 @@ struct ObservedLine {
 using ObservedPair = std::array<ObservedLine, 2>;
 
 /// Throws std::invalid_argument for a segment that uncertain_line() rejects.
-ObservedLine observe(const View& view, const UncertainSegment2& segment, LineCovariance form);
+ObservedLine observe(const ConditionedView& view, const UncertainSegment2& segment, LineCovariance form);
 
 /// The two views of a stereo pair and the conditioning they share.
 struct StereoViews {
   ObjectConditioning object;
-  std::array<View, 2> views;  ///< left (base), right
+  std::array<ConditionedView, 2> views;  ///< left (base), right
 };
 
 /// Conditioning for a patch given by segments of both images that show about the same area: unit

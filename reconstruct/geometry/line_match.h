@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 namespace ridgeline {
 
 /// A segment of the left (base) image and its mate in the right one, by their indices.
@@ -14,6 +16,14 @@ struct ScoredMatch {
   LineMatch match;
   double score = 0.0;  ///< similarity in [0, 1]
   double votes = 0.0;  ///< sum of the scores of the pairs that support it
+};
+
+/// A match and who found it.
+struct FoundMatch {
+  ScoredMatch scored;
+  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", two of them joined by '+' where both found
+  /// it, or the name of another tool.
+  std::string matcher;
 };
 
 /// Two line matches, by their indices, that form a pair in both images and may meet in object

@@ -35,7 +35,7 @@ NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
 }
 
 NetworkAdjustment::LineConditions NetworkAdjustment::conditions_of(const NetworkLine& line) const {
-  const View& left = stereo_.views[0];
+  const ConditionedView& left = stereo_.views[0];
   const Segment2& segment = line.seen[0].segment;
   LineConditions conditions{
       {ImageCondition(left.image_from_object, line.seen[0].line),

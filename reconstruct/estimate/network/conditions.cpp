@@ -76,7 +76,7 @@ OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane) {
   return {x.hnormalized().z(), euclidean.row(2).transpose()};
 }
 
-Eigen::Vector4d end_plane(const View& view, const Segment2& segment, const Eigen::Vector2d& x) {
+Eigen::Vector4d end_plane(const ConditionedView& view, const Segment2& segment, const Eigen::Vector2d& x) {
   const Eigen::Vector2d along = (segment.end - segment.start).normalized();
   const Eigen::Vector3d across(along.x(), along.y(), -along.dot(x));
   return (view.image_from_object.transpose() * across).normalized();
@@ -84,7 +84,7 @@ Eigen::Vector4d end_plane(const View& view, const Segment2& segment, const Eigen
 
 OfLine end_parallax(const Vector6d& line,
                     const Eigen::Vector4d& left_end_plane,
-                    const View& right_view,
+                    const ConditionedView& right_view,
                     const Segment2& right_segment,
                     const Eigen::Vector2d& right_end) {
   const Eigen::Vector2d along = (right_segment.end - right_segment.start).normalized();

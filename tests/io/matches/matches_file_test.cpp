@@ -26,7 +26,7 @@ std::string message_of(const Action& action) {
 
 TEST(WriteMatches, GivesTheColumnsOfTheContract) {
   const TempFolder folder;
-  const std::vector<MatchRow> matches = {{{{0, 7}, 0.98765, 3.25}, "pairwise"},
+  const std::vector<FoundMatch> matches = {{{{0, 7}, 0.98765, 3.25}, "pairwise"},
                                          {{{4, 2}, 0.5, 0.0}, "pairwise+chio"}};
   write_matches(folder.file("m.csv"), matches);
   EXPECT_EQ(read_text_file(folder.file("m.csv")),
@@ -37,8 +37,8 @@ TEST(WriteMatches, GivesTheColumnsOfTheContract) {
 
 TEST(ReadMatches, ReadsWhatWasWritten) {
   const TempFolder folder;
-  write_matches(folder.file("m.csv"), std::vector<MatchRow>{{{{3, 5}, 0.75, 1.5}, "pairwise"}});
-  const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
+  write_matches(folder.file("m.csv"), std::vector<FoundMatch>{{{{3, 5}, 0.75, 1.5}, "pairwise"}});
+  const std::vector<FoundMatch> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].scored.match.left, 3);
   EXPECT_EQ(rows[0].scored.match.right, 5);
@@ -50,7 +50,7 @@ TEST(ReadMatches, ReadsWhatWasWritten) {
 TEST(ReadMatches, TakesOtherToolsColumnsInAnyOrder) {
   const TempFolder folder;
   (void)folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n");
-  const std::vector<MatchRow> rows = read_matches(folder.file("m.csv"));
+  const std::vector<FoundMatch> rows = read_matches(folder.file("m.csv"));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].scored.match.left, 1);
   EXPECT_EQ(rows[0].scored.match.right, 8);

@@ -201,9 +201,9 @@ TEST(AdjustLine, OfThreePlanesHasTwoRedundantConditions) {
   const ConditionedScene scene;
   ProjectionMatrix third = scene.scene.cameras[0];
   third.col(3) -= third.leftCols<3>() * Eigen::Vector3d(100, 150, 10);
-  const View& left = scene.stereo.views[0];
+  const ConditionedView& left = scene.stereo.views[0];
   const ImageConditioning image{project(third, Eigen::Vector3d(0, 0, 2)), left.image.scale_px};
-  const View view{conditioned_camera(third, image, scene.stereo.object), image};
+  const ConditionedView view{conditioned_camera(third, image, scene.stereo.object), image};
   const Segment3 truth = segment_at(scene, 60.0);
   const Vector6d line = scene.line(truth);
   test::Random random(125);

@@ -20,8 +20,8 @@ using test::ConditionedScene;
 constexpr double kSigmaPx = 0.3;
 
 /// Both cameras of the scene and a third one between them, off the base.
-std::array<View, 3> three_views(const ConditionedScene& scene) {
-  const View& left = scene.stereo.views[0];
+std::array<ConditionedView, 3> three_views(const ConditionedScene& scene) {
+  const ConditionedView& left = scene.stereo.views[0];
   const ProjectionMatrix& p = scene.scene.cameras[0];
   const Eigen::Vector3d shift(100, 90, 20);
   ProjectionMatrix moved = p;
@@ -29,15 +29,15 @@ std::array<View, 3> three_views(const ConditionedScene& scene) {
   ImageConditioning image = left.image;
   image.centre_px = project(moved, Eigen::Vector3d(0, 0, 2));
   return {left, scene.stereo.views[1],
-          View{conditioned_camera(moved, image, scene.stereo.object), image}};
+          ConditionedView{conditioned_camera(moved, image, scene.stereo.object), image}};
 }
 
 /// The point's image in each view, with independent errors of kSigmaPx, or none without `random`.
-std::vector<PointObservation> observe_point(std::span<const View> views,
+std::vector<PointObservation> observe_point(std::span<const ConditionedView> views,
                                             const Eigen::Vector3d& conditioned,
                                             test::Random* random) {
   std::vector<PointObservation> observations;
-  for (const View& view : views) {
+  for (const ConditionedView& view : views) {
     const double sigma = kSigmaPx / view.image.scale_px;
     Eigen::Vector2d x = project(view.image_from_object, conditioned);
     if (random != nullptr) {
@@ -65,7 +65,7 @@ TEST(EstimatePoint, RecoversAPointWithoutNoise) {
     EXPECT_LT((scene.stereo.object.local_from_conditioned(x) - truth).norm(), kTolM);
     EXPECT_LT(estimated->omega, 1e-12);
     for (std::size_t j = 0; j < 2; ++j) {
-      const View& view = scene.stereo.views[j];
+      const ConditionedView& view = scene.stereo.views[j];
       const Eigen::Vector2d residual =
           project(view.image_from_object, x) - observations[j].point.mean.hnormalized();
       EXPECT_LT(view.image.scale_px * residual.norm(), kTolPx);
@@ -97,7 +97,7 @@ TEST(EstimatePoint, HasTheCovarianceOfItsDifferentialByTheObservations) {
 TEST(EstimatePoint, HasTheStatedErrorsAndOmega) {
   constexpr int kTrials = 1000;
   const ConditionedScene scene;
-  const std::array<View, 3> views = three_views(scene);
+  const std::array<ConditionedView, 3> views = three_views(scene);
   test::Random random(112);
   for (const std::size_t num_images : {std::size_t{2}, std::size_t{3}}) {
     double sum_nees = 0.0;
@@ -132,7 +132,7 @@ TEST(EstimatePoint, CovarianceHasThePointAsNullVector) {
 TEST(EstimatePoint, OmegaGrowsWithTheDistanceFromTheEpipolarLine) {
   const ConditionedScene scene;
   auto observations = observe_point(scene.stereo.views, scene.conditioned({5, -7, 3}), nullptr);
-  const View& right = scene.stereo.views[1];
+  const ConditionedView& right = scene.stereo.views[1];
   const double offset = 3.0 * kSigmaPx / right.image.scale_px;
   const Eigen::Vector2d x = observations[1].point.mean.hnormalized();
   // the epipolar lines run along x within a few degrees

@@ -35,7 +35,7 @@ TEST(Endpoints, AreThoseOfTheSegmentThatWasSeen) {
 
 TEST(Endpoints, PropagateTheLineLikeCentralDifferences) {
   const ConditionedScene scene;
-  const View& view = scene.stereo.views[0];
+  const ConditionedView& view = scene.stereo.views[0];
   test::Random random(102);
   for (int trial = 0; trial < 50; ++trial) {
     const Segment3 truth{random.vector(-15, 15), random.vector(-15, 15)};

@@ -47,7 +47,7 @@ TEST(InFront, IgnoresTheSignOfPointAndCamera) {
   const test::ConditionedScene scene;
   const Eigen::Vector4d below = scene.conditioned({3, 4, 5}).homogeneous();
   const Eigen::Vector4d above_the_camera = scene.conditioned({3, 4, 1600}).homogeneous();
-  for (View view : scene.stereo.views) {
+  for (ConditionedView view : scene.stereo.views) {
     for (const double sign : {1.0, -1.0}) {
       view.image_from_object *= sign;
       EXPECT_TRUE(in_front(view, below));

@@ -121,7 +121,7 @@ struct Asked {
         std::vector<Segment2>{group.segments[1][0].segment}};
     lines.stereo =
         condition(std::span<const ProjectionMatrix, 2>(group.scene.cameras), {patch[0], patch[1]});
-    const std::array<View, 2>& views = lines.stereo.views;
+    const std::array<ConditionedView, 2>& views = lines.stereo.views;
     lines.lines.push_back({observe(views[0], group.segments[0][0], LineCovariance::kEq1),
                            observe(views[1], group.segments[1][0], LineCovariance::kEq1)});
     flanks.emplace(lines, lines.lines[0], flanked.strips(), flanked.right_runs_back);

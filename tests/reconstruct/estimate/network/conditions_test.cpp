@@ -115,7 +115,7 @@ TEST_F(Conditions, RiseIsTheSineOfTheSlope) {
 }
 
 TEST_F(Conditions, HeightIsThatOfTheSegmentsEnd) {
-  const View& left = scene.stereo.views[0];
+  const ConditionedView& left = scene.stereo.views[0];
   const Eigen::Vector4d plane = end_plane(left, seen[0].segment, seen[0].segment.end);
   EXPECT_NEAR(height_in_plane(line, plane).value, scene.conditioned(segment.end).z(), kRounding);
   expect_derivatives([&](const Vector6d& l) { return height_in_plane(l, plane).value; }, line,
@@ -123,7 +123,7 @@ TEST_F(Conditions, HeightIsThatOfTheSegmentsEnd) {
 }
 
 TEST_F(Conditions, EndParallaxIsZeroWhereBothEndsShowThePoint) {
-  const View& right = scene.stereo.views[1];
+  const ConditionedView& right = scene.stereo.views[1];
   const Eigen::Vector4d plane =
       end_plane(scene.stereo.views[0], seen[0].segment, seen[0].segment.start);
   const auto parallax = [&](const Vector6d& l) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/reconstructed_lines.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <numbers>
+
+namespace ridgeline::apps {
+namespace {
+
+Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFrame& frame) {
+  if (!segment_in_local) {
+    const Eigen::Vector3d none =
+        Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return {none, none};
+  }
+  return {frame.world_from_local(segment_in_local->start),
+          frame.world_from_local(segment_in_local->end)};
+}
+
+/// The number of the match; with that of the part where it shows several lines.
+std::string line_id(std::size_t match, int part) {
+  return part == 0 ? std::to_string(match) : fmt::format("{}.{}", match, part);
+}
+
+}  // namespace
+
+io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
+                        const LocalFrame& frame,
+                        const io::Crs& crs,
+                        reconstruct::Method method) {
+  io::LineSet set;
+  set.crs = crs;
+  set.lines.reserve(lines.size());
+  std::size_t num_matches = 0;
+  for (const reconstruct::ReconstructedLine& line : lines) {
+    if (line.part <= 1) ++num_matches;
+    io::Line& out = set.lines.emplace_back();
+    out.id = line_id(num_matches - 1, line.part);
+    out.segment_in_world = in_world(line.segment_in_local, frame);
+    out.method = reconstruct::name(method);
+    out.line_class = reconstruct::name(line.line_class);
+    out.status = reconstruct::name(line.status);
+    out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
+    out.left_id = std::to_string(line.match.left);
+    out.right_id = std::to_string(line.match.right);
+    out.left_px = line.seen_px[0];
+    out.right_px = line.seen_px[1];
+    out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;
+    out.n_images = 2;
+    out.covariance_m2 = line.covariance_m2;
+  }
+  return set;
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/reconstruct.h"
+
+#include "reconstruct/chio/combine_matches.h"
+#include "reconstruct/extract/normalised_image.h"
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/match/connect_matches.h"
+#include "reconstruct/match/match_pairwise.h"
+#include "reconstruct/match/profile_registration.h"
+#include "reconstruct/match/sample_flanks.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// The matcher of what height propagation adds to `pairwise`.
+constexpr const char* kByHeight = "pairwise_height";
+
+template <typename Outcome>
+std::vector<std::string> reasons_of(const std::vector<Outcome>& outcomes) {
+  std::vector<std::string> reasons;
+  reasons.reserve(outcomes.size());
+  for (const Outcome outcome : outcomes) reasons.emplace_back(name(outcome));
+  return reasons;
+}
+
+std::vector<FoundMatch> found_by(Matcher matcher, const std::vector<ScoredMatch>& matches) {
+  std::vector<FoundMatch> found;
+  found.reserve(matches.size());
+  for (const ScoredMatch& scored : matches) found.push_back({scored, name(matcher)});
+  return found;
+}
+
+std::vector<ScoredMatch> scored_matches(const MatchList& list) {
+  std::vector<ScoredMatch> matches;
+  matches.reserve(list.matches.size());
+  for (const FoundMatch& found : list.matches) matches.push_back(found.scored);
+  return matches;
+}
+
+std::pair<int, int> ids(const ScoredMatch& scored) {
+  return {scored.match.left, scored.match.right};
+}
+
+/// Beyond the papers: lines that the height of matched ones makes possible join the list.
+void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
+  const auto& [left, right] = pair.views;
+  ChioOptions propagation = options.chio;
+  propagation.range_m = 0.0;  // heights of lines that are only nearby brought more wrong lines than right ones
+  propagation.min_similarity =
+      std::max(propagation.min_similarity, options.propagate_min_similarity);
+  const ChioResult more = propagate_heights(left, right, pair.height_range_in_local_m,
+                                            scored_matches(list), propagation, options.pairwise);
+  for (const ChioLine& line : more.lines) {
+    list.matches.push_back({line.scored, kByHeight});
+    list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
+  }
+  std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return ids(found.scored); });
+}
+
+MatchList by_pairs(const StereoPair& pair, const MatchingOptions& options) {
+  const MatchResult found = match_pairwise(pair.views[0], pair.views[1],
+                                           pair.height_range_in_local_m, options.pairwise);
+  MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
+                 reasons_of(found.outcomes)};
+  if (options.propagate_heights) add_by_height(pair, options, list);
+  return list;
+}
+
+MatchList list_of(const ChioResult& chio) {
+  return {name(Matcher::kChio), found_by(Matcher::kChio, matches_of(chio)),
+          reasons_of(chio.outcomes)};
+}
+
+/// A match that both have found is of "pairwise+chio", or of "pairwise_height+chio".
+MatchList combined(const std::vector<EdgeSegment>& left,
+                   const MatchList& pairwise,
+                   const ChioResult& chio) {
+  MatchList both{kBothMatchers, {}, pairwise.reasons};
+  std::map<std::pair<int, int>, std::string> finders;
+  for (const FoundMatch& found : pairwise.matches) finders[ids(found.scored)] = found.matcher;
+  for (const CombinedMatch& match : combine_matches(left, scored_matches(pairwise), chio.lines)) {
+    std::string finder;
+    if (match.source != MatchSource::kChio) finder = finders.at(ids(match.scored));
+    if (match.source == MatchSource::kBoth) finder += '+';
+    if (match.source != MatchSource::kPairwise) finder += name(Matcher::kChio);
+    both.matches.push_back({match.scored, finder});
+    both.reasons[static_cast<std::size_t>(match.scored.match.left)] = "matched";
+  }
+  return both;
+}
+
+/// All of the segments that an estimation needs.
+std::vector<UncertainSegment2> geometry_of(const std::vector<EdgeSegment>& segments) {
+  std::vector<UncertainSegment2> geometry;
+  geometry.reserve(segments.size());
+  for (const EdgeSegment& segment : segments) geometry.push_back(segment.line);
+  return geometry;
+}
+
+void check_views(std::span<const View> views, std::span<const ViewPair> pairs) {
+  check(views.size() >= 2, "reconstruct: views = ", views.size(), ", must be 2 or more");
+  for (const ViewPair& pair : pairs) {
+    check(pair.base != pair.search && std::max(pair.base, pair.search) < views.size(),
+          "reconstruct: pair of views ", pair.base, " and ", pair.search,
+          ", must be two different ones of ", views.size());
+  }
+}
+
+}  // namespace
+
+const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pairwise" : "chio"; }
+
+LocalFrame local_frame(const ProjectionMatrix& image_from_world,
+                       const Eigen::Vector2d& size_px,
+                       const std::array<double, 2>& height_range_m) {
+  constexpr double kStep_m = 100.0;
+  const double mean_m = 0.5 * (height_range_m[0] + height_range_m[1]);
+  const Eigen::Vector3d x = point_on_plane(image_from_world, 0.5 * size_px,
+                                           Plane3(Eigen::Vector3d::UnitZ(), -mean_m));
+  return {(x / kStep_m).array().round() * kStep_m};
+}
+
+cv::Mat normalised(const View& view) {
+  return view.image.depth() == CV_32F ? view.image : normalised_image(view.image);
+}
+
+Reconstruction reconstruct(std::span<const View> views,
+                           const std::array<double, 2>& height_range_m,
+                           const Options& options,
+                           std::span<const ViewPair> pairs) {
+  constexpr std::array kFirstTwo{ViewPair{0, 1}};
+  if (pairs.empty()) pairs = kFirstTwo;
+  check_views(views, pairs);
+  validate(options);
+  Reconstruction result;
+  const cv::Mat& base = views[0].image;
+  result.frame = local_frame(views[0].image_from_world, {base.cols, base.rows}, height_range_m);
+
+  std::vector<cv::Mat> images(views.size());
+  result.segments.resize(views.size());
+  tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t v) {
+    images[v] = normalised(views[v]);
+    result.segments[v] = extract_segments(images[v], views[v].ideal_from_image, options.extract);
+  });
+
+  const auto matched_view = [&](std::size_t v) -> MatchView {
+    return {image_from_local(views[v].image_from_world, result.frame.origin_m), images[v],
+            result.segments[v]};
+  };
+  const double origin_m = result.frame.origin_m.z();
+  for (const ViewPair& views_of_pair : pairs) {
+    const StereoPair pair{{matched_view(views_of_pair.base), matched_view(views_of_pair.search)},
+                          {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
+    Matches matches = match(pair, options.matching);
+    std::vector<ReconstructedLine> lines = estimate(pair, line_matches(matches.used()),
+                                                    options.estimate, options.matching.pairwise);
+    result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
+  }
+  return result;
+}
+
+Matches match(const StereoPair& pair, const MatchingOptions& options) {
+  Matches result;
+  for (const Matcher matcher : options.matchers) {
+    if (matcher == Matcher::kPairwise) {
+      result.lists.push_back(by_pairs(pair, options));
+    } else {
+      result.chio = chio_match(pair.views[0], pair.views[1], pair.height_range_in_local_m,
+                               options.chio, options.pairwise);
+      result.lists.push_back(list_of(*result.chio));
+    }
+  }
+  if (result.lists.size() == 2) {
+    result.lists.push_back(combined(pair.views[0].segments, result.lists[0], *result.chio));
+  }
+  return result;
+}
+
+std::vector<ReconstructedLine> estimate(const StereoPair& pair,
+                                        std::span<const LineMatch> matches,
+                                        const ReconstructOptions& options,
+                                        const MatchOptions& match_options) {
+  const auto& [left, right] = pair.views;
+  const std::array cameras{left.image_from_local, right.image_from_local};
+  const std::array images{left.image, right.image};
+  const std::array segments{left.segments, right.segments};
+  const std::array<double, 2>& heights_m = pair.height_range_in_local_m;
+  const double aligned_deg = options.max_aligned_angle_deg;
+
+  const std::vector<PairConnection> connections =
+      connect_matches(left.segments, right.segments, matches, cameras, heights_m, match_options);
+  std::vector<FlankStrips> strips;
+  // only the consensus on depth compares them
+  if (options.flanks && options.consensus && options.method != Method::kDirect) {
+    strips = sample_flanks(cameras, images, segments, matches, heights_m, aligned_deg);
+  }
+  std::vector<double> right_shifts_px;
+  if (options.register_profiles) {
+    right_shifts_px =
+        registered_shifts_px(cameras, images, segments, matches, heights_m, aligned_deg);
+  }
+  ReconstructOptions within_heights = options;
+  within_heights.lowest_height_m = heights_m[0];
+  within_heights.highest_height_m = heights_m[1];
+  const std::array geometry{geometry_of(left.segments), geometry_of(right.segments)};
+  return reconstruct_lines(cameras, geometry, matches, connections, within_heights, strips,
+                           right_shifts_px);
+}
+
+std::vector<LineMatch> line_matches(const MatchList& list) {
+  std::vector<LineMatch> matches;
+  matches.reserve(list.matches.size());
+  for (const FoundMatch& found : list.matches) matches.push_back(found.scored.match);
+  return matches;
+}
+
+void validate(const MatchingOptions& options) {
+  ridgeline::validate(options.pairwise);
+  ridgeline::validate(options.chio);
+}
+
+void validate(const Options& options) {
+  ridgeline::validate(options.extract);
+  validate(options.matching);
+  ridgeline::validate(options.estimate);
+}
+
+}  // namespace ridgeline::reconstruct
