@@ -51,7 +51,8 @@ std::pair<int, int> ids(const ScoredMatch& scored) {
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
   const auto& [left, right] = pair.views;
   ChioOptions propagation = options.chio;
-  propagation.range_m = 0.0;  // heights of lines that are only nearby brought more wrong lines than right ones
+  propagation.range_m =
+      0.0;  // heights of lines that are only nearby brought more wrong lines than right ones
   propagation.min_similarity =
       std::max(propagation.min_similarity, options.propagate_min_similarity);
   const ChioResult more = propagate_heights(left, right, pair.height_range_in_local_m,
@@ -64,8 +65,8 @@ void add_by_height(const StereoPair& pair, const MatchingOptions& options, Match
 }
 
 MatchList by_pairs(const StereoPair& pair, const MatchingOptions& options) {
-  const MatchResult found = match_pairwise(pair.views[0], pair.views[1],
-                                           pair.height_range_in_local_m, options.pairwise);
+  const MatchResult found =
+      match_pairwise(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.pairwise);
   MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
                  reasons_of(found.outcomes)};
   if (options.propagate_heights) add_by_height(pair, options, list);
@@ -121,8 +122,8 @@ LocalFrame local_frame(const ProjectionMatrix& image_from_world,
                        const std::array<double, 2>& height_range_m) {
   constexpr double kStep_m = 100.0;
   const double mean_m = 0.5 * (height_range_m[0] + height_range_m[1]);
-  const Eigen::Vector3d x = point_on_plane(image_from_world, 0.5 * size_px,
-                                           Plane3(Eigen::Vector3d::UnitZ(), -mean_m));
+  const Eigen::Vector3d x =
+      point_on_plane(image_from_world, 0.5 * size_px, Plane3(Eigen::Vector3d::UnitZ(), -mean_m));
   return {(x / kStep_m).array().round() * kStep_m};
 }
 
@@ -158,8 +159,8 @@ Reconstruction reconstruct(std::span<const View> views,
     const StereoPair pair{{matched_view(views_of_pair.base), matched_view(views_of_pair.search)},
                           {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
     Matches matches = match(pair, options.matching);
-    std::vector<ReconstructedLine> lines = estimate(pair, line_matches(matches.used()),
-                                                    options.estimate, options.matching.pairwise);
+    std::vector<ReconstructedLine> lines =
+        estimate(pair, line_matches(matches.used()), options.estimate, options.matching.pairwise);
     result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
   }
   return result;

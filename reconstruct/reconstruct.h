@@ -23,7 +23,7 @@ struct View {
   std::string id;
   cv::Mat image;  ///< 8 or 16 bits with 1 to 4 bands, or what normalised_image() made of it
   ProjectionMatrix image_from_world;  ///< pixel (0, 0) is the centre of the top-left one
-  PixelMap ideal_from_image;          ///< takes the distortion of the lens away; empty: there is none
+  PixelMap ideal_from_image;  ///< takes the distortion of the lens away; empty: there is none
 };
 
 /// Two of several views, by their numbers.
@@ -83,7 +83,7 @@ struct PairReconstruction {
 };
 
 struct Reconstruction {
-  LocalFrame frame;  ///< of all lines: world = local + origin
+  LocalFrame frame;                                ///< of all lines: world = local + origin
   std::vector<std::vector<EdgeSegment>> segments;  ///< by view
   std::vector<PairReconstruction> pairs;
 };

@@ -11,7 +11,8 @@
 namespace ridgeline::apps {
 
 /// `--matcher`: one or both, separated by a comma; `--propagate-heights`.
-void add_matcher_options(CLI::App& app, std::vector<std::string>& names,
+void add_matcher_options(CLI::App& app,
+                         std::vector<std::string>& names,
                          reconstruct::MatchingOptions& options);
 /// In the order of the enum, each once; CLI::IsMember has checked the names.
 std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);

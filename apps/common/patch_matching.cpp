@@ -48,8 +48,8 @@ void check_segment_ids(const std::string& file,
   }
 }
 
-std::vector<LineMatch> read_line_matches(
-    const std::string& file, const std::array<std::vector<EdgeSegment>, 2>& segments) {
+std::vector<LineMatch> read_line_matches(const std::string& file,
+                                         const std::array<std::vector<EdgeSegment>, 2>& segments) {
   std::vector<LineMatch> matches;
   for (const FoundMatch& found : io::read_matches(file)) matches.push_back(found.scored.match);
   check_segment_ids(file, matches, segments);

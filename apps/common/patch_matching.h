@@ -20,8 +20,8 @@ void check_segment_ids(const std::string& file,
                        const std::array<std::vector<EdgeSegment>, 2>& segments);
 
 /// The matches of a matches.csv of these segments. Throws IoError as read_matches() and check_segment_ids().
-std::vector<LineMatch> read_line_matches(
-    const std::string& file, const std::array<std::vector<EdgeSegment>, 2>& segments);
+std::vector<LineMatch> read_line_matches(const std::string& file,
+                                         const std::array<std::vector<EdgeSegment>, 2>& segments);
 
 /// The matches of a patch against its reference matches; nothing if it has none. Throws IoError for
 /// a reference file's fault, among them a pair of ids that are not those of segments.

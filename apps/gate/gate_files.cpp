@@ -15,7 +15,8 @@
 namespace ridgeline::apps {
 namespace {
 
-static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers, "gates find the combined matches by it");
+static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
+              "gates find the combined matches by it");
 
 evaluate::Gate gate_of(const io::GateEntry& entry) {
   evaluate::Gate gate;

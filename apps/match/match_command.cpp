@@ -71,8 +71,8 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   check_is_own(a.provenance, "left_id,right_id,linked_right_ids,", "table of lines of chio");
   check_is_png("--overlay", a.overlay);
   const std::vector<reconstruct::Matcher>& matchers = a.matching.matchers;
-  check(a.provenance.empty() ||
-            std::find(matchers.begin(), matchers.end(), reconstruct::Matcher::kChio) != matchers.end(),
+  check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
+                                          reconstruct::Matcher::kChio) != matchers.end(),
         "provenance: lines of pairwise have none; needs --matcher chio");
 }
 

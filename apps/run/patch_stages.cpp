@@ -65,7 +65,8 @@ std::vector<std::string> PatchStages::segment_files() const {
 /// Of the lists of matches.
 std::vector<std::string> PatchStages::list_names() const {
   std::vector<std::string> names;
-  for (const reconstruct::Matcher matcher : options_.matching.matchers) names.emplace_back(name(matcher));
+  for (const reconstruct::Matcher matcher : options_.matching.matchers)
+    names.emplace_back(name(matcher));
   if (names.size() > 1) names.emplace_back(reconstruct::kBothMatchers);
   return names;
 }
@@ -133,7 +134,8 @@ void PatchStages::extract() {
 void PatchStages::remove_match_lists() const {
   std::vector<std::string> files{"chio.csv", "verdicts.csv"};
   for (const char* stem : {"matches", "unmatched", "verdicts"}) {
-    for (const reconstruct::Matcher matcher : {reconstruct::Matcher::kPairwise, reconstruct::Matcher::kChio}) {
+    for (const reconstruct::Matcher matcher :
+         {reconstruct::Matcher::kPairwise, reconstruct::Matcher::kChio}) {
       files.push_back(list_file(stem, name(matcher)));
     }
   }

@@ -49,7 +49,9 @@ bool in_front(const ConditionedView& view, const Eigen::Vector4d& point) {
   return depth * point.w() * view.image_from_object.leftCols<3>().determinant() > 0.0;
 }
 
-ObservedLine observe(const ConditionedView& view, const UncertainSegment2& segment, LineCovariance form) {
+ObservedLine observe(const ConditionedView& view,
+                     const UncertainSegment2& segment,
+                     LineCovariance form) {
   ObservedLine observed;
   observed.segment = {view.image.conditioned_from_image(segment.segment.start),
                       view.image.conditioned_from_image(segment.segment.end)};

@@ -35,7 +35,9 @@ struct ObservedLine {
 using ObservedPair = std::array<ObservedLine, 2>;
 
 /// Throws std::invalid_argument for a segment that uncertain_line() rejects.
-ObservedLine observe(const ConditionedView& view, const UncertainSegment2& segment, LineCovariance form);
+ObservedLine observe(const ConditionedView& view,
+                     const UncertainSegment2& segment,
+                     LineCovariance form);
 
 /// The two views of a stereo pair and the conditioning they share.
 struct StereoViews {

@@ -17,6 +17,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build
                         -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR}/build COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${WORK_DIR}/build/consumer ${SOURCE_DIR}/eaves.csv
+execute_process(COMMAND ${WORK_DIR}/build/consumer
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${prefix}/bin/ridgeline --version COMMAND_ERROR_IS_FATAL ANY)

@@ -76,7 +76,9 @@ OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane) {
   return {x.hnormalized().z(), euclidean.row(2).transpose()};
 }
 
-Eigen::Vector4d end_plane(const ConditionedView& view, const Segment2& segment, const Eigen::Vector2d& x) {
+Eigen::Vector4d end_plane(const ConditionedView& view,
+                          const Segment2& segment,
+                          const Eigen::Vector2d& x) {
   const Eigen::Vector2d along = (segment.end - segment.start).normalized();
   const Eigen::Vector3d across(along.x(), along.y(), -along.dot(x));
   return (view.image_from_object.transpose() * across).normalized();

@@ -48,7 +48,9 @@ OfLine rise(const Vector6d& line);
 OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane);
 
 /// The plane that shows in an image as the line through x normal to the segment.
-Eigen::Vector4d end_plane(const ConditionedView& view, const Segment2& segment, const Eigen::Vector2d& x);
+Eigen::Vector4d end_plane(const ConditionedView& view,
+                          const Segment2& segment,
+                          const Eigen::Vector2d& x);
 
 /// What the ends of two segments say if they show the same point: where the line passes through the
 /// end plane of the left one, seen in the right image, from the right end along the right segment.

@@ -27,7 +27,7 @@ std::string message_of(const Action& action) {
 TEST(WriteMatches, GivesTheColumnsOfTheContract) {
   const TempFolder folder;
   const std::vector<FoundMatch> matches = {{{{0, 7}, 0.98765, 3.25}, "pairwise"},
-                                         {{{4, 2}, 0.5, 0.0}, "pairwise+chio"}};
+                                           {{{4, 2}, 0.5, 0.0}, "pairwise+chio"}};
   write_matches(folder.file("m.csv"), matches);
   EXPECT_EQ(read_text_file(folder.file("m.csv")),
             "left_id,right_id,score,votes,matcher\n"
