@@ -4,6 +4,7 @@
 #include "apps/common/run_record.h"
 #include "apps/common/version.h"
 #include "io/error.h"
+#include "io/nearest_name.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -33,17 +34,54 @@ namespace ridgeline::apps {
 namespace {
 
 constexpr std::array kCommands{
-    Command{"demo", "run everything on sample data and print the tables", add_demo},
-    Command{"evaluate", "judge any tool's 3D lines against a point cloud", add_evaluate},
-    Command{"gate", "fail when accuracy is below the gates (exit code 3)", add_gate},
-    Command{"compare", "the same lines under several methods or tools, paired", add_compare},
-    Command{"report", "report.html of a folder of results, and its figures", add_report},
-    Command{"run", "images and LIDAR of patches -> 3D lines, judged: Tables 1 and 2", add_run},
-    Command{"extract", "line segments of an image with their uncertainty", add_extract},
-    Command{"match", "line matches between the two images of a patch", add_match},
-    Command{"reconstruct", "3D lines of the matched segments of a patch", add_reconstruct},
-    Command{"simulate", "a synthetic village: images, LIDAR, true lines", add_simulate},
-    Command{"info", "what a cloud, line or patch file holds", add_info},
+    Command{"demo", "run everything on sample data and print the tables",
+            "  ridgeline demo\n"
+            "  ridgeline demo --out results --no-report",
+            add_demo},
+    Command{"evaluate", "judge any tool's 3D lines against a point cloud",
+            "  ridgeline evaluate --lines roofs.gpkg --cloud 'tiles/*.laz' --out results\n"
+            "  ridgeline evaluate --lines a.geojson b.dxf --cloud lidar.las --patch patch.yaml --out results",
+            add_evaluate},
+    Command{"gate", "fail when accuracy is below the gates (exit code 3)",
+            "  ridgeline gate --init > gates.yaml\n"
+            "  ridgeline gate results --gates gates.yaml --junit gates.xml",
+            add_gate},
+    Command{"compare", "the same lines under several methods or tools, paired",
+            "  ridgeline compare before after\n"
+            "  ridgeline compare ours theirs others",
+            add_compare},
+    Command{"report", "report.html of a folder of results, and its figures",
+            "  ridgeline report results\n"
+            "  ridgeline report results --gates gates.yaml --project 'Block 7'",
+            add_report},
+    Command{"run", "images and LIDAR of patches -> 3D lines, judged: Tables 1 and 2",
+            "  ridgeline run patch.yaml --out results\n"
+            "  ridgeline run patches/*.yaml --out results --methods direct,joint,network --resume",
+            add_run},
+    Command{"extract", "line segments of an image with their uncertainty",
+            "  ridgeline extract left.tif --out segments.csv\n"
+            "  ridgeline extract left.tif --patch patch.yaml --out segments.csv --overlay seen.png",
+            add_extract},
+    Command{"match", "line matches between the two images of a patch",
+            "  ridgeline match patch.yaml --out matches.csv\n"
+            "  ridgeline match patch.yaml --matcher pairwise,chio --out matches.csv --overlay seen.png",
+            add_match},
+    Command{"reconstruct", "3D lines of the matched segments of a patch",
+            "  ridgeline reconstruct patch.yaml --out lines.geojson\n"
+            "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out lines.geojson",
+            add_reconstruct},
+    Command{"simulate", "a synthetic village: images, LIDAR, true lines",
+            "  ridgeline simulate --out village\n"
+            "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7",
+            add_simulate},
+    Command{"info", "what a cloud, line or patch file holds",
+            "  ridgeline info lidar.laz roofs.gpkg\n"
+            "  ridgeline info patch.yaml",
+            add_info},
+    Command{"config", "all parameters with meaning and range, for --config",
+            "  ridgeline config > parameters.yaml\n"
+            "  ridgeline config --preset published",
+            add_config},
 };
 
 constexpr const char* kOutputRules =
@@ -94,11 +132,38 @@ int fail(std::string message, ExitCode code) {
   return code;
 }
 
+/// The words that a user may have meant: options of the subcommand that was given, else the commands.
+std::vector<std::string> known_words(const CLI::App& app) {
+  std::vector<std::string> words;
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  for (const CLI::App* parent : std::array<const CLI::App*, 2>{given.empty() ? &app : given.front(), &app}) {
+    for (const CLI::Option* option : parent->get_options()) {
+      for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+    }
+  }
+  if (given.empty()) {
+    for (const Command& command : kCommands) words.emplace_back(command.name);
+  }
+  return words;
+}
+
 /// CLI11 reports a missing option before an unknown word, which is often its cause: a misspelling.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  const std::string help =
+      fmt::format("see ridgeline {}--help", given.empty() ? "" : given.front()->get_name() + " ");
   const std::vector<std::string> unknown = app.remaining(true);
-  if (unknown.empty()) return std::string(error.what()) + " (see ridgeline --help)";
-  return fmt::format("unknown argument {} (see ridgeline --help)", fmt::join(unknown, " "));
+  if (unknown.empty()) return fmt::format("{} ({})", error.what(), help);
+  const std::vector<std::string> words = known_words(app);
+  const std::string_view nearest =
+      io::nearest_name(unknown.front(), {words.begin(), words.end()});
+  return fmt::format("unknown argument {}, the nearest is {} ({})", fmt::join(unknown, " "), nearest,
+                     help);
+}
+
+std::string footer_of(const Command& command, bool writes) {
+  return fmt::format("{}Examples:\n{}", writes ? fmt::format("{}\n\n", kOutputRules) : "",
+                     command.examples);
 }
 
 /// Of --help and --version.
@@ -116,7 +181,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
   for (const Command& command : kCommands) {
     CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
     const Run run = command.add(*subcommand);
-    if (subcommand->get_option_no_throw("--out") != nullptr) subcommand->footer(kOutputRules);
+    subcommand->footer(footer_of(command, subcommand->get_option_no_throw("--out") != nullptr));
     subcommand->callback([&chosen, run] { chosen = run; });
   }
   try {

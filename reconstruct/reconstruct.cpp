@@ -221,7 +221,22 @@ std::vector<LineMatch> line_matches(const MatchList& list) {
   return matches;
 }
 
+Options published() {
+  Options options;
+  options.extract.faint_edges = false;
+  options.extract.junction_cuts = false;
+  options.extract.separate_edges = false;
+  options.matching.pairwise.matched_radiometry = false;
+  options.matching.pairwise.close_lines = false;
+  options.matching.pairwise.hidden_walls = false;
+  options.matching.propagate_heights = false;
+  options.matching.chio = published_chio_options();
+  options.estimate = published_options();
+  return options;
+}
+
 void validate(const MatchingOptions& options) {
+  ridgeline::validate(options);
   ridgeline::validate(options.pairwise);
   ridgeline::validate(options.chio);
 }

@@ -47,13 +47,27 @@ struct MatchingOptions {
   /// And they must look more alike than lines that pairs of segments support (chio.min_similarity): on
   /// the training villages 4 of 19 below this were false, of 6 from here on none.
   double propagate_min_similarity = 0.82;
+
+  static constexpr auto fields() {
+    using O = MatchingOptions;
+    return std::tuple{
+        Field{"propagate_heights", &O::propagate_heights, false, true,
+              "lines left unmatched may take the height of matched lines that they meet"},
+        Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
+              "if they look alike to at least this"}};
+  }
 };
 
+/// The default is the best we know.
 struct Options {
   ExtractOptions extract;
   MatchingOptions matching;
   ReconstructOptions estimate;
 };
+
+/// What the papers state and nothing of ours. Where they are silent (weights of the eight constraints, thresholds of
+/// the matching, the detection of edges) our calibrated values stand. Method::kNetwork is not of a paper.
+Options published();
 
 /// A pair of views ready to be matched.
 struct StereoPair {

@@ -15,6 +15,7 @@ using Run = std::function<int()>;
 struct Command {
   const char* name;
   const char* summary;
+  const char* examples;  ///< at the end of its help
   Run (*add)(CLI::App& subcommand);
 };
 
@@ -29,5 +30,6 @@ Run add_match(CLI::App& subcommand);
 Run add_reconstruct(CLI::App& subcommand);
 Run add_simulate(CLI::App& subcommand);
 Run add_info(CLI::App& subcommand);
+Run add_config(CLI::App& subcommand);
 
 }  // namespace ridgeline::apps

@@ -9,21 +9,11 @@ namespace ridgeline::apps {
 
 using reconstruct::Matcher;
 
-void add_matcher_options(CLI::App& app,
-                         std::vector<std::string>& names,
-                         reconstruct::MatchingOptions& options) {
+void add_matcher_option(CLI::App& app, std::vector<std::string>& names) {
   app.add_option("--matcher", names, "of the line segments: pairwise, chio, or both: pairwise,chio")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"pairwise", "chio"}))
-      ->capture_default_str();
-  app.add_option(
-         "--propagate-heights", options.propagate_heights,
-         "lines that pairwise leaves unmatched may take the height of matched lines they meet")
-      ->capture_default_str();
-  app.add_option("--propagate-min-similarity", options.propagate_min_similarity,
-                 "if they look alike to at least this")
-      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
 }
 

@@ -10,10 +10,8 @@
 
 namespace ridgeline::apps {
 
-/// `--matcher`: one or both, separated by a comma; `--propagate-heights`.
-void add_matcher_options(CLI::App& app,
-                         std::vector<std::string>& names,
-                         reconstruct::MatchingOptions& options);
+/// `--matcher`: one or both, separated by a comma.
+void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
 /// In the order of the enum, each once; CLI::IsMember has checked the names.
 std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
 /// unmatched.csv: left_id,reason.

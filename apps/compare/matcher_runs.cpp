@@ -31,6 +31,8 @@ struct PatchOfRun {
   std::set<std::string> segment_hashes;
 };
 
+const nlohmann::json::json_pointer kPropagateHeights("/match/propagate_heights");
+
 /// The options of a run that decide what is matched; nothing if there is no such record.
 std::optional<std::string> matching_of(const std::string& folder) {
   const fs::path file = fs::path(folder) / "run.json";
@@ -39,7 +41,7 @@ std::optional<std::string> matching_of(const std::string& folder) {
   if (!run.is_object() || !run.contains("options")) return std::nullopt;
   const nlohmann::json& options = run["options"];
   if (!options.is_object() || !options.contains("matchers")) return std::nullopt;
-  return options["matchers"].dump() + options.value("propagate_heights", nlohmann::json()).dump();
+  return options["matchers"].dump() + options.value(kPropagateHeights, nlohmann::json()).dump();
 }
 
 std::set<Pair> pairs_in(const fs::path& file) {
@@ -161,7 +163,7 @@ std::string matcher_name(const std::string& folder) {
     const nlohmann::json& options = run.at("options");
     const auto names = options.at("matchers").get<std::vector<std::string>>();
     std::string name = names.size() > 1 ? "both" : names.at(0);
-    if (names.front() == "pairwise" && options.value("propagate_heights", false))
+    if (names.front() == "pairwise" && options.value(kPropagateHeights, false))
       name += ", by height";
     return name;
   } catch (const nlohmann::json::exception& error) {

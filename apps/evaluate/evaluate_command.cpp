@@ -4,6 +4,7 @@
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/parameters.h"
 #include "apps/common/say.h"
 #include "apps/evaluate/cloud_name.h"
 #include "apps/evaluate/judge_files.h"
@@ -35,11 +36,10 @@ struct EvaluateArguments {
   bool vertex_pairs = false, report = true;
   std::vector<double> bounds, origin;
   std::string assume_crs;
-  std::string sample_consensus = "msac";
   std::uint64_t max_points = 0, max_memory_mib = 0;
   std::uint64_t cloud_memory_mib = JudgeFilesOptions{}.cloud_memory_mib;
   double max_resolution_m = 0.0;
-  evaluate::JudgeOptions judge;
+  ParameterArguments parameters;
   evaluate::SummaryOptions summary;
   PageFacts page;
 };
@@ -130,20 +130,6 @@ void add_statistics_options(CLI::App& app, EvaluateArguments& a) {
       ->group(group);
 }
 
-evaluate::SampleConsensus consensus_named(const std::string& name) {
-  if (name == "ransac") return evaluate::SampleConsensus::kRansac;
-  if (name == "prosac") return evaluate::SampleConsensus::kProsac;
-  return evaluate::SampleConsensus::kMsac;
-}
-
-void add_judge_options(CLI::App& app, EvaluateArguments& a) {
-  app.add_option("--sample-consensus", a.sample_consensus, "of PCL")
-      ->check(CLI::IsMember({"msac", "ransac", "prosac"}))
-      ->capture_default_str()
-      ->group("Judge");
-  add_flags(app, a.judge, "Judge");
-}
-
 LocalFrame frame_of(const std::vector<double>& origin) {
   const Eigen::Vector3d x(origin[0], origin[1], origin[2]);
   check((x.array() == x.array().round()).all(), "--origin = ", origin[0], ",", origin[1], ",",
@@ -193,11 +179,9 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
-  options.judge = a.judge;
-  options.judge.method = consensus_named(a.sample_consensus);
+  options.judge = read_parameters(a.parameters).judge;
   options.judge.keep_points = !a.write_points.empty();
   options.summary = a.summary;
-  validate(options.judge);
   validate(options.summary);
   return options;
 }
@@ -214,8 +198,7 @@ nlohmann::ordered_json echo_arguments(const EvaluateArguments& a) {
   json["max_resolution_m"] = a.max_resolution_m;
   json["assume_crs"] = a.assume_crs;
   json["vertex_pairs"] = a.vertex_pairs;
-  json["sample_consensus"] = a.sample_consensus;
-  json["judge"] = echo(a.judge);
+  json["judge"] = echo(read_parameters(a.parameters))["judge"];
   json["gross_m"] = a.summary.gross_m;
   json["sigma_sys_m"] = a.summary.sigma_sys_m;
   json["bootstrap_replicates"] = a.summary.bootstrap.replicates;
@@ -302,7 +285,7 @@ Run add_evaluate(CLI::App& subcommand) {
   auto arguments = std::make_shared<EvaluateArguments>();
   add_inputs(subcommand, *arguments);
   add_cloud_filters(subcommand, *arguments);
-  add_judge_options(subcommand, *arguments);
+  add_judge_options(subcommand, arguments->parameters);
   add_statistics_options(subcommand, *arguments);
   return [arguments] { return run_evaluate(*arguments); };
 }

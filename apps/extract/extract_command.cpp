@@ -2,8 +2,8 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/parameters.h"
 #include "apps/common/say.h"
 #include "apps/extract/segment_overlay.h"
 #include "io/error.h"
@@ -25,7 +25,7 @@ namespace {
 struct ExtractArguments {
   std::string image, out, overlay, patch, image_id;
   double max_image_mpx = 0.0;
-  reconstruct::ExtractOptions options;
+  ParameterArguments parameters;
 };
 
 /// The image of the patch that has the id, or the only one of that file.
@@ -63,12 +63,12 @@ void check_outputs(const ExtractArguments& a) {
 }
 
 int run_extract(const ExtractArguments& a) {
-  validate(a.options);
+  const reconstruct::ExtractOptions options = read_parameters(a.parameters).method.extract;
   check_outputs(a);
   const reconstruct::PixelMap ideal_from_image = pixel_map(a);
   const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
   const std::vector<EdgeSegment> segments =
-      reconstruct::extract_segments(image, ideal_from_image, a.options);
+      reconstruct::extract_segments(image, ideal_from_image, options);
   io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {
     io::write_png(a.overlay, segment_overlay(image, segments));
@@ -94,7 +94,8 @@ Run add_extract(CLI::App& subcommand) {
   subcommand.add_option("--patch", a->patch, "patch file: removes the distortion of its camera");
   subcommand.add_option("--image-id", a->image_id, "of the camera; default: the one of this file");
   add_image_size_option(subcommand, a->max_image_mpx);
-  add_flags(subcommand, a->options, "Extraction");
+  add_preset_option(subcommand, a->parameters.preset);
+  add_config_option(subcommand, a->parameters.config);
   return [a] { return run_extract(*a); };
 }
 

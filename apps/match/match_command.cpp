@@ -3,8 +3,8 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/parameters.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/patch_views.h"
 #include "apps/common/say.h"
@@ -27,11 +27,11 @@ struct MatchArguments {
   std::string out;
   std::string overlay;
   std::string provenance;
-  reconstruct::ExtractOptions extract;
+  ParameterArguments parameters;
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   std::vector<std::string> matchers{"pairwise"};
-  reconstruct::MatchingOptions matching;
+  reconstruct::Options options;  ///< as the parameters say
 };
 
 void print_summary(const reconstruct::StereoPair& pair, const reconstruct::Matches& result) {
@@ -70,20 +70,20 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   check_is_own(a.out, "left_id,right_id,score,", "table of matches");
   check_is_own(a.provenance, "left_id,right_id,linked_right_ids,", "table of lines of chio");
   check_is_png("--overlay", a.overlay);
-  const std::vector<reconstruct::Matcher>& matchers = a.matching.matchers;
+  const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
   check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
                                           reconstruct::Matcher::kChio) != matchers.end(),
         "provenance: lines of pairwise have none; needs --matcher chio");
 }
 
 int run_match(MatchArguments a) {
-  a.matching.matchers = matchers_named(a.matchers);
-  validate(a.matching);
+  a.options = read_parameters(a.parameters).method;
+  a.options.matching.matchers = matchers_named(a.matchers);
   io::PatchFile file = io::read_patch(a.patch);
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
-  const reconstruct::StereoPair pair = load_pair(file, a.extract, a.max_y_parallax_px);
-  const reconstruct::Matches result = reconstruct::match(pair, a.matching);
+  const reconstruct::StereoPair pair = load_pair(file, a.options.extract, a.max_y_parallax_px);
+  const reconstruct::Matches result = reconstruct::match(pair, a.options.matching);
   io::write_matches(a.out, result.used().matches);
   if (!a.provenance.empty()) {
     io::write_file(a.provenance, chio_csv(*result.chio, patch_frame(file)));
@@ -92,7 +92,7 @@ int run_match(MatchArguments a) {
     io::write_png(a.overlay, match_overlay(pair.views[0], pair.views[1], result.used().matches));
   }
   print_summary(pair, result);
-  if (result.chio) print_processes(*result.chio, a.matching.chio);
+  if (result.chio) print_processes(*result.chio, a.options.matching.chio);
   return kDone;
 }
 
@@ -106,14 +106,13 @@ Run add_match(CLI::App& subcommand) {
                   "CSV: left_id,right_id,score,votes,matcher; ids count the segments of each image")
       ->required();
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
-  add_matcher_options(subcommand, a->matchers, a->matching);
+  add_matcher_option(subcommand, a->matchers);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);
-  add_flags(subcommand, a->matching.pairwise, "Matching");
-  add_flags(subcommand, a->matching.chio, "Chio", "chio_");
-  add_flags(subcommand, a->extract, "Extraction");
+  add_preset_option(subcommand, a->parameters.preset);
+  add_config_option(subcommand, a->parameters.config);
   return [a] { return run_match(*a); };
 }
 

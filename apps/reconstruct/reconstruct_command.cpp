@@ -3,8 +3,8 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/option_flags.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/parameters.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
@@ -32,10 +32,9 @@ namespace {
 
 struct ReconstructArguments {
   std::string patch, matches, out, method = "joint", format = "geojson";
-  reconstruct::ExtractOptions extract;
-  reconstruct::MatchingOptions matching;
+  ParameterArguments parameters;
+  reconstruct::Options options;  ///< as the parameters say
   std::vector<std::string> matchers{"pairwise"};
-  reconstruct::ReconstructOptions reconstruct;
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   bool local_origin = false;
@@ -52,7 +51,7 @@ std::vector<EdgeSegment> segments_of(const io::PatchFile& patch,
         fs::path(a.matches).parent_path() / fmt::format("segments.{}.csv", patch.images[i].id);
     if (fs::exists(file)) return io::read_segments(file.string());
   }
-  return extract_patch_image(patch, i, image, a.extract);
+  return extract_patch_image(patch, i, image, a.options.extract);
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.
@@ -64,9 +63,9 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
   const reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
   const std::vector<LineMatch> matches =
-      a.matches.empty() ? reconstruct::line_matches(reconstruct::match(pair, a.matching).used())
+      a.matches.empty() ? reconstruct::line_matches(reconstruct::match(pair, a.options.matching).used())
                         : read_line_matches(a.matches, segments);
-  return reconstruct::estimate(pair, matches, a.reconstruct, a.matching.pairwise);
+  return reconstruct::estimate(pair, matches, a.options.estimate, a.options.matching.pairwise);
 }
 
 /// How files of the format begin that were written here. Those that GDAL writes bear no such mark.
@@ -98,18 +97,17 @@ void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
 }
 
 int run_reconstruct(ReconstructArguments a) {
-  validate(a.extract);
-  a.matching.matchers = matchers_named(a.matchers);
-  validate(a.matching);
-  validate(a.reconstruct);
-  a.reconstruct.method = method_named(a.method);
+  a.options = read_parameters(a.parameters).method;
+  a.options.matching.matchers = matchers_named(a.matchers);
+  a.options.estimate.method = method_named(a.method);
+  check_preset(a.parameters, {a.options.estimate.method});
   io::PatchFile patch = io::read_patch(a.patch);
   patch.max_image_mpx = a.max_image_mpx;
   check_patch(patch);
   check_out(a, paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
   const io::LineSet lines =
-      line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs, a.reconstruct.method);
+      line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs, a.options.estimate.method);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =
@@ -139,11 +137,8 @@ Run add_reconstruct(CLI::App& subcommand) {
   add_local_origin_flag(subcommand, a->local_origin);
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);
-  add_flags(subcommand, a->extract, "Extract", "extract_");
-  add_matcher_options(subcommand, a->matchers, a->matching);
-  add_flags(subcommand, a->matching.pairwise, "Match", "match_");
-  add_flags(subcommand, a->matching.chio, "Chio", "chio_");
-  add_flags(subcommand, a->reconstruct, "Reconstruct");
+  add_method_options(subcommand, a->parameters);
+  add_matcher_option(subcommand, a->matchers);
   return [a] { return run_reconstruct(*a); };
 }
 

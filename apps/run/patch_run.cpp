@@ -86,8 +86,7 @@ class PatchRun {
   void match() {
     std::vector<std::string> parts{extract_key_, echo(options_.matching.pairwise).dump(),
                                    echo(options_.matching.chio).dump(),
-                                   fmt::format("{} {}", options_.matching.propagate_heights,
-                                               options_.matching.propagate_min_similarity)};
+                                   echo(options_.matching).dump()};
     for (const auto matcher : options_.matching.matchers) {
       parts.emplace_back(reconstruct::name(matcher));
     }

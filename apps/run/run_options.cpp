@@ -34,6 +34,13 @@ reconstruct::Method method_named(const std::string& name) {
       fmt::format("method = {}, must be one of direct, joint, network", name));
 }
 
+void check_preset(const ParameterArguments& parameters,
+                  const std::vector<reconstruct::Method>& methods) {
+  const bool has_network = std::ranges::find(methods, reconstruct::Method::kNetwork) != methods.end();
+  check(parameters.preset != "published" || !has_network,
+        "--preset published: network is none of the papers' methods; must be direct or joint");
+}
+
 void add_local_origin_flag(CLI::App& app, bool& local_origin) {
   app.add_flag(
       "--local-origin", local_origin,
@@ -42,12 +49,14 @@ void add_local_origin_flag(CLI::App& app, bool& local_origin) {
 }
 
 void add_run_flags(CLI::App& app, RunFlags& flags) {
+  add_method_options(app, flags.parameters);
+  add_judge_options(app, flags.parameters);
   app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network")
       ->delimiter(',')
       ->allow_extra_args(false)  // a patch file may follow
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
-  add_matcher_options(app, flags.matchers, flags.options.matching);
+  add_matcher_option(app, flags.matchers);
   app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -65,11 +74,6 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  add_flags(app, flags.options.extract, "Extract", "extract_");
-  add_flags(app, flags.options.matching.pairwise, "Match", "match_");
-  add_flags(app, flags.options.matching.chio, "Chio", "chio_");
-  add_flags(app, flags.options.reconstruct, "Reconstruct", "reconstruct_");
-  add_flags(app, flags.options.judge, "Judge", "judge_");
 }
 
 RunOptions run_options(const RunFlags& flags) {
@@ -82,7 +86,13 @@ RunOptions run_options(const RunFlags& flags) {
       options.methods.push_back(method);
     }
   }
+  const Parameters parameters = read_parameters(flags.parameters);
+  options.extract = parameters.method.extract;
+  options.matching = parameters.method.matching;
+  options.reconstruct = parameters.method.estimate;
+  options.judge = parameters.judge;
   options.matching.matchers = matchers_named(flags.matchers);
+  check_preset(flags.parameters, options.methods);
   for (const std::string& name : flags.line_formats) {
     const auto format = io::line_format(name);
     if (!format) continue;
@@ -90,10 +100,6 @@ RunOptions run_options(const RunFlags& flags) {
     options.line_formats.push_back(*format);
   }
   options.map_schema = map_schema_named(flags.schema);
-  validate(options.extract);
-  validate(options.matching);
-  validate(options.reconstruct);
-  validate(options.judge);
   validate(options.summary);
   return options;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/common/parameters.h"
 #include "apps/run/patch_run.h"
 
 #include <CLI/CLI.hpp>
@@ -16,12 +17,17 @@ struct RunFlags {
   std::vector<std::string> matchers{"pairwise"};
   std::vector<std::string> line_formats;
   std::string schema = "plain";
+  ParameterArguments parameters;
   RunOptions options;
 };
 
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
 void add_local_origin_flag(CLI::App& app, bool& local_origin);
+
+/// Throws std::invalid_argument for a method that is none of the papers' under `--preset published`.
+void check_preset(const ParameterArguments& parameters,
+                  const std::vector<reconstruct::Method>& methods);
 
 /// Throws std::invalid_argument for values out of range.
 RunOptions run_options(const RunFlags& flags);

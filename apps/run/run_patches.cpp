@@ -3,6 +3,7 @@
 
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
+#include "apps/common/parameters.h"
 #include "apps/common/patch_views.h"
 #include "apps/common/say.h"
 #include "apps/evaluate/judged_map.h"
@@ -59,17 +60,11 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   }
   json["max_image_mpx"] = options.max_image_mpx;
   json["max_y_parallax_px"] = options.max_y_parallax_px;
-  json["extract"] = echo(options.extract);
   json["matchers"] = nlohmann::ordered_json::array();
   for (const auto matcher : options.matching.matchers) {
     json["matchers"].push_back(reconstruct::name(matcher));
   }
-  json["propagate_heights"] = options.matching.propagate_heights;
-  json["propagate_min_similarity"] = options.matching.propagate_min_similarity;
-  json["match"] = echo(options.matching.pairwise);
-  json["chio"] = echo(options.matching.chio);
-  json["reconstruct"] = echo(options.reconstruct);
-  json["judge"] = echo(options.judge);
+  json.update(echo(Parameters{{options.extract, options.matching, options.reconstruct}, options.judge}));
   json["assume_crs"] = options.assume_crs.definition;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;

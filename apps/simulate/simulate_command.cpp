@@ -190,7 +190,7 @@ Run add_simulate(CLI::App& subcommand) {
       ->required();
   subcommand
       .add_option_function<std::string>(
-          "--preset", [a](const std::string&) { set_chio_wang_geometry(*a); },
+          "--geometry", [a](const std::string&) { set_chio_wang_geometry(*a); },
           "other defaults. chio_wang_2000: pixels of 0.24 m, B/H 0.6, images of 180 x 180 and "
           "225 x 180 pixels, dense housing")
       ->check(CLI::IsMember({"chio_wang_2000"}))

@@ -121,7 +121,7 @@ std::vector<DetectedEdge> detected_edges(const cv::Mat& image, const ExtractOpti
     edges.insert(edges.end(), std::make_move_iterator(faint.begin()),
                  std::make_move_iterator(faint.end()));
   }
-  edges = cut_at_junctions(std::move(edges), options);
+  if (options.junction_cuts) edges = cut_at_junctions(std::move(edges), options);
   return options.separate_edges ? separate_edges(std::move(edges), image) : edges;
 }
 

@@ -23,7 +23,8 @@ struct ExtractOptions {
   double max_lambda_min_px2 = 0.15;    ///< straightness: variance across the line
   double max_deviation_px = 1.0;       ///< straightness: largest distance from the line
   double min_bend_px = 0.2;            ///< an edge is cut where two lines fit better by this
-  double min_junction_bend_px = 0.05;  ///< the same where another edge ends on it
+  bool junction_cuts = true;           ///< cut edges where another one ends on them or crosses
+  double min_junction_bend_px = 0.05;  ///< such a cut stays if two lines fit better by this
   double max_gap_px = 10.0;            ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
   bool separate_edges = true;  ///< resolve edges that blur into one
@@ -61,6 +62,8 @@ struct ExtractOptions {
               "straightness: largest distance of an edge pixel from the line"},
         Field{"min_bend_px", &O::min_bend_px, 0.0, 100.0,
               "an edge is cut where two lines fit better than one by this, root mean square"},
+        Field{"junction_cuts", &O::junction_cuts, false, true,
+              "cut an edge where another one ends on it or crosses it"},
         Field{"min_junction_bend_px", &O::min_junction_bend_px, 0.0, 100.0,
               "the same where another edge ends on it"},
         Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,

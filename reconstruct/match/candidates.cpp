@@ -108,7 +108,7 @@ std::optional<Candidate> candidate(const Search& search,
     return std::nullopt;
   }
   EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
-  if (!aligned) {
+  if (options.hidden_walls && !aligned) {
     const double lowest_m = std::min(overlap->height_m[0], overlap->height_m[1]);
     look_past_wall(search.images, left, right, *overlap, transfer,
                    lowest_m - search.stereo.height_range_m[0], look);

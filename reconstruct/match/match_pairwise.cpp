@@ -32,14 +32,18 @@ MatchResult match_pairwise(const MatchView& left,
   validate(options);
   check_images(left, right);
   const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
-  const Radiometry radiometry = matched_radiometry(
-      left, right, search, relative_radiometry(left.segments, right.segments), options);
+  Radiometry radiometry = relative_radiometry(left.segments, right.segments);
+  if (options.matched_radiometry) {
+    radiometry = matched_radiometry(left, right, search, radiometry, options);
+  }
   std::vector<std::vector<Candidate>> candidates =
       match_candidates(left, right, search, radiometry, options);
   const std::array<CloseLines, 2> close{close_lines(ideal_segments(left)),
                                         close_lines(ideal_segments(right))};
-  keep_order_of_close_lines(left, search, close, candidates);
-  compare_across_hidden_strips({&left, &right}, search, radiometry, close, candidates);
+  if (options.close_lines) keep_order_of_close_lines(left, search, close, candidates);
+  if (options.hidden_walls) {
+    compare_across_hidden_strips({&left, &right}, search, radiometry, close, candidates);
+  }
   const LocalTransfer transfer =
       local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});
   const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);

@@ -27,6 +27,14 @@ struct MatchOptions {
   double max_pair_turn_deg = 15.0;
   double max_pair_epipolar_px = 5.0;
 
+  /// Beyond the paper: the radiometry of the pair from surfaces that both images show (matched_radiometry()).
+  bool matched_radiometry = true;
+  /// Beyond the paper: the edges of a narrow strip keep their order (keep_order_of_close_lines()).
+  bool close_lines = true;
+  /// Beyond the paper: walls that one camera alone sees are left out of the comparison (look_past_wall(),
+  /// compare_across_hidden_strips()).
+  bool hidden_walls = true;
+
   double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best mate
   /// Of a match against its rivals, to be kept; 0.9 if a segment is shorter than 12 px, 0.6 if it is
   /// shorter than three quarters of its mate.
@@ -62,6 +70,12 @@ struct MatchOptions {
               "ratio of 0.26, in proportion"},
         Field{"max_pair_epipolar_px", &O::max_pair_epipolar_px, 0.0, 100.0,
               "largest distance of a pair's intersection point from its epipolar line"},
+        Field{"matched_radiometry", &O::matched_radiometry, false, true,
+              "gain and offset of the images from surfaces that both show"},
+        Field{"close_lines", &O::close_lines, false, true,
+              "the two edges of a narrow strip keep their order"},
+        Field{"hidden_walls", &O::hidden_walls, false, true,
+              "compare across walls that one camera alone sees"},
         Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,
               "next to best mate of a line, by probability; above it the line is ambiguous"},
         Field{"min_probability", &O::min_probability, 0.0, 1.0,

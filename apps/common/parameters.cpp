@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/parameters.h"
+
+#include "apps/common/option_flags.h"
+#include "io/yaml_check.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ridgeline::apps {
+namespace {
+
+using evaluate::SampleConsensus;
+
+constexpr std::array kConsensus{std::pair{"msac", SampleConsensus::kMsac},
+                                std::pair{"ransac", SampleConsensus::kRansac},
+                                std::pair{"prosac", SampleConsensus::kProsac}};
+constexpr const char* kConsensusKey = "sample_consensus";
+
+const char* name(SampleConsensus method) {
+  for (const auto& [text, value] : kConsensus) {
+    if (value == method) return text;
+  }
+  return "";
+}
+
+/// Calls visit(group, field, options) for every parameter in the order of the file; `options` has the field.
+template <typename Visitor>
+void for_each_parameter(Parameters& p, Visitor&& visit) {
+  const auto group = [&](const char* of_file, auto& options) {
+    for_each_field<std::decay_t<decltype(options)>>(
+        [&](const auto& field) { visit(of_file, field, options.*field.member); });
+  };
+  group("extract", p.method.extract);
+  group("match", p.method.matching.pairwise);
+  group("match", p.method.matching);
+  group("chio", p.method.matching.chio);
+  group("reconstruct", p.method.estimate);
+  group("judge", p.judge);
+}
+
+constexpr std::array kGroups{
+    std::pair{"extract", "line segments of an image (Ok et al. 2011, section 2)"},
+    std::pair{"match", "pair-wise matching (Ok et al. 2011)"},
+    std::pair{"chio", "matching and linking in object space (Chio and Wang 2000)"},
+    std::pair{"reconstruct", "3D lines (Ok et al. 2011, section 3)"},
+    std::pair{"judge", "lines against LIDAR planes"}};
+
+std::vector<std::string_view> keys_of(Parameters& p, std::string_view group) {
+  std::vector<std::string_view> keys;
+  for_each_parameter(p, [&](std::string_view of, const auto& field, auto&) {
+    if (of == group) keys.push_back(field.name);
+  });
+  if (group == "judge") keys.emplace_back(kConsensusKey);
+  return keys;
+}
+
+bool read_switch(const io::YamlMap& map, const char* key) {
+  const std::string text = map.text(key);
+  if (text == "true" || text == "1") return true;
+  if (text != "false" && text != "0") map.fail(key, text + ", must be true or false");
+  return false;
+}
+
+template <typename Field, typename T>
+void read_value(const io::YamlMap& map, const Field& field, T& value) {
+  const std::string key(field.name);
+  if constexpr (std::is_same_v<T, bool>) {
+    value = read_switch(map, key.c_str());
+  } else {
+    const double number = map.number(key.c_str());
+    const bool fits = number >= static_cast<double>(field.lowest) &&
+                      number <= static_cast<double>(field.highest) &&
+                      (std::is_floating_point_v<T> || number == std::floor(number));
+    if (!fits) {
+      map.fail(key.c_str(), fmt::format("{:g}, must be {}in [{:g}, {:g}]", number,
+                                        std::is_floating_point_v<T> ? "" : "a whole number ",
+                                        static_cast<double>(field.lowest),
+                                        static_cast<double>(field.highest)));
+    }
+    value = static_cast<T>(number);
+  }
+}
+
+void read_consensus(const io::YamlMap& map, evaluate::JudgeOptions& judge) {
+  const std::string text = map.text(kConsensusKey);
+  for (const auto& [known, value] : kConsensus) {
+    if (text == known) {
+      judge.method = value;
+      return;
+    }
+  }
+  map.fail(kConsensusKey, text + ", must be msac, ransac or prosac");
+}
+
+void read_file(const std::string& file, Parameters& parameters) {
+  std::vector<std::string_view> groups;
+  for (const auto& [group, meaning] : kGroups) groups.emplace_back(group);
+  const io::YamlMap root(file, io::load_yaml(file), groups);
+  for (const auto& [group, meaning] : kGroups) {
+    if (!root.has(group)) continue;
+    const io::YamlMap map(file, root.node(group), keys_of(parameters, group));
+    for_each_parameter(parameters, [&, in = std::string_view(group)](
+                                       std::string_view of, const auto& field, auto& value) {
+      if (of == in && map.has(std::string(field.name).c_str())) read_value(map, field, value);
+    });
+    if (std::string_view(group) == "judge" && map.has(kConsensusKey)) {
+      read_consensus(map, parameters.judge);
+    }
+  }
+}
+
+template <typename Field, typename T>
+std::string yaml_line(const Field& field, const T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return fmt::format("  {}: {}  # {}\n", field.name, value, field.help);
+  } else {
+    return fmt::format("  {}: {}  # {}; {:g} to {:g}\n", field.name, value, field.help,
+                       static_cast<double>(field.lowest), static_cast<double>(field.highest));
+  }
+}
+
+}  // namespace
+
+void add_preset_option(CLI::App& app, std::string& preset) {
+  app.add_option("--preset", preset,
+                 "default: the best known; published: as the papers say, nothing of ours")
+      ->check(CLI::IsMember({"default", "published"}))
+      ->capture_default_str();
+}
+
+void add_config_option(CLI::App& app, std::string& config) {
+  if (app.get_option_no_throw("--config") != nullptr) return;
+  app.add_option(
+      "--config", config,
+      "parameters in YAML as `ridgeline config` prints them; any may be left out");
+}
+
+void add_method_options(CLI::App& app, ParameterArguments& arguments) {
+  add_preset_option(app, arguments.preset);
+  add_config_option(app, arguments.config);
+  app.add_option("--max-aligned-angle-deg", arguments.max_aligned_angle_deg,
+                 "lines up to this angle to the epipolar line are aligned; default: 10")
+      ->check(in_range(0.0, 90.0));
+}
+
+void add_judge_options(CLI::App& app, ParameterArguments& arguments) {
+  add_config_option(app, arguments.config);
+  app.add_option("--lidar-sigma-m", arguments.lidar_sigma_m,
+                 "range noise of the cloud; default: 0.034")
+      ->check(in_range(0.0, 10.0));
+}
+
+Parameters preset_parameters(const std::string& preset) {
+  Parameters parameters;
+  if (preset != "published") return parameters;
+  parameters.method = reconstruct::published();
+  parameters.judge.method = SampleConsensus::kRansac;
+  return parameters;
+}
+
+Parameters read_parameters(const ParameterArguments& arguments) {
+  Parameters parameters = preset_parameters(arguments.preset);
+  if (!arguments.config.empty()) read_file(arguments.config, parameters);
+  if (arguments.max_aligned_angle_deg) {
+    parameters.method.estimate.max_aligned_angle_deg = *arguments.max_aligned_angle_deg;
+  }
+  if (arguments.lidar_sigma_m) parameters.judge.lidar_sigma_m = *arguments.lidar_sigma_m;
+  validate(parameters.method);
+  validate(parameters.judge);
+  return parameters;
+}
+
+std::string to_yaml(const Parameters& parameters) {
+  std::string text = "# Parameters of ridgeline: value  # meaning; range. Any may be left out.\n";
+  Parameters p = parameters;
+  for (const auto& [group, meaning] : kGroups) {
+    text += fmt::format("\n{}:  # {}\n", group, meaning);
+    for_each_parameter(p, [&, in = std::string_view(group)](std::string_view of, const auto& field,
+                                                            auto& value) {
+      if (of == in) text += yaml_line(field, value);
+    });
+  }
+  return text + fmt::format("  {}: {}  # of PCL: msac, ransac or prosac\n", kConsensusKey,
+                            name(parameters.judge.method));
+}
+
+nlohmann::ordered_json echo(const Parameters& parameters) {
+  nlohmann::ordered_json json;
+  Parameters p = parameters;
+  for_each_parameter(p, [&](const char* group, const auto& field, auto& value) {
+    json[group][std::string(field.name)] = value;
+  });
+  json["judge"][kConsensusKey] = name(parameters.judge.method);
+  return json;
+}
+
+}  // namespace ridgeline::apps

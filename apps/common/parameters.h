@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/judge/options.h"
+#include "reconstruct/reconstruct.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+namespace ridgeline::apps {
+
+/// All that a config file holds: the parameters of the reconstruction and of the judge.
+struct Parameters {
+  reconstruct::Options method;
+  evaluate::JudgeOptions judge;
+};
+
+/// How a user chooses them on the command line.
+struct ParameterArguments {
+  std::string preset = "default";
+  std::string config;
+  std::optional<double> max_aligned_angle_deg;
+  std::optional<double> lidar_sigma_m;
+};
+
+void add_preset_option(CLI::App& app, std::string& preset);
+/// Unless the command has it already.
+void add_config_option(CLI::App& app, std::string& config);
+/// `--preset --config --max-aligned-angle-deg`.
+void add_method_options(CLI::App& app, ParameterArguments& arguments);
+/// `--config --lidar-sigma-m`.
+void add_judge_options(CLI::App& app, ParameterArguments& arguments);
+
+/// Those of the preset, changed by the config file and then by the options of the command line. Throws IoError naming
+/// file, line, key and rule for a key that is unknown and for a value out of its range; std::invalid_argument for an
+/// option out of its range.
+Parameters read_parameters(const ParameterArguments& arguments);
+
+/// "default" | "published".
+Parameters preset_parameters(const std::string& preset);
+
+/// The config file of these parameters, each with its range and meaning.
+std::string to_yaml(const Parameters& parameters);
+
+/// The same for run.json.
+nlohmann::ordered_json echo(const Parameters& parameters);
+
+}  // namespace ridgeline::apps
