@@ -40,7 +40,8 @@ constexpr std::array kCommands{
             add_demo},
     Command{"evaluate", "judge any tool's 3D lines against a point cloud",
             "  ridgeline evaluate --lines roofs.gpkg --cloud 'tiles/*.laz' --out results\n"
-            "  ridgeline evaluate --lines a.geojson b.dxf --cloud lidar.las --patch patch.yaml --out results",
+            "  ridgeline evaluate --lines a.geojson b.dxf --cloud lidar.las --patch patch.yaml "
+            "--out results",
             add_evaluate},
     Command{"gate", "fail when accuracy is below the gates (exit code 3)",
             "  ridgeline gate --init > gates.yaml\n"
@@ -62,13 +63,15 @@ constexpr std::array kCommands{
             "  ridgeline extract left.tif --out segments.csv\n"
             "  ridgeline extract left.tif --patch patch.yaml --out segments.csv --overlay seen.png",
             add_extract},
-    Command{"match", "line matches between the two images of a patch",
-            "  ridgeline match patch.yaml --out matches.csv\n"
-            "  ridgeline match patch.yaml --matcher pairwise,chio --out matches.csv --overlay seen.png",
-            add_match},
+    Command{
+        "match", "line matches between the two images of a patch",
+        "  ridgeline match patch.yaml --out matches.csv\n"
+        "  ridgeline match patch.yaml --matcher pairwise,chio --out matches.csv --overlay seen.png",
+        add_match},
     Command{"reconstruct", "3D lines of the matched segments of a patch",
             "  ridgeline reconstruct patch.yaml --out lines.geojson\n"
-            "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out lines.geojson",
+            "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out "
+            "lines.geojson",
             add_reconstruct},
     Command{"simulate", "a synthetic village: images, LIDAR, true lines",
             "  ridgeline simulate --out village\n"
@@ -113,9 +116,9 @@ void add_global_options(CLI::App& app, GlobalOptions& options) {
       ->check(CLI::Range(0, 1024))
       ->option_text("N=0");
   app.add_flag("--quiet", options.quiet, "only errors on stderr");
-  app.add_option("--log-level", options.log_level, "of the log on stderr")
+  app.add_option("--log-level", options.log_level, "of the log: debug, info, warning or error")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
-      ->capture_default_str();
+      ->option_text("LEVEL=info");
 }
 
 void set_up_log(const GlobalOptions& options) {
@@ -136,7 +139,8 @@ int fail(std::string message, ExitCode code) {
 std::vector<std::string> known_words(const CLI::App& app) {
   std::vector<std::string> words;
   const std::vector<CLI::App*> given = app.get_subcommands();
-  for (const CLI::App* parent : std::array<const CLI::App*, 2>{given.empty() ? &app : given.front(), &app}) {
+  for (const CLI::App* parent :
+       std::array<const CLI::App*, 2>{given.empty() ? &app : given.front(), &app}) {
     for (const CLI::Option* option : parent->get_options()) {
       for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
     }
@@ -155,10 +159,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
   if (unknown.empty()) return fmt::format("{} ({})", error.what(), help);
   const std::vector<std::string> words = known_words(app);
-  const std::string_view nearest =
-      io::nearest_name(unknown.front(), {words.begin(), words.end()});
-  return fmt::format("unknown argument {}, the nearest is {} ({})", fmt::join(unknown, " "), nearest,
-                     help);
+  const std::string_view nearest = io::nearest_name(unknown.front(), {words.begin(), words.end()});
+  return fmt::format("unknown argument {}, the nearest is {} ({})", fmt::join(unknown, " "),
+                     nearest, help);
 }
 
 std::string footer_of(const Command& command, bool writes) {

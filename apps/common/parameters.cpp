@@ -79,10 +79,10 @@ void read_value(const io::YamlMap& map, const Field& field, T& value) {
                       number <= static_cast<double>(field.highest) &&
                       (std::is_floating_point_v<T> || number == std::floor(number));
     if (!fits) {
-      map.fail(key.c_str(), fmt::format("{:g}, must be {}in [{:g}, {:g}]", number,
-                                        std::is_floating_point_v<T> ? "" : "a whole number ",
-                                        static_cast<double>(field.lowest),
-                                        static_cast<double>(field.highest)));
+      map.fail(key.c_str(),
+               fmt::format("{:g}, must be {}in [{:g}, {:g}]", number,
+                           std::is_floating_point_v<T> ? "" : "a whole number ",
+                           static_cast<double>(field.lowest), static_cast<double>(field.highest)));
     }
     value = static_cast<T>(number);
   }
@@ -137,9 +137,8 @@ void add_preset_option(CLI::App& app, std::string& preset) {
 
 void add_config_option(CLI::App& app, std::string& config) {
   if (app.get_option_no_throw("--config") != nullptr) return;
-  app.add_option(
-      "--config", config,
-      "parameters in YAML as `ridgeline config` prints them; any may be left out");
+  app.add_option("--config", config,
+                 "parameters in YAML as `ridgeline config` prints them; any may be left out");
 }
 
 void add_method_options(CLI::App& app, ParameterArguments& arguments) {
@@ -182,10 +181,10 @@ std::string to_yaml(const Parameters& parameters) {
   Parameters p = parameters;
   for (const auto& [group, meaning] : kGroups) {
     text += fmt::format("\n{}:  # {}\n", group, meaning);
-    for_each_parameter(p, [&, in = std::string_view(group)](std::string_view of, const auto& field,
-                                                            auto& value) {
-      if (of == in) text += yaml_line(field, value);
-    });
+    for_each_parameter(
+        p, [&, in = std::string_view(group)](std::string_view of, const auto& field, auto& value) {
+          if (of == in) text += yaml_line(field, value);
+        });
   }
   return text + fmt::format("  {}: {}  # of PCL: msac, ransac or prosac\n", kConsensusKey,
                             name(parameters.judge.method));

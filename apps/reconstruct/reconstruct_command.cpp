@@ -63,8 +63,9 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
   const reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
   const std::vector<LineMatch> matches =
-      a.matches.empty() ? reconstruct::line_matches(reconstruct::match(pair, a.options.matching).used())
-                        : read_line_matches(a.matches, segments);
+      a.matches.empty()
+          ? reconstruct::line_matches(reconstruct::match(pair, a.options.matching).used())
+          : read_line_matches(a.matches, segments);
   return reconstruct::estimate(pair, matches, a.options.estimate, a.options.matching.pairwise);
 }
 

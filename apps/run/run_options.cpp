@@ -36,7 +36,8 @@ reconstruct::Method method_named(const std::string& name) {
 
 void check_preset(const ParameterArguments& parameters,
                   const std::vector<reconstruct::Method>& methods) {
-  const bool has_network = std::ranges::find(methods, reconstruct::Method::kNetwork) != methods.end();
+  const bool has_network =
+      std::ranges::find(methods, reconstruct::Method::kNetwork) != methods.end();
   check(parameters.preset != "published" || !has_network,
         "--preset published: network is none of the papers' methods; must be direct or joint");
 }

@@ -64,7 +64,8 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   for (const auto matcher : options.matching.matchers) {
     json["matchers"].push_back(reconstruct::name(matcher));
   }
-  json.update(echo(Parameters{{options.extract, options.matching, options.reconstruct}, options.judge}));
+  json.update(
+      echo(Parameters{{options.extract, options.matching, options.reconstruct}, options.judge}));
   json["assume_crs"] = options.assume_crs.definition;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;

@@ -39,7 +39,7 @@ class ChioWang2000 : public testing::Test {
     folder_ = mkdtemp(pattern.data());
     for (int seed = kFirstSeed; seed < kFirstSeed + kPatches; ++seed) {
       const std::string name = std::to_string(seed);
-      run({"simulate", "--preset", "chio_wang_2000", "--seed", name, "--out", name});
+      run({"simulate", "--geometry", "chio_wang_2000", "--seed", name, "--out", name});
     }
   }
   ~ChioWang2000() override { fs::remove_all(folder_); }
@@ -50,8 +50,10 @@ class ChioWang2000 : public testing::Test {
   }
 
   [[nodiscard]] ProcessCounts counts_of(const std::string& out, const std::string& paper) const {
-    std::vector<std::string> arguments{"run",    "--out",        out,   "--matcher",
-                                       "chio",   "--chio-paper", paper, "--methods",
+    const std::string config = out + ".yaml";
+    std::ofstream(folder_ / config) << "chio: {paper: " << paper << "}\n";
+    std::vector<std::string> arguments{"run",    "--out",      out,    "--matcher",
+                                       "chio",   "--config",   config, "--methods",
                                        "direct", "--no-report"};
     for (int i = 0; i < kPatches; ++i) {
       arguments.push_back(std::to_string(kFirstSeed + i) + "/patch.yaml");

@@ -178,7 +178,7 @@ TEST_F(Evaluate, RunRecordNamesTheInputsByTheirHash) {
   const nlohmann::json record = read_json(path("out/run.json"));
   EXPECT_THAT(keys_of(record), IsSupersetOf({"versions", "options", "inputs", "stages", "seconds",
                                              "peak_memory_mib"}));
-  EXPECT_EQ(record["options"]["sample_consensus"], "msac");
+  EXPECT_EQ(record["options"]["judge"]["sample_consensus"], "msac");
   const ProgramResult sums = test::run_program(
       "/usr/bin/sha256sum", {"scene/lines.good.geojson", "scene/lidar.las"}, path("."));
   ASSERT_EQ(record["inputs"].size(), 2U);

@@ -39,16 +39,6 @@ TEST_F(ExtractCommand, WritesTheFourSidesOfASquare) {
   EXPECT_EQ(cv::imread(path("overlay.png").string()).size(), cv::Size(400, 400));
 }
 
-TEST_F(ExtractCommand, EveryDetectorWrites) {
-  write_square("square.png");
-  for (const char* detector : {"ours", "edge_drawing", "lsd"}) {
-    const auto result =
-        run({"extract", "square.png", "--out", "segments.csv", "--detector", detector});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr(": 4 segments")) << detector;
-  }
-}
-
 TEST_F(ExtractCommand, TheFileDoesNotDependOnTheNumberOfThreads) {
   write_square("square.png");
   ASSERT_EQ(run({"extract", "square.png", "--out", "one.csv", "--jobs", "1"}).exit_code, 0);
@@ -66,8 +56,9 @@ TEST_F(ExtractCommand, AnImageWithoutTextureHasNoSegments) {
 TEST_F(ExtractCommand, RefusesWrongInput) {
   write_square("square.png");
   EXPECT_REFUSED(run({"extract", "missing.png", "--out", "a.csv"}), HasSubstr("does not exist"));
-  EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--min-length-px", "-4"}),
-                 HasSubstr("--min-length-px: -4, must be in [3, 100000]"));
+  write(path("p.yaml"), "extract: {min_length_px: -4}\n");
+  EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--config", "p.yaml"}),
+                 HasSubstr("p.yaml: line 1: -4, must be in [3, 100000]"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "square.png"}),
                  HasSubstr("would be written over"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--image-id", "left"}),

@@ -60,8 +60,9 @@ TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
 
 TEST_F(Match, SaysWhatIsWrongWithItsInput) {
   EXPECT_REFUSED(run({"match", "none.yaml", "--out", "m.csv"}), HasSubstr("none.yaml"));
-  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--min-overlap", "2"}),
-                 HasSubstr("--min-overlap: 2, must be in [0, 1]"));
+  write(path("p.yaml"), "match:\n  min_overlap: 2\n");
+  EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--config", "p.yaml"}),
+                 HasSubstr("p.yaml: line 2: 2, must be in [0, 1]"));
   for (const char* input : {"pair/patch.yaml", "pair/left.tif", "pair/matches.csv"}) {
     EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", input}),
                    AllOf(HasSubstr(input), HasSubstr("would be written over")));

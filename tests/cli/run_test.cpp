@@ -78,7 +78,8 @@ TEST_F(RunPatch, WritesTheFilesOfTheContractAndPrintsBothTables) {
 
 TEST_F(RunPatch, RegistersTheRightEdgesOfNotAlignedLinesUnlessToldNotTo) {
   ASSERT_EQ(run_patch("on").exit_code, 0);
-  ASSERT_EQ(run_patch("off", {"--reconstruct-register-profiles", "false"}).exit_code, 0);
+  write(path("p.yaml"), "reconstruct: {register_profiles: false}\n");
+  ASSERT_EQ(run_patch("off", {"--config", "p.yaml"}).exit_code, 0);
   for (const char* file : {"1/lines.direct.geojson", "1/lines.joint.geojson"}) {
     const auto on = read_json(path("on") / file).at("features");
     const auto off = read_json(path("off") / file).at("features");
@@ -154,19 +155,19 @@ TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
   EXPECT_EQ(rows[0]["alone"], 0);
 
   // other segments have other ids
+  write(path("p.yaml"), "extract: {min_length_px: 20}\n");
   ASSERT_EQ(run_patch("m/chio", {"--matcher", "chio", "--no-report", "--methods", "direct",
-                                 "--extract-min-length-px", "20"})
+                                 "--config", "p.yaml"})
                 .exit_code,
             0);
   EXPECT_REFUSED(run({"compare", "m/pairwise", "m/chio"}), HasSubstr("not the segments"));
 }
 
 TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
-  ASSERT_EQ(run_patch("out", {"--propagate-heights", "0", "--no-report"}).exit_code, 0);
+  write(path("p.yaml"), "match: {propagate_heights: false}\n");
+  ASSERT_EQ(run_patch("out", {"--config", "p.yaml", "--no-report"}).exit_code, 0);
   EXPECT_THAT(read(path("out/1/matches.csv")), Not(HasSubstr("pairwise_height")));
   EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
-  EXPECT_REFUSED(run_patch("out", {"--chio-min-pieces", "0"}),
-                 HasSubstr("--chio-min-pieces: 0, must be in [1, 1000]"));
 }
 
 TEST_F(RunPatch, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
@@ -229,7 +230,8 @@ TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
   }
 
   // another option of the matching leaves the extraction alone
-  const ProgramResult other = run_patch("out", {"--resume", "--match-min-probability", "0.9"});
+  write(path("p.yaml"), "match: {min_probability: 0.9}\n");
+  const ProgramResult other = run_patch("out", {"--resume", "--config", "p.yaml"});
   EXPECT_THAT(other.err, HasSubstr("1 finished stages skipped"));
 }
 
@@ -364,7 +366,7 @@ TEST_F(RunPatch, ReconstructFromTheMatchesOfARunGivesItsLines) {
   write(path("out/1/matches.csv"), "left_id,right_id\n0,999999\n");
   EXPECT_REFUSED(run({"reconstruct", "patch/patch.yaml", "--matches", "out/1/matches.csv", "--out",
                       "lines.geojson"}),
-                 AllOf(HasSubstr("matches.csv"), HasSubstr("0,999999")));
+                 AllOf(HasSubstr("matches.csv"), HasSubstr("right_id = 999999, must be in 0..")));
 }
 
 TEST_F(RunPatch, MissingImageIsNamed) {

@@ -111,13 +111,17 @@ TEST(ReadPatch, TakesJson) {
 
 TEST(ReadPatch, NamesUnknownKeysWithTheirLine) {
   EXPECT_THAT(error_of(patch_with("lidar:", "lidra:")),
-              HasSubstr("patch.yaml: line 16: unknown key 'lidra'; known keys: id, crs, "));
+              HasSubstr("patch.yaml: line 16: unknown key 'lidra', the nearest is 'lidar'; known "
+                        "keys: id, crs, "));
   EXPECT_THAT(error_of(patch_with("path: right", "file: right")),
-              HasSubstr("line 12: unknown key 'file'; known keys: id, path, projection_matrix"));
-  EXPECT_THAT(error_of(patch_with("k1:", "K1:")),
-              HasSubstr("line 13: unknown key 'K1'; known keys: focal_length_mm, "));
+              HasSubstr("line 12: unknown key 'file', the nearest is 'id'; known keys: id, path, "
+                        "projection_matrix"));
+  EXPECT_THAT(
+      error_of(patch_with("k1:", "K1:")),
+      HasSubstr("line 13: unknown key 'K1', the nearest is 'k1'; known keys: focal_length_mm, "));
   EXPECT_THAT(error_of(patch_with("position_m", "position")),
-              HasSubstr("line 14: unknown key 'position'; known keys: position_m, "));
+              HasSubstr("line 14: unknown key 'position', the nearest is 'position_m'; known keys: "
+                        "position_m, "));
 }
 
 TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
