@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ablation FOLDER [VAIHINGEN_PATCH]: what each extension beyond the papers is worth. Leaves out one at a time, on the
+// training villages (seeds 1 to 8) and on seeds 1 to 10 of the other renderer, and prints Markdown tables: matches, roof
+// lines found, errors by class against true lines, z against LIDAR, processor time, and the difference to the default
+// with a 95 % interval by bootstrap over the scenes. Vaihingen has LIDAR alone: the interval there is that of the
+// clustered bootstrap over planes.
+#include "tests/other_scenes/write_scene.h"
+#include "tests/support/csv_rows.h"
+#include "tests/support/run_program.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ridgeline::test::CsvRow;
+
+/// A config file that leaves something out.
+struct Variant {
+  const char* name;
+  const char* parameters;
+};
+
+constexpr std::array kVariants{
+    Variant{"default", ""},
+    Variant{"faint_edges", "extract: {faint_edges: false}"},
+    Variant{"junction_cuts", "extract: {junction_cuts: false}"},
+    Variant{"separate_edges", "extract: {separate_edges: false}"},
+    Variant{"matched_radiometry", "match: {matched_radiometry: false}"},
+    Variant{"close_lines", "match: {close_lines: false}"},
+    Variant{"hidden_walls", "match: {hidden_walls: false}"},
+    Variant{"propagate_heights", "match: {propagate_heights: false}"},
+    Variant{"register_profiles", "reconstruct: {register_profiles: false}"},
+    Variant{"max_end_sigma_m", "reconstruct: {max_end_sigma_m: 1e6}"},
+    Variant{"consensus", "reconstruct: {consensus: false, flanks: false}"},
+    Variant{"flanks", "reconstruct: {flanks: false}"},
+    Variant{"gable_share", "reconstruct: {gable_share: 0}"},
+    Variant{"step_share", "reconstruct: {step_share: 0}"}};
+
+/// What one variant reaches on one scene.
+struct SceneFigures {
+  double correct = 0.0, wrong = 0.0, missed = 0.0;
+  double roof_lines = 0.0, roof_found = 0.0;
+  struct Errors {
+    double n = 0.0, sum_squares_m2 = 0.0, gross = 0.0;
+  };
+  std::map<std::string, Errors> errors;  ///< by class, against true lines
+  double judged = 0.0, sum_z2 = 0.0, beyond = 0.0;
+};
+
+double number(const CsvRow& row, const std::string& column) {
+  const std::string& text = row.at(column);
+  return text.empty() ? 0.0 : std::stod(text);
+}
+
+void check(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+/// The figures of `method` by scene, from the tables of a run.
+std::map<std::string, SceneFigures> figures_of(const fs::path& results, const std::string& method) {
+  std::map<std::string, SceneFigures> scenes;
+  for (const CsvRow& row : ridgeline::test::read_csv(results / "table1.csv")) {
+    SceneFigures& scene = scenes[row.at("patch")];
+    scene.correct = number(row, "correct");
+    scene.wrong = number(row, "false");
+    scene.missed = number(row, "missed");
+  }
+  for (const CsvRow& row : ridgeline::test::read_csv(results / "reference_completeness.csv")) {
+    const std::string& kind = row.at("kind");
+    if (row.at("method") != method || kind == "all" || kind == "ground") continue;
+    scenes[row.at("patch")].roof_lines += number(row, "n_reference_lines");
+    scenes[row.at("patch")].roof_found += number(row, "n_reconstructed");
+  }
+  for (const CsvRow& row : ridgeline::test::read_csv(results / "reference_errors.csv")) {
+    if (row.at("method") != method) continue;
+    const double n = number(row, "n_on_reference");
+    const double rms_m = number(row, "rms_m");
+    scenes[row.at("patch")].errors[row.at("class")] = {n, n * rms_m * rms_m,
+                                                       n * number(row, "gross_share")};
+  }
+  for (auto& [patch, scene] : scenes) {
+    std::ifstream file(results / patch / ("evaluation." + method + ".json"));
+    const auto calibration = nlohmann::json::parse(file)["calibration"];
+    scene.judged = calibration["n"];
+    if (scene.judged == 0.0) continue;
+    scene.sum_z2 = scene.judged * calibration["median_z2"].get<double>();
+    scene.beyond = scene.judged * calibration["share_beyond_99_9"].get<double>();
+  }
+  return scenes;
+}
+
+using Scenes = std::vector<SceneFigures>;
+
+SceneFigures sum_of(const Scenes& scenes) {
+  SceneFigures sum;
+  for (const SceneFigures& s : scenes) {
+    sum.correct += s.correct;
+    sum.wrong += s.wrong;
+    sum.missed += s.missed;
+    sum.roof_lines += s.roof_lines;
+    sum.roof_found += s.roof_found;
+    sum.judged += s.judged;
+    sum.sum_z2 += s.sum_z2;
+    sum.beyond += s.beyond;
+    for (const auto& [line_class, e] : s.errors) {
+      SceneFigures::Errors& total = sum.errors[line_class];
+      total.n += e.n;
+      total.sum_squares_m2 += e.sum_squares_m2;
+      total.gross += e.gross;
+    }
+  }
+  return sum;
+}
+
+double rms_m(const SceneFigures& f, const std::string& line_class) {
+  const SceneFigures::Errors& e = f.errors.at(line_class);
+  return e.n > 0.0 ? std::sqrt(e.sum_squares_m2 / e.n) : 0.0;
+}
+
+struct Measure {
+  const char* name;
+  std::function<double(const SceneFigures&)> of;
+};
+
+const std::vector<Measure>& measures() {
+  static const std::vector<Measure> all{
+      {"quality %",
+       [](const SceneFigures& f) { return 100.0 * f.correct / (f.correct + f.wrong + f.missed); }},
+      {"roof lines %", [](const SceneFigures& f) { return 100.0 * f.roof_found / f.roof_lines; }},
+      {"not_aligned mm", [](const SceneFigures& f) { return 1e3 * rms_m(f, "not_aligned"); }},
+      {"aligned mm", [](const SceneFigures& f) { return 1e3 * rms_m(f, "aligned"); }},
+      {"gross", [](const SceneFigures& f) { return f.errors.at("total").gross; }}};
+  return all;
+}
+
+/// 95 % interval of the difference of a measure of all scenes, both variants on the same scenes drawn with replacement.
+std::array<double, 2> interval(const Measure& measure, const Scenes& with, const Scenes& without) {
+  constexpr int kReplicates = 2000;
+  std::mt19937_64 random(1);
+  std::uniform_int_distribution<std::size_t> draw(0, with.size() - 1);
+  std::vector<double> differences;
+  for (int r = 0; r < kReplicates; ++r) {
+    Scenes a, b;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      const std::size_t scene = draw(random);
+      a.push_back(with[scene]);
+      b.push_back(without[scene]);
+    }
+    differences.push_back(measure.of(sum_of(b)) - measure.of(sum_of(a)));
+  }
+  std::ranges::sort(differences);
+  return {differences[kReplicates / 40], differences[kReplicates - 1 - kReplicates / 40]};
+}
+
+/// Runs all variants on the patches; the results of each in a folder of its name. Returns their processor times.
+std::map<std::string, double> run_variants(const fs::path& folder,
+                                           const std::vector<std::string>& patches) {
+  std::map<std::string, double> seconds;
+  for (const Variant& variant : kVariants) {
+    const fs::path config = folder / (std::string(variant.name) + ".yaml");
+    std::ofstream(config) << (*variant.parameters == '\0' ? "judge: {}" : variant.parameters)
+                          << "\n";
+    std::vector<std::string> arguments{"run",         "--out",      variant.name,
+                                       "--no-report", "--methods",  "joint,network",
+                                       "--config",    config.string()};
+    arguments.insert(arguments.end(), patches.begin(), patches.end());
+    const auto result = ridgeline::test::run_program(RIDGELINE_BINARY, arguments, folder);
+    check(result.exit_code == 0, result.err);
+    seconds[variant.name] = result.seconds;
+    std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name,
+                 result.seconds);
+  }
+  return seconds;
+}
+
+Scenes scenes_of(const fs::path& results, const std::string& method) {
+  Scenes scenes;
+  for (const auto& [patch, figures] : figures_of(results, method)) scenes.push_back(figures);
+  return scenes;
+}
+
+std::string row_of(const Variant& variant, const SceneFigures& f, double seconds) {
+  std::string row = fmt::format("| {} | {:.0f} / {:.0f} / {:.0f} ", variant.name, f.correct, f.wrong,
+                                f.missed);
+  for (const Measure& measure : measures()) row += fmt::format("| {:.1f} ", measure.of(f));
+  return row + fmt::format("| {:.2f} | {:.1f} | {:.1f} |\n", f.sum_z2 / f.judged,
+                           100.0 * f.beyond / f.judged, seconds);
+}
+
+void print_set(const std::string& title, const fs::path& folder, const std::vector<std::string>& patches) {
+  const std::map<std::string, double> seconds = run_variants(folder, patches);
+  for (const std::string method : {"joint", "network"}) {
+    std::string head = "| without | correct / false / missed |";
+    std::string rule = "|---|--:|";
+    std::string changes = "| without |";
+    for (const Measure& measure : measures()) {
+      head += fmt::format(" {} |", measure.name);
+      changes += fmt::format(" {} |", measure.name);
+      rule += "--:|";
+    }
+    fmt::print("\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | time s |\n{}--:|--:|--:|\n", title,
+               patches.size(), method, head, rule);
+    const Scenes with = scenes_of(folder / kVariants[0].name, method);
+    for (const Variant& variant : kVariants) {
+      fmt::print("{}", row_of(variant, sum_of(scenes_of(folder / variant.name, method)),
+                              seconds.at(variant.name)));
+    }
+    fmt::print("\nChange without it, 95 % interval by scene\n\n{}\n{}\n", changes,
+               rule.substr(0, rule.size() - 4));
+    for (std::size_t v = 1; v < kVariants.size(); ++v) {
+      const Scenes without = scenes_of(folder / kVariants[v].name, method);
+      fmt::print("| {} |", kVariants[v].name);
+      for (const Measure& measure : measures()) {
+        const auto [low, high] = interval(measure, with, without);
+        fmt::print(" {:+.1f} ({:+.1f}, {:+.1f}) |",
+                   measure.of(sum_of(without)) - measure.of(sum_of(with)), low, high);
+      }
+      fmt::print("\n");
+    }
+  }
+}
+
+std::vector<std::string> make_villages(const fs::path& folder) {
+  std::vector<std::string> patches;
+  for (int seed = 1; seed <= 8; ++seed) {
+    const std::string name = std::to_string(seed);
+    const auto result = ridgeline::test::run_program(
+        RIDGELINE_BINARY,
+        {"simulate", "--out", name, "--seed", name, "--extent-m", "80,80", "--street-azimuth-deg",
+         std::to_string(17 * (seed - 1) % 90)},
+        folder);
+    check(result.exit_code == 0, result.err);
+    patches.push_back((folder / name / "patch.yaml").string());
+  }
+  return patches;
+}
+
+std::vector<std::string> make_other_scenes(const fs::path& folder) {
+  std::vector<std::string> patches;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const fs::path scene = folder / std::to_string(seed);
+    fs::create_directories(scene);
+    ridgeline::other::write_scene(scene.string(), seed);
+    patches.push_back((scene / "patch.yaml").string());
+  }
+  return patches;
+}
+
+void print_vaihingen(const fs::path& folder, const std::string& patch) {
+  (void)run_variants(folder, {patch});
+  fmt::print(
+      "\nVaihingen against LIDAR, `joint`: RMS m with its 95 % interval over planes\n\n"
+      "| without | matches | total | n | aligned | n |\n|---|--:|--:|--:|--:|--:|\n");
+  for (const Variant& variant : kVariants) {
+    std::map<std::string, CsvRow> rows;
+    for (const CsvRow& row : ridgeline::test::read_csv(folder / variant.name / "table2.csv")) {
+      if (row.at("method") == "joint") rows[row.at("class")] = row;
+    }
+    fmt::print("| {} | {} |", variant.name, rows["total"].at("n_lines"));
+    for (const char* line_class : {"total", "aligned"}) {
+      const CsvRow& row = rows[line_class];
+      fmt::print(" {:.3f} ({:.3f}, {:.3f}) | {} |", number(row, "rms_m"), number(row, "ci95_low_m"),
+                 number(row, "ci95_high_m"), row.at("n_evaluated"));
+    }
+    fmt::print("\n");
+  }
+}
+
+fs::path made(const fs::path& folder) {
+  fs::create_directories(folder);
+  return fs::absolute(folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 3) {
+    std::fprintf(stderr, "usage: ablation FOLDER [VAIHINGEN_PATCH]\n");
+    return 1;
+  }
+  try {
+    const fs::path folder = argv[1];
+    const fs::path villages = made(folder / "villages");
+    print_set("Training villages", villages, make_villages(villages));
+    const fs::path other = made(folder / "other_scenes");
+    print_set("Other renderer", other, make_other_scenes(other));
+    if (argc == 3) print_vaihingen(made(folder / "vaihingen"), fs::absolute(argv[2]).string());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ablation: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
