@@ -2,8 +2,8 @@
 # ::reconstruct, ::io and ::evaluate.
 include(CMakePackageConfigHelpers)
 
-set(libraries ridgeline_geometry ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
-    ridgeline_reconstruct ridgeline_io ridgeline_evaluate)
+set(libraries ridgeline_geometry ridgeline_views ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
+    ridgeline_beyond ridgeline_reconstruct ridgeline_io ridgeline_evaluate)
 install(TARGETS ${libraries}
   EXPORT ridgelineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

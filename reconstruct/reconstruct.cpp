@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/reconstruct.h"
 
-#include "reconstruct/chio/combine_matches.h"
-#include "reconstruct/extract/normalised_image.h"
+#include "reconstruct/beyond/depth_consensus/sample_flanks.h"
+#include "reconstruct/beyond/edge_refinement.h"
+#include "reconstruct/beyond/estimate_extensions.h"
+#include "reconstruct/beyond/match_extensions.h"
+#include "reconstruct/beyond/profile_registration/profile_registration.h"
+#include "reconstruct/chio_wang2000/combine_matches.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/match/connect_matches.h"
-#include "reconstruct/match/match_pairwise.h"
-#include "reconstruct/match/profile_registration.h"
-#include "reconstruct/match/sample_flanks.h"
+#include "reconstruct/ok2011/match/connect_matches.h"
+#include "reconstruct/ok2011/match/match_pairwise.h"
+#include "reconstruct/views/normalised_image.h"
 
 #include <tbb/parallel_for.h>
 
@@ -55,8 +58,9 @@ void add_by_height(const StereoPair& pair, const MatchingOptions& options, Match
       0.0;  // heights of lines that are only nearby brought more wrong lines than right ones
   propagation.min_similarity =
       std::max(propagation.min_similarity, options.propagate_min_similarity);
-  const ChioResult more = propagate_heights(left, right, pair.height_range_in_local_m,
-                                            scored_matches(list), propagation, options.pairwise);
+  const ChioResult more =
+      propagate_heights(left, right, pair.height_range_in_local_m, scored_matches(list),
+                        propagation, options.pairwise, match_extensions(options.pairwise).look);
   for (const ChioLine& line : more.lines) {
     list.matches.push_back({line.scored, kByHeight});
     list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
@@ -66,7 +70,8 @@ void add_by_height(const StereoPair& pair, const MatchingOptions& options, Match
 
 MatchList by_pairs(const StereoPair& pair, const MatchingOptions& options) {
   const MatchResult found =
-      match_pairwise(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.pairwise);
+      match_pairwise(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.pairwise,
+                     match_extensions(options.pairwise));
   MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
                  reasons_of(found.outcomes)};
   if (options.propagate_heights) add_by_height(pair, options, list);
@@ -131,6 +136,12 @@ cv::Mat normalised(const View& view) {
   return view.image.depth() == CV_32F ? view.image : normalised_image(view.image);
 }
 
+std::vector<EdgeSegment> extract(const cv::Mat& image,
+                                 const PixelMap& ideal_from_image,
+                                 const ExtractOptions& options) {
+  return extract_segments(image, ideal_from_image, options, edge_refinement(options));
+}
+
 Reconstruction reconstruct(std::span<const View> views,
                            const std::array<double, 2>& height_range_m,
                            const Options& options,
@@ -147,7 +158,7 @@ Reconstruction reconstruct(std::span<const View> views,
   result.segments.resize(views.size());
   tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t v) {
     images[v] = normalised(views[v]);
-    result.segments[v] = extract_segments(images[v], views[v].ideal_from_image, options.extract);
+    result.segments[v] = extract(images[v], views[v].ideal_from_image, options.extract);
   });
 
   const auto matched_view = [&](std::size_t v) -> MatchView {
@@ -172,8 +183,9 @@ Matches match(const StereoPair& pair, const MatchingOptions& options) {
     if (matcher == Matcher::kPairwise) {
       result.lists.push_back(by_pairs(pair, options));
     } else {
-      result.chio = chio_match(pair.views[0], pair.views[1], pair.height_range_in_local_m,
-                               options.chio, options.pairwise);
+      result.chio =
+          chio_match(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.chio,
+                     options.pairwise, match_extensions(options.pairwise).look);
       result.lists.push_back(list_of(*result.chio));
     }
   }
@@ -210,8 +222,8 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
   within_heights.lowest_height_m = heights_m[0];
   within_heights.highest_height_m = heights_m[1];
   const std::array geometry{geometry_of(left.segments), geometry_of(right.segments)};
-  return reconstruct_lines(cameras, geometry, matches, connections, within_heights, strips,
-                           right_shifts_px);
+  return reconstruct_lines(cameras, geometry, matches, connections, within_heights, right_shifts_px,
+                           estimate_extensions(within_heights, strips));
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {

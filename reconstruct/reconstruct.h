@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/chio/chio_match.h"
-#include "reconstruct/estimate/reconstruct_lines.h"
-#include "reconstruct/extract/extract_segments.h"
+#include "reconstruct/chio_wang2000/chio_match.h"
 #include "reconstruct/geometry/local_frame.h"
-#include "reconstruct/match/match_view.h"
+#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "reconstruct/ok2011/extract/extract_segments.h"
+#include "reconstruct/views/match_view.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -118,6 +118,12 @@ Reconstruction reconstruct(std::span<const View> views,
 LocalFrame local_frame(const ProjectionMatrix& image_from_world,
                        const Eigen::Vector2d& size_px,
                        const std::array<double, 2>& height_range_m);
+
+/// The segments of an image.
+/// @param image  as normalised() gives it
+std::vector<EdgeSegment> extract(const cv::Mat& image,
+                                 const PixelMap& ideal_from_image = {},
+                                 const ExtractOptions& options = {});
 
 /// The view's image as the stages use it.
 cv::Mat normalised(const View& view);

@@ -3,7 +3,7 @@
 
 #include "apps/common/check_pair.h"
 #include "io/image.h"
-#include "reconstruct/extract/normalised_image.h"
+#include "reconstruct/views/normalised_image.h"
 
 #include <tbb/parallel_for.h>
 
@@ -39,7 +39,7 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
     return io::undistorted_px(view, x_px);
   };
   const bool is_ideal = !view.interior || view.interior->distortion.is_zero();
-  return reconstruct::extract_segments(
+  return reconstruct::extract(
       image, is_ideal ? reconstruct::PixelMap{} : reconstruct::PixelMap{ideal}, options);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/lines/line_set.h"
-#include "reconstruct/estimate/reconstruct_lines.h"
 #include "reconstruct/geometry/local_frame.h"
+#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
 #include <span>
 

@@ -11,8 +11,8 @@
 #include "io/patch.h"
 #include "io/png_writer.h"
 #include "io/segments_file.h"
-#include "reconstruct/extract/extract_segments.h"
-#include "reconstruct/extract/normalised_image.h"
+#include "reconstruct/ok2011/extract/extract_segments.h"
+#include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
 
@@ -67,8 +67,7 @@ int run_extract(const ExtractArguments& a) {
   check_outputs(a);
   const reconstruct::PixelMap ideal_from_image = pixel_map(a);
   const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
-  const std::vector<EdgeSegment> segments =
-      reconstruct::extract_segments(image, ideal_from_image, options);
+  const std::vector<EdgeSegment> segments = reconstruct::extract(image, ideal_from_image, options);
   io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {
     io::write_png(a.overlay, segment_overlay(image, segments));

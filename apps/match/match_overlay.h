@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/matches_file.h"
-#include "reconstruct/match/match_view.h"
+#include "reconstruct/views/match_view.h"
 
 #include <opencv2/core/mat.hpp>
 

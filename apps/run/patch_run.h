@@ -15,8 +15,8 @@
 #include "io/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/patch.h"
-#include "reconstruct/estimate/options.h"
-#include "reconstruct/extract/options.h"
+#include "reconstruct/ok2011/estimate/options.h"
+#include "reconstruct/ok2011/extract/options.h"
 
 #include <optional>
 #include <string>

@@ -95,7 +95,7 @@ TEST_F(TwoViews, GiveWhatTheStagesGiveOneByOne) {
   for (std::size_t v = 0; v < 2; ++v) {
     const cv::Mat image = normalised(views()[v]);
     pair.views[v] = {image_from_local(views()[v].image_from_world, found.frame.origin_m), image,
-                     extract_segments(image)};
+                     extract(image)};
   }
   const Matches matches = match(pair);
   EXPECT_EQ(matches.used().matches.size(), found.pairs[0].matches.used().matches.size());

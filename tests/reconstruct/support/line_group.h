@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/estimate/reconstruct_lines.h"
+#include "reconstruct/beyond/estimate_extensions.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 #include "tests/support/random.h"
 
@@ -23,7 +23,8 @@ struct LineGroup {
       std::span<const reconstruct::FlankStrips> strips = {},
       std::span<const double> right_shifts_px = {}) const {
     return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections, options,
-                                          strips, right_shifts_px);
+                                          right_shifts_px,
+                                          reconstruct::estimate_extensions(options, strips));
   }
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/views/colour_profile.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <array>
+#include <optional>
+
+namespace ridgeline::reconstruct {
+
+/// One of the steps of the colour profile across a segment: a line beside the segment's own.
+/// Offsets are along n = (-u_y, u_x), u = end - start.
+struct ProfileStep {
+  double offset_px = 0.0;  ///< in the middle of the segment
+  double tilt_px = 0.0;    ///< the offset is larger by this at the end, smaller at the start
+  double height = 0.0;     ///< root of the summed squares of the bands' steps
+};
+
+/// Finds the two edges that make up one segment.
+///
+/// Edges within about two pixels blur into one: the edge of a roof and the strip of wall below it,
+/// which one of the cameras sees; both borders of a road marking. Then the maximum of the gradient is
+/// at neither: it is off by up to half the strip. The pixels along the segment sample the profile
+/// across it at many phases, which makes it known far below a pixel; per band it is
+///
+///     I(s) = c_0 + c_1 Phi((s - x_1) / blur) + c_2 Phi((s - x_2) / blur),
+///
+/// x_1 < x_2 common to the bands, Phi the normal distribution. First by exhaustive search, then by
+/// least squares with a tilt for each line. Nothing is returned where one step describes the profile
+/// about as well, where two steps the same way are so close that a wider blur would explain them, where
+/// one step hardly counts beside the other and where the least squares leave the neighbourhood of what
+/// was found.
+class CloseEdgeFinder {
+ public:
+  /// @param blur_px  of the image's edges, edge_blur_px(); above 0
+  explicit CloseEdgeFinder(double blur_px);
+
+  /// The two edges in the order of their offsets, if there are two.
+  /// @param image  CV_32FC(n), n = 1..4
+  [[nodiscard]] std::optional<std::array<ProfileStep, 2>> find(const cv::Mat& image,
+                                                               const Segment2& segment) const;
+
+ private:
+  double blur_px_;
+  StepBasis basis_;
+};
+
+}  // namespace ridgeline::reconstruct

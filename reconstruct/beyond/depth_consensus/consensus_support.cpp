@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/depth_consensus/consensus_support.h"
+
+#include "reconstruct/beyond/depth_consensus/depth_consensus.h"
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/segment_index.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// The ends of lines of known height, by their place in the left image.
+class KnownEnds {
+ public:
+  KnownEnds(const StereoLines& lines,
+            std::span<const ReconstructedLine> results,
+            const ReconstructOptions& options) {
+    for (const ReconstructedLine& line : results) {
+      if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
+      if (*line.direct_sigma_z_m > options.max_nearby_sigma_m) continue;
+      add(lines.stereo, line.segment_in_local->start);
+      add(lines.stereo, line.segment_in_local->end);
+    }
+    index_ = SegmentIndex(ends_px_);
+  }
+
+  /// Heights of the ends near an image line, in the conditioned object frame.
+  [[nodiscard]] std::vector<double> heights_near(const Segment2& seen_px, double radius_px) const {
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius_px);
+    const Eigen::AlignedBox2d box(seen_px.start.cwiseMin(seen_px.end) - reach,
+                                  seen_px.start.cwiseMax(seen_px.end) + reach);
+    std::vector<double> heights;
+    for (const int i : index_.in_box(box)) {
+      const auto end = static_cast<std::size_t>(i);
+      if (distance(seen_px, ends_px_[end].start) <= radius_px) heights.push_back(heights_[end]);
+    }
+    return heights;
+  }
+
+ private:
+  /// The line may end where the right segment does: its place in the left image is the end's own.
+  void add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local) {
+    const Eigen::Vector3d x = stereo.object.conditioned_from_local(end_in_local);
+    const Eigen::Vector2d x_px =
+        stereo.views[0].image.image_from_conditioned(project(stereo.views[0].image_from_object, x));
+    ends_px_.push_back({x_px, x_px});
+    heights_.push_back(x.z());
+  }
+
+  std::vector<Segment2> ends_px_;  ///< of no length
+  std::vector<double> heights_;
+  SegmentIndex index_{{}};
+};
+
+/// A segment's end: uncertain along the line by sigma_end, across as the line is there.
+UncertainPoint2 end_in_image(const ObservedLine& observed,
+                             const Eigen::Vector2d& end,
+                             double sigma_end) {
+  const Eigen::Vector2d along = (observed.segment.end - observed.segment.start).normalized();
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const Eigen::Vector3d x = end.homogeneous();
+  const double norm = observed.line.mean.head<2>().norm();
+  const double variance_across = x.dot(observed.line.cov * x) / (norm * norm);
+  UncertainPoint2 point{x, Eigen::Matrix3d::Zero()};
+  point.cov.topLeftCorner<2, 2>() = sigma_end * sigma_end * along * along.transpose() +
+                                    variance_across * across * across.transpose();
+  return spherically_normalised(point);
+}
+
+/// What the left camera sees at a pixel on the level of the patch's centre, seen by the right one.
+Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_left) {
+  const ProjectionMatrix& left = stereo.views[0].image_from_object;
+  Eigen::Matrix3d image_from_level;  // of (X, Y, 1)
+  image_from_level << left.col(0), left.col(1), left.col(3);
+  const Eigen::Vector3d x = image_from_level.inverse() * x_in_left.homogeneous();
+  return (stereo.views[1].image_from_object * Eigen::Vector4d(x.x(), x.y(), 0.0, x.z()))
+      .hnormalized();
+}
+
+/// Whether the right segment runs the other way than the left one, by whatever rule the segments
+/// were directed.
+bool runs_back(const StereoLines& lines, const ObservedPair& line) {
+  const Segment2& left = line[0].segment;
+  const Segment2& right = line[1].segment;
+  const Eigen::Vector2d expected =
+      on_level(lines.stereo, left.end) - on_level(lines.stereo, left.start);
+  return expected.dot(right.end - right.start) < 0.0;
+}
+
+/// The starts (0) or the ends (1) of both segments, in the direction of the left one.
+std::array<Eigen::Vector2d, 2> ends_in_images(const StereoLines& lines,
+                                              const ObservedPair& line,
+                                              int which) {
+  const bool back = runs_back(lines, line);
+  const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
+  return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != back)};
+}
+
+/// What both images show at points of their segments; empty if not before the cameras and within the
+/// heights.
+/// @param sigma_px  along the line
+std::optional<UncertainPoint3> point_in_object(const StereoLines& lines,
+                                               const ObservedPair& line,
+                                               const std::array<Eigen::Vector2d, 2>& x,
+                                               double sigma_px,
+                                               const ReconstructOptions& options) {
+  std::vector<PointObservation> observations;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const ConditionedView& view = lines.stereo.views[j];
+    observations.push_back(
+        {view.image_from_object, end_in_image(line[j], x[j], sigma_px / view.image.scale_px)});
+  }
+  const auto estimated = estimate_point(observations);
+  if (!estimated || !plausible(lines, estimated->point.mean, options)) return std::nullopt;
+  return estimated->point;
+}
+
+DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double prior) {
+  const Eigen::Matrix<double, 3, 4> jacobian = euclidean_jacobian(point.mean);
+  return {point.mean.hnormalized(), jacobian * point.cov * jacobian.transpose(), parameter, prior};
+}
+
+/// Whether a segment is long enough for its ends to tell a depth.
+bool has_telling_ends(const StereoLines& lines,
+                      const ObservedPair& line,
+                      const ReconstructOptions& options) {
+  return lines.stereo.views[0].image.scale_px * length(line[0].segment) >=
+         options.min_ends_length_px;
+}
+
+/// Whether the points are far enough apart, as a share of the segment.
+bool fix_direction(std::span<const CandidatePoint> points) {
+  if (points.empty()) return false;
+  const auto [low, high] = std::minmax_element(
+      points.begin(), points.end(), [](const CandidatePoint& a, const CandidatePoint& b) {
+        return a.ranked.parameter < b.ranked.parameter;
+      });
+  return high->ranked.parameter - low->ranked.parameter >= kSmallestBase;
+}
+
+/// Where a match crosses another one, in both images.
+std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const ObservedPair& other) {
+  return {line[0].line.mean.cross(other[0].line.mean).hnormalized(),
+          line[1].line.mean.cross(other[1].line.mean).hnormalized()};
+}
+
+/// Whether the match may be cut where it meets another one: the parts are long enough in both images.
+bool may_cut(const StereoLines& lines,
+             const ObservedPair& line,
+             const CandidatePoint& at,
+             const ReconstructOptions& options) {
+  if (at.ranked.weight < options.min_cut_weight) return false;
+  const auto x = crossing(line, lines.lines[static_cast<std::size_t>(at.ranked.neighbour)]);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double shortest = options.min_cut_length_px / lines.stereo.views[j].image.scale_px;
+    const double to_end =
+        std::min((x[j] - line[j].segment.start).norm(), (x[j] - line[j].segment.end).norm());
+    if (!(distance(line[j].segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
+  }
+  return true;
+}
+
+/// A match with the artificial points that are good enough to be heard, and what its ends show.
+struct Heard {
+  const StereoLines& lines;
+  const ObservedPair& line;
+  std::vector<CandidatePoint> points;
+  std::vector<UncertainPoint3> ends;
+  std::vector<int> which_ends;          ///< 0 starts, 1 ends
+  std::vector<DepthEvidence> evidence;  ///< of the points, then of the ends
+};
+
+/// Whether the border of an image cuts the starts (0) or the ends (1) of both segments.
+bool is_cut(const FlankStrips& strips, int which, bool runs_back) {
+  const auto left = static_cast<std::size_t>(which);
+  return strips.left.is_cut[left] || strips.right.is_cut[runs_back ? 1 - left : left];
+}
+
+Heard hear(const StereoLines& lines,
+           const ObservedPair& line,
+           std::span<const int> neighbours,
+           const FlankStrips* strips,
+           const ReconstructOptions& options) {
+  Heard heard{lines, line, {}, {}, {}, {}};
+  for (const CandidatePoint& c : candidate_points(lines, line, neighbours, options)) {
+    if (!(c.ranked.weight > options.min_weight)) continue;
+    heard.points.push_back(c);
+    DepthEvidence e = evidence_of(c.estimated.point, c.ranked.parameter,
+                                  options.max_point_prior * c.ranked.weight);
+    e.meeting = c.ranked.weight;
+    e.may_cut = may_cut(lines, line, c, options);
+    heard.evidence.push_back(e);
+  }
+  for (const int which : {0, 1}) {
+    if (strips != nullptr && is_cut(*strips, which, runs_back(lines, line))) continue;
+    if (const auto end = point_in_object(lines, line, ends_in_images(lines, line, which),
+                                         options.sigma_end_px, options)) {
+      heard.ends.push_back(*end);
+      heard.which_ends.push_back(which);
+      heard.evidence.push_back(evidence_of(*end, which, options.end_prior));
+    }
+  }
+  return heard;
+}
+
+/// The part of the match between the cuts.
+ObservedPair seen_part(const Heard& heard, const DepthPart& part) {
+  ObservedPair seen = heard.line;
+  const bool back = runs_back(heard.lines, heard.line);
+  const auto cut = [&](std::size_t evidence, bool at_start) {
+    const auto other = static_cast<std::size_t>(heard.points[evidence].ranked.neighbour);
+    const auto x = crossing(heard.line, heard.lines.lines[other]);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const bool starts = at_start != (back && j == 1);
+      (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
+    }
+  };
+  if (part.from) cut(*part.from, true);
+  if (part.to) cut(*part.to, false);
+  return seen;
+}
+
+/// Takes points of the line that the strips beside it show in both images; false if they show none.
+bool add_flank_points(const Heard& heard,
+                      const FlankCorrelation& flanks,
+                      const DepthPart& part,
+                      const ReconstructOptions& options,
+                      LineSupport& support) {
+  const auto found = flanks.homologous(part.line, part.horizontal);
+  if (!found) return false;
+  for (const FlankCorrelation::Homologous& x : *found) {
+    if (const auto point =
+            point_in_object(heard.lines, heard.line, x, options.sigma_flank_px, options)) {
+      support.ends.push_back(*point);
+      support.ends_in_images.push_back(x);
+    }
+  }
+  support.has_flanks = !support.ends.empty();
+  return support.has_flanks;
+}
+
+LineSupport support_of(const Heard& heard,
+                       const DepthPart& part,
+                       const FlankCorrelation* flanks,
+                       const ReconstructOptions& options) {
+  LineSupport support;
+  support.seen = seen_part(heard, part);
+  std::vector<CandidatePoint> agreeing;
+  for (const std::size_t i : part.supports) {
+    if (i >= heard.points.size()) continue;
+    agreeing.push_back(heard.points[i]);
+    RankedPoint& ranked = agreeing.back().ranked;
+    const auto x =
+        crossing(heard.line, heard.lines.lines[static_cast<std::size_t>(ranked.neighbour)]);
+    ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
+  }
+  support.points = best_of_regions(agreeing, options);
+  if (part.horizontal) support.sigma_slope = options.sigma_slope;
+  support.points_fix_direction = fix_direction(support.points);
+  if (flanks != nullptr && add_flank_points(heard, *flanks, part, options, support)) return support;
+  if (support.points_fix_direction) return support;
+  for (const std::size_t i : part.supports) {
+    if (i < heard.points.size()) continue;
+    const std::size_t end = i - heard.points.size();
+    support.ends.push_back(heard.ends[end]);
+    support.ends_in_images.push_back(
+        ends_in_images(heard.lines, heard.line, heard.which_ends[end]));
+  }
+  const bool is_cut = part.from || part.to;
+  if (support.points.empty()) {
+    support.ambiguous =
+        is_cut || support.ends.empty() || !has_telling_ends(heard.lines, heard.line, options);
+  } else {
+    support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
+  }
+  return support;
+}
+
+std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
+                                            const ObservedPair& line,
+                                            std::span<const int> neighbours,
+                                            std::span<const double> heights_nearby,
+                                            const FlankStrips* strips,
+                                            const ReconstructOptions& options) {
+  const Heard heard = hear(lines, line, neighbours, strips, options);
+  std::optional<FlankCorrelation> flanks;
+  if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
+  const auto consensus = agree_on_depth(
+      {lines, line, heard.evidence, heights_nearby, options, flanks ? &*flanks : nullptr});
+  if (!consensus) {
+    LineSupport nothing;
+    nothing.seen = line;
+    return {nothing};
+  }
+  std::vector<LineSupport> all;
+  const bool is_whole = consensus->parts.size() == 1;
+  for (const DepthPart& part : consensus->parts) {
+    all.push_back(support_of(heard, part, flanks && is_whole ? &*flanks : nullptr, options));
+    if (consensus->margin < options.min_depth_margin) all.back().ambiguous = true;
+  }
+  return all;
+}
+
+}  // namespace
+
+SupportOfMatch consensus_support(const StereoLines& lines,
+                                 std::span<const ReconstructedLine> direct,
+                                 std::span<const FlankStrips> strips,
+                                 const ReconstructOptions& options) {
+  check(strips.empty() || strips.size() == direct.size(),
+        "consensus_support: strips = ", strips.size(), ", must be one per match, ", direct.size(),
+        ", or none");
+  return [&lines, strips, options, ends = KnownEnds(lines, direct, options)](
+             std::size_t match, const ObservedPair& line, const Segment2& seen_px,
+             std::span<const int> neighbours) {
+    return lines_by_consensus(lines, line, neighbours,
+                              ends.heights_near(seen_px, options.nearby_px),
+                              strips.empty() ? nullptr : &strips[match], options);
+  };
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/depth_consensus/depth_scorer.h"
+
+#include "reconstruct/beyond/depth_consensus/bell.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Within this many standard deviations evidence supports a line.
+constexpr double kSupportSigma = 3.0;
+/// Lines that end on one another are seen to do so within this.
+constexpr double kCutReachPx = 6.0;
+
+}  // namespace
+
+double slope(const Eigen::Vector3d& direction) {
+  return std::abs(direction.z()) / direction.head<2>().norm();
+}
+
+DepthScorer::DepthScorer(const DepthQuestion& question)
+    : question_(question),
+      unit_m_(question.lines.stereo.object.scale_m),
+      reach_(kCutReachPx / question.lines.stereo.views[0].image.scale_px /
+             length(question.line[0].segment)),
+      other_from_object_(line_projection(question.lines.stereo.views[1].image_from_object)),
+      normal_(question.line[0].plane.mean.head<3>().normalized()) {}
+
+Eigen::Vector3d DepthScorer::horizontal() const {
+  const Eigen::Vector3d direction = normal_.cross(Eigen::Vector3d::UnitZ());
+  const double norm = direction.norm();
+  return norm > 1e-9 ? Eigen::Vector3d(direction / norm) : Eigen::Vector3d::Zero();
+}
+
+Eigen::Vector3d DepthScorer::in_plane(const Eigen::Vector3d& v) const {
+  return (v - normal_.dot(v) * normal_).normalized();
+}
+
+Eigen::Vector3d DepthScorer::mirrored(const Eigen::Vector3d& direction) const {
+  const Eigen::Vector3d level = horizontal();
+  return 2.0 * level.dot(direction) * level - direction;
+}
+
+DepthScorer::Misfit DepthScorer::misfit(const DepthEvidence& e, const DepthLine& line) const {
+  const Eigen::Vector3d across = normal_.cross(line.direction);
+  return {unit_m_ * across.dot(e.x - line.through),
+          std::hypot(unit_m_ * std::sqrt(across.dot(e.cov * across)),
+                     question_.options.sigma_meeting_m)};
+}
+
+bool DepthScorer::supports(const DepthEvidence& e, const DepthLine& line) const {
+  const Misfit m = misfit(e, line);
+  return std::abs(m.distance_m) <= kSupportSigma * m.sigma_m;
+}
+
+bool DepthScorer::is_at(std::size_t cut, const DepthEvidence& e) const {
+  return std::abs(e.parameter - question_.evidence[cut].parameter) <= reach_;
+}
+
+std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) const {
+  const auto beyond = [&](double p, std::size_t cut) {
+    return p < question_.evidence[cut].parameter;
+  };
+  const auto cut = std::upper_bound(profile.cuts.begin(), profile.cuts.end(), parameter, beyond);
+  return static_cast<std::size_t>(cut - profile.cuts.begin());
+}
+
+/// Where the line meets the plane across the base segment.
+double DepthScorer::height(const DepthLine& line, double parameter) const {
+  const Segment2& base = question_.line[0].segment;
+  const Eigen::Vector2d along = base.end - base.start;
+  const Eigen::Vector2d x = base.start + parameter * along;
+  const Eigen::Vector4d plane = question_.lines.stereo.views[0].image_from_object.transpose() *
+                                Eigen::Vector3d(along.x(), along.y(), -along.dot(x));
+  const double s = -plane.dot(line.through.homogeneous()) / plane.head<3>().dot(line.direction);
+  return line.through.z() + s * line.direction.z();
+}
+
+double DepthScorer::apart_m(const DepthProfile& a, const DepthProfile& b) const {
+  constexpr int kPlaces = 9;
+  double most = 0.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double parameter = static_cast<double>(i) / (kPlaces - 1);
+    most = std::max(most, std::abs(height(a.lines[line_at(a, parameter)], parameter) -
+                                   height(b.lines[line_at(b, parameter)], parameter)));
+  }
+  return unit_m_ * most;
+}
+
+double DepthScorer::difference_of_ends_m(const DepthProfile& profile) const {
+  return unit_m_ * (height(profile.lines.back(), 1.0) - height(profile.lines.front(), 0.0));
+}
+
+double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
+  const ReconstructOptions& o = question_.options;
+  const Misfit m = misfit(e, line);
+  const double agreement = bell(m.distance_m / m.sigma_m);
+  const bool is_above = m.distance_m * normal_.cross(line.direction).z() > 0.0;
+  const double doubt = is_above ? 1.0 - (1.0 - o.doubt_above) * e.meeting * (1.0 - agreement) : 1.0;
+  return std::log(doubt * (1.0 - e.prior) + e.prior * o.agreement_gain * agreement);
+}
+
+double DepthScorer::score_near_cut(const DepthEvidence& e, const DepthLine& line) const {
+  const Misfit m = misfit(e, line);
+  return std::log1p(e.prior * std::max(0.0, question_.options.agreement_gain - 1.0) *
+                    bell(m.distance_m / m.sigma_m));
+}
+
+double DepthScorer::score_of_cut(std::size_t cut,
+                                 const DepthLine& before,
+                                 const DepthLine& after) const {
+  const DepthEvidence& e = question_.evidence[cut];
+  double agreement = 0.0;
+  for (const DepthLine& line : {before, after}) {
+    const Misfit m = misfit(e, line);
+    agreement = std::max(agreement, bell(m.distance_m / m.sigma_m));
+  }
+  return std::log(1.0 - e.prior + e.prior * question_.options.agreement_gain * agreement);
+}
+
+double DepthScorer::score_of_end(int which, const DepthLine& line) const {
+  constexpr double kElsewhere = 0.3;  // of ends that are at the height of no line nearby
+  if (question_.heights_nearby.empty()) return 0.0;
+  const double z = height(line, which);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const double other : question_.heights_nearby) {
+    nearest = std::min(nearest, std::abs(other - z));
+  }
+  return std::log(kElsewhere +
+                  (1.0 - kElsewhere) * bell(unit_m_ * nearest / question_.options.sigma_height_m));
+}
+
+/// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
+/// degrees of freedom, as that of Student's distribution: what adjoins an edge, a shadow or a gutter,
+/// displaces it by more than its covariance tells, and no single match decides against all points.
+double DepthScorer::other_misclosure(const DepthLine& h) const {
+  constexpr double kFreedoms = 3.0;
+  const UncertainLine2& other = question_.line[1].line;
+  Vector6d line;
+  line << h.direction, h.through.cross(h.direction);
+  Eigen::Vector3d image = (other_from_object_ * line).normalized();
+  const Eigen::Matrix<double, 3, 2> basis = tangent_basis<3>(other.mean);
+  if (image.dot(other.mean) < 0.0) image = -image;
+  const Eigen::Vector2d difference = basis.transpose() * image;
+  const Eigen::Matrix2d cov = basis.transpose() * other.cov * basis;
+  const double squared = difference.dot(cov.inverse() * difference);
+  return (kFreedoms + 2.0) * std::log1p(squared / kFreedoms);
+}
+
+double DepthScorer::score(const DepthProfile& profile) const {
+  double sum = profile.log_prior;
+  sum += score_of_end(0, profile.lines.front()) + score_of_end(1, profile.lines.back());
+  for (std::size_t i = 0; i < profile.cuts.size(); ++i) {
+    sum += score_of_cut(profile.cuts[i], profile.lines[i], profile.lines[i + 1]);
+  }
+  for (std::size_t k = 0; k < question_.evidence.size(); ++k) {
+    const DepthEvidence& e = question_.evidence[k];
+    const auto cut = std::find_if(profile.cuts.begin(), profile.cuts.end(),
+                                  [&](std::size_t c) { return is_at(c, e); });
+    if (cut == profile.cuts.end()) {
+      sum += score(e, profile.lines[line_at(profile, e.parameter)]);
+    } else if (*cut != k) {
+      const auto i = static_cast<std::size_t>(cut - profile.cuts.begin());
+      sum += std::max(score_near_cut(e, profile.lines[i]), score_near_cut(e, profile.lines[i + 1]));
+    }
+  }
+  double misclosure = 0.0;
+  for (const DepthLine& line : profile.lines) {
+    misclosure = std::max(misclosure, other_misclosure(line));
+  }
+  if (question_.flanks != nullptr) {
+    sum += question_.flanks->log_likelihood([&](double parameter) -> const DepthLine& {
+      return profile.lines[line_at(profile, parameter)];
+    });
+  }
+  return sum - 0.5 * misclosure;
+}
+
+}  // namespace ridgeline::reconstruct

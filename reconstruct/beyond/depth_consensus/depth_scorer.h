@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/beyond/depth_consensus/depth_evidence.h"
+#include "reconstruct/beyond/depth_consensus/depth_line.h"
+#include "reconstruct/beyond/depth_consensus/flank_correlation.h"
+#include "reconstruct/ok2011/estimate/candidate_points.h"
+#include "reconstruct/ok2011/estimate/options.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// All that tells the depth of an aligned match.
+struct DepthQuestion {
+  const StereoLines& lines;
+  const ObservedPair& line;
+  std::span<const DepthEvidence> evidence;
+  std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
+  const ReconstructOptions& options;
+  const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
+};
+
+/// What an aligned match may show, from its start to its end: one line or several.
+struct DepthProfile {
+  std::vector<DepthLine> lines;
+  std::vector<std::size_t> cuts;  ///< evidence between each line and the next, ascending along
+  double log_prior = 0.0;
+};
+
+/// How well profiles explain an aligned match; see agree_on_depth().
+class DepthScorer {
+ public:
+  explicit DepthScorer(const DepthQuestion& question);
+
+  /// Horizontal direction of the projection plane; zero for a horizontal plane.
+  [[nodiscard]] Eigen::Vector3d horizontal() const;
+  /// The direction that a vector has in the projection plane.
+  [[nodiscard]] Eigen::Vector3d in_plane(const Eigen::Vector3d& v) const;
+  /// The direction in the plane that falls as steeply as the given one rises.
+  [[nodiscard]] Eigen::Vector3d mirrored(const Eigen::Vector3d& direction) const;
+
+  /// Within chance of the line.
+  [[nodiscard]] bool supports(const DepthEvidence& evidence, const DepthLine& line) const;
+  /// Whether evidence so near to a cut that it may be on either side of it.
+  [[nodiscard]] bool is_at(std::size_t cut, const DepthEvidence& evidence) const;
+  /// Which of the lines of a profile is seen at a parameter of the base segment.
+  [[nodiscard]] std::size_t line_at(const DepthProfile& profile, double parameter) const;
+
+  /// Largest difference of the heights of two profiles over the segment.
+  [[nodiscard]] double apart_m(const DepthProfile& a, const DepthProfile& b) const;
+
+  /// Height at the end of a profile over that at its start.
+  [[nodiscard]] double difference_of_ends_m(const DepthProfile& profile) const;
+
+  /// Height of a horizontal line over another one.
+  [[nodiscard]] double rise_m(const DepthLine& from, const DepthLine& to) const {
+    return unit_m_ * (to.through.z() - from.through.z());
+  }
+
+  /// Logarithms of probabilities, up to one constant for all.
+  [[nodiscard]] double score(const DepthProfile& profile) const;
+  [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
+  /// The same for evidence so near to a cut that it speaks for a line beside it but not against one.
+  [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
+  /// Of the evidence at the cut itself, which belongs to either line.
+  [[nodiscard]] double score_of_cut(std::size_t cut,
+                                    const DepthLine& before,
+                                    const DepthLine& after) const;
+  [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
+
+ private:
+  struct Misfit {
+    double distance_m, sigma_m;
+  };
+  [[nodiscard]] Misfit misfit(const DepthEvidence& evidence, const DepthLine& line) const;
+  [[nodiscard]] double height(const DepthLine& line, double parameter) const;
+  [[nodiscard]] double other_misclosure(const DepthLine& line) const;
+
+  const DepthQuestion& question_;
+  double unit_m_;  ///< of the conditioned frame
+  double reach_;   ///< of a cut, in parameters of the base segment
+  Eigen::Matrix<double, 3, 6> other_from_object_;
+  Eigen::Vector3d normal_;  ///< of the projection plane
+};
+
+/// Slope of a direction, positive.
+double slope(const Eigen::Vector3d& direction);
+
+}  // namespace ridgeline::reconstruct

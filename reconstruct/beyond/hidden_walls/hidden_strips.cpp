@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/hidden_walls/hidden_strips.h"
+
+#include <algorithm>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// A match by its segments in the left and in the right image.
+using Ids = std::array<int, 2>;
+
+/// A pair of images with the lines close to others.
+struct Pair {
+  const std::array<const MatchView*, 2>& views;
+  const StereoSearch& search;
+  const Radiometry& radiometry;
+  const std::array<CloseLines, 2>& close;
+
+  [[nodiscard]] const EdgeSegment& segment(int image, int id) const {
+    return views[image]->segments[id];
+  }
+  [[nodiscard]] const std::vector<CloseLine>& beside(int image, int id) const {
+    return close[image][id];
+  }
+};
+
+/// A strip that one image shows, between the lower and the upper candidate for one segment of the
+/// other image.
+struct HiddenStrip {
+  int image = 0;  ///< that shows it
+  Ids lower{}, upper{};
+  const Candidate* lower_candidate = nullptr;
+  const Candidate* upper_candidate = nullptr;
+  std::array<Eigen::Vector2d, 2> towards_upper;  ///< from the lower edge, in both images
+};
+
+double mean_height_m(const Candidate& candidate) {
+  return 0.5 * (candidate.overlap.height_m[0] + candidate.overlap.height_m[1]);
+}
+
+/// Where a point of an image moves as it rises by a metre; zero in the nadir.
+Eigen::Vector2d px_per_m_up(const Pair& pair,
+                            int image,
+                            const Eigen::Vector2d& x_px,
+                            double height_m) {
+  const EpipolarTransfer& transfer =
+      image == 0 ? pair.search.right_from_left : pair.search.left_from_right;
+  const ProjectionMatrix& image_from_local = pair.views[image]->image_from_local;
+  const Eigen::Vector3d x = image_from_local * transfer.object_point(x_px, height_m).homogeneous();
+  const Eigen::Vector3d up = image_from_local.col(2);
+  return (up.head<2>() - up.z() * x_px) / x.z();
+}
+
+/// Whether the lines may be the edges of something vertical, seen at that width, and the other one is
+/// the upper one.
+bool is_below(const Eigen::Vector2d& px_per_m_up, const CloseLine& other) {
+  constexpr double kHighest_m = 4.0;
+  return px_per_m_up.dot(other.towards) * kHighest_m > other.distance_px;
+}
+
+/// Whether a segment has a strip of that kind on its own.
+bool shows_strip(const std::vector<CloseLine>& beside,
+                 const Eigen::Vector2d& towards,
+                 double width_px) {
+  constexpr double kNarrowest = 0.4;  // of the width in the other image; a gutter is no wall
+  return std::any_of(beside.begin(), beside.end(), [&](const CloseLine& line) {
+    return line.towards.dot(towards) > 0.0 && line.distance_px > kNarrowest * width_px;
+  });
+}
+
+const Candidate* with_mate(const std::vector<Candidate>& candidates, int right) {
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                  [&](const Candidate& c) { return c.right == right; });
+  return found == candidates.end() ? nullptr : &*found;
+}
+
+/// The strips of which a candidate is the lower edge, in one of the images.
+void add_strips(const Pair& pair,
+                int image,
+                int left,
+                const Candidate& lower,
+                const std::vector<std::vector<Candidate>>& candidates,
+                std::vector<HiddenStrip>& strips) {
+  const Ids ids{left, lower.right};
+  if (pair.beside(image, ids[image]).empty()) return;
+  const double height_m = mean_height_m(lower);
+  const Eigen::Vector2d up_px_per_m =
+      px_per_m_up(pair, image, midpoint(pair.segment(image, ids[image]).line.segment), height_m);
+  const Eigen::Matrix2d right_from_left =
+      local_transfer(pair.search.right_from_left, midpoint(pair.segment(0, left).line.segment),
+                     height_m)
+          .jacobian;
+  for (const CloseLine& above : pair.beside(image, ids[image])) {
+    if (!is_below(up_px_per_m, above)) continue;
+    HiddenStrip strip{image, ids, ids, &lower, nullptr, {}};
+    strip.upper[image] = above.id;
+    strip.towards_upper[image] = above.towards;
+    strip.towards_upper[1 - image] =
+        image == 0 ? Eigen::Vector2d(right_from_left * above.towards)
+                   : Eigen::Vector2d(right_from_left.inverse() * above.towards);
+    if (shows_strip(pair.beside(1 - image, ids[1 - image]), strip.towards_upper[1 - image],
+                    above.distance_px)) {
+      continue;
+    }
+    strip.upper_candidate = with_mate(candidates[strip.upper[0]], strip.upper[1]);
+    if (strip.upper_candidate == nullptr || strip.upper_candidate->overlap.aligned) continue;
+    strips.push_back(strip);
+  }
+}
+
+/// 0 for the left side of a segment, 1 for the right one, as in EdgeLook.
+int side_of(const EdgeSegment& edge, const Eigen::Vector2d& towards) {
+  const Eigen::Vector2d u = edge.line.segment.end - edge.line.segment.start;
+  return Eigen::Vector2d(-u.y(), u.x()).dot(towards) > 0.0 ? 1 : 0;
+}
+
+Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.right; }
+
+/// The upper candidate with the strip cut out: on the side of the strip it looks as the lower one
+/// does beyond it. A profile across the line cannot be had that way.
+Candidate across(const HiddenStrip& strip, const Pair& pair) {
+  EdgeLook look;
+  const int above = side_of(pair.segment(0, strip.upper[0]), strip.towards_upper[0]);
+  look.sides[above] = strip.upper_candidate->look.sides[above];
+  look.sides[1 - above] =
+      strip.lower_candidate->look
+          .sides[side_of(pair.segment(0, strip.lower[0]), -strip.towards_upper[0])];
+  std::array<EdgeSegment, 2> seen{pair.segment(0, strip.upper[0]), pair.segment(1, strip.upper[1])};
+  const Eigen::Vector2d down = -strip.towards_upper[strip.image];
+  EdgeSegment lower = pair.segment(strip.image, strip.lower[strip.image]);
+  EdgeSegment& upper = seen[strip.image];
+  flank(upper, side_of(upper, down)) = flank(lower, side_of(lower, down));
+  Candidate candidate = *strip.upper_candidate;
+  candidate.look = look;
+  candidate.measures = line_measures(seen[0], seen[1], candidate.overlap, look, pair.radiometry);
+  candidate.similarity = line_similarity(candidate.measures);
+  return candidate;
+}
+
+std::vector<HiddenStrip> hidden_strips(const Pair& pair,
+                                       const std::vector<std::vector<Candidate>>& candidates) {
+  std::vector<HiddenStrip> strips;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (const Candidate& candidate : candidates[i]) {
+      if (candidate.overlap.aligned) continue;
+      for (const int image : {0, 1}) {
+        add_strips(pair, image, static_cast<int>(i), candidate, candidates, strips);
+      }
+    }
+  }
+  return strips;
+}
+
+}  // namespace
+
+void compare_across_hidden_strips(const std::array<const MatchView*, 2>& views,
+                                  const StereoSearch& search,
+                                  const Radiometry& radiometry,
+                                  const std::array<CloseLines, 2>& close,
+                                  std::vector<std::vector<Candidate>>& candidates) {
+  constexpr double kSmallestRatio = 0.8;  // of the similarities of the upper and the lower edge
+  const Pair pair{views, search, radiometry, close};
+  std::vector<std::vector<Candidate>> changed = candidates;
+  for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {
+    const Candidate whole = across(strip, pair);
+    if (whole.similarity < kSmallestRatio * strip.lower_candidate->similarity) continue;
+    for (Candidate& upper : changed[strip.upper[0]]) {
+      if (upper.right == whole.right && upper.similarity < whole.similarity) upper = whole;
+    }
+    std::erase_if(changed[strip.lower[0]],
+                  [&](const Candidate& c) { return c.right == strip.lower[1]; });
+  }
+  for (std::vector<Candidate>& list : changed) {
+    std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
+      return a.similarity > b.similarity;
+    });
+  }
+  candidates = std::move(changed);
+}
+
+}  // namespace ridgeline::reconstruct

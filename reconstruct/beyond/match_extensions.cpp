@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/match_extensions.h"
+
+#include "reconstruct/beyond/close_edges/close_lines.h"
+#include "reconstruct/beyond/hidden_walls/hidden_strips.h"
+#include "reconstruct/beyond/hidden_walls/side_past_wall.h"
+#include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
+
+namespace ridgeline::reconstruct {
+
+MatchExtensions match_extensions(const MatchOptions& options) {
+  MatchExtensions beyond;
+  if (options.hidden_walls) beyond.look = look_past_wall;
+  if (options.matched_radiometry) {
+    beyond.radiometry = [options, look = beyond.look](const MatchView& left, const MatchView& right,
+                                                      const StereoSearch& search,
+                                                      const Radiometry& first) {
+      return matched_radiometry(left, right, search, first, options, look);
+    };
+  }
+  if (!options.close_lines && !options.hidden_walls) return beyond;
+  beyond.candidates = [options](const MatchView& left, const MatchView& right,
+                                const StereoSearch& search, const Radiometry& radiometry,
+                                std::vector<std::vector<Candidate>>& candidates) {
+    const std::array<CloseLines, 2> close{close_lines(ideal_segments(left)),
+                                          close_lines(ideal_segments(right))};
+    if (options.close_lines) keep_order_of_close_lines(left, search, close, candidates);
+    if (options.hidden_walls) {
+      compare_across_hidden_strips({&left, &right}, search, radiometry, close, candidates);
+    }
+  };
+  return beyond;
+}
+
+}  // namespace ridgeline::reconstruct

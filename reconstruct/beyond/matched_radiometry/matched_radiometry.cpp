@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
+
+#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/mate_flanks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// One surface in both images.
+struct ColourPair {
+  Colour left, right;
+};
+
+/// A line y = gain x + offset through weighted points.
+struct LineFit {
+  double w = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+
+  void add(double weight, double at_x, double at_y) {
+    w += weight;
+    x += weight * at_x;
+    y += weight * at_y;
+    xx += weight * at_x * at_x;
+    xy += weight * at_x * at_y;
+  }
+  [[nodiscard]] double variance() const { return xx / w - x * x / (w * w); }
+  [[nodiscard]] double gain() const { return (xy / w - x * y / (w * w)) / variance(); }
+  [[nodiscard]] double offset() const { return (y - gain() * x) / w; }
+};
+
+MatchView longest_of(const MatchView& view) {
+  constexpr std::size_t kMost = 300;
+  MatchView longest{view.image_from_local, view.image, view.segments};
+  std::stable_sort(longest.segments.begin(), longest.segments.end(),
+                   [](const EdgeSegment& a, const EdgeSegment& b) {
+                     return length(a.line.segment) > length(b.line.segment);
+                   });
+  if (longest.segments.size() > kMost) longest.segments.resize(kMost);
+  return longest;
+}
+
+void add_colours(const EdgeSegment& left,
+                 const EdgeSegment& right,
+                 const Candidate& candidate,
+                 std::vector<ColourPair>& pairs) {
+  constexpr double kSameTexture = 0.7;  // correlation that chance hardly reaches
+  const std::array<const Flank*, 2> own{&left.left, &left.right};
+  const std::array<const Flank*, 2> mate = mate_flanks(right, candidate.overlap.reversed());
+  for (const int side : {0, 1}) {
+    const auto& seen = candidate.look.sides[side];
+    if (seen && !candidate.look.is_past_wall[side] && seen->ncc >= kSameTexture) {
+      pairs.push_back({own[side]->colour, mate[side]->colour});
+    }
+  }
+}
+
+double median_misclosure(std::span<const ColourPair> pairs, int band, double gain, double offset) {
+  std::vector<double> all;
+  all.reserve(pairs.size());
+  for (const ColourPair& pair : pairs) {
+    all.push_back(std::abs(pair.left[band] - gain * pair.right[band] - offset));
+  }
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+/// Least squares, reweighted for Cauchy's distribution of the misclosures.
+void refine_band(std::span<const ColourPair> pairs, int band, Radiometry& radiometry) {
+  constexpr int kPasses = 10;
+  constexpr double kSmallestScale = 0.002;  // of the range of grey values
+  constexpr double kSmallestSpread = 0.05;  // of the colours, to fix a gain
+  double gain = radiometry.gain[band];
+  double offset = radiometry.offset[band];
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const double scale =
+        1.5 * std::max(kSmallestScale, median_misclosure(pairs, band, gain, offset));
+    LineFit fit;
+    for (const ColourPair& pair : pairs) {
+      const double ratio = (pair.left[band] - gain * pair.right[band] - offset) / scale;
+      fit.add(1.0 / (1.0 + ratio * ratio), pair.right[band], pair.left[band]);
+    }
+    if (!(fit.variance() > kSmallestSpread * kSmallestSpread)) return;
+    gain = fit.gain();
+    offset = fit.offset();
+  }
+  radiometry.gain[band] = static_cast<float>(gain);
+  radiometry.offset[band] = static_cast<float>(offset);
+}
+
+}  // namespace
+
+Radiometry matched_radiometry(const MatchView& left,
+                              const MatchView& right,
+                              const StereoSearch& search,
+                              const Radiometry& first,
+                              const MatchOptions& options,
+                              const CandidateLook& change_look) {
+  constexpr std::size_t kFewest = 20;
+  const MatchView longest = longest_of(left);
+  const std::vector<std::vector<Candidate>> candidates =
+      match_candidates(longest, right, search, first, options, change_look);
+  std::vector<ColourPair> pairs;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].empty()) continue;
+    const Candidate& best = candidates[i].front();
+    add_colours(longest.segments[i], right.segments[best.right], best, pairs);
+  }
+  if (pairs.size() < kFewest) return first;
+  Radiometry refined = first;
+  for (int band = 0; band < left.image.channels(); ++band) refine_band(pairs, band, refined);
+  return refined;
+}
+
+}  // namespace ridgeline::reconstruct

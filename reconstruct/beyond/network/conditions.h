@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/uncertain/pluecker.h"
+#include "reconstruct/views/conditioned_view.h"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace ridgeline::reconstruct {
+
+/// A function of one line with its derivatives, all in the conditioned frames.
+struct OfLine {
+  double value = 0.0;
+  Vector6d by_line = Vector6d::Zero();
+};
+
+/// A function of two lines.
+struct OfLinePair {
+  double value = 0.0;
+  Vector6d by_first = Vector6d::Zero(), by_second = Vector6d::Zero();
+};
+
+/// What an image says of a line: the distances of its image from the two points of the observed line,
+/// one on either side of the centroid, whose distances are uncorrelated, over their standard deviation
+/// sqrt(2) sigma_q. The sign of both changes with that of the line.
+class ImageCondition {
+ public:
+  /// @param observed  with a covariance of rank 2: shift at the centroid and direction
+  ImageCondition(const ProjectionMatrix& image_from_object, const UncertainLine2& observed);
+
+  [[nodiscard]] std::array<OfLine, 2> at(const Vector6d& line) const;
+
+ private:
+  Eigen::Matrix<double, 3, 6> image_from_line_;
+  std::array<Eigen::Vector3d, 2> points_;
+  double sigma_;
+};
+
+/// Signed distance of two lines; its sign depends on those of the lines. Not finite for parallel ones.
+OfLinePair meeting(const Vector6d& first, const Vector6d& second);
+
+/// Rise over length of a line, the sine of its slope, Z being up.
+OfLine rise(const Vector6d& line);
+
+/// Height of the point where the line passes through a plane.
+OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane);
+
+/// The plane that shows in an image as the line through x normal to the segment.
+Eigen::Vector4d end_plane(const ConditionedView& view,
+                          const Segment2& segment,
+                          const Eigen::Vector2d& x);
+
+/// What the ends of two segments say if they show the same point: where the line passes through the
+/// end plane of the left one, seen in the right image, from the right end along the right segment.
+OfLine end_parallax(const Vector6d& line,
+                    const Eigen::Vector4d& left_end_plane,
+                    const ConditionedView& right_view,
+                    const Segment2& right_segment,
+                    const Eigen::Vector2d& right_end);
+
+}  // namespace ridgeline::reconstruct

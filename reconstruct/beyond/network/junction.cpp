@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/network/junction.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+enum class Place { kEnd, kWithin, kBeyond };
+
+/// Where the crossings with another line lie on the segments of a line.
+Place place_of(const StereoViews& stereo, const ObservedPair& line, const ObservedPair& other) {
+  constexpr double kAtEnd_px = 4.0;
+  double to_end_px = 0.0;  // mean: positive beyond, negative within
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Eigen::Vector2d x = line[j].line.mean.cross(other[j].line.mean).hnormalized();
+    const Segment2& s = line[j].segment;
+    const double length = (s.end - s.start).norm();
+    const double along = (x - s.start).dot(s.end - s.start) / length;
+    to_end_px += 0.5 * stereo.views[j].image.scale_px * std::max(-along, along - length);
+  }
+  if (to_end_px > kAtEnd_px) return Place::kBeyond;
+  return to_end_px < -kAtEnd_px ? Place::kWithin : Place::kEnd;
+}
+
+}  // namespace
+
+Junction junction(const StereoViews& stereo,
+                  const ObservedPair& a,
+                  const ObservedPair& b,
+                  const ReconstructOptions& options) {
+  constexpr double kCorner = 0.87, kEndOnLine = 0.7, kCrossing = 0.35, kBeyondEnds = 0.45;
+  const Place of_a = place_of(stereo, a, b);
+  const Place of_b = place_of(stereo, b, a);
+  const double sigma_m = options.sigma_meeting_m;
+  if (of_a == Place::kBeyond || of_b == Place::kBeyond) return {kBeyondEnds, sigma_m};
+  if (of_a == Place::kEnd && of_b == Place::kEnd) return {kCorner, 0.5 * sigma_m};
+  const bool cross = of_a == Place::kWithin && of_b == Place::kWithin;
+  return {cross ? kCrossing : kEndOnLine, 0.5 * sigma_m};
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/beyond/network/junction.h"
+#include "reconstruct/geometry/uncertain/pluecker.h"
+#include "reconstruct/ok2011/estimate/options.h"
+#include "reconstruct/views/conditioned_view.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A matched line as it enters the adjustment of all, in the conditioned frames.
+struct NetworkLine {
+  ObservedPair seen;
+  Vector6d start = Vector6d::Zero();  ///< unit vector
+  /// Says which meetings are likely to begin with; none where nothing is known of it.
+  std::optional<Matrix6d> start_cov;
+  /// Taken as horizontal, within options.sigma_slope.
+  bool is_horizontal = false;
+  /// Ends of the left and the right segment that are taken to show the same point.
+  std::vector<std::array<Eigen::Vector2d, 2>> ends;
+  double sigma_ends_px = 1.0;  ///< of each of them along the line
+  /// Determined by its images alone; meetings that contradict them are dropped.
+  bool is_guarded = false;
+};
+
+/// Two lines that meet in both images.
+struct Meeting {
+  int first = 0, second = 0;
+  Junction junction;
+};
+
+struct AdjustedInNetwork {
+  UncertainLine3 line;          ///< unit vector on the Pluecker quadric
+  int n_meetings = 0;           ///< accepted
+  double omega = 0.0;           ///< of its image conditions, squared normalised deviations
+  bool guard_reverted = false;  ///< all its meetings contradicted its images
+  bool adjusted = false;        ///< false: no meeting offered, equations singular or not converged
+};
+
+/// All lines in one adjustment by their images, the accepted meetings, horizontality and
+/// corresponding ends where they rest on these, and the range of heights as a weak prior of the heights
+/// of both ends. Unlike in adjust_line() every segment enters once, so that what lines have in common is
+/// accounted for, and every meeting is tested.
+///
+/// Meetings are inliers of the standard deviation of their junction or outliers of a constant density
+/// over max_miss_m: expectation maximisation, then a hard decision at the posterior probability 0.5.
+/// Then the meeting whose normalised residual is the largest of its two lines' is rejected while it
+/// exceeds 3.29 (Baarda's data snooping, 0.1 %), and a guarded line loses meetings until its shift from
+/// what its images alone give is within chance (chi-square, 99.9 %).
+///
+/// There are no alternative starts, no conditions between lines and planes or of parallel and
+/// perpendicular lines, and no heights that are carried on within the adjustment.
+///
+/// Lines without a chain of meetings between them are independent: one sparse system for each group,
+/// groups in parallel. Results do not depend on the number of threads.
+std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
+                                              std::span<const NetworkLine> lines,
+                                              std::span<const Meeting> meetings,
+                                              const ReconstructOptions& options);
+
+}  // namespace ridgeline::reconstruct

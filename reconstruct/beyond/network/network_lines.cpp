@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/network/network_lines.h"
+
+#include "reconstruct/beyond/network/junction.h"
+#include "reconstruct/beyond/network/network.h"
+#include "reconstruct/ok2011/estimate/line_geometry.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Starts from the line through both ends. Their scatter along the line drops out of its covariance.
+void start_from(const ReconstructedLine& joint,
+                const ObjectConditioning& object,
+                NetworkLine& line) {
+  const Eigen::Vector4d start =
+      object.conditioned_from_local(joint.segment_in_local->start).homogeneous();
+  const Eigen::Vector4d end =
+      object.conditioned_from_local(joint.segment_in_local->end).homogeneous();
+  UncertainLine3 joined{pi_matrix(start) * end, Matrix6d::Zero()};
+  if (joint.covariance_m2) {
+    Matrix6d by_ends;  // Pi(X) Y = -Pi(Y) X
+    by_ends << -pi_matrix(end).leftCols<3>(), pi_matrix(start).leftCols<3>();
+    by_ends /= object.scale_m;
+    joined.cov = by_ends * *joint.covariance_m2 * by_ends.transpose();
+    joined = spherically_normalised(joined);
+    line.start_cov = joined.cov;
+  }
+  line.start = project_to_pluecker_quadric(joined.mean.normalized());
+}
+
+NetworkLine network_line(const StereoLines& lines,
+                         std::size_t match,
+                         const JointLine& joint,
+                         const ReconstructOptions& options) {
+  NetworkLine line;
+  line.seen = lines.lines[match];
+  for (std::size_t j = 0; j < 2; ++j) line.seen[j].segment = joint.support.seen[j].segment;
+  start_from(joint.line, lines.stereo.object, line);
+  line.is_horizontal = joint.support.sigma_slope.has_value();
+  line.ends = joint.support.ends_in_images;
+  line.sigma_ends_px = joint.support.has_flanks ? options.sigma_flank_px : options.sigma_end_px;
+  line.is_guarded = joint.line.line_class == LineClass::kNotAligned;
+  return line;
+}
+
+/// The lines with a geometry and where they come from.
+struct Members {
+  std::vector<NetworkLine> lines;
+  std::vector<JointLine*> results;
+  std::vector<std::vector<int>> of_match;
+};
+
+Members members_of(const StereoLines& lines,
+                   std::vector<std::vector<JointLine>>& by_match,
+                   const ReconstructOptions& options) {
+  Members members;
+  members.of_match.resize(by_match.size());
+  for (std::size_t match = 0; match < by_match.size(); ++match) {
+    for (JointLine& joint : by_match[match]) {
+      if (!joint.line.segment_in_local) continue;
+      members.of_match[match].push_back(static_cast<int>(members.lines.size()));
+      members.lines.push_back(network_line(lines, match, joint, options));
+      members.results.push_back(&joint);
+    }
+  }
+  return members;
+}
+
+/// Of the parts of a match the one closest to a segment of the left image; none for a match without.
+std::optional<int> closest_part(const Members& members, std::size_t match, const Segment2& to) {
+  std::optional<int> closest;
+  double least = 0.0;
+  for (const int part : members.of_match[match]) {
+    const double apart =
+        distance(members.lines[static_cast<std::size_t>(part)].seen[0].segment, to);
+    if (closest && apart >= least) continue;
+    closest = part;
+    least = apart;
+  }
+  return closest;
+}
+
+std::vector<Meeting> meetings_of(const StereoLines& lines,
+                                 std::span<const PairConnection> connections,
+                                 const Members& members,
+                                 const ReconstructOptions& options) {
+  std::set<std::pair<int, int>> pairs;  // in one order, each once
+  for (const PairConnection& c : connections) pairs.insert(std::minmax(c.i, c.k));
+  std::vector<Meeting> meetings;
+  for (const auto& [i, k] : pairs) {
+    const auto a = static_cast<std::size_t>(i);
+    const auto b = static_cast<std::size_t>(k);
+    if (!(pair_weight(lines, lines.lines[a], k, options) > options.min_weight)) continue;
+    const auto first = closest_part(members, a, lines.lines[b][0].segment);
+    const auto second = closest_part(members, b, lines.lines[a][0].segment);
+    if (!first || !second) continue;
+    meetings.push_back(
+        {*first, *second,
+         junction(lines.stereo, members.lines[*first].seen, members.lines[*second].seen, options)});
+  }
+  return meetings;
+}
+
+/// Whether the line is known far better than by the range of heights alone: of the variance of its
+/// heights in any combination at most this share is left.
+bool is_determined(const ReconstructedLine& line, const ReconstructOptions& options) {
+  constexpr double kMostLeft = 0.01;
+  const Matrix6d& cov = *line.covariance_m2;
+  Eigen::Matrix2d heights;
+  heights << cov(2, 2), cov(2, 5), cov(5, 2), cov(5, 5);
+  const double range_m = options.highest_height_m - options.lowest_height_m;
+  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(heights).eigenvalues()(1);
+  return largest <= kMostLeft * range_m * range_m / 12.0;
+}
+
+}  // namespace
+
+void adjust_together(const StereoLines& lines,
+                     std::span<const PairConnection> connections,
+                     const ReconstructOptions& options,
+                     std::vector<std::vector<JointLine>>& by_match) {
+  const Members members = members_of(lines, by_match, options);
+  const std::vector<Meeting> meetings = meetings_of(lines, connections, members, options);
+  const std::vector<AdjustedInNetwork> adjusted =
+      adjust_network(lines.stereo, members.lines, meetings, options);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    ReconstructedLine& joint = members.results[i]->line;
+    if (!adjusted[i].adjusted) continue;
+    if (adjusted[i].guard_reverted) joint.status = Status::kGuardReverted;
+    // with fewer meetings than the points that `joint` rests on, that is the better determined
+    if (adjusted[i].n_meetings < std::max(1, static_cast<int>(joint.points.size()))) continue;
+    ReconstructedLine line = joint;
+    if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line, options, line) ||
+        !is_determined(line, options)) {
+      continue;
+    }
+    line.status = Status::kNetwork;
+    line.n_meetings = adjusted[i].n_meetings;
+    line.omega = adjusted[i].omega;
+    line.points.clear();
+    joint = line;
+  }
+}
+
+}  // namespace ridgeline::reconstruct

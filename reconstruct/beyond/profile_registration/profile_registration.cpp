@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/profile_registration/profile_registration.h"
+
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/views/epipolar_overlap.h"
+#include "reconstruct/views/strip_look.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kStep_px = 0.125;
+constexpr int kHalfWidth = 16;  // of the left profile, steps: 2 px
+constexpr int kFarthest = 20;   // shift, steps: 2.5 px
+constexpr int kMostAlong = 40;  // rows that a profile is the mean of
+
+/// Profiles as alike as this show the same surfaces on both sides ...
+constexpr double kLeastNcc = 0.985;
+/// ... and are registered if that makes them clearly more alike. Both by the true errors on simulated
+/// training villages: 31 of 37 registered lines come closer to the true one there, 3 move away.
+constexpr double kLeastGain = 0.003;
+
+/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the image.
+std::vector<Colour> mean_profile(const ImageSampler& image,
+                                 const std::vector<Eigen::Vector2d>& on_line,
+                                 const Eigen::Vector2d& side,
+                                 int n) {
+  StripGrid grid;
+  grid.first_offset_px = -n * kStep_px;
+  grid.offset_step_px = kStep_px;
+  grid.n_offsets = 2 * n + 1;
+  const Strip strip = sample_strip(image, on_line, side, grid);
+  if (std::count(strip.is_inside.begin(), strip.is_inside.end(), char{0}) > 0) return {};
+  std::vector<Colour> profile(static_cast<std::size_t>(grid.n_offsets), Colour{});
+  for (std::size_t i = 0; i < strip.colours.size(); ++i) {
+    Colour& mean = profile[i % profile.size()];
+    for (std::size_t band = 0; band < mean.size(); ++band) {
+      mean[band] += strip.colours[i][band] / static_cast<float>(on_line.size());
+    }
+  }
+  return profile;
+}
+
+/// Correlation of profiles of one length, all bands together; 0 without any contrast.
+double ncc(std::span<const Colour> a, std::span<const Colour> b) {
+  const auto n = static_cast<double>(a.size());
+  double covariance = 0.0;
+  double variance_a = 0.0;
+  double variance_b = 0.0;
+  for (std::size_t band = 0; band < kMaxBands; ++band) {
+    BandSums sums;
+    for (std::size_t i = 0; i < a.size(); ++i) sums.add(a[i][band], b[i][band]);
+    covariance += sums.ab - sums.a * sums.b / n;
+    variance_a += sums.aa - sums.a * sums.a / n;
+    variance_b += sums.bb - sums.b * sums.b / n;
+  }
+  const double scale = std::sqrt(variance_a * variance_b);
+  return scale > 0.0 ? covariance / scale : 0.0;
+}
+
+/// Where the right profile, which is longer, shows the left one.
+double registered_shift_px(std::span<const Colour> left, std::span<const Colour> right) {
+  std::array<double, 2 * kFarthest + 1> at{};
+  for (std::size_t k = 0; k < at.size(); ++k) at[k] = ncc(left, right.subspan(k, left.size()));
+  const auto best = std::max_element(at.begin(), at.end());
+  if (best == at.begin() || best == at.end() - 1) return 0.0;
+  if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return 0.0;
+  const double curvature = best[-1] - 2.0 * *best + best[1];
+  const double vertex = curvature < 0.0 ? 0.5 * (best[-1] - best[1]) / curvature : 0.0;
+  return kStep_px * (static_cast<double>(best - at.begin()) - kFarthest + vertex);
+}
+
+double shift_of_match(const StereoSearch& search,
+                      const std::array<ImageSampler, 2>& images,
+                      const EdgeSegment& left,
+                      const EdgeSegment& right) {
+  const auto searched = searched_segment(search, left.line.segment);
+  if (!searched) return 0.0;
+  const auto overlap = epipolar_overlap(*searched, right.line.segment);
+  if (!overlap) return 0.0;
+  const StripFrame frame = strip_frame(left, right, *overlap, kMostAlong);
+  const Eigen::Vector2d u = (right.line.segment.end - right.line.segment.start).normalized();
+  // the sides of the left segment, whichever way the right one runs
+  const double sign = overlap->reversed() ? -1.0 : 1.0;
+  const Eigen::Vector2d side_in_right = sign * Eigen::Vector2d(-u.y(), u.x());
+  const std::vector<Colour> seen_left =
+      mean_profile(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
+  const std::vector<Colour> seen_right =
+      mean_profile(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthest);
+  if (seen_left.empty() || seen_right.empty()) return 0.0;
+  return sign * registered_shift_px(seen_left, seen_right);
+}
+
+}  // namespace
+
+std::vector<double> registered_shifts_px(const std::array<ProjectionMatrix, 2>& cameras,
+                                         const std::array<cv::Mat, 2>& images,
+                                         const std::array<std::vector<EdgeSegment>, 2>& segments,
+                                         std::span<const LineMatch> matches,
+                                         const std::array<double, 2>& height_range_m,
+                                         double max_angle_deg) {
+  check(images[0].channels() == images[1].channels(),
+        "bands of the images = ", images[0].channels(), " and ", images[1].channels(),
+        ", must be equal");
+  const StereoSearch search(cameras[0], cameras[1], height_range_m);
+  const std::array<ImageSampler, 2> samplers{ImageSampler(images[0]), ImageSampler(images[1])};
+  std::vector<double> shifts_px(matches.size());
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    const EdgeSegment& left = segments[0].at(static_cast<std::size_t>(matches[i].left));
+    const EdgeSegment& right = segments[1].at(static_cast<std::size_t>(matches[i].right));
+    const double angle_rad = epipolar_angle_rad(cameras, left.line.segment, right.line.segment);
+    if (angle_rad <= max_angle_deg * kRadPerDeg) return;
+    shifts_px[i] = shift_of_match(search, samplers, left, right);
+  });
+  return shifts_px;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/chio_wang2000/chio_match.h"
+
+#include "reconstruct/chio_wang2000/four_processes.h"
+#include "reconstruct/chio_wang2000/linked_line.h"
+
+#include <tbb/parallel_for.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+ChioLine line_of(int left_id,
+                 const Acquired& acquired,
+                 const CoreCandidates& candidates,
+                 const MatchView& left,
+                 const MatchView& right,
+                 const StereoSearch& search,
+                 const ChioOptions& options) {
+  const CoreCandidate& first = candidates.list[acquired.candidate];
+  ChioLine line;
+  line.scored = {{left_id, first.right}, first.similarity, 0.0};
+  line.acquired = acquired;
+  line.chain = first.chain;
+  std::vector<int> links{first.right};
+  for (const int c : linked_fragments(candidates, acquired.candidate, right, options)) {
+    links.push_back(candidates.list[c].right);
+  }
+  line.fragments.assign(links.begin() + 1, links.end());
+  line.line = line_through_links(left_id, links, left, right, search, candidates.gsd_m, options);
+  return line;
+}
+
+ChioResult run(const MatchView& left,
+               const MatchView& right,
+               const std::array<double, 2>& height_range_in_local_m,
+               std::span<const ScoredMatch> given,
+               const ChioOptions& options,
+               const MatchOptions& match_options,
+               const CandidateLook& change_look) {
+  validate(options);
+  validate(match_options);
+  check_images(left, right);
+  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
+  const std::vector<CoreCandidates> candidates =
+      core_candidates(left, right, search, options, match_options, change_look);
+  ProcessedSegments processed = four_processes(left, right, search, candidates, options, given);
+
+  ChioResult result;
+  result.outcomes = std::move(processed.outcomes);
+  std::vector<int> acquired;
+  for (std::size_t i = 0; i < processed.acquired.size(); ++i) {
+    const auto& found = processed.acquired[i];
+    if (found && found->process > 0) acquired.push_back(static_cast<int>(i));
+  }
+  result.lines.resize(acquired.size());
+  tbb::parallel_for(std::size_t{0}, acquired.size(), [&](std::size_t k) {
+    const int i = acquired[k];
+    result.lines[k] =
+        line_of(i, *processed.acquired[i], candidates[i], left, right, search, options);
+  });
+  return result;
+}
+
+}  // namespace
+
+ChioResult chio_match(const MatchView& left,
+                      const MatchView& right,
+                      const std::array<double, 2>& height_range_in_local_m,
+                      const ChioOptions& options,
+                      const MatchOptions& match_options,
+                      const CandidateLook& change_look) {
+  return run(left, right, height_range_in_local_m, {}, options, match_options, change_look);
+}
+
+ChioResult propagate_heights(const MatchView& left,
+                             const MatchView& right,
+                             const std::array<double, 2>& height_range_in_local_m,
+                             std::span<const ScoredMatch> given,
+                             const ChioOptions& options,
+                             const MatchOptions& match_options,
+                             const CandidateLook& change_look) {
+  if (given.empty()) return {{}, std::vector<ChioOutcome>(left.segments.size())};
+  return run(left, right, height_range_in_local_m, given, options, match_options, change_look);
+}
+
+std::vector<ScoredMatch> matches_of(const ChioResult& result) {
+  std::vector<ScoredMatch> matches;
+  matches.reserve(result.lines.size());
+  for (const ChioLine& line : result.lines) matches.push_back(line.scored);
+  return matches;
+}
+
+}  // namespace ridgeline::reconstruct

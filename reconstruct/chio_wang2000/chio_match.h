@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/chio_wang2000/acquisition.h"
+#include "reconstruct/chio_wang2000/core.h"
+#include "reconstruct/chio_wang2000/fitted_line.h"
+#include "reconstruct/chio_wang2000/options.h"
+#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/ok2011/match/options.h"
+#include "reconstruct/views/match_view.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A line in object space and how it was acquired.
+struct ChioLine {
+  ScoredMatch scored;          ///< the initial link; its score is the similarity of the look
+  std::vector<int> fragments;  ///< further right segments linked to it
+  Acquired acquired;
+  ChainSummary chain;              ///< of the initial link
+  std::optional<FittedLine> line;  ///< through the reliable points of all links, local frame
+};
+
+struct ChioResult {
+  std::vector<ChioLine> lines;        ///< by left index; one per left segment at most
+  std::vector<ChioOutcome> outcomes;  ///< per left segment
+};
+
+/// Iterative matching and linking of line segments in object space (Chio and Wang 2000): Core finds
+/// the candidates that pass its screening, the four processes choose among them from the strongest
+/// structure outwards, further fragments of the right edge are linked and one 3D line is fitted to
+/// all reliable points. Segments along the epipolar lines are left alone.
+///
+/// Deterministic for any number of threads. Throws std::invalid_argument as match_pairwise().
+ChioResult chio_match(const MatchView& left,
+                      const MatchView& right,
+                      const std::array<double, 2>& height_range_in_local_m,
+                      const ChioOptions& options = {},
+                      const MatchOptions& match_options = {},
+                      const CandidateLook& change_look = {});
+
+/// What the third and the fourth process find beside the matches of another matcher: lines at the
+/// height of matched lines of the same structures, and of such nearby. A match that is none of
+/// Core's candidates lends no height.
+ChioResult propagate_heights(const MatchView& left,
+                             const MatchView& right,
+                             const std::array<double, 2>& height_range_in_local_m,
+                             std::span<const ScoredMatch> given,
+                             const ChioOptions& options = {},
+                             const MatchOptions& match_options = {},
+                             const CandidateLook& change_look = {});
+
+/// The matches of the lines.
+std::vector<ScoredMatch> matches_of(const ChioResult& result);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/chio_wang2000/chio_match.h"
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/line_match.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Which matcher found a match.
+enum class MatchSource : std::uint8_t { kPairwise, kChio, kBoth };
+
+struct CombinedMatch {
+  ScoredMatch scored;  ///< as `pairwise` has it, if it does
+  MatchSource source = MatchSource::kPairwise;
+};
+
+/// The matches of two matchers as one list, by left, then by right index: all of `pairwise`, and of `chio` the lines
+/// of the first three processes whose left segment `pairwise` has left unmatched and whose right one
+/// it has given to no other left edge. That something nearby has its height, as in the fourth, is not
+/// enough for a line that `pairwise` does not match.
+std::vector<CombinedMatch> combine_matches(std::span<const EdgeSegment> left,
+                                           std::span<const ScoredMatch> pairwise,
+                                           std::span<const ChioLine> chio);
+
+}  // namespace ridgeline::reconstruct

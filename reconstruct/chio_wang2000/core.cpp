@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/chio_wang2000/core.h"
+
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/ok2011/match/similarity_voting.h"
+#include "reconstruct/views/mate_flanks.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Noise is allowed for up to this many standard deviations.
+constexpr double kNoiseFactor = 3.0;
+constexpr int kAllCandidates = 100;  // in place of those that look best
+
+/// One left segment on its way through the screening.
+struct Screened {
+  const EdgeSegment& left;
+  LocalTransfer transfer;
+  std::vector<SearchedPoint> points;
+};
+
+struct Scene {
+  const MatchView& left;
+  const MatchView& right;
+  const StereoSearch& search;
+  const Radiometry& radiometry;
+  const ChioOptions& options;
+};
+
+/// A slope turns a line between the views; the paper's limit makes no allowance for that.
+double azimuth_limit_rad(const LocalTransfer& transfer, const ChioOptions& options) {
+  const double turn_rad =
+      options.paper ? 0.0 : std::atan(options.max_rate * transfer.base_to_height());
+  return options.max_azimuth_deg * kRadPerDeg + turn_rad;
+}
+
+double azimuth_difference_rad(const LocalTransfer& transfer, const Segment2& a, const Segment2& b) {
+  return acute_angle_rad(Eigen::Vector2d(transfer.jacobian * (a.end - a.start)),
+                         Eigen::Vector2d(b.end - b.start));
+}
+
+double mean_of(const Colour& colour, int n_bands) {
+  double sum = 0.0;
+  for (int band = 0; band < n_bands; ++band) sum += static_cast<double>(colour[band]);
+  return sum / n_bands;
+}
+
+/// Of the flank that agrees better: an eave hides what is beside it in one of the views.
+double flank_difference(const Scene& scene,
+                        const EdgeSegment& left,
+                        const EdgeSegment& right,
+                        bool reversed) {
+  const int n_bands = scene.left.image.channels();
+  const auto grey = [&](const Flank& flank) {
+    return mean_of(scene.radiometry.left_from_right(flank.colour), n_bands);
+  };
+  const auto [mate_of_left, mate_of_right] = mate_flanks(right, reversed);
+  return std::min(std::abs(mean_of(left.left.colour, n_bands) - grey(*mate_of_left)),
+                  std::abs(mean_of(left.right.colour, n_bands) - grey(*mate_of_right)));
+}
+
+ChioOutcome screening(const Scene& scene,
+                      const Screened& screened,
+                      const Candidate& candidate,
+                      const ChainSummary& chain) {
+  const ChioOptions& options = scene.options;
+  const double gsd_m = screened.transfer.gsd_m;
+  const EdgeSegment& right = scene.right.segments[candidate.right];
+  const double noise = options.paper ? 0.0 : kNoiseFactor;
+  if (chain.n_reliable < options.min_pieces) return ChioOutcome::kFewPieces;
+  if (azimuth_difference_rad(screened.transfer, screened.left.line.segment, right.line.segment) >
+      azimuth_limit_rad(screened.transfer, options)) {
+    return ChioOutcome::kAzimuth;
+  }
+  if (flank_difference(scene, screened.left, right, candidate.overlap.reversed()) >
+      options.max_flank_difference) {
+    return ChioOutcome::kFlank;
+  }
+  if (std::abs(chain.mean_rate) >
+      options.max_rate + noise * expected_mean_rate_sigma(chain, gsd_m, options)) {
+    return ChioOutcome::kSteep;
+  }
+  if (chain.rate_sigma >
+      std::max(options.max_rate_sigma, noise * expected_rate_sigma(chain, gsd_m, options))) {
+    return ChioOutcome::kUneven;
+  }
+  return ChioOutcome::kMatched;
+}
+
+void sort_by_preference(std::vector<CoreCandidate>& list, const ChioOptions& options) {
+  const auto rank = [&](const CoreCandidate& c) {
+    return options.paper ? std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma)
+                         : std::tuple(!c.may_begin, 0, -c.similarity);
+  };
+  std::stable_sort(list.begin(), list.end(), [&](const CoreCandidate& a, const CoreCandidate& b) {
+    return rank(a) < rank(b);
+  });
+}
+
+CoreCandidates candidates_of(const Scene& scene,
+                             const EdgeSegment& left,
+                             const std::vector<Candidate>& found) {
+  const Screened screened{
+      left, local_transfer(scene.search, midpoint(left.line.segment)),
+      searched_points(scene.search.right_from_left, ImageSampler(scene.left.image), left)};
+  CoreCandidates result;
+  result.gsd_m = screened.transfer.gsd_m;
+  for (const Candidate& candidate : found) {
+    if (candidate.overlap.aligned) {
+      result.reason = std::max(result.reason, ChioOutcome::kEpipolarDegenerate);
+      continue;
+    }
+    const ChainSummary chain =
+        edge_chain(scene.search.right_from_left, screened.points, left.line,
+                   scene.right.segments[candidate.right].line, result.gsd_m, scene.options)
+            .summary;
+    const ChioOutcome verdict = screening(scene, screened, candidate, chain);
+    const bool may_begin = verdict == ChioOutcome::kMatched;
+    if (!may_begin) result.reason = std::max(result.reason, verdict);
+    if (may_begin || chain.n_reliable >= scene.options.min_link_pieces) {
+      result.list.push_back(
+          {candidate.right, candidate.overlap, chain, candidate.similarity, may_begin});
+    }
+  }
+  sort_by_preference(result.list, scene.options);
+  return result;
+}
+
+}  // namespace
+
+const char* name(ChioOutcome outcome) {
+  switch (outcome) {
+    case ChioOutcome::kMatched:
+      return "matched";
+    case ChioOutcome::kEpipolarDegenerate:
+      return "epipolar_degenerate";
+    case ChioOutcome::kNoCandidate:
+      return "no_candidate";
+    case ChioOutcome::kFewPieces:
+      return "few_pieces";
+    case ChioOutcome::kAzimuth:
+      return "azimuth";
+    case ChioOutcome::kFlank:
+      return "flank";
+    case ChioOutcome::kSteep:
+      return "steep";
+    case ChioOutcome::kUneven:
+      return "uneven";
+    case ChioOutcome::kLowScore:
+      return "low_score";
+    case ChioOutcome::kOutOfReach:
+      return "out_of_reach";
+    case ChioOutcome::kHeight:
+      return "height";
+    case ChioOutcome::kAmbiguous:
+      return "ambiguous";
+    case ChioOutcome::kLostToOther:
+      return "lost_to_other";
+  }
+  return "";
+}
+
+std::vector<CoreCandidates> core_candidates(const MatchView& left,
+                                            const MatchView& right,
+                                            const StereoSearch& search,
+                                            const ChioOptions& options,
+                                            const MatchOptions& match_options,
+                                            const CandidateLook& change_look) {
+  const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
+  MatchOptions wide = match_options;
+  wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
+  if (options.paper) wide.max_candidates = kAllCandidates;
+  const std::vector<std::vector<Candidate>> found =
+      match_candidates(left, right, search, radiometry, wide, change_look);
+  const Scene scene{left, right, search, radiometry, options};
+  std::vector<CoreCandidates> candidates(left.segments.size());
+  tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+    candidates[i] = candidates_of(scene, left.segments[i], found[i]);
+  });
+  return candidates;
+}
+
+std::vector<int> linked_fragments(const CoreCandidates& candidates,
+                                  int begin,
+                                  const MatchView& right,
+                                  const ChioOptions& options) {
+  const CoreCandidate& first = candidates.list[begin];
+  const Segment2& edge = right.segments[first.right].line.segment;
+  const double noise = options.paper ? 0.0 : kNoiseFactor;
+  std::vector<int> fragments;
+  for (std::size_t c = 0; c < candidates.list.size(); ++c) {
+    const CoreCandidate& other = candidates.list[c];
+    if (static_cast<int>(c) == begin || other.chain.n_reliable < options.min_link_pieces) continue;
+    const double rate_noise =
+        noise * std::hypot(expected_mean_rate_sigma(first.chain, candidates.gsd_m, options),
+                           expected_mean_rate_sigma(other.chain, candidates.gsd_m, options));
+    if (std::abs(other.chain.mean_rate - first.chain.mean_rate) >
+        options.max_link_rate_difference + rate_noise) {
+      continue;
+    }
+    const double turn_rad =
+        std::abs(std::remainder(other.chain.azimuth_rad - first.chain.azimuth_rad, 2.0 * M_PI));
+    if (turn_rad > options.max_azimuth_deg * kRadPerDeg) continue;
+    if (!are_fragments(edge, right.segments[other.right].line.segment)) continue;
+    fragments.push_back(static_cast<int>(c));
+  }
+  return fragments;
+}
+
+}  // namespace ridgeline::reconstruct

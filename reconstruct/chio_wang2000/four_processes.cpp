@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/chio_wang2000/four_processes.h"
+
+#include "reconstruct/chio_wang2000/neighbourhood.h"
+#include "reconstruct/chio_wang2000/structures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Ground pixel of the paper's images.
+constexpr double kSigmas = 2.0;  // by which the difference of two heights may be off
+
+enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
+
+/// A right junction that may show that of a left structure.
+struct Correspondence {
+  int structure = 0;         ///< of the right image
+  std::vector<int> members;  ///< of the left structure that have a mate in it, strongest first
+  double strength = 0.0;
+};
+
+class Iteration {
+ public:
+  Iteration(const MatchView& left,
+            const MatchView& right,
+            const StereoSearch& search,
+            const std::vector<CoreCandidates>& candidates,
+            const ChioOptions& options)
+      : left_segments_(ideal_segments(left)),
+        search_(search),
+        candidates_(candidates),
+        options_(options),
+        structures_(linear_structures(left_segments_, options)),
+        right_structures_(linear_structures(ideal_segments(right), options)),
+        right_of_segment_(structures_of_segments(right_structures_, right.segments.size())),
+        acquisition_(left, right, candidates, options) {}
+
+  ProcessedSegments run() {
+    for (const Structure& structure : structures_) first_and_second(structure);
+    third_and_fourth({HeightLimit::kClose, HeightLimit::kRelaxed});
+    return {acquisition_.acquired(), acquisition_.outcomes()};
+  }
+
+  ProcessedSegments run_beside(std::span<const ScoredMatch> given) {
+    for (const ScoredMatch& scored : given) acquisition_.accept(scored.match);
+    third_and_fourth({HeightLimit::kClose});
+    return {acquisition_.acquired(), acquisition_.outcomes()};
+  }
+
+ private:
+  void third_and_fourth(std::initializer_list<HeightLimit> limits) {
+    const Neighbourhood adjacent = adjacent_segments(left_segments_, structures_);
+    const Neighbourhood near = segments_in_range(left_segments_, candidates_, options_.range_m);
+    for (const HeightLimit limit : limits) {
+      int n_found = 1;
+      while (n_found > 0) {
+        n_found = until_nothing_changes(3, adjacent, limit);
+        n_found += until_nothing_changes(4, near, limit);
+      }
+    }
+  }
+
+  [[nodiscard]] double limit_m(HeightLimit limit) const {
+    return limit == HeightLimit::kClose ? options_.height_difference_m
+                                        : options_.relaxed_height_difference_m;
+  }
+
+  /// Height of a candidate's line at a point of the left image beside it.
+  [[nodiscard]] double height_at(int left,
+                                 const CoreCandidate& candidate,
+                                 const Eigen::Vector2d& x) const {
+    const Segment2& s = left_segments_[left];
+    const Eigen::Vector2d d = s.end - s.start;
+    return candidate.overlap.height_at(d.dot(x - s.start) / d.squaredNorm());
+  }
+
+  /// Height of the matched neighbour that the candidates of a segment are compared with.
+  [[nodiscard]] double height_of(const Neighbour& neighbour) const {
+    const CoreCandidate& mate = acquisition_.mate(neighbour.left);
+    return options_.paper || !neighbour.junction_px
+               ? mate.chain.mean_height_m
+               : height_at(neighbour.left, mate, *neighbour.junction_px);
+  }
+
+  [[nodiscard]] bool is_near(int left,
+                             const CoreCandidate& candidate,
+                             const Neighbour& neighbour,
+                             HeightLimit limit) const {
+    const CoreCandidate& mate = acquisition_.mate(neighbour.left);
+    const double most_m = limit_m(limit);
+    if (options_.paper) {
+      return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= most_m;
+    }
+    const double noise_m =
+        kSigmas * std::hypot(candidate.chain.height_sigma_m, mate.chain.height_sigma_m);
+    if (neighbour.junction_px) {
+      return std::abs(height_at(left, candidate, *neighbour.junction_px) - height_of(neighbour)) <=
+             most_m + noise_m;
+    }
+    const auto [low_a, high_a] =
+        std::minmax(candidate.overlap.height_m[0], candidate.overlap.height_m[1]);
+    const auto [low_b, high_b] = std::minmax(mate.overlap.height_m[0], mate.overlap.height_m[1]);
+    return std::max(low_a, low_b) - std::min(high_a, high_b) <= most_m + noise_m;
+  }
+
+  /// Tries a segment under the height of one neighbour and, if given, in one right structure.
+  bool acquire_beside(int process,
+                      int left,
+                      const Neighbour& neighbour,
+                      HeightLimit limit,
+                      const Structure* right_structure) {
+    const auto choice = acquisition_.choose(left, [&](const CoreCandidate& c) {
+      return (!right_structure || has_member(*right_structure, c.right)) &&
+             is_near(left, c, neighbour, limit);
+    });
+    if (!choice) return false;
+    acquisition_.acquire(left, {*choice, process, neighbour.left, height_of(neighbour),
+                                limit_m(limit), limit == HeightLimit::kRelaxed});
+    return true;
+  }
+
+  static bool has_member(const Structure& structure, int segment) {
+    return std::binary_search(structure.members.begin(), structure.members.end(), segment);
+  }
+
+  /// How much a member speaks for a corresponding junction.
+  [[nodiscard]] double strength(const CoreCandidate& candidate) const {
+    return options_.paper ? candidate.chain.n_reliable : candidate.similarity;
+  }
+
+  /// The best candidate of a left segment in a right structure, or its mate if that is one.
+  [[nodiscard]] const CoreCandidate* best_in(int left, const Structure& right) const {
+    if (acquisition_.is_matched(left)) {
+      const CoreCandidate& mate = acquisition_.mate(left);
+      return has_member(right, mate.right) ? &mate : nullptr;
+    }
+    for (const CoreCandidate& c : candidates_[left].list) {
+      if (c.may_begin && has_member(right, c.right)) return &c;
+    }
+    return nullptr;
+  }
+
+  [[nodiscard]] Correspondence correspondence(const Structure& structure, int right) const {
+    Correspondence found{right, {}, 0.0};
+    std::map<int, double> by_member;
+    std::vector<int> used;
+    for (const int member : structure.members) {
+      const CoreCandidate* best = best_in(member, right_structures_[right]);
+      if (!best || std::find(used.begin(), used.end(), best->right) != used.end()) continue;
+      used.push_back(best->right);
+      found.members.push_back(member);
+      by_member[member] = strength(*best);
+      found.strength += strength(*best);
+    }
+    std::stable_sort(found.members.begin(), found.members.end(),
+                     [&](int a, int b) { return by_member[a] > by_member[b]; });
+    return found;
+  }
+
+  /// The right junctions on the epipolar line of a left one that two members at least agree on.
+  [[nodiscard]] std::vector<Correspondence> correspondences(const Structure& structure) const {
+    std::vector<int> right;
+    for (const int member : structure.members) {
+      for (const CoreCandidate& c : candidates_[member].list) {
+        const std::vector<int>& of_mate = right_of_segment_[c.right];
+        right.insert(right.end(), of_mate.begin(), of_mate.end());
+      }
+    }
+    std::sort(right.begin(), right.end());
+    right.erase(std::unique(right.begin(), right.end()), right.end());
+    std::vector<Correspondence> found;
+    for (const int r : right) {
+      if (epipolar_distance_px(search_.right_from_left.fundamental(), structure.junction_px,
+                               right_structures_[r].junction_px) > options_.junction_epipolar_px) {
+        continue;
+      }
+      found.push_back(correspondence(structure, r));
+    }
+    std::erase_if(found, [](const Correspondence& c) { return c.members.size() < 2; });
+    std::stable_sort(
+        found.begin(), found.end(), [](const Correspondence& a, const Correspondence& b) {
+          return std::pair(b.members.size(), b.strength) < std::pair(a.members.size(), a.strength);
+        });
+    return found;
+  }
+
+  [[nodiscard]] bool is_ambiguous(const std::vector<Correspondence>& found) const {
+    return !options_.paper && found.size() > 1 &&
+           found[1].members.size() == found[0].members.size() &&
+           found[1].strength > options_.max_similarity_ratio * found[0].strength;
+  }
+
+  void first_and_second(const Structure& structure) {
+    const std::vector<Correspondence> found = correspondences(structure);
+    if (found.empty() || is_ambiguous(found)) return;
+    const Structure& right = right_structures_[found.front().structure];
+    const std::vector<int>& members = found.front().members;
+    auto first = std::find_if(members.begin(), members.end(),
+                              [&](int m) { return acquisition_.is_matched(m); });
+    for (auto m = members.begin(); first == members.end() && m != members.end(); ++m) {
+      const auto choice = acquisition_.choose(
+          *m, [&](const CoreCandidate& c) { return has_member(right, c.right); });
+      if (!choice) continue;
+      acquisition_.acquire(*m, {*choice, 1});
+      first = m;
+    }
+    if (first == members.end()) return;
+    for (const int m : structure.members) {
+      if (acquisition_.is_matched(m)) continue;
+      acquire_beside(2, m, {*first, structure.junction_px, 0.0}, HeightLimit::kClose, &right);
+    }
+  }
+
+  /// Passes over all unmatched segments until one finds nothing; how many were found.
+  int until_nothing_changes(int process, const Neighbourhood& neighbourhood, HeightLimit limit) {
+    int n_found = 0;
+    for (int n_before = -1; n_before != n_found;) {
+      n_before = n_found;
+      for (std::size_t i = 0; i < neighbourhood.size(); ++i) {
+        const int left = static_cast<int>(i);
+        if (!acquisition_.is_open(left)) continue;
+        for (const Neighbour& neighbour : neighbourhood[i]) {
+          if (!acquisition_.is_matched(neighbour.left)) continue;
+          if (acquire_beside(process, left, neighbour, limit, nullptr)) {
+            ++n_found;
+            break;
+          }
+        }
+      }
+    }
+    return n_found;
+  }
+
+  std::vector<Segment2> left_segments_;
+  const StereoSearch& search_;
+  const std::vector<CoreCandidates>& candidates_;
+  const ChioOptions& options_;
+  std::vector<Structure> structures_, right_structures_;
+  std::vector<std::vector<int>> right_of_segment_;
+  Acquisition acquisition_;
+};
+
+}  // namespace
+
+ProcessedSegments four_processes(const MatchView& left,
+                                 const MatchView& right,
+                                 const StereoSearch& search,
+                                 const std::vector<CoreCandidates>& candidates,
+                                 const ChioOptions& options,
+                                 std::span<const ScoredMatch> given) {
+  Iteration iteration(left, right, search, candidates, options);
+  return given.empty() ? iteration.run() : iteration.run_beside(given);
+}
+
+}  // namespace ridgeline::reconstruct

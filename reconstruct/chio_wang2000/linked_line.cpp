@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/chio_wang2000/linked_line.h"
+
+#include "reconstruct/chio_wang2000/edge_chain.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Neighbouring edge pixels share the blur: n of them count as n / 2.8 independent ones, as
+/// edge_noise() has it for aerial images.
+constexpr double kCorrelation = 2.8;
+
+void add_reliable_points(const EdgeChain& chain, std::vector<ChainPoint>& points) {
+  int last = -1;
+  for (const EdgePiece& piece : chain.pieces) {
+    if (!piece.reliable) continue;
+    for (const int i : {piece.first, piece.first + 1}) {
+      if (i <= last) continue;
+      points.push_back(chain.points[i]);
+      last = i;
+    }
+  }
+}
+
+/// How the ends of a line move with shift (px, at the centroid) and direction of the right line.
+Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
+                                          const MatchView& left,
+                                          const UncertainSegment2& right,
+                                          const StereoSearch& search) {
+  const Eigen::Vector2d along = (right.segment.end - right.segment.start).normalized();
+  const Eigen::Vector2d normal(-along.y(), along.x());
+  Eigen::Matrix<double, 6, 2> jacobian;
+  for (const Eigen::Index end : {0, 1}) {
+    const Eigen::Vector3d& x = end == 0 ? line.start : line.end;
+    const Stretch stretch = search.right_from_left.stretch(project(left.image_from_local, x));
+    const double height_per_px_m = 1.0 / normal.dot(stretch.derivative(x.z()));
+    const Eigen::Vector3d ray = x - search.right_from_left.centre();
+    const Eigen::Vector3d per_px = ray / ray.z() * height_per_px_m;
+    const double t_px = along.dot(stretch.at(x.z()) - right.centroid_px);
+    jacobian.block<3, 1>(3 * end, 0) = per_px;
+    jacobian.block<3, 1>(3 * end, 1) = t_px * per_px;
+  }
+  return jacobian;
+}
+
+}  // namespace
+
+std::optional<FittedLine> line_through_links(int left_id,
+                                             std::span<const int> right_ids,
+                                             const MatchView& left,
+                                             const MatchView& right,
+                                             const StereoSearch& search,
+                                             double gsd_m,
+                                             const ChioOptions& options) {
+  const EdgeSegment& edge = left.segments[left_id];
+  const std::vector<SearchedPoint> searched =
+      searched_points(search.right_from_left, ImageSampler(left.image), edge);
+  std::vector<ChainPoint> on_line;
+  for (const int id : right_ids) {
+    add_reliable_points(edge_chain(search.right_from_left, searched, edge.line,
+                                   right.segments[id].line, gsd_m, options),
+                        on_line);
+  }
+  // fragments are linked in any order; the line runs the way of the left segment
+  std::stable_sort(on_line.begin(), on_line.end(),
+                   [](const ChainPoint& a, const ChainPoint& b) { return a.step < b.step; });
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(on_line.size());
+  for (const ChainPoint& p : on_line) points.push_back(p.x_in_local);
+  std::optional<FittedLine> line = fit_line(points, kCorrelation);
+  if (!line) return line;
+  const UncertainSegment2& mate = right.segments[right_ids.front()].line;
+  const Eigen::Matrix<double, 6, 2> jacobian = by_right_line(line->segment, left, mate, search);
+  const Eigen::Vector2d variances(mate.sigma_q_px * mate.sigma_q_px,
+                                  mate.sigma_phi_rad * mate.sigma_phi_rad);
+  line->cov_m2 += jacobian * variances.asDiagonal() * jacobian.transpose();
+  return line;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/ok2011/estimate/artificial_point.h"
+#include "reconstruct/ok2011/estimate/options.h"
+#include "reconstruct/ok2011/estimate/point_weight.h"
+#include "reconstruct/views/stereo_lines.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// An artificial point with what its selection needs.
+struct CandidatePoint {
+  EstimatedPoint estimated;
+  RankedPoint ranked;
+};
+
+/// Parameter of a point along the segment's line, 0 at the start and 1 at the end.
+double parameter_along(const Segment2& segment, const Eigen::Vector2d& x);
+
+/// Whether a point of the conditioned frame lies in front of both cameras and within the heights.
+bool plausible(const StereoLines& lines,
+               const Eigen::Vector4d& x,
+               const ReconstructOptions& options);
+
+/// W of Eq. 6 of a line and another one: how well they meet in both images, 0 to 1.
+double pair_weight(const StereoLines& lines,
+                   const ObservedPair& line,
+                   int neighbour,
+                   const ReconstructOptions& options);
+
+/// The artificial points of a line: its intersections with each of the neighbours in both images
+/// and their points in object space (Ok et al. 2011, section 3.1). Left out are points of weight
+/// zero, undetermined, behind a camera or outside the range of heights.
+std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
+                                             const ObservedPair& line,
+                                             std::span<const int> neighbours,
+                                             const ReconstructOptions& options);
+
+}  // namespace ridgeline::reconstruct

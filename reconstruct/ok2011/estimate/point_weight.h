@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/ok2011/estimate/options.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// How well two lines that are taken to meet support a 3D point, in one image.
+struct PairMeasures {
+  double distance_px;           ///< between the segments
+  double epipolar_distance_px;  ///< of the intersection point from the other one's epipolar line
+  double angle_rad;             ///< acute, enclosed by the segments
+};
+
+/// The measures of both images as one: the smaller of each ("minimum" in Ok et al. 2011).
+PairMeasures smaller_of_each(const std::array<PairMeasures, 2>& images);
+
+/// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to min_pair_angle_deg, else
+/// 1 (Ok et al. 2011, Eq. 6, rearranged). In [0, 1].
+double point_weight(const PairMeasures& measures, const ReconstructOptions& options);
+
+/// The third of the base segment that a point falls into; the outer ones are unbounded.
+enum class Region : std::uint8_t { kLeft, kCentre, kRight };
+inline constexpr int kNumRegions = 3;
+
+/// For the parameter of the point along the base segment, 0 at its start and 1 at its end.
+Region region(double parameter);
+
+/// An artificial point that may enter the adjustment of a line.
+struct RankedPoint {
+  double parameter = 0.0;  ///< along the base segment
+  double weight = 0.0;     ///< W
+  double omega = 0.0;      ///< of its estimation
+  int neighbour = 0;       ///< match that it was made with
+};
+
+/// Indices of the points to use, the one of highest weight in each region (Ok et al. 2011, Fig. 6),
+/// in order of the regions; ties go to the smaller omega, then to the smaller neighbour. Points of
+/// weight up to options.min_weight are not used.
+std::vector<std::size_t> select_points(std::span<const RankedPoint> points,
+                                       const ReconstructOptions& options);
+
+}  // namespace ridgeline::reconstruct

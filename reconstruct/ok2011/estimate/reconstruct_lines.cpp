@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/ok2011/estimate/adjust_line.h"
+#include "reconstruct/ok2011/estimate/line_geometry.h"
+#include "reconstruct/ok2011/estimate/line_support.h"
+#include "reconstruct/views/stereo_lines.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+void classify(const StereoLines& lines,
+              std::size_t line,
+              const ReconstructOptions& options,
+              ReconstructedLine& result) {
+  const std::array<ConditionedView, 2>& views = lines.stereo.views;
+  for (std::size_t j = 0; j < 2; ++j) {
+    result.epipolar_angles_rad[j] = epipolar_angle_rad(
+        views[j].image_from_object, views[1 - j].image_from_object, lines.lines[line][j].segment);
+  }
+  result.epipolar_angle_rad =
+      std::min(result.epipolar_angles_rad[0], result.epipolar_angles_rad[1]);
+  const bool aligned =
+      result.epipolar_angle_rad * 180.0 / std::numbers::pi <= options.max_aligned_angle_deg;
+  result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
+}
+
+Segment2 in_image(const ConditionedView& view, const ObservedLine& observed) {
+  return {view.image.image_from_conditioned(observed.segment.start),
+          view.image.image_from_conditioned(observed.segment.end)};
+}
+
+void reconstruct_direct(const StereoLines& lines,
+                        const ObservedPair& line,
+                        const ReconstructOptions& options,
+                        ReconstructedLine& result) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    result.seen_px[j] = in_image(lines.stereo.views[j], line[j]);
+  }
+  const auto estimate = intersection(line[0].plane, line[1].plane);
+  if (!estimate || !assign_geometry(lines.stereo, line, *estimate, options, result)) return;
+  result.status = Status::kDirect;
+  result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
+}
+
+UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& object) {
+  const UncertainPoint3& point = candidate.estimated.point;
+  const Eigen::Matrix<double, 3, 4> jacobian = object.scale_m * euclidean_jacobian(point.mean);
+  const RankedPoint& ranked = candidate.ranked;
+  return {.x_in_local = object.local_from_conditioned(point.mean.hnormalized()),
+          .cov_m2 = jacobian * point.cov * jacobian.transpose(),
+          .neighbour = ranked.neighbour,
+          .weight = ranked.weight,
+          .omega = ranked.omega,
+          .region = region(ranked.parameter)};
+}
+
+Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
+  if (!adjusted.full_rank) return Status::kRankDeficient;
+  if (!adjusted.converged) return Status::kNotConverged;
+  if (support.has_flanks && !support.points_fix_direction) return Status::kFlanks;
+  if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
+  if (!support.ends.empty() && !support.has_flanks) return Status::kSegmentEnds;
+  return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
+}
+
+void give_up(Status why, ReconstructedLine& result) {
+  result.status = why;
+  result.segment_in_local.reset();
+  result.covariance_m2.reset();
+  result.right_segment_in_local.reset();
+}
+
+/// Takes the result of `direct` over and replaces it where there is anything to rest on.
+void reconstruct_joint(const StereoLines& lines,
+                       const LineSupport& support,
+                       const ReconstructOptions& options,
+                       ReconstructedLine& result) {
+  if (support.ambiguous) return give_up(Status::kAmbiguousDepth, result);
+  if (support.points.empty() && support.ends.empty()) {
+    if (result.segment_in_local) result.status = Status::kNoPoints;
+    return;
+  }
+  std::vector<UncertainPoint3> points = support.ends;
+  for (const CandidatePoint& p : support.points) {
+    points.push_back(p.estimated.point);
+    result.points.push_back(used_point(p, lines.stereo.object));
+  }
+  const std::array<UncertainPlane3, 2> planes{support.seen[0].plane, support.seen[1].plane};
+  const auto adjusted = adjust_line(planes, points, support.sigma_slope);
+  if (!adjusted || !assign_geometry(lines.stereo, support.seen, adjusted->line, options, result)) {
+    return give_up(Status::kNoIntersection, result);
+  }
+  result.status = joint_status(*adjusted, support);
+  result.omega = adjusted->omega;
+  if (!adjusted->full_rank) result.covariance_m2.reset();
+}
+
+/// The lines of an aligned match; `direct` is its one line by that method.
+std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
+                                           const std::vector<LineSupport>& parts,
+                                           const ReconstructOptions& options,
+                                           const ReconstructedLine& direct) {
+  std::vector<JointLine> results;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    JointLine& result = results.emplace_back(JointLine{direct, parts[p]});
+    if (parts.size() > 1) {
+      result.line.part = static_cast<int>(p) + 1;
+      reconstruct_direct(lines, parts[p].seen, options, result.line);
+    }
+    reconstruct_joint(lines, parts[p], options, result.line);
+  }
+  return results;
+}
+
+std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_match) {
+  std::vector<ReconstructedLine> all;
+  for (const std::vector<JointLine>& lines : by_match) {
+    for (const JointLine& joint : lines) all.push_back(joint.line);
+  }
+  return all;
+}
+
+}  // namespace
+
+const char* name(Method method) {
+  switch (method) {
+    case Method::kDirect:
+      return "direct";
+    case Method::kJoint:
+      return "joint";
+    case Method::kNetwork:
+      return "network";
+  }
+  return "";
+}
+
+const char* name(LineClass line_class) {
+  return line_class == LineClass::kAligned ? "aligned" : "not_aligned";
+}
+
+const char* name(Status status) {
+  switch (status) {
+    case Status::kDirect:
+      return "direct";
+    case Status::kJoint:
+      return "joint";
+    case Status::kOnePoint:
+      return "one_point";
+    case Status::kFlanks:
+      return "flanks";
+    case Status::kSegmentEnds:
+      return "segment_ends";
+    case Status::kHorizontal:
+      return "horizontal";
+    case Status::kNoPoints:
+      return "no_points";
+    case Status::kRankDeficient:
+      return "rank_deficient";
+    case Status::kNotConverged:
+      return "not_converged";
+    case Status::kAmbiguousDepth:
+      return "ambiguous_depth";
+    case Status::kNoIntersection:
+      return "no_intersection";
+    case Status::kNetwork:
+      return "network";
+    case Status::kGuardReverted:
+      return "guard_reverted";
+  }
+  return "";
+}
+
+std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
+                                            std::span<const ObservedPair> observed,
+                                            std::span<const LineMatch> matches,
+                                            const ReconstructOptions& options) {
+  std::vector<ReconstructedLine> results(matches.size());
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    ReconstructedLine& result = results[i];
+    result.match = matches[i];
+    classify(lines, i, options, result);
+    reconstruct_direct(lines, observed[i], options, result);
+  });
+  return results;
+}
+
+std::vector<ReconstructedLine> reconstruct_lines(
+    std::span<const ProjectionMatrix> cameras,
+    std::span<const std::vector<UncertainSegment2>> segments,
+    std::span<const LineMatch> matches,
+    std::span<const PairConnection> connections,
+    const ReconstructOptions& options,
+    std::span<const double> right_shifts_px,
+    const EstimateExtensions& beyond) {
+  check(cameras.size() == 2, "reconstruct_lines: cameras = ", cameras.size(), ", must be 2");
+  check(segments.size() == 2, "reconstruct_lines: images = ", segments.size(), ", must be 2");
+  check(right_shifts_px.empty() || right_shifts_px.size() == matches.size(),
+        "reconstruct_lines: right_shifts_px = ", right_shifts_px.size(),
+        ", must be one per match, ", matches.size(), ", or none");
+  for (const double shift_px : right_shifts_px) {
+    check(std::isfinite(shift_px), "reconstruct_lines: right_shifts_px = ", shift_px,
+          ", must be finite");
+  }
+  validate(options);
+  check(options.method != Method::kNetwork || beyond.network,
+        "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
+  const Neighbours neighbours = neighbours_of(connections, matches.size());
+  if (matches.empty()) return {};
+  const std::vector<Mates> extracted = matched_segments(segments, matches, {});
+  const std::vector<Mates> registered = matched_segments(segments, matches, right_shifts_px);
+  // the consensus on the depth of aligned lines takes what they meet as it was extracted
+  const StereoLines lines =
+      stereo_lines(cameras, extracted, extracted, matches, options.line_covariance);
+  const std::vector<ObservedPair> observed =
+      stereo_lines(cameras, extracted, registered, matches, options.line_covariance).lines;
+
+  std::vector<ReconstructedLine> results = direct_lines(lines, observed, matches, options);
+  if (options.method == Method::kDirect) return results;
+
+  SupportOfMatch support = [&](std::size_t, const ObservedPair& line, const Segment2&,
+                               std::span<const int> mates) {
+    return std::vector{published_support(lines, line, mates, options)};
+  };
+  if (beyond.support) {
+    support = beyond.support(lines, direct_lines(lines, lines.lines, matches, options));
+  }
+  std::vector<std::vector<JointLine>> by_match(matches.size());
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    if (results[i].line_class != LineClass::kAligned) {
+      LineSupport images_alone;
+      images_alone.seen = observed[i];
+      by_match[i] = {{results[i], images_alone}};
+      return;
+    }
+    const std::vector<LineSupport> parts =
+        support(i, observed[i], results[i].seen_px[0], neighbours[i]);
+    by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
+  });
+  if (options.method == Method::kNetwork) {
+    beyond.network(stereo_lines(cameras, extracted, registered, matches, LineCovariance::kCentroid),
+                   connections, by_match);
+  }
+  return flattened(by_match);
+}
+
+}  // namespace ridgeline::reconstruct

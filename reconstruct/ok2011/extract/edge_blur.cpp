@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/extract/edge_blur.h"
+
+#include "reconstruct/views/colour_profile.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kTypicalBlur_px = 0.6;
+constexpr double kSmallest_px = 0.35;
+constexpr double kStep_px = 0.05;
+constexpr std::size_t kNumBlurs = 24;
+
+double blur_px(std::size_t i) { return kSmallest_px + kStep_px * static_cast<double>(i); }
+
+/// The blur at which one step describes the profile best, if it does so well.
+std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const StepBasis> bases) {
+  constexpr double kMostUnexplained = 0.15;  // of a clean edge's profile
+  double best = 0.0;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    const double gain = StepEquations(bases[i], profile).best_gain();
+    if (gain <= best) continue;
+    best = gain;
+    at = i;
+  }
+  if (profile.squares - best >= kMostUnexplained * profile.squares) return std::nullopt;
+  return blur_px(at);
+}
+
+}  // namespace
+
+double edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
+  constexpr double kLargestOffset_px = 1.0;
+  constexpr std::size_t kMostSegments = 200;
+  constexpr double kShortest_px = 30.0;
+  constexpr std::size_t kFewestEdges = 5;
+  const double half_width_px = profile_half_width_px(kTypicalBlur_px);
+  std::vector<StepBasis> bases;
+  bases.reserve(kNumBlurs);
+  for (std::size_t i = 0; i < kNumBlurs; ++i) {
+    bases.emplace_back(half_width_px, kLargestOffset_px, blur_px(i));
+  }
+  std::vector<double> blurs;
+  std::size_t n_seen = 0;
+  for (const Segment2& segment : segments) {
+    if (length(segment) < kShortest_px) continue;
+    if (++n_seen > kMostSegments) break;
+    const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width_px);
+    if (samples.size() < kFewestProfileSamples) continue;
+    if (const auto blur = best_blur_px(BinnedProfile(samples, half_width_px), bases)) {
+      blurs.push_back(*blur);
+    }
+  }
+  if (blurs.size() < kFewestEdges) return kTypicalBlur_px;
+  const auto middle = blurs.begin() + static_cast<std::ptrdiff_t>(blurs.size() / 2);
+  std::nth_element(blurs.begin(), middle, blurs.end());
+  return *middle;
+}
+
+}  // namespace ridgeline::reconstruct

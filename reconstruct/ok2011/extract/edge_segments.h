@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/ok2011/extract/line_tracer.h"
+#include "reconstruct/ok2011/extract/options.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which
+/// the distortion is known. Empty: they are the same.
+using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
+
+/// An edge as a detector found it.
+struct DetectedEdge {
+  EdgeTrace trace;
+  /// The detector's own line, in pixels of the file; else it is the regression line of the trace.
+  std::optional<Segment2> segment;
+};
+
+/// The segments of edges: lines in the pixels of the file and in ideal pixels, their uncertainty,
+/// flanks, contrast and direction. Edges of which a part has no ideal pixel are left out.
+std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
+                                       const cv::Mat& image,
+                                       const PixelMap& ideal_from_image,
+                                       const ExtractOptions& options);
+
+}  // namespace ridgeline::reconstruct

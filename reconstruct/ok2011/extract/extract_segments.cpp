@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/extract/extract_segments.h"
+
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/ok2011/extract/bends.h"
+#include "reconstruct/ok2011/extract/edge_chains.h"
+#include "reconstruct/ok2011/extract/edge_detection.h"
+#include "reconstruct/ok2011/extract/edge_segments.h"
+#include "reconstruct/ok2011/extract/line_tracer.h"
+#include "reconstruct/ok2011/extract/straight_pieces.h"
+
+#include <opencv2/core.hpp>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+/// True if a pixel of the chain is stronger than the high threshold (hysteresis).
+bool has_strong_pixel(const Chain& chain,
+                      std::span<const EdgePixel> pixels,
+                      const NoiseGrid& noise,
+                      double factor) {
+  return std::any_of(chain.begin(), chain.end(), [&](int i) {
+    const EdgePixel& pixel = pixels[i];
+    return pixel.gradient.norm() > factor * noise.at(pixel.x, pixel.y);
+  });
+}
+
+/// The straight pieces of the edges of the image, the longest first.
+std::vector<Points> detected_pieces(const cv::Mat& image,
+                                    const NoiseGrid& noise,
+                                    const ExtractOptions& options) {
+  const std::vector<EdgePixel> pixels = detected_edge_pixels(image, noise, options);
+  const cv::Mat index = edge_pixel_index(pixels, image.size());
+  std::vector<Points> all;
+  for (const Chain& chain : linked_chains(pixels, index)) {
+    if (!has_strong_pixel(chain, pixels, noise, options.high_noise_factor)) continue;
+    Points points;
+    points.reserve(chain.size());
+    for (const int i : chain) points.push_back(pixels[i].position_px.cast<double>());
+    for (const Piece& piece : straight_pieces(points, options)) {
+      all.emplace_back(points.begin() + piece.first, points.begin() + piece.last);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Points& a, const Points& b) { return a.size() > b.size(); });
+  return all;
+}
+
+/// Mean strength over the noise, times the root of the number of samples.
+double significance(const EdgeTrace& trace, const NoiseGrid& noise) {
+  double sum = 0.0;
+  for (const EdgeSample& sample : trace) {
+    const auto x = static_cast<int>(std::lround(sample.position_px.x()));
+    const auto y = static_cast<int>(std::lround(sample.position_px.y()));
+    sum += sample.strength / noise.at(x, y);
+  }
+  return sum / std::sqrt(static_cast<double>(trace.size()));
+}
+
+/// The parts of a trace that are straight to a fraction of a pixel. Two samples make any line.
+std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptions& options) {
+  const Points points = positions(trace);
+  const std::vector<std::size_t> borders = bends(points, options);
+  std::vector<EdgeTrace> parts;
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    if (borders[i + 1] - borders[i] < 3) continue;
+    const std::span<const Eigen::Vector2d> part =
+        std::span(points).subspan(borders[i], borders[i + 1] - borders[i]);
+    if (principal_axes(part).lambda_min > options.max_lambda_min_px2) continue;
+    parts.emplace_back(trace.begin() + static_cast<std::ptrdiff_t>(borders[i]),
+                       trace.begin() + static_cast<std::ptrdiff_t>(borders[i + 1]));
+  }
+  return parts;
+}
+
+/// One trace per edge, beside those that are known.
+std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
+                                       const GradientImage& image,
+                                       std::span<const DetectedEdge> known,
+                                       const ExtractOptions& options) {
+  LineTracer tracer(image, options);
+  for (const DetectedEdge& edge : known) tracer.claim(edge.trace);
+  std::vector<DetectedEdge> edges;
+  for (const Points& piece : pieces) {
+    const auto trace = tracer.trace(piece);
+    if (!trace) continue;
+    for (EdgeTrace& part : straight_parts(*trace, options)) {
+      const Eigen::Vector2d chord = part.back().position_px - part.front().position_px;
+      if (chord.norm() < options.min_length_px) continue;
+      if (significance(part, image.noise) < options.min_significance) continue;
+      tracer.claim(part);
+      edges.push_back({std::move(part), std::nullopt});
+    }
+  }
+  return edges;
+}
+
+std::vector<DetectedEdge> edges_beside(std::span<const DetectedEdge> known,
+                                       const cv::Mat& image,
+                                       const ExtractOptions& options) {
+  const GradientImage gradient = gradient_image(image, options);
+  return traced_edges(detected_pieces(image, gradient.noise, options), gradient, known, options);
+}
+
+/// Of a second look: more smoothing, which leaves nothing for the diffusion to do.
+ExtractOptions for_faint_edges(ExtractOptions options) {
+  options.gradient_sigma_px = options.faint_gradient_sigma_px;
+  options.min_length_px = std::max(options.min_length_px, options.faint_min_length_px);
+  options.diffusion_levels = 0;
+  return options;
+}
+
+std::vector<DetectedEdge> detected_edges(const cv::Mat& image, const ExtractOptions& options) {
+  std::vector<DetectedEdge> edges = edges_beside({}, image, options);
+  if (options.faint_edges) {
+    std::vector<DetectedEdge> faint = edges_beside(edges, image, for_faint_edges(options));
+    edges.insert(edges.end(), std::make_move_iterator(faint.begin()),
+                 std::make_move_iterator(faint.end()));
+  }
+  return edges;
+}
+
+}  // namespace
+
+std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
+                                          const PixelMap& ideal_from_image,
+                                          const ExtractOptions& options,
+                                          const EdgeRefinement& refine) {
+  check(!image.empty() && image.depth() == CV_32F && image.channels() <= 4,
+        "extract_segments: the image must have 1 to 4 bands of float");
+  validate(options);
+  std::vector<DetectedEdge> edges = detected_edges(image, options);
+  if (refine) edges = refine(std::move(edges), image);
+  return edge_segments(edges, image, ideal_from_image, options);
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/ok2011/extract/edge_segments.h"
+#include "reconstruct/ok2011/extract/options.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Changes detected edges before segments are made of them; where what goes beyond the paper enters. Of the image as it
+/// was seen.
+using EdgeRefinement =
+    std::function<std::vector<DetectedEdge>(std::vector<DetectedEdge>, const cv::Mat& image)>;
+
+/// The straight edges of an image with their uncertainty (Ok et al. 2011, section 2), in a
+/// fixed order. An image without texture has none.
+/// `image`: CV_32FC(n) of normalised_image(), n = 1..4, not empty. Throws std::invalid_argument
+/// for another type and for options out of range.
+std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
+                                          const PixelMap& ideal_from_image = {},
+                                          const ExtractOptions& options = {},
+                                          const EdgeRefinement& refine = {});
+
+}  // namespace ridgeline::reconstruct

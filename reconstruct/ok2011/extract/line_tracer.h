@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/ok2011/extract/edge_detection.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Where an edge crosses one row or column of pixels.
+struct EdgeSample {
+  Eigen::Vector2d position_px;
+  double strength = 0.0;  ///< of the gradient across the line, 1/px
+  int step = 0;           ///< the column of a flat line, the row of a steep one
+};
+
+/// The samples of a straight edge in the order of their steps, one a step at most.
+using EdgeTrace = std::vector<EdgeSample>;
+
+/// The positions of the samples.
+std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace);
+
+/// Follows straight edges in a gradient image from where they were detected to where they end, over
+/// gaps, and measures where they run. An edge belongs to the first trace that is claimed: longer
+/// pieces are to come first, later ones of the same edge are then not traced again.
+class LineTracer {
+ public:
+  LineTracer(const GradientImage& image, const ExtractOptions& options);
+
+  /// The edge through points that lie on a straight line in order; nothing if it is claimed or not
+  /// to be found in the gradient image. Where it goes on beyond the points it may bend a little.
+  [[nodiscard]] std::optional<EdgeTrace> trace(std::span<const Eigen::Vector2d> points) const;
+
+  void claim(const EdgeTrace& trace);
+
+  /// Where the edge crosses the rows or columns between the ends of a given segment, claimed or
+  /// not. Empty for a segment without length.
+  [[nodiscard]] EdgeTrace along(const Segment2& segment) const;
+
+ private:
+  struct Line;
+
+  [[nodiscard]] std::optional<EdgeSample> sample(const Line& line,
+                                                 int step,
+                                                 double min_strength) const;
+  [[nodiscard]] EdgeTrace samples_between(const Line& line, int first, int last) const;
+  [[nodiscard]] bool claimed(const EdgeSample& sample) const;
+  void extend(EdgeTrace& trace, Line& line, int direction) const;
+
+  const GradientImage& image_;
+  const ExtractOptions& options_;
+  cv::Mat claimed_;  ///< CV_8UC1
+};
+
+}  // namespace ridgeline::reconstruct

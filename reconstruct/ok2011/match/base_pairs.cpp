@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/base_pairs.h"
+
+#include "reconstruct/geometry/segment_index.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kGrowth = 1.5;  // of the radius per step
+
+struct Partner {
+  double reach_px;  ///< smallest radius at which the pair is admitted
+  int segment;
+};
+
+/// The partners of a segment within a radius, nearest first.
+std::vector<Partner> partners_within(double radius_px,
+                                     int segment,
+                                     std::span<const Segment2> segments,
+                                     const SegmentIndex& index,
+                                     double min_angle_rad) {
+  const Segment2& own = segments[segment];
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius_px);
+  const Eigen::AlignedBox2d box(own.start.cwiseMin(own.end) - reach,
+                                own.start.cwiseMax(own.end) + reach);
+  std::vector<Partner> partners;
+  for (const int other : index.in_box(box)) {
+    if (other == segment) continue;
+    const Segment2& mate = segments[other];
+    if (distance(own, mate) > radius_px) continue;
+    const std::optional<Eigen::Vector2d> x = intersection(own, mate, min_angle_rad);
+    if (!x) continue;
+    const double reach_px = std::max(distance(own, *x), distance(mate, *x));
+    if (reach_px <= radius_px) partners.push_back({reach_px, other});
+  }
+  std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
+    return a.reach_px != b.reach_px ? a.reach_px < b.reach_px : a.segment < b.segment;
+  });
+  return partners;
+}
+
+std::vector<Partner> partners_of(int segment,
+                                 std::span<const Segment2> segments,
+                                 const SegmentIndex& index,
+                                 const MatchOptions& options) {
+  const double min_angle_rad = options.min_pair_angle_deg * M_PI / 180.0;
+  double radius_px = options.first_pair_radius_px;
+  while (true) {
+    std::vector<Partner> partners =
+        partners_within(radius_px, segment, segments, index, min_angle_rad);
+    if (static_cast<int>(partners.size()) >= options.min_partners ||
+        radius_px >= options.max_pair_radius_px) {
+      if (static_cast<int>(partners.size()) > options.max_partners) {
+        partners.resize(options.max_partners);
+      }
+      return partners;
+    }
+    radius_px = std::min(kGrowth * radius_px, options.max_pair_radius_px);
+  }
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector2d> intersection(const Segment2& a,
+                                            const Segment2& b,
+                                            double min_angle_rad) {
+  const Eigen::Vector2d u = a.end - a.start;
+  const Eigen::Vector2d v = b.end - b.start;
+  if (acute_angle_rad(u, v) <= min_angle_rad) return std::nullopt;
+  const Eigen::Vector2d w = b.start - a.start;
+  const double t = (w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
+  return a.start + t * u;
+}
+
+std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const MatchOptions& options) {
+  const SegmentIndex index(segments);
+  std::vector<std::vector<Partner>> partners(segments.size());
+  tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
+    partners[i] = partners_of(static_cast<int>(i), segments, index, options);
+  });
+  std::vector<BasePair> pairs;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (const Partner& partner : partners[i]) {
+      const auto [first, second] = std::minmax({static_cast<int>(i), partner.segment});
+      pairs.push_back({first, second});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+}  // namespace ridgeline::reconstruct

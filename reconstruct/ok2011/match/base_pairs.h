@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+#include "reconstruct/ok2011/match/options.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Two segments of one image that may meet in object space; first < second.
+struct BasePair {
+  int first = 0;
+  int second = 0;
+  friend bool operator==(const BasePair&, const BasePair&) = default;
+  friend auto operator<=>(const BasePair&, const BasePair&) = default;
+};
+
+/// Where the lines of two segments meet; nothing for an acute angle up to `min_angle_rad`.
+std::optional<Eigen::Vector2d> intersection(const Segment2& a,
+                                            const Segment2& b,
+                                            double min_angle_rad);
+
+/// The reference pairs of an image (Ok et al. 2011, section 2), in ascending order: acute angle above
+/// min_pair_angle_deg, distance of the segments and of their intersection from both within a
+/// radius. The radius grows per segment until it has min_partners, so that isolated lines find
+/// some; of more than max_partners the nearest are kept. A pair that either member keeps is kept.
+std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const MatchOptions& options);
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/candidates.h"
+
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/segment_index.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// The range of heights is widened by this, for what noise does to a height at its border.
+constexpr double kHeightTolerance_px = 2.0;
+constexpr double kParallaxStep_px = 1.0;  // of the search along near-aligned lines
+/// For choosing among many parallaxes: coarser than the final comparison.
+constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
+
+struct Search {
+  const MatchView& left;
+  const MatchView& right;
+  const StereoSearch& stereo;
+  ImagePair images;
+  const MatchOptions& options;
+  const CandidateLook& change_look;
+  std::vector<Segment2> right_segments;
+  SegmentIndex index;
+};
+
+/// The box of the epipolar band: where both ends may lie.
+Eigen::AlignedBox2d band_box(const SearchedSegment& left,
+                             const std::array<double, 2>& heights_m,
+                             double margin_px) {
+  Eigen::AlignedBox2d box;
+  for (const double z : heights_m) box.extend(left.start.at(z)).extend(left.end.at(z));
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(margin_px);
+  return Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
+}
+
+double sum_of_ncc(const EdgeLook& look) {
+  double sum = 0.0;
+  for (const auto& side : look.sides) sum += side ? side->ncc : 0.0;
+  return sum;
+}
+
+/// What corresponds along near-aligned segments, by their look.
+std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
+                                                    const SearchedSegment& searched,
+                                                    const LocalTransfer& transfer,
+                                                    const EdgeSegment& left,
+                                                    const EdgeSegment& right) {
+  const MatchOptions& options = search.options;
+  if (acute_angle_rad(Eigen::Vector2d(left.line.segment.end - left.line.segment.start),
+                      Eigen::Vector2d(right.line.segment.end - right.line.segment.start)) >
+      3.0 * options.min_epipolar_angle_deg * kRadPerDeg) {
+    return std::nullopt;
+  }
+  std::optional<EpipolarOverlap> best;
+  double best_ncc = 0.0;
+  for (const EpipolarOverlap& overlap :
+       aligned_overlaps(searched, right.line.segment, search.stereo.height_range_m,
+                        options.epipolar_tolerance_px, kParallaxStep_px)) {
+    const double ncc =
+        sum_of_ncc(edge_look(search.images, left, right, overlap, transfer, kCoarseGrid));
+    if (best && ncc <= best_ncc) continue;
+    best = overlap;
+    best_ncc = ncc;
+  }
+  return best;
+}
+
+bool admissible(const EpipolarOverlap& overlap,
+                const SearchedSegment& searched,
+                double gsd_m,
+                const std::array<double, 2>& heights_m,
+                const MatchOptions& options) {
+  const double tolerance_m = kHeightTolerance_px / searched.px_per_m;
+  const double run_m = gsd_m * overlap.share_of_left() * length(searched.segment);
+  const double rise_m = std::abs(overlap.height_m[1] - overlap.height_m[0]);
+  if (rise_m > std::tan(options.max_slope_deg * kRadPerDeg) * run_m + tolerance_m) return false;
+  for (const double z : overlap.height_m) {
+    if (!(z >= heights_m[0] - tolerance_m && z <= heights_m[1] + tolerance_m)) return false;
+  }
+  return std::max(overlap.share_of_left(), overlap.share_of_right()) >= options.min_overlap;
+}
+
+std::optional<Candidate> candidate(const Search& search,
+                                   const SearchedSegment& searched,
+                                   const LocalTransfer& transfer,
+                                   const EdgeSegment& left,
+                                   int right_id) {
+  const EdgeSegment& right = search.right.segments[right_id];
+  const MatchOptions& options = search.options;
+  const Segment2& a = left.line.segment;
+  const Segment2& b = right.line.segment;
+  if (acute_angle_rad(Eigen::Vector2d(transfer.jacobian * (a.end - a.start)),
+                      Eigen::Vector2d(b.end - b.start)) > options.max_turn_deg * kRadPerDeg) {
+    return std::nullopt;
+  }
+  const bool aligned = is_near_aligned(searched, b, options.min_epipolar_angle_deg * kRadPerDeg);
+  const std::optional<EpipolarOverlap> overlap =
+      aligned ? best_aligned_overlap(search, searched, transfer, left, right)
+              : epipolar_overlap(searched, b);
+  if (!overlap ||
+      !admissible(*overlap, searched, transfer.gsd_m, search.stereo.height_range_m, options)) {
+    return std::nullopt;
+  }
+  EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
+  if (search.change_look && !aligned) {
+    const double lowest_m = std::min(overlap->height_m[0], overlap->height_m[1]);
+    search.change_look(search.images, left, right, *overlap, transfer,
+                       lowest_m - search.stereo.height_range_m[0], look);
+  }
+  Candidate found;
+  found.look = look;
+  found.right = right_id;
+  found.overlap = *overlap;
+  found.measures = line_measures(left, right, *overlap, look, search.images.radiometry);
+  found.similarity = line_similarity(found.measures);
+  return found;
+}
+
+std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& left) {
+  std::vector<Candidate> candidates;
+  const std::optional<SearchedSegment> searched =
+      searched_segment(search.stereo, left.line.segment);
+  if (!searched) return candidates;
+  const auto& heights_m = search.stereo.height_range_m;
+  const LocalTransfer transfer = local_transfer(search.stereo, midpoint(left.line.segment));
+  const Eigen::AlignedBox2d box =
+      band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
+  for (const int id : search.index.in_box(box)) {
+    if (auto found = candidate(search, *searched, transfer, left, id)) {
+      candidates.push_back(*found);
+    }
+  }
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.similarity > b.similarity; });
+  if (static_cast<int>(candidates.size()) > search.options.max_candidates) {
+    candidates.resize(search.options.max_candidates);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+std::vector<std::vector<Candidate>> match_candidates(const MatchView& left,
+                                                     const MatchView& right,
+                                                     const StereoSearch& search,
+                                                     const Radiometry& radiometry,
+                                                     const MatchOptions& options,
+                                                     const CandidateLook& change_look) {
+  std::vector<Segment2> right_segments = ideal_segments(right);
+  const SegmentIndex index(right_segments);
+  const Search all{left,
+                   right,
+                   search,
+                   {ImageSampler(left.image), ImageSampler(right.image), radiometry},
+                   options,
+                   change_look,
+                   std::move(right_segments),
+                   index};
+  std::vector<std::vector<Candidate>> candidates(left.segments.size());
+  tbb::parallel_for(std::size_t{0}, left.segments.size(),
+                    [&](std::size_t i) { candidates[i] = candidates_of(all, left.segments[i]); });
+  return candidates;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/connect_matches.h"
+
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/ok2011/match/base_pairs.h"
+#include "reconstruct/ok2011/match/pair_similarity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+bool meet_in_both(const std::array<Segment2, 2>& a,
+                  const std::array<Segment2, 2>& b,
+                  const Eigen::Matrix3d& right_from_left,
+                  double spread,
+                  const MatchOptions& options) {
+  std::array<Eigen::Vector2d, 2> x;
+  std::array<double, 2> angle_rad{};
+  for (const int image : {0, 1}) {
+    const auto meeting = intersection(a[image], b[image], options.min_pair_angle_deg * kRadPerDeg);
+    if (!meeting) return false;
+    x[image] = *meeting;
+    angle_rad[image] = acute_angle_rad(Eigen::Vector2d(a[image].end - a[image].start),
+                                       Eigen::Vector2d(b[image].end - b[image].start));
+  }
+  const double apart_px = 0.5 * (epipolar_distance_px(right_from_left, x[0], x[1]) +
+                                 epipolar_distance_px(right_from_left.transpose(), x[1], x[0]));
+  return apart_px <= options.max_pair_epipolar_px &&
+         std::abs(angle_rad[0] - angle_rad[1]) <= spread * options.max_pair_turn_deg * kRadPerDeg;
+}
+
+Eigen::Vector2d mean_midpoint(std::span<const Segment2> segments) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Segment2& segment : segments) sum += midpoint(segment);
+  return sum / static_cast<double>(segments.size());
+}
+
+}  // namespace
+
+std::vector<PairConnection> connect_matches(std::span<const EdgeSegment> left,
+                                            std::span<const EdgeSegment> right,
+                                            std::span<const LineMatch> matches,
+                                            const std::array<ProjectionMatrix, 2>& cameras,
+                                            const std::array<double, 2>& height_range_in_local_m,
+                                            const MatchOptions& options) {
+  validate(options);
+  const StereoSearch search(cameras[0], cameras[1], height_range_in_local_m);
+  std::vector<Segment2> in_left;
+  for (const LineMatch& match : matches) {
+    check(match.left >= 0 && match.left < static_cast<int>(left.size()), "left_id = ", match.left,
+          ", must be below ", left.size());
+    check(match.right >= 0 && match.right < static_cast<int>(right.size()),
+          "right_id = ", match.right, ", must be below ", right.size());
+    in_left.push_back(left[match.left].line.segment);
+  }
+  std::vector<PairConnection> connections;
+  if (matches.empty()) return connections;
+  const double spread = relief_spread(local_transfer(search, mean_midpoint(in_left)));
+  for (const BasePair& pair : base_pairs(in_left, options)) {
+    const LineMatch& a = matches[pair.first];
+    const LineMatch& b = matches[pair.second];
+    if (a.right == b.right) continue;
+    if (meet_in_both({in_left[pair.first], right[a.right].line.segment},
+                     {in_left[pair.second], right[b.right].line.segment},
+                     search.right_from_left.fundamental(), spread, options)) {
+      connections.push_back({pair.first, pair.second});
+    }
+  }
+  return connections;
+}
+
+}  // namespace ridgeline::reconstruct

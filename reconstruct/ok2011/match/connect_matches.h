@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/ok2011/match/options.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// The pair connections of matched lines, in ascending order (i < k): base pairs of the left image
+/// whose mates form a pair in the right one, with the same enclosed angle within max_pair_turn_deg,
+/// times relief_spread(), and intersection points within max_pair_epipolar_px of each other's epipolar
+/// lines. From the geometry of the matches alone, so that matches of any origin can be connected.
+/// Fragments that share a mate are not connected with each other.
+/// `matches` index into the segments. Throws std::invalid_argument for an index out of range or
+/// options out of range.
+std::vector<PairConnection> connect_matches(std::span<const EdgeSegment> left,
+                                            std::span<const EdgeSegment> right,
+                                            std::span<const LineMatch> matches,
+                                            const std::array<ProjectionMatrix, 2>& cameras,
+                                            const std::array<double, 2>& height_range_in_local_m,
+                                            const MatchOptions& options = {});
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/views/edge_look.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+
+namespace ridgeline::reconstruct {
+
+// The eight pair-wise constraints (Ok et al. 2011, section 2): how well a pair
+// of segments of the left image agrees with a pair of the right one. Each is in [0, 1], 1 for
+// perfect agreement, and absent where it is not defined.
+
+/// A pair of segments in one image. In the right image the segments run the way of their left mates.
+/// Ideal pixels.
+struct PairShape {
+  Segment2 first, second;  ///< each clipped to its epipolar overlap with its mate
+  Eigen::Vector2d intersection;
+  bool clipped = true;  ///< false if a member is near-aligned: its ends do not correspond
+};
+
+/// 1: the intersection points lie on each other's epipolar lines. exp(-d^2 / (2 sigma^2)) for their
+/// mean distance d; sigma from the precision of the segments (intersection_sigma_px) and
+/// kMeetSigma_px. The latter: edges of a building rarely meet in one point, they pass each other at
+/// gutters and overhangs.
+std::optional<double> epipolar_similarity(double distance_px, double sigma_px);
+inline constexpr double kMeetSigma_px = 1.0;
+
+/// Standard deviation of the intersection of two segments along a unit direction (Eq. 2, in
+/// Euclidean coordinates).
+double intersection_sigma_px(const UncertainSegment2& a,
+                             const UncertainSegment2& b,
+                             const Eigen::Vector2d& intersection,
+                             const Eigen::Vector2d& direction);
+
+/// 2: the angle from the first to the second segment, oriented. Always defined for a pair. Here and
+/// in 3 and 4, `spread` multiplies what correct pairs are expected to differ by.
+std::optional<double> angle_similarity(const PairShape& left,
+                                       const PairShape& right,
+                                       double spread = 1.0);
+
+/// 3: the direction from midpoint to midpoint, measured from the first segment. Absent if a member
+/// is near-aligned or the midpoints coincide.
+std::optional<double> direction_similarity(const PairShape& left,
+                                           const PairShape& right,
+                                           double spread = 1.0);
+
+/// 4: sum of the lengths over the mean distance of the end points of the one from those of the
+/// other. Absent if a member is near-aligned.
+std::optional<double> extent_similarity(const PairShape& left,
+                                        const PairShape& right,
+                                        double spread = 1.0);
+
+/// 5: colours beside one line: of the side that changes less, since occlusion changes the other.
+/// `reversed`: the right segment runs against the left one, so that its flanks change sides.
+std::optional<double> colour_similarity(const EdgeSegment& left,
+                                        const EdgeSegment& right,
+                                        bool reversed,
+                                        const Radiometry& radiometry);
+
+/// 6: the colour step across one line, direction and size: 1 - |c - c'| / (|c| + |c'|). Absent
+/// without a step in both images.
+std::optional<double> contrast_similarity(const EdgeSegment& left,
+                                          const EdgeSegment& right,
+                                          bool reversed,
+                                          const Radiometry& radiometry);
+
+/// The image content spanned by a pair on the grid of the pair's own affine frame: origin the
+/// intersection point, axes along the segments.
+struct PairPatch {
+  static constexpr int kSize = 12;
+  static constexpr int kNumSamples = kSize * kSize;
+  int n_bands = 0;
+  std::array<Colour, kNumSamples> colours{};
+};
+
+/// 7: normalised cross correlation over all bands, negative values as 0. Absent without texture.
+std::optional<double> correlation(const PairPatch& left, const PairPatch& right);
+
+/// 8: similarity of the spatiograms, histograms of 8 bins with the place of their pixels (O Conaire
+/// et al. 2007), mean over the bands; exactly 1 for equal patches, the same for any affine change of
+/// the pair.
+std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right);
+
+}  // namespace ridgeline::reconstruct

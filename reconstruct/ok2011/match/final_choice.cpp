@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/final_choice.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// A candidate by left segment and rank.
+struct Choice {
+  int left;
+  int candidate;
+};
+
+std::vector<Choice> by_probability(const Supports& supports) {
+  std::vector<Choice> choices;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    for (std::size_t c = 0; c < supports[i].size(); ++c) {
+      choices.push_back({static_cast<int>(i), static_cast<int>(c)});
+    }
+  }
+  std::stable_sort(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) {
+    return supports[a.left][a.candidate].probability > supports[b.left][b.candidate].probability;
+  });
+  return choices;
+}
+
+std::size_t best_of(const std::vector<Support>& supports) {
+  const auto best = std::max_element(
+      supports.begin(), supports.end(),
+      [](const Support& a, const Support& b) { return a.probability < b.probability; });
+  return static_cast<std::size_t>(best - supports.begin());
+}
+
+/// Probability of the next mate over that of the best, fragments of the best one's edge left out.
+double distance_ratio(const MatchView& right,
+                      const std::vector<Candidate>& candidates,
+                      const std::vector<Support>& supports) {
+  const std::size_t best = best_of(supports);
+  const Segment2& mate = right.segments[candidates[best].right].line.segment;
+  double next = 0.0;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (c == best || are_fragments(mate, right.segments[candidates[c].right].line.segment))
+      continue;
+    next = std::max(next, supports[c].probability);
+  }
+  return next / std::max(supports[best].probability, 1e-12);
+}
+
+/// The smallest probability at which a candidate is taken. The shortest segments find something
+/// similar by chance, in textures above all; and where one segment is much shorter than the other, their
+/// ends do not tell that both show one edge.
+double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
+  constexpr double kShort_px = 12.0;
+  constexpr double kOfShort = 0.9;
+  constexpr double kUnlike = 0.75;  // of the longer one
+  constexpr double kOfUnlike = 0.6;
+  const auto [shorter_px, longer_px] = std::minmax({length(left), length(right)});
+  double least = options.min_probability;
+  if (shorter_px < kShort_px) least = std::max(least, kOfShort);
+  if (shorter_px < kUnlike * longer_px) least = std::max(least, kOfUnlike);
+  return least;
+}
+
+/// By left segment: how many of its partners have a mate that can be trusted, and could vote.
+std::vector<int> voters(const MatchView& left,
+                        const MatchView& right,
+                        const std::vector<std::vector<Candidate>>& candidates,
+                        std::span<const BasePair> pairs,
+                        const Supports& supports,
+                        const MatchOptions& options) {
+  const auto trusted = [&](int i) {
+    if (supports[i].empty()) return false;
+    const std::size_t best = best_of(supports[i]);
+    return supports[i][best].probability >=
+           least_probability(left.segments[i].line.segment,
+                             right.segments[candidates[i][best].right].line.segment, options);
+  };
+  std::vector<int> count(supports.size(), 0);
+  for (const BasePair& pair : pairs) {
+    if (trusted(pair.second)) ++count[pair.first];
+    if (trusted(pair.first)) ++count[pair.second];
+  }
+  return count;
+}
+
+/// Whether too few of a line's pairs speak for its candidate; an isolated line is taken by its look,
+/// if that leaves no doubt.
+bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
+  constexpr int kIsolated = 1;
+  if (support.votes >= options.min_votes) return false;
+  return n_voters > kIsolated || support.probability < options.min_isolated_probability;
+}
+
+/// What becomes of a left segment before the others are asked.
+MatchOutcome prospect(const Segment2& left,
+                      const MatchView& right,
+                      const std::vector<Candidate>& candidates,
+                      const std::vector<Support>& supports,
+                      int n_voters,
+                      const MatchOptions& options) {
+  constexpr double kWeak = 0.2;  // of two equally weak candidates neither is right
+  if (candidates.empty()) return MatchOutcome::kNoCandidate;
+  const std::size_t first = best_of(supports);
+  const Support& best = supports[first];
+  const Segment2& mate = right.segments[candidates[first].right].line.segment;
+  if (best.probability > kWeak &&
+      distance_ratio(right, candidates, supports) > options.max_distance_ratio) {
+    return MatchOutcome::kAmbiguous;
+  }
+  if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const Segment2& fragment = right.segments[candidates[c].right].line.segment;
+    if ((c == first || are_fragments(mate, fragment)) &&
+        supports[c].probability >= least_probability(left, fragment, options)) {
+      return MatchOutcome::kLostVote;
+    }
+  }
+  return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
+}
+
+/// The choices made, by the segments of both images.
+class Taken {
+ public:
+  Taken(const MatchView& left,
+        const MatchView& right,
+        const std::vector<std::vector<Candidate>>& candidates)
+      : left_(left), right_(right), candidates_(candidates) {}
+
+  void add(const Choice& choice) {
+    of_left_[choice.left].push_back(choice);
+    of_right_[candidate(choice).right].push_back(choice);
+  }
+
+  /// Whether neither segment has a mate for the same part of it, or one of another edge.
+  [[nodiscard]] bool allow(const Choice& choice) const {
+    const Candidate& own = candidate(choice);
+    const auto shares = [&](const Choice& other) {
+      return may_share_mate(left_line(choice), own.overlap, left_line(other),
+                            candidate(other).overlap);
+    };
+    const auto adds = [&](const Choice& other) {
+      return may_be_mates_of_one(right_line(choice), own.overlap, right_line(other),
+                                 candidate(other).overlap);
+    };
+    const auto takers = of_right_.find(own.right);
+    const auto mates = of_left_.find(choice.left);
+    return (takers == of_right_.end() ||
+            std::all_of(takers->second.begin(), takers->second.end(), shares)) &&
+           (mates == of_left_.end() ||
+            std::all_of(mates->second.begin(), mates->second.end(), adds));
+  }
+
+ private:
+  [[nodiscard]] const Candidate& candidate(const Choice& choice) const {
+    return candidates_[choice.left][choice.candidate];
+  }
+  [[nodiscard]] const Segment2& left_line(const Choice& choice) const {
+    return left_.segments[choice.left].line.segment;
+  }
+  [[nodiscard]] const Segment2& right_line(const Choice& choice) const {
+    return right_.segments[candidate(choice).right].line.segment;
+  }
+
+  const MatchView& left_;
+  const MatchView& right_;
+  const std::vector<std::vector<Candidate>>& candidates_;
+  std::map<int, std::vector<Choice>> of_left_, of_right_;
+};
+
+}  // namespace
+
+const char* name(MatchOutcome outcome) {
+  switch (outcome) {
+    case MatchOutcome::kMatched:
+      return "matched";
+    case MatchOutcome::kNoCandidate:
+      return "no_candidate";
+    case MatchOutcome::kLowScore:
+      return "low_score";
+    case MatchOutcome::kAmbiguous:
+      return "ambiguous";
+    case MatchOutcome::kNoPair:
+      return "no_pair";
+    case MatchOutcome::kLostVote:
+      return "lost_vote";
+  }
+  return "";
+}
+
+MatchResult final_choice(const MatchView& left,
+                         const MatchView& right,
+                         const std::vector<std::vector<Candidate>>& candidates,
+                         const Supports& supports,
+                         std::span<const BasePair> pairs,
+                         const MatchOptions& options) {
+  // a fragment has no rivals among the others, which makes it look more certain than it is
+  constexpr double kFurtherMate = 0.7;
+  const std::vector<int> n_voters = voters(left, right, candidates, pairs, supports, options);
+  MatchResult result;
+  result.outcomes.resize(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    result.outcomes[i] = prospect(left.segments[i].line.segment, right, candidates[i], supports[i],
+                                  n_voters[i], options);
+  }
+  Taken taken(left, right, candidates);
+  for (const Choice& choice : by_probability(supports)) {
+    const Support& support = supports[choice.left][choice.candidate];
+    MatchOutcome& outcome = result.outcomes[choice.left];
+    if (support.probability < options.min_probability) break;
+    if (outcome != MatchOutcome::kLostVote && outcome != MatchOutcome::kMatched) continue;
+    if (lacks_votes(support, n_voters[choice.left], options)) continue;
+    const int mate = candidates[choice.left][choice.candidate].right;
+    if (support.probability < least_probability(left.segments[choice.left].line.segment,
+                                                right.segments[mate].line.segment, options)) {
+      continue;
+    }
+    const bool is_further = outcome == MatchOutcome::kMatched;
+    if (is_further && support.probability < kFurtherMate) continue;
+    if (!taken.allow(choice)) continue;
+    outcome = MatchOutcome::kMatched;
+    taken.add(choice);
+    result.matches.push_back({{choice.left, mate}, support.probability, support.votes});
+  }
+  std::sort(
+      result.matches.begin(), result.matches.end(), [](const ScoredMatch& a, const ScoredMatch& b) {
+        return std::pair(a.match.left, a.match.right) < std::pair(b.match.left, b.match.right);
+      });
+  return result;
+}
+
+}  // namespace ridgeline::reconstruct

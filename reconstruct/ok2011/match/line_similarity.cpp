@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/line_similarity.h"
+
+#include "reconstruct/ok2011/match/constraints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kEndScale_px = 3.0;  // end points along a line are this uncertain
+
+/// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
+double ends_agreement(const EdgeSegment& left,
+                      const EdgeSegment& right,
+                      const EpipolarOverlap& overlap) {
+  const double left_px = length(left.line.segment);
+  const double right_px = length(right.line.segment);
+  const auto gap_px = [&](double of_left, double of_right) {
+    return std::max(of_left * left_px, of_right * right_px);
+  };
+  const auto from_start = [](double t, bool reversed) { return reversed ? 1.0 - t : t; };
+  const bool reversed = overlap.reversed();
+  const double at_start = gap_px(overlap.on_left[0], from_start(overlap.on_right[0], reversed));
+  const double at_end =
+      gap_px(1.0 - overlap.on_left[1], 1.0 - from_start(overlap.on_right[1], reversed));
+  return 0.5 * (std::exp(-at_start / kEndScale_px) + std::exp(-at_end / kEndScale_px));
+}
+
+}  // namespace
+
+LineMeasures line_measures(const EdgeSegment& left,
+                           const EdgeSegment& right,
+                           const EpipolarOverlap& overlap,
+                           const EdgeLook& look,
+                           const Radiometry& radiometry) {
+  constexpr double kUndecided = 0.5;
+  LineMeasures m;
+  std::array<double, 2> ncc{};
+  std::array<double, 2> colour{};
+  for (const int side : {0, 1}) {
+    const auto& seen = look.sides[side];
+    ncc[side] = seen ? std::max(0.0, seen->ncc) : kUndecided;
+    colour[side] = seen ? seen->colour_agreement() : kUndecided;
+  }
+  m.values[LineMeasures::kBetterSide] = std::max(ncc[0], ncc[1]);
+  m.values[LineMeasures::kOtherSide] = std::min(ncc[0], ncc[1]);
+  m.values[LineMeasures::kBetterColour] = std::max(colour[0], colour[1]);
+  m.values[LineMeasures::kOtherColour] = std::min(colour[0], colour[1]);
+  m.values[LineMeasures::kContrast] =
+      contrast_similarity(left, right, overlap.reversed(), radiometry).value_or(kUndecided);
+  m.values[LineMeasures::kProfile] = std::max(0.0, look.profile_ncc.value_or(kUndecided));
+  m.values[LineMeasures::kOverlap] = std::max(overlap.share_of_left(), overlap.share_of_right());
+  m.values[LineMeasures::kEnds] = ends_agreement(left, right, overlap);
+  return m;
+}
+
+double line_similarity(const LineMeasures& measures) {
+  static constexpr std::array<double, LineMeasures::kCount> kWeights = {0.65, 3.50, 1.83, 3.44,
+                                                                        1.38, 0.34, 2.51, 5.05};
+  constexpr double kBias = -9.65;
+  double sum = kBias;
+  for (int k = 0; k < LineMeasures::kCount; ++k) sum += kWeights[k] * measures.values[k];
+  return 1.0 / (1.0 + std::exp(-sum));
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/match_view.h"
+
+#include <functional>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Where what goes beyond the paper enters the matching. Each may be empty.
+struct MatchExtensions {
+  /// A better radiometry than the first one, which the flanks of all segments give.
+  std::function<Radiometry(const MatchView& left,
+                           const MatchView& right,
+                           const StereoSearch& search,
+                           const Radiometry& first)>
+      radiometry;
+  CandidateLook look;
+  /// Changes the candidates, best first, once all of them are known.
+  std::function<void(const MatchView& left,
+                     const MatchView& right,
+                     const StereoSearch& search,
+                     const Radiometry& radiometry,
+                     std::vector<std::vector<Candidate>>& candidates)>
+      candidates;
+};
+
+}  // namespace ridgeline::reconstruct

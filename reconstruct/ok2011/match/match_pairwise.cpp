@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/match_pairwise.h"
+
+#include "reconstruct/ok2011/match/final_choice.h"
+#include "reconstruct/ok2011/match/similarity_voting.h"
+
+#include <tbb/parallel_for.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const BasePair> pairs) {
+  std::vector<std::vector<PairMatch>> found(pairs.size());
+  tbb::parallel_for(std::size_t{0}, pairs.size(),
+                    [&](std::size_t p) { found[p] = pair_matches(scene, pairs[p]); });
+  std::vector<PairMatch> all;
+  for (const std::vector<PairMatch>& matches : found) {
+    all.insert(all.end(), matches.begin(), matches.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+MatchResult match_pairwise(const MatchView& left,
+                           const MatchView& right,
+                           const std::array<double, 2>& height_range_in_local_m,
+                           const MatchOptions& options,
+                           const MatchExtensions& beyond) {
+  validate(options);
+  check_images(left, right);
+  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
+  Radiometry radiometry = relative_radiometry(left.segments, right.segments);
+  if (beyond.radiometry) radiometry = beyond.radiometry(left, right, search, radiometry);
+  std::vector<std::vector<Candidate>> candidates =
+      match_candidates(left, right, search, radiometry, options, beyond.look);
+  if (beyond.candidates) beyond.candidates(left, right, search, radiometry, candidates);
+  const LocalTransfer transfer =
+      local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});
+  const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
+  const PairScene scene{left,
+                        right,
+                        search,
+                        {ImageSampler(left.image), ImageSampler(right.image), radiometry},
+                        candidates,
+                        options,
+                        relief_spread(transfer)};
+  const std::vector<PairMatch> pair_matches = all_pair_matches(scene, pairs);
+  const Supports supports = similarity_votes(left, right, candidates, pair_matches, transfer);
+  return final_choice(left, right, candidates, supports, pairs, options);
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The constraints on the image content of a pair: correlation and spatiogram.
+#include "reconstruct/ok2011/match/constraints.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kNumBins = 8;
+/// Variance of the grey values below which a patch has no texture to compare.
+constexpr double kLeastVariance = 1e-6;
+
+Eigen::Vector2d place(int sample) { return {sample % PairPatch::kSize, sample / PairPatch::kSize}; }
+
+/// A bin of a spatiogram: share of the pixels, mean and covariance of their places, grid units.
+struct Bin {
+  double share = 0.0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d cov = Eigen::Matrix2d::Zero();
+};
+using Spatiogram = std::array<Bin, kNumBins>;
+
+Spatiogram spatiogram(const PairPatch& patch, int band, float low, float high) {
+  Spatiogram bins{};
+  std::array<Eigen::Matrix2d, kNumBins> squares;
+  squares.fill(Eigen::Matrix2d::Zero());
+  for (int sample = 0; sample < PairPatch::kNumSamples; ++sample) {
+    const float position = (patch.colours[sample][band] - low) / (high - low);
+    const int bin = std::clamp(static_cast<int>(position * kNumBins), 0, kNumBins - 1);
+    const Eigen::Vector2d x = place(sample);
+    bins[bin].share += 1.0;
+    bins[bin].mean += x;
+    squares[bin] += x * x.transpose();
+  }
+  for (int b = 0; b < kNumBins; ++b) {
+    Bin& bin = bins[b];
+    if (!(bin.share > 0.0)) continue;
+    bin.mean /= bin.share;
+    // the floor of one grid cell keeps bins of a few pixels regular
+    bin.cov =
+        squares[b] / bin.share - bin.mean * bin.mean.transpose() + Eigen::Matrix2d::Identity();
+    bin.share /= PairPatch::kNumSamples;
+  }
+  return bins;
+}
+
+/// sqrt(n n') 8 pi |S S'|^(1/4) N(mu; mu', 2 (S + S')), O Conaire et al. 2007, Eq. 9.
+double bin_similarity(const Bin& a, const Bin& b) {
+  if (!(a.share > 0.0 && b.share > 0.0)) return 0.0;
+  const Eigen::Matrix2d sum = 2.0 * (a.cov + b.cov);
+  const Eigen::Vector2d d = a.mean - b.mean;
+  const double determinant = sum.determinant();
+  const double density =
+      std::exp(-0.5 * d.dot(sum.inverse() * d)) / (2.0 * M_PI * std::sqrt(determinant));
+  return std::sqrt(a.share * b.share) * 8.0 * M_PI *
+         std::pow(a.cov.determinant() * b.cov.determinant(), 0.25) * density;
+}
+
+}  // namespace
+
+std::optional<double> correlation(const PairPatch& left, const PairPatch& right) {
+  double aa = 0.0;
+  double bb = 0.0;
+  double ab = 0.0;
+  for (int band = 0; band < left.n_bands; ++band) {
+    double mean_a = 0.0;
+    double mean_b = 0.0;
+    for (int i = 0; i < PairPatch::kNumSamples; ++i) {
+      mean_a += left.colours[i][band];
+      mean_b += right.colours[i][band];
+    }
+    mean_a /= PairPatch::kNumSamples;
+    mean_b /= PairPatch::kNumSamples;
+    for (int i = 0; i < PairPatch::kNumSamples; ++i) {
+      const double a = left.colours[i][band] - mean_a;
+      const double b = right.colours[i][band] - mean_b;
+      aa += a * a;
+      bb += b * b;
+      ab += a * b;
+    }
+  }
+  const double least = kLeastVariance * PairPatch::kNumSamples * left.n_bands;
+  if (!(aa > least && bb > least)) return std::nullopt;
+  return std::clamp(ab / std::sqrt(aa * bb), 0.0, 1.0);
+}
+
+std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right) {
+  double sum = 0.0;
+  for (int band = 0; band < left.n_bands; ++band) {
+    // bins over the values that occur: fixed ones would put a dark roof into one bin
+    float low = left.colours[0][band];
+    float high = low;
+    for (const PairPatch* patch : {&left, &right}) {
+      for (const Colour& colour : patch->colours) {
+        low = std::min(low, colour[band]);
+        high = std::max(high, colour[band]);
+      }
+    }
+    if (!(high > low)) return std::nullopt;
+    const Spatiogram a = spatiogram(left, band, low, high);
+    const Spatiogram b = spatiogram(right, band, low, high);
+    for (int bin = 0; bin < kNumBins; ++bin) sum += bin_similarity(a[bin], b[bin]);
+  }
+  return std::clamp(sum / left.n_bands, 0.0, 1.0);
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/ok2011/match/similarity_voting.h"
+
+#include "reconstruct/geometry/segment_index.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kMostPasses = 20;
+constexpr double kFixedPoint = 1e-4;  // largest change of a probability
+/// A share of support starts from "undecided" with this weight: a lone neighbour proves little, and
+/// a segment without neighbours is judged by its look.
+constexpr double kLittle = 0.5;
+constexpr double kUndecided = 0.5;
+
+/// A candidate by its place in the flat list of all.
+using Flat = int;
+
+/// A pair match seen from one of its members.
+struct Link {
+  int partner;     ///< left segment
+  Flat candidate;  ///< of the partner
+  double vote;
+};
+
+/// A segment nearby whose height should agree where the two come closest.
+struct Neighbour {
+  int segment;
+  double distance_px;
+  double own_t, t;  ///< of the closest points: on the segment itself, on the neighbour
+};
+
+struct Network {
+  std::vector<int> first;  ///< per left segment: its first flat candidate; one more at the end
+  std::vector<const Candidate*> candidates;
+  std::vector<int> left;                           ///< left segment, per candidate
+  std::vector<std::vector<Flat>> rivals;           ///< per candidate
+  std::vector<std::vector<Link>> links;            ///< per candidate, by partner
+  std::vector<std::vector<Neighbour>> neighbours;  ///< per left segment
+  double gsd_m = 0.0;
+  double same_height_m = 0.0;  ///< lines that meet in the image are this close in height
+};
+
+/// The closest points of two segments as parameters of each.
+Neighbour closest(const Segment2& own, int other, const Segment2& segment) {
+  if (const auto x = intersection(own, segment, 0.0)) {
+    const double own_t = closest_parameter(own, *x);
+    const double t = closest_parameter(segment, *x);
+    if (own_t > 0.0 && own_t < 1.0 && t > 0.0 && t < 1.0) return {other, 0.0, own_t, t};
+  }
+  Neighbour best{other, std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  const auto offer = [&](double own_t, double t) {
+    const double apart_px = (point_at(own, own_t) - point_at(segment, t)).norm();
+    if (apart_px < best.distance_px) best = {other, apart_px, own_t, t};
+  };
+  for (const double end : {0.0, 1.0}) {
+    offer(end, closest_parameter(segment, point_at(own, end)));
+    offer(closest_parameter(own, point_at(segment, end)), end);
+  }
+  return best;
+}
+
+bool disjoint(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
+  const auto [a_low, a_high] = std::minmax(a[0], a[1]);
+  const auto [b_low, b_high] = std::minmax(b[0], b[1]);
+  const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
+  return common <= kShared * std::min(a_high - a_low, b_high - b_low);
+}
+
+void add_row_rivals(Network& network, const MatchView& right) {
+  for (std::size_t i = 0; i + 1 < network.first.size(); ++i) {
+    for (Flat a = network.first[i]; a < network.first[i + 1]; ++a) {
+      for (Flat b = network.first[i]; b < network.first[i + 1]; ++b) {
+        if (a == b) continue;
+        const Segment2& own = right.segments[network.candidates[a]->right].line.segment;
+        const Segment2& other = right.segments[network.candidates[b]->right].line.segment;
+        if (!are_fragments(own, other)) network.rivals[a].push_back(b);
+      }
+    }
+  }
+}
+
+void add_column_rivals(Network& network, const MatchView& left, std::size_t n_right) {
+  std::vector<std::vector<Flat>> of_right(n_right);
+  for (Flat c = 0; c < static_cast<Flat>(network.candidates.size()); ++c) {
+    of_right[network.candidates[c]->right].push_back(c);
+  }
+  for (const std::vector<Flat>& column : of_right) {
+    for (const Flat a : column) {
+      for (const Flat b : column) {
+        if (a == b) continue;
+        if (!may_share_mate(
+                left.segments[network.left[a]].line.segment, network.candidates[a]->overlap,
+                left.segments[network.left[b]].line.segment, network.candidates[b]->overlap)) {
+          network.rivals[a].push_back(b);
+        }
+      }
+    }
+  }
+}
+
+void add_links(Network& network, std::span<const PairMatch> pairs) {
+  for (const PairMatch& match : pairs) {
+    const Flat a = network.first[match.pair.first] + match.first_candidate;
+    const Flat b = network.first[match.pair.second] + match.second_candidate;
+    const double vote = vote_of(match.similarity);
+    network.links[a].push_back({match.pair.second, b, vote});
+    network.links[b].push_back({match.pair.first, a, vote});
+  }
+  for (std::vector<Link>& links : network.links) {
+    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+      return a.partner != b.partner ? a.partner < b.partner : a.candidate < b.candidate;
+    });
+  }
+}
+
+std::vector<Neighbour> neighbours_of(int segment,
+                                     std::span<const Segment2> segments,
+                                     const SegmentIndex& index) {
+  constexpr double kReach_px = 60.0;
+  constexpr std::size_t kMost = 12;
+  const Segment2& own = segments[segment];
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kReach_px);
+  std::vector<Neighbour> neighbours;
+  for (const int other : index.in_box(Eigen::AlignedBox2d(own.start.cwiseMin(own.end) - reach,
+                                                          own.start.cwiseMax(own.end) + reach))) {
+    if (other == segment) continue;
+    const Neighbour neighbour = closest(own, other, segments[other]);
+    if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
+  }
+  std::stable_sort(
+      neighbours.begin(), neighbours.end(),
+      [](const Neighbour& a, const Neighbour& b) { return a.distance_px < b.distance_px; });
+  if (neighbours.size() > kMost) neighbours.resize(kMost);
+  return neighbours;
+}
+
+void add_neighbours(Network& network, const MatchView& left) {
+  std::vector<Segment2> segments;
+  for (const EdgeSegment& edge : left.segments) segments.push_back(edge.line.segment);
+  const SegmentIndex index(segments);
+  network.neighbours.resize(segments.size());
+  tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
+    network.neighbours[i] = neighbours_of(static_cast<int>(i), segments, index);
+  });
+}
+
+Network build_network(const MatchView& left,
+                      const MatchView& right,
+                      const std::vector<std::vector<Candidate>>& candidates,
+                      std::span<const PairMatch> pairs,
+                      const LocalTransfer& transfer) {
+  constexpr double kGutters_m = 0.6;  // and other things between edges that meet
+  constexpr double kNoise_px = 2.0;   // of parallax
+  Network network;
+  network.gsd_m = transfer.gsd_m;
+  network.same_height_m = std::max(kGutters_m, kNoise_px / transfer.per_height.norm());
+  network.first.push_back(0);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (const Candidate& candidate : candidates[i]) {
+      network.candidates.push_back(&candidate);
+      network.left.push_back(static_cast<int>(i));
+    }
+    network.first.push_back(static_cast<int>(network.candidates.size()));
+  }
+  network.rivals.resize(network.candidates.size());
+  network.links.resize(network.candidates.size());
+  add_row_rivals(network, right);
+  add_column_rivals(network, left, right.segments.size());
+  add_links(network, pairs);
+  add_neighbours(network, left);
+  return network;
+}
+
+double best_probability(const Network& network, std::span<const double> probability, int segment) {
+  double best = 0.0;
+  for (Flat c = network.first[segment]; c < network.first[segment + 1]; ++c) {
+    best = std::max(best, probability[c]);
+  }
+  return best;
+}
+
+void add_votes(const Network& network,
+               std::span<const double> probability,
+               Flat candidate,
+               Support& support) {
+  constexpr double kSupporting = 0.25;  // a vote from here on counts as a pair
+  const std::vector<Link>& links = network.links[candidate];
+  double possible = 0.0;
+  for (std::size_t begin = 0; begin < links.size();) {
+    double best = 0.0;
+    std::size_t end = begin;
+    for (; end < links.size() && links[end].partner == links[begin].partner; ++end) {
+      best = std::max(best, links[end].vote * probability[links[end].candidate]);
+    }
+    possible += best_probability(network, probability, links[begin].partner);
+    support.votes += best;
+    if (best >= kSupporting) ++support.n_pairs;
+    begin = end;
+  }
+  support.vote_share = (support.votes + kLittle * kUndecided) / (possible + kLittle);
+}
+
+double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
+  constexpr double kNear_px = 12.0;
+  constexpr double kSlope = 0.7;
+  const EpipolarOverlap& own = network.candidates[candidate]->overlap;
+  if (own.aligned) return kUndecided;  // its height is what nobody knows yet
+  double all = kLittle;
+  double agreeing = kLittle * kUndecided;
+  for (const Neighbour& neighbour : network.neighbours[network.left[candidate]]) {
+    const double z = own.height_at(neighbour.own_t);
+    const double weight = std::exp(-neighbour.distance_px / kNear_px);
+    const double spread_m = network.same_height_m + kSlope * network.gsd_m * neighbour.distance_px;
+    for (Flat c = network.first[neighbour.segment]; c < network.first[neighbour.segment + 1]; ++c) {
+      if (network.candidates[c]->overlap.aligned) continue;
+      const double apart = (network.candidates[c]->overlap.height_at(neighbour.t) - z) / spread_m;
+      agreeing += weight * probability[c] * std::exp(-0.5 * apart * apart);
+      all += weight * probability[c];
+    }
+  }
+  return agreeing / all;
+}
+
+/// Strength e^T of a candidate: odds of being right before its rivals are looked at.
+double strength(const Candidate& candidate, const Support& support) {
+  constexpr double kBias = -3.5;
+  constexpr double kLook = 0.8;
+  constexpr double kVoteShare = 4.0;
+  constexpr double kHeight = 7.2;
+  const double u = std::clamp(candidate.similarity, 1e-6, 1.0 - 1e-6);
+  return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVoteShare * support.vote_share +
+                  kHeight * support.height);
+}
+
+}  // namespace
+
+bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px) {
+  const std::array<Eigen::Vector2d, 4> ends{a.start, a.end, b.start, b.end};
+  Segment2 whole = a;
+  for (const Eigen::Vector2d& from : ends) {
+    for (const Eigen::Vector2d& to : ends) {
+      if ((to - from).squaredNorm() > (whole.end - whole.start).squaredNorm()) whole = {from, to};
+    }
+  }
+  const Eigen::Vector2d along = (whole.end - whole.start).normalized();
+  return std::all_of(ends.begin(), ends.end(), [&](const Eigen::Vector2d& x) {
+    const Eigen::Vector2d w = x - whole.start;
+    return std::abs(along.x() * w.y() - along.y() * w.x()) <= tolerance_px;
+  });
+}
+
+bool may_share_mate(const Segment2& a,
+                    const EpipolarOverlap& a_overlap,
+                    const Segment2& b,
+                    const EpipolarOverlap& b_overlap) {
+  return are_fragments(a, b) && disjoint(a_overlap.on_right, b_overlap.on_right);
+}
+
+bool may_be_mates_of_one(const Segment2& a,
+                         const EpipolarOverlap& a_overlap,
+                         const Segment2& b,
+                         const EpipolarOverlap& b_overlap) {
+  // windows run along the eave above them, in a wall of a few pixels
+  constexpr double kTolerance_px = 1.0;
+  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b, kTolerance_px) &&
+         disjoint(a_overlap.on_left, b_overlap.on_left);
+}
+
+Supports similarity_votes(const MatchView& left,
+                          const MatchView& right,
+                          const std::vector<std::vector<Candidate>>& candidates,
+                          std::span<const PairMatch> pairs,
+                          const LocalTransfer& transfer) {
+  const Network network = build_network(left, right, candidates, pairs, transfer);
+  const std::size_t n = network.candidates.size();
+  std::vector<Support> supports(n);
+  std::vector<double> probability(n);
+  std::vector<double> strengths(n);
+  for (std::size_t c = 0; c < n; ++c) probability[c] = network.candidates[c]->similarity;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
+      Support support;
+      add_votes(network, probability, static_cast<Flat>(c), support);
+      support.height = height_support(network, probability, static_cast<Flat>(c));
+      strengths[c] = strength(*network.candidates[c], support);
+      supports[c] = support;
+    });
+    double change = 0.0;
+    for (std::size_t c = 0; c < n; ++c) {
+      double rivals = 0.0;
+      for (const Flat rival : network.rivals[c]) rivals += strengths[rival];
+      const double next = strengths[c] / (1.0 + strengths[c] + rivals);
+      change = std::max(change, std::abs(next - probability[c]));
+      probability[c] = next;
+      supports[c].probability = next;
+    }
+    if (change < kFixedPoint) break;
+  }
+  Supports by_segment(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    by_segment[i].assign(supports.begin() + network.first[i],
+                         supports.begin() + network.first[i + 1]);
+  }
+  return by_segment;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/views/edge_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// tan(35 deg), a common slope of roofs. 20 degrees off, a strip 8 px wide is sheared by less than a
+/// pixel at a base to height ratio of 0.26.
+constexpr double kSlope = 0.7;
+
+/// Mean colours along the line at steps across it.
+class Profile {
+ public:
+  static constexpr double kHalfWidth_px = 4.0;
+  static constexpr double kStep_px = 0.5;
+  static constexpr int kSize = 17;
+
+  /// Nothing if a sample lies outside of the image.
+  static std::optional<Profile> along(const ImageSampler& image,
+                                      std::span<const Eigen::Vector2d> line,
+                                      const Eigen::Vector2d& side) {
+    Profile profile;
+    Colour colour{};
+    for (int k = 0; k < kSize; ++k) {
+      const Eigen::Vector2d offset = (k * kStep_px - kHalfWidth_px) * side;
+      for (const Eigen::Vector2d& x : line) {
+        if (!image.sample(x + offset, colour)) return std::nullopt;
+        for (int band = 0; band < image.n_bands(); ++band) profile.sums_[k][band] += colour[band];
+      }
+    }
+    for (Colour& sum : profile.sums_) {
+      for (float& value : sum) value /= static_cast<float>(line.size());
+    }
+    return profile;
+  }
+
+  [[nodiscard]] const Colour& at(int k) const { return sums_[k]; }
+
+ private:
+  std::array<Colour, kSize> sums_{};
+};
+
+std::optional<double> profile_ncc(const ImagePair& images, const StripFrame& frame) {
+  const auto left = Profile::along(images.left, frame.on_left, frame.side_in_left);
+  if (!left) return std::nullopt;
+  const auto right = Profile::along(images.right, frame.on_right, frame.side_in_right);
+  if (!right) return std::nullopt;
+  std::array<BandSums, kMaxBands> sums{};
+  for (int k = 0; k < Profile::kSize; ++k) {
+    const Colour mapped = images.radiometry.left_from_right(right->at(k));
+    for (int band = 0; band < images.left.n_bands(); ++band) {
+      sums[band].add(left->at(k)[band], mapped[band]);
+    }
+  }
+  return side_look(sums, images.left.n_bands(), Profile::kSize).ncc;
+}
+
+struct FlankMoments {
+  std::array<double, kMaxBands> mean{}, spread{};
+};
+FlankMoments flank_moments(std::span<const EdgeSegment> segments) {
+  std::array<BandSums, kMaxBands> sums{};
+  for (const EdgeSegment& segment : segments) {
+    for (const Flank* flank : {&segment.left, &segment.right}) {
+      for (int band = 0; band < kMaxBands; ++band) sums[band].add(flank->colour[band], 0.0);
+    }
+  }
+  const double n = 2.0 * static_cast<double>(segments.size());
+  FlankMoments moments;
+  for (int band = 0; band < kMaxBands; ++band) {
+    moments.mean[band] = sums[band].a / n;
+    const double variance = sums[band].aa / n - moments.mean[band] * moments.mean[band];
+    moments.spread[band] = std::sqrt(std::max(0.0, variance));
+  }
+  return moments;
+}
+
+}  // namespace
+
+Radiometry relative_radiometry(std::span<const EdgeSegment> left,
+                               std::span<const EdgeSegment> right) {
+  constexpr std::size_t kFewest = 10;
+  Radiometry radiometry;
+  if (left.size() < kFewest || right.size() < kFewest) return radiometry;
+  const FlankMoments a = flank_moments(left);
+  const FlankMoments b = flank_moments(right);
+  for (int band = 0; band < kMaxBands; ++band) {
+    if (!(a.spread[band] > 0.0 && b.spread[band] > 0.0)) continue;
+    radiometry.gain[band] = static_cast<float>(a.spread[band] / b.spread[band]);
+    radiometry.offset[band] =
+        static_cast<float>(a.mean[band] - radiometry.gain[band] * b.mean[band]);
+  }
+  return radiometry;
+}
+
+EdgeLook edge_look(const ImagePair& images,
+                   const EdgeSegment& left,
+                   const EdgeSegment& right,
+                   const EpipolarOverlap& overlap,
+                   const LocalTransfer& transfer,
+                   const StripGrid& grid) {
+  StripFrame frame = strip_frame(left, right, overlap, grid.most_along);
+  EdgeLook look;
+  for (const int side : {0, 1}) {
+    const double sign = side == 0 ? -1.0 : 1.0;
+    const Strip on_left = sample_strip(images.left, frame.on_left, sign * frame.side_in_left, grid);
+    for (int slope = 0; slope < grid.n_slopes; ++slope) {
+      const double height_per_px = (slope == 0   ? 0.0
+                                    : slope == 1 ? kSlope
+                                                 : -kSlope) *
+                                   transfer.gsd_m;
+      frame.side_in_right =
+          transfer.jacobian * frame.side_in_left + height_per_px * transfer.per_height;
+      const Strip on_right =
+          sample_strip(images.right, frame.on_right, sign * frame.side_in_right, grid);
+      const std::optional<SideLook> found =
+          compare(on_left, on_right, images.radiometry, images.left.n_bands());
+      std::optional<SideLook>& best = look.sides[side];
+      if (found && (!best || found->ncc > best->ncc)) best = found;
+    }
+  }
+  if (grid.with_profile) {
+    frame.side_in_right = transfer.jacobian * frame.side_in_left;
+    look.profile_ncc = profile_ncc(images, frame);
+  }
+  return look;
+}
+
+}  // namespace ridgeline::reconstruct

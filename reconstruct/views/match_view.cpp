@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/views/match_view.h"
+
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/views/image_sampler.h"
+
+namespace ridgeline::reconstruct {
+
+void check_images(const MatchView& left, const MatchView& right) {
+  for (const MatchView* view : {&left, &right}) {
+    check(view->image.depth() == CV_32F && view->image.channels() <= kMaxBands &&
+              view->image.rows >= 2 && view->image.cols >= 2,
+          "image: must be CV_32F of 1 to 4 bands and at least 2 x 2 pixels");
+  }
+  check(left.image.channels() == right.image.channels(),
+        "bands of the images = ", left.image.channels(), " and ", right.image.channels(),
+        ", must be equal");
+}
+
+std::vector<Segment2> ideal_segments(const MatchView& view) {
+  std::vector<Segment2> segments;
+  segments.reserve(view.segments.size());
+  for (const EdgeSegment& edge : view.segments) segments.push_back(edge.line.segment);
+  return segments;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/views/strip_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kAlongStep_px = 1.5;
+constexpr int kFewestAlong = 4;
+/// Variance of the grey values that is noise: keeps noise from being correlated.
+constexpr double kNoiseVariance = 0.008 * 0.008;
+
+/// From ideal to file pixels at a parameter of a segment.
+Eigen::Vector2d file_shift(const EdgeSegment& segment, double t) {
+  return point_at(segment.in_image, t) - point_at(segment.line.segment, t);
+}
+
+}  // namespace
+
+double SideLook::colour_agreement() const {
+  constexpr double kScale = 0.05;  // of the range of grey values
+  return std::exp(-colour_difference / kScale);
+}
+
+SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples) {
+  double covariance = 0.0;
+  double variance_a = 0.0;
+  double variance_b = 0.0;
+  double squared_difference = 0.0;
+  const double n = n_samples;
+  for (int band = 0; band < n_bands; ++band) {
+    const BandSums& s = sums[band];
+    covariance += s.ab / n - s.a * s.b / (n * n);
+    variance_a += s.aa / n - s.a * s.a / (n * n);
+    variance_b += s.bb / n - s.b * s.b / (n * n);
+    const double difference = (s.a - s.b) / n;
+    squared_difference += difference * difference;
+  }
+  const double noise = n_bands * kNoiseVariance;
+  return {covariance / std::sqrt((variance_a + noise) * (variance_b + noise)),
+          std::sqrt(squared_difference / n_bands)};
+}
+
+StripFrame strip_frame(const EdgeSegment& left,
+                       const EdgeSegment& right,
+                       const EpipolarOverlap& overlap,
+                       int most_along) {
+  const Segment2& segment = left.line.segment;
+  const double length_px = overlap.share_of_left() * length(segment);
+  const int n = std::clamp(static_cast<int>(length_px / kAlongStep_px), kFewestAlong, most_along);
+  StripFrame frame;
+  for (int i = 0; i < n; ++i) {
+    const double share = (i + 0.5) / n;
+    const double on_left = overlap.on_left[0] + share * overlap.share_of_left();
+    const double on_right = overlap.right_of(on_left);
+    frame.on_left.push_back(point_at(left.in_image, on_left));
+    // file_shift may be taken at the nearest end: it hardly changes along a segment
+    frame.on_right.push_back(point_at(right.line.segment, on_right) +
+                             file_shift(right, std::clamp(on_right, 0.0, 1.0)));
+  }
+  const Eigen::Vector2d u = (segment.end - segment.start).normalized();
+  frame.side_in_left = Eigen::Vector2d(-u.y(), u.x());
+  return frame;
+}
+
+Strip sample_strip(const ImageSampler& image,
+                   std::span<const Eigen::Vector2d> on_line,
+                   const Eigen::Vector2d& side,
+                   const StripGrid& grid) {
+  Strip strip;
+  strip.colours.resize(on_line.size() * grid.n_offsets);
+  strip.is_inside.resize(strip.colours.size());
+  std::size_t next = 0;
+  for (const Eigen::Vector2d& x : on_line) {
+    for (int k = 0; k < grid.n_offsets; ++k, ++next) {
+      const double offset_px = grid.first_offset_px + k * grid.offset_step_px;
+      strip.is_inside[next] =
+          image.sample(x + offset_px * side, strip.colours[next]) ? char{1} : char{0};
+    }
+  }
+  return strip;
+}
+
+std::optional<SideLook> compare(const Strip& left,
+                                const Strip& right,
+                                const Radiometry& radiometry,
+                                int n_bands) {
+  std::array<BandSums, kMaxBands> sums{};
+  std::size_t n_samples = 0;
+  for (std::size_t i = 0; i < left.colours.size(); ++i) {
+    if (!left.is_inside[i] || !right.is_inside[i]) continue;
+    ++n_samples;
+    const Colour mapped = radiometry.left_from_right(right.colours[i]);
+    for (int band = 0; band < n_bands; ++band) sums[band].add(left.colours[i][band], mapped[band]);
+  }
+  if (2 * n_samples < left.colours.size()) return std::nullopt;
+  return side_look(sums, n_bands, static_cast<int>(n_samples));
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/views/epipolar_overlap.h"
+#include "reconstruct/views/image_sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Brings the colours of the right image to those of the left one, per band: gain x + offset.
+struct Radiometry {
+  Colour gain{1.0F, 1.0F, 1.0F, 1.0F};
+  Colour offset{};
+
+  [[nodiscard]] Colour left_from_right(const Colour& right) const {
+    Colour left{};
+    for (int band = 0; band < kMaxBands; ++band)
+      left[band] = gain[band] * right[band] + offset[band];
+    return left;
+  }
+};
+
+/// A pair of images with what it takes to compare them.
+struct ImagePair {
+  ImageSampler left, right;
+  Radiometry radiometry;
+};
+
+/// How similar the strips along one side of a line are in the two images.
+struct SideLook {
+  double ncc = 0.0;                ///< -1..1, all bands together, damped where there is no texture
+  double colour_difference = 0.0;  ///< of the mean colours, root mean square over the bands
+
+  /// 1 for equal colours, 1/e at a twentieth of the range of grey values.
+  [[nodiscard]] double colour_agreement() const;
+  /// Of texture and colour, 0..2.
+  [[nodiscard]] double agreement() const { return std::max(0.0, ncc) + colour_agreement(); }
+};
+
+/// How densely and how far from the line the strips are sampled.
+struct StripGrid {
+  double first_offset_px = 1.5;  ///< clear of the blurred edge
+  double offset_step_px = 1.0;
+  int n_offsets = 8;
+  int most_along = 20;
+  int n_slopes = 3;  ///< 1: level sides only
+  bool with_profile = true;
+};
+
+/// Where the rows of a strip lie: on the line in both images, in file pixels, and one pixel to the
+/// side.
+struct StripFrame {
+  std::vector<Eigen::Vector2d> on_left, on_right;
+  Eigen::Vector2d side_in_left, side_in_right;
+};
+
+/// The rows of the strips along the epipolar overlap of two segments, every 1.5 px, but at least 4 and at
+/// most `most_along`; the side in the right image remains to be set.
+StripFrame strip_frame(const EdgeSegment& left,
+                       const EdgeSegment& right,
+                       const EpipolarOverlap& overlap,
+                       int most_along);
+
+/// Colours beside a line, row by row along it; those outside of the image are none.
+struct Strip {
+  std::vector<Colour> colours;
+  std::vector<char> is_inside;
+};
+
+/// @param side  one pixel away from the line
+Strip sample_strip(const ImageSampler& image,
+                   std::span<const Eigen::Vector2d> on_line,
+                   const Eigen::Vector2d& side,
+                   const StripGrid& grid);
+
+/// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
+/// images.
+std::optional<SideLook> compare(const Strip& left,
+                                const Strip& right,
+                                const Radiometry& radiometry,
+                                int n_bands);
+
+/// Sums of a normalised cross correlation of one band.
+struct BandSums {
+  double a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
+  void add(double x, double y) {
+    a += x;
+    b += y;
+    aa += x * x;
+    bb += y * y;
+    ab += x * y;
+  }
+};
+/// Of n > 0 samples.
+SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples);
+
+}  // namespace ridgeline::reconstruct

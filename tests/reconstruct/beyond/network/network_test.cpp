@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Method::kNetwork on groups of lines whose truth is known.
+#include "reconstruct/beyond/network/network.h"
+
+#include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "tests/reconstruct/support/conditioned_scene.h"
+#include "tests/reconstruct/support/line_group.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using test::kThreeNeighbours;
+using test::line_at;
+using test::LineGroup;
+using test::make_group;
+
+ReconstructOptions network_options() {
+  ReconstructOptions options = published_options();
+  options.line_covariance = LineCovariance::kCentroid;
+  options.method = Method::kNetwork;
+  return options;
+}
+
+/// Squared error of a line across itself, normalised by its covariance: chi-square with 4 degrees of
+/// freedom.
+double nees(const ReconstructedLine& line, const Segment3& truth) {
+  Vector6d error;
+  error << line.segment_in_local->start - truth.start, line.segment_in_local->end - truth.end;
+  const Eigen::Matrix<double, 3, 2> across =
+      tangent_basis<3>(Eigen::Vector3d(truth.end - truth.start));
+  Eigen::Matrix<double, 6, 4> basis = Eigen::Matrix<double, 6, 4>::Zero();
+  basis.topLeftCorner<3, 2>() = across;
+  basis.bottomRightCorner<3, 2>() = across;
+  const Eigen::Vector4d deviation = basis.transpose() * error;
+  const Eigen::Matrix4d cov = basis.transpose() * *line.covariance_m2 * basis;
+  return deviation.dot(cov.ldlt().solve(deviation));
+}
+
+double largest_error_m(const ReconstructedLine& line, const Segment3& truth) {
+  return std::max((line.segment_in_local->start - truth.start).norm(),
+                  (line.segment_in_local->end - truth.end).norm());
+}
+
+/// Larger distance of the two ends from the true line; along it they scatter with those of the image.
+double error_across_m(const ReconstructedLine& line, const Segment3& truth) {
+  const Eigen::Vector3d along = (truth.end - truth.start).normalized();
+  return std::max((line.segment_in_local->start - truth.start).cross(along).norm(),
+                  (line.segment_in_local->end - truth.start).cross(along).norm());
+}
+
+/// The neighbours, ends on the line, miss it by as much as such do: half of sigma_meeting_m.
+LineGroup group_with_misses(double theta_deg,
+                            const std::vector<test::NeighbourSpec>& neighbours,
+                            const test::Noise& noise,
+                            const ReconstructOptions& options,
+                            test::Random& random) {
+  LineGroup group = make_group(line_at(theta_deg), neighbours);
+  for (std::size_t k = 1; k < group.truth.size(); ++k) {
+    const Eigen::Vector3d normal = (group.truth[0].end - group.truth[0].start)
+                                       .cross(group.truth[k].end - group.truth[k].start)
+                                       .normalized();
+    const Eigen::Vector3d miss = random.normal(0.5 * options.sigma_meeting_m) * normal;
+    group.truth[k] = {group.truth[k].start + miss, group.truth[k].end + miss};
+  }
+  for (auto& segments : group.segments) segments.clear();
+  group.matches.clear();
+  test::observe(group, noise, &random);
+  return group;
+}
+
+TEST(Network, RecoversLinesWithoutErrorAtAnyAngle) {
+  constexpr double kRounding_m = 1e-6;  // for the range of heights of 200 km, a weak prior
+  for (const double theta_deg : {60.0, 20.0, 6.0, 2.0, 0.5, 0.0}) {
+    const LineGroup group = make_group(line_at(theta_deg), kThreeNeighbours);
+    const auto lines = group.reconstruct(network_options());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      ASSERT_EQ(lines[i].status, Status::kNetwork) << theta_deg;
+      EXPECT_EQ(lines[i].n_meetings, i == 0 ? 3 : 1);
+      EXPECT_LT(largest_error_m(lines[i], group.truth[i]), kRounding_m) << theta_deg;
+    }
+  }
+}
+
+TEST(Network, LinesThatMeetNoneStayAsTheyAre) {
+  test::Random random(331);
+  LineGroup group = make_group(line_at(40), kThreeNeighbours, {}, &random);
+  group.connections.clear();
+  ReconstructOptions joint = network_options();
+  joint.method = Method::kJoint;
+  const auto expected = group.reconstruct(joint);
+  const auto actual = group.reconstruct(network_options());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(actual[i].status, expected[i].status);
+    EXPECT_EQ(actual[i].segment_in_local->start, expected[i].segment_in_local->start);
+    EXPECT_EQ(*actual[i].covariance_m2, *expected[i].covariance_m2);
+  }
+}
+
+class NetworkPrecision : public testing::TestWithParam<double> {};
+
+TEST_P(NetworkPrecision, StatesItsErrors) {
+  constexpr int kTrials = 600;
+  const ReconstructOptions options = network_options();
+  test::Random random(332);
+  double sum = 0.0;
+  int n = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const LineGroup group =
+        group_with_misses(GetParam(), kThreeNeighbours, test::scaled({}, 0.3), options, random);
+    const auto lines = group.reconstruct(options);
+    // of those with all meetings accepted: a miss of 3 sigma is rejected, which is not normal any more
+    if (lines[0].n_meetings < 3) continue;
+    sum += nees(lines[0], group.truth[0]);
+    ++n;
+  }
+  ASSERT_GT(n, 0.9 * kTrials);
+  EXPECT_NEAR(sum / n, 4.0, test::chi_square_mean_band(4.0, n));
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, NetworkPrecision, testing::Values(45.0, 20.0, 6.0, 2.0, 0.0));
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+TEST(Network, IsMoreAccurateThanJointWhereThatHasNoPoints) {
+  constexpr int kTrials = 300;
+  test::Random random(333);
+  ReconstructOptions joint = network_options();
+  joint.method = Method::kJoint;
+  std::vector<double> before_m;
+  std::vector<double> after_m;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const LineGroup group =
+        group_with_misses(random.uniform(11, 25), kThreeNeighbours, {}, network_options(), random);
+    before_m.push_back(error_across_m(group.reconstruct(joint)[0], group.truth[0]));
+    after_m.push_back(error_across_m(group.reconstruct(network_options())[0], group.truth[0]));
+  }
+  EXPECT_LT(median(after_m), 0.5 * median(before_m));
+}
+
+TEST(Network, IsAsAccurateAsJointWithTheSameThreePoints) {
+  constexpr int kTrials = 300;
+  test::Random random(337);
+  ReconstructOptions joint = network_options();
+  joint.method = Method::kJoint;
+  std::vector<double> before_m;
+  std::vector<double> after_m;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const LineGroup group =
+        group_with_misses(random.uniform(0, 9), kThreeNeighbours, {}, network_options(), random);
+    before_m.push_back(error_across_m(group.reconstruct(joint)[0], group.truth[0]));
+    after_m.push_back(error_across_m(group.reconstruct(network_options())[0], group.truth[0]));
+  }
+  EXPECT_LT(median(after_m), 1.05 * median(before_m));
+  // a meeting that is rejected must not leave a line with less than `joint` had
+  EXPECT_LT(*std::max_element(after_m.begin(), after_m.end()),
+            1.5 * *std::max_element(before_m.begin(), before_m.end()));
+}
+
+TEST(Network, RejectsAFalseMeetingAmongFour) {
+  constexpr int kTrials = 200;
+  test::Random random(334);
+  const std::vector<test::NeighbourSpec> neighbours{
+      {0.05, 80}, {0.35, -60}, {0.65, 110}, {0.95, 70}};
+  ReconstructOptions options;  // with the consensus, from which `network` starts
+  options.method = Method::kNetwork;
+  for (const double theta_deg : {30.0, 4.0}) {
+    int rejected = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      test::SegmentSpec level = line_at(theta_deg);  // as eaves and ridges are
+      level.end_z_m = level.start_z_m;
+      LineGroup group = make_group(level, neighbours);
+      // an eave over the ground: it crosses in both images only because it hides what is below
+      const auto wrong = static_cast<std::size_t>(1 + trial % 4);
+      const Eigen::Vector3d below(0, 0, -5.0);
+      group.truth[wrong] = {group.truth[wrong].start + below, group.truth[wrong].end + below};
+      for (auto& segments : group.segments) segments.clear();
+      group.matches.clear();
+      test::observe(group, {}, &random);
+      const auto lines = group.reconstruct(options);
+      if (lines[wrong].n_meetings == 0 && lines[0].n_meetings >= 2) ++rejected;
+    }
+    EXPECT_GE(rejected, 0.95 * kTrials) << theta_deg;
+  }
+}
+
+TEST(Network, RejectsAMissBeyondChanceHoweverProbableTheMeeting) {
+  // two lines that their images fix to a centimetre; 3.29 standard deviations are 0.1 %
+  constexpr double kSigma_m = 0.1;
+  const test::ConditionedScene scene;
+  const Segment3 line = test::make_segment(scene.scene, line_at(80));
+  const Segment3 other =
+      test::make_neighbour(scene.scene, line, {.parameter = 0.0, .angle_deg = 30, .rise_m = 0});
+  for (const auto& [misses, expected] : {std::pair(3.0, 1), std::pair(3.6, 0)}) {
+    const Eigen::Vector3d normal =
+        (line.end - line.start).cross(other.end - other.start).normalized();
+    const Eigen::Vector3d miss = misses * kSigma_m * normal;
+    std::vector<NetworkLine> lines;
+    for (const Segment3& s : {line, Segment3{other.start + miss, other.end + miss}}) {
+      NetworkLine& added = lines.emplace_back();
+      added.seen = scene.observe(test::exact_pair(scene.scene, s, test::scaled({}, 0.02)));
+      const UncertainLine3 direct = *intersection(added.seen[0].plane, added.seen[1].plane);
+      added.start = direct.mean;
+      added.start_cov = direct.cov;
+    }
+    const std::vector<Meeting> meetings{{0, 1, {0.9999, kSigma_m}}};
+    EXPECT_EQ(adjust_network(scene.stereo, lines, meetings, {})[0].n_meetings, expected) << misses;
+  }
+}
+
+TEST(Network, MeetingsThatTogetherContradictTheImagesOfAGuardedLineAreDropped) {
+  // Precise neighbours support each other in pulling a line of less precision off what its images show.
+  // Each meeting alone is within chance, together they are not.
+  constexpr double kStated_px = 0.25, kOfNeighbours_px = 0.01;
+  const test::ConditionedScene scene;
+  const Segment3 line = test::make_segment(scene.scene, line_at(80));
+  int dropped = 0;
+  for (double rise_m = 0.0; rise_m < 1.0; rise_m += 0.02) {
+    std::vector<NetworkLine> lines;
+    std::vector<Meeting> meetings;
+    for (int i = 0; i < 5; ++i) {
+      const Eigen::Vector3d up(0, 0, i == 0 ? 0.0 : rise_m);
+      Segment3 s = i == 0 ? line
+                          : test::make_neighbour(scene.scene, line,
+                                                 {.parameter = i <= 2 ? 0.0 : 1.0,
+                                                  .angle_deg = i % 2 == 1 ? 20.0 : -20.0,
+                                                  .rise_m = 0});
+      s = {s.start + up, s.end + up};
+      if (i > 0) meetings.push_back({0, i, {0.87, 0.1}});
+      const double sigma_px = i == 0 ? kStated_px : kOfNeighbours_px;
+      const test::Noise noise{sigma_px, sigma_px * 0.0245, 1.0};
+      NetworkLine& added = lines.emplace_back();
+      added.seen = scene.observe(test::exact_pair(scene.scene, s, noise));
+      const UncertainLine3 direct = *intersection(added.seen[0].plane, added.seen[1].plane);
+      added.start = direct.mean;
+      added.start_cov = direct.cov;
+    }
+    const AdjustedInNetwork free = adjust_network(scene.stereo, lines, meetings, {})[0];
+    lines[0].is_guarded = true;
+    const AdjustedInNetwork guarded = adjust_network(scene.stereo, lines, meetings, {})[0];
+    ASSERT_TRUE(free.adjusted && guarded.adjusted);
+    EXPECT_LE(guarded.n_meetings, free.n_meetings);
+    EXPECT_LE(guarded.omega, free.omega);
+    if (guarded.n_meetings == free.n_meetings) continue;
+    EXPECT_GT(free.omega, 10.0) << rise_m;  // of the images, which the meetings have pulled it off
+    ++dropped;
+  }
+  EXPECT_GT(dropped, 0);
+}
+
+TEST(Network, GroupsThatNothingConnectsDoNotInfluenceEachOther) {
+  // the larger patch is conditioned otherwise, which deviations feel to the second order
+  constexpr double kSecondOrder_m = 1e-3;
+  test::Random random(335);
+  LineGroup both = make_group(line_at(5), kThreeNeighbours, {}, &random);
+  const auto alone = both.reconstruct(network_options());
+  // the same again elsewhere, connected among themselves only
+  const LineGroup second = make_group(
+      {both.scene.left_centre() + Eigen::Vector2d(30, 30), 5 * test::kDegree, 100.0, 3.0, 4.0},
+      kThreeNeighbours, {}, &random);
+  for (std::size_t i = 0; i < second.truth.size(); ++i) {
+    for (std::size_t j = 0; j < 2; ++j) both.segments[j].push_back(second.segments[j][i]);
+    both.matches.push_back({static_cast<int>(4 + i), static_cast<int>(4 + i)});
+    both.truth.push_back(second.truth[i]);
+  }
+  for (const PairConnection& c : second.connections) both.connections.push_back({4 + c.i, 4 + c.k});
+  const auto together = both.reconstruct(network_options());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_LT(largest_error_m(together[i], *alone[i].segment_in_local), kSecondOrder_m);
+  }
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/views/flanks.h"
+
+#include <gmock/gmock.h>
+#include <opencv2/core.hpp>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr float kRounding = 1e-6F;
+
+/// Dark above row 20, bright from there on.
+cv::Mat dark_above_bright() {
+  cv::Mat image(40, 40, CV_32FC3, cv::Scalar(0.1, 0.2, 0.3));
+  image.rowRange(20, 40).setTo(cv::Scalar(0.7, 0.8, 0.9));
+  return image;
+}
+
+TEST(Flanks, RightIsBelowALineThatRunsToTheRight) {
+  const auto [left, right] = flanks(dark_above_bright(), {{10, 19.5}, {30, 19.5}});
+  EXPECT_NEAR(left.colour[0], 0.1F, kRounding);
+  EXPECT_NEAR(left.colour[3], 0.0F, kRounding);
+  EXPECT_NEAR(left.grey, 0.2F, kRounding);
+  EXPECT_NEAR(right.colour[2], 0.9F, kRounding);
+  EXPECT_NEAR(right.grey, 0.8F, kRounding);
+}
+
+TEST(Flanks, LeaveOutWhatIsBeyondTheImage) {
+  const auto [left, right] = flanks(dark_above_bright(), {{10, 39}, {30, 39}});
+  EXPECT_NEAR(left.grey, 0.8F, kRounding);
+  EXPECT_EQ(right.grey, 0.0F);
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
