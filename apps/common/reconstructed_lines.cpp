@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/reconstructed_lines.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <numbers>
 
@@ -17,6 +19,11 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
           frame.world_from_local(segment_in_local->end)};
 }
 
+/// The number of the match; with that of the part where it shows several lines.
+std::string line_id(std::size_t match, int part) {
+  return part == 0 ? std::to_string(match) : fmt::format("{}.{}", match, part);
+}
+
 }  // namespace
 
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
@@ -26,9 +33,11 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
   io::LineSet set;
   set.crs = crs;
   set.lines.reserve(lines.size());
+  std::size_t num_matches = 0;
   for (const reconstruct::ReconstructedLine& line : lines) {
+    if (line.part <= 1) ++num_matches;
     io::Line& out = set.lines.emplace_back();
-    out.id = std::to_string(set.lines.size() - 1);
+    out.id = line_id(num_matches - 1, line.part);
     out.segment_in_world = in_world(line.segment_in_local, frame);
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);

@@ -16,7 +16,7 @@ EstimateExtensions estimate_extensions(const ReconstructOptions& options,
     };
   }
   beyond.network = [options](const StereoLines& lines, std::span<const PairConnection> connections,
-                             std::vector<JointLine>& by_match) {
+                             std::vector<std::vector<JointLine>>& by_match) {
     adjust_together(lines, connections, options, by_match);
   };
   return beyond;

@@ -50,7 +50,9 @@ constexpr std::array kVariants{
     Variant{"register_profiles", "reconstruct: {register_profiles: false}"},
     Variant{"max_end_sigma_m", "reconstruct: {max_end_sigma_m: 1e6}"},
     Variant{"consensus", "reconstruct: {consensus: false, flanks: false}"},
-    Variant{"flanks", "reconstruct: {flanks: false}"}};
+    Variant{"flanks", "reconstruct: {flanks: false}"},
+    Variant{"gable_share", "reconstruct: {gable_share: 0}"},
+    Variant{"step_share", "reconstruct: {step_share: 0}"}};
 
 /// What one variant reaches on one scene.
 struct SceneFigures {
@@ -176,8 +178,9 @@ std::map<std::string, double> run_variants(const fs::path& folder,
     const fs::path config = folder / (std::string(variant.name) + ".yaml");
     std::ofstream(config) << (*variant.parameters == '\0' ? "judge: {}" : variant.parameters)
                           << "\n";
-    std::vector<std::string> arguments{"run",       "--out",         variant.name, "--no-report",
-                                       "--methods", "joint,network", "--config",   config.string()};
+    std::vector<std::string> arguments{"run",         "--out",      variant.name,
+                                       "--no-report", "--methods",  "joint,network",
+                                       "--config",    config.string()};
     arguments.insert(arguments.end(), patches.begin(), patches.end());
     const auto result = ridgeline::test::run_program(RIDGELINE_BINARY, arguments, folder);
     check(result.exit_code == 0, result.err);
@@ -195,16 +198,14 @@ Scenes scenes_of(const fs::path& results, const std::string& method) {
 }
 
 std::string row_of(const Variant& variant, const SceneFigures& f, double seconds) {
-  std::string row =
-      fmt::format("| {} | {:.0f} / {:.0f} / {:.0f} ", variant.name, f.correct, f.wrong, f.missed);
+  std::string row = fmt::format("| {} | {:.0f} / {:.0f} / {:.0f} ", variant.name, f.correct, f.wrong,
+                                f.missed);
   for (const Measure& measure : measures()) row += fmt::format("| {:.1f} ", measure.of(f));
   return row + fmt::format("| {:.2f} | {:.1f} | {:.1f} |\n", f.sum_z2 / f.judged,
                            100.0 * f.beyond / f.judged, seconds);
 }
 
-void print_set(const std::string& title,
-               const fs::path& folder,
-               const std::vector<std::string>& patches) {
+void print_set(const std::string& title, const fs::path& folder, const std::vector<std::string>& patches) {
   const std::map<std::string, double> seconds = run_variants(folder, patches);
   for (const std::string method : {"joint", "network"}) {
     std::string head = "| without | correct / false / missed |";
@@ -215,8 +216,8 @@ void print_set(const std::string& title,
       changes += fmt::format(" {} |", measure.name);
       rule += "--:|";
     }
-    fmt::print("\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | time s |\n{}--:|--:|--:|\n",
-               title, patches.size(), method, head, rule);
+    fmt::print("\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | time s |\n{}--:|--:|--:|\n", title,
+               patches.size(), method, head, rule);
     const Scenes with = scenes_of(folder / kVariants[0].name, method);
     for (const Variant& variant : kVariants) {
       fmt::print("{}", row_of(variant, sum_of(scenes_of(folder / variant.name, method)),

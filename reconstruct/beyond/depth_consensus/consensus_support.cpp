@@ -142,6 +142,28 @@ bool fix_direction(std::span<const CandidatePoint> points) {
   return high->ranked.parameter - low->ranked.parameter >= kSmallestBase;
 }
 
+/// Where a match crosses another one, in both images.
+std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const ObservedPair& other) {
+  return {line[0].line.mean.cross(other[0].line.mean).hnormalized(),
+          line[1].line.mean.cross(other[1].line.mean).hnormalized()};
+}
+
+/// Whether the match may be cut where it meets another one: the parts are long enough in both images.
+bool may_cut(const StereoLines& lines,
+             const ObservedPair& line,
+             const CandidatePoint& at,
+             const ReconstructOptions& options) {
+  if (at.ranked.weight < options.min_cut_weight) return false;
+  const auto x = crossing(line, lines.lines[static_cast<std::size_t>(at.ranked.neighbour)]);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double shortest = options.min_cut_length_px / lines.stereo.views[j].image.scale_px;
+    const double to_end =
+        std::min((x[j] - line[j].segment.start).norm(), (x[j] - line[j].segment.end).norm());
+    if (!(distance(line[j].segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
+  }
+  return true;
+}
+
 /// A match with the artificial points that are good enough to be heard, and what its ends show.
 struct Heard {
   const StereoLines& lines;
@@ -170,6 +192,7 @@ Heard hear(const StereoLines& lines,
     DepthEvidence e = evidence_of(c.estimated.point, c.ranked.parameter,
                                   options.max_point_prior * c.ranked.weight);
     e.meeting = c.ranked.weight;
+    e.may_cut = may_cut(lines, line, c, options);
     heard.evidence.push_back(e);
   }
   for (const int which : {0, 1}) {
@@ -184,13 +207,30 @@ Heard hear(const StereoLines& lines,
   return heard;
 }
 
+/// The part of the match between the cuts.
+ObservedPair seen_part(const Heard& heard, const DepthPart& part) {
+  ObservedPair seen = heard.line;
+  const bool back = runs_back(heard.lines, heard.line);
+  const auto cut = [&](std::size_t evidence, bool at_start) {
+    const auto other = static_cast<std::size_t>(heard.points[evidence].ranked.neighbour);
+    const auto x = crossing(heard.line, heard.lines.lines[other]);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const bool starts = at_start != (back && j == 1);
+      (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
+    }
+  };
+  if (part.from) cut(*part.from, true);
+  if (part.to) cut(*part.to, false);
+  return seen;
+}
+
 /// Takes points of the line that the strips beside it show in both images; false if they show none.
 bool add_flank_points(const Heard& heard,
                       const FlankCorrelation& flanks,
-                      const DepthConsensus& consensus,
+                      const DepthPart& part,
                       const ReconstructOptions& options,
                       LineSupport& support) {
-  const auto found = flanks.homologous(consensus.line, consensus.horizontal);
+  const auto found = flanks.homologous(part.line, part.horizontal);
   if (!found) return false;
   for (const FlankCorrelation::Homologous& x : *found) {
     if (const auto point =
@@ -204,54 +244,65 @@ bool add_flank_points(const Heard& heard,
 }
 
 LineSupport support_of(const Heard& heard,
-                       const DepthConsensus& consensus,
+                       const DepthPart& part,
                        const FlankCorrelation* flanks,
                        const ReconstructOptions& options) {
   LineSupport support;
-  support.seen = heard.line;
+  support.seen = seen_part(heard, part);
   std::vector<CandidatePoint> agreeing;
-  for (const std::size_t i : consensus.supports) {
-    if (i < heard.points.size()) agreeing.push_back(heard.points[i]);
+  for (const std::size_t i : part.supports) {
+    if (i >= heard.points.size()) continue;
+    agreeing.push_back(heard.points[i]);
+    RankedPoint& ranked = agreeing.back().ranked;
+    const auto x =
+        crossing(heard.line, heard.lines.lines[static_cast<std::size_t>(ranked.neighbour)]);
+    ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
   }
   support.points = best_of_regions(agreeing, options);
-  if (consensus.horizontal) support.sigma_slope = options.sigma_slope;
+  if (part.horizontal) support.sigma_slope = options.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (flanks != nullptr && add_flank_points(heard, *flanks, consensus, options, support)) {
-    return support;
-  }
+  if (flanks != nullptr && add_flank_points(heard, *flanks, part, options, support)) return support;
   if (support.points_fix_direction) return support;
-  for (const std::size_t i : consensus.supports) {
+  for (const std::size_t i : part.supports) {
     if (i < heard.points.size()) continue;
     const std::size_t end = i - heard.points.size();
     support.ends.push_back(heard.ends[end]);
     support.ends_in_images.push_back(
         ends_in_images(heard.lines, heard.line, heard.which_ends[end]));
   }
-  support.ambiguous = support.points.empty() &&
-                      (support.ends.empty() || !has_telling_ends(heard.lines, heard.line, options));
+  const bool is_cut = part.from || part.to;
+  if (support.points.empty()) {
+    support.ambiguous =
+        is_cut || support.ends.empty() || !has_telling_ends(heard.lines, heard.line, options);
+  } else {
+    support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
+  }
   return support;
 }
 
-LineSupport support_by_consensus(const StereoLines& lines,
-                                 const ObservedPair& line,
-                                 std::span<const int> neighbours,
-                                 std::span<const double> heights_nearby,
-                                 const FlankStrips* strips,
-                                 const ReconstructOptions& options) {
+std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
+                                            const ObservedPair& line,
+                                            std::span<const int> neighbours,
+                                            std::span<const double> heights_nearby,
+                                            const FlankStrips* strips,
+                                            const ReconstructOptions& options) {
   const Heard heard = hear(lines, line, neighbours, strips, options);
   std::optional<FlankCorrelation> flanks;
   if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
-  const FlankCorrelation* const heard_flanks = flanks ? &*flanks : nullptr;
-  const auto consensus =
-      agree_on_depth({lines, line, heard.evidence, heights_nearby, options, heard_flanks});
+  const auto consensus = agree_on_depth(
+      {lines, line, heard.evidence, heights_nearby, options, flanks ? &*flanks : nullptr});
   if (!consensus) {
     LineSupport nothing;
     nothing.seen = line;
-    return nothing;
+    return {nothing};
   }
-  LineSupport support = support_of(heard, *consensus, heard_flanks, options);
-  if (consensus->margin < options.min_depth_margin) support.ambiguous = true;
-  return support;
+  std::vector<LineSupport> all;
+  const bool is_whole = consensus->parts.size() == 1;
+  for (const DepthPart& part : consensus->parts) {
+    all.push_back(support_of(heard, part, flanks && is_whole ? &*flanks : nullptr, options));
+    if (consensus->margin < options.min_depth_margin) all.back().ambiguous = true;
+  }
+  return all;
 }
 
 }  // namespace
@@ -266,9 +317,9 @@ SupportOfMatch consensus_support(const StereoLines& lines,
   return [&lines, strips, options, ends = KnownEnds(lines, direct, options)](
              std::size_t match, const ObservedPair& line, const Segment2& seen_px,
              std::span<const int> neighbours) {
-    return support_by_consensus(lines, line, neighbours,
-                                ends.heights_near(seen_px, options.nearby_px),
-                                strips.empty() ? nullptr : &strips[match], options);
+    return lines_by_consensus(lines, line, neighbours,
+                              ends.heights_near(seen_px, options.nearby_px),
+                              strips.empty() ? nullptr : &strips[match], options);
   };
 }
 

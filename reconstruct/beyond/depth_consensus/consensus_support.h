@@ -8,8 +8,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// What aligned matches rest on where their evidence agrees on the depth (agree_on_depth()): the artificial points that
-/// agree, and where these fix no direction what both images show at the ends or in the strips beside the line.
+/// What aligned matches rest on where their evidence agrees on the depth (agree_on_depth()): the lines that each shows,
+/// mostly one, with the artificial points of it that agree, and where these fix no direction what both images show at
+/// the ends or in the strips beside the line.
 /// @param lines   must live as long as the result; so must the strips
 /// @param direct  the lines by intersection of their planes, as extracted: their ends are likely heights
 /// @param strips  beside each match, or none (options.flanks)

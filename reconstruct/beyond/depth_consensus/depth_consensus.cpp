@@ -1,48 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 
-#include "reconstruct/beyond/depth_consensus/bell.h"
+#include "reconstruct/beyond/depth_consensus/depth_profiles.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kHorizontalSigma = 3.0;
 
-/// Of lines that are not built horizontal: roofs of 20 to 50 degrees mostly, and streets.
-double sloping(double slope) {
-  constexpr double kRoof = 0.7, kRoofScatter = 0.3, kRoofShare = 0.9, kStreet = 0.6;
-  return kRoofShare * bell((slope - kRoof) / kRoofScatter) +
-         (1.0 - kRoofShare) * bell(slope / kStreet);
-}
-
-double log_prior(double slope, const ReconstructOptions& options) {
-  const double p = options.horizontal_share;
-  return std::log(p * bell(slope / options.sigma_slope) + (1.0 - p) * sloping(slope));
-}
-
-/// Through any two pieces of evidence, the horizontal line through each, and those that the strips beside the match speak
-/// for.
-std::vector<DepthHypothesis> hypotheses(const DepthQuestion& question, const DepthScorer& scorer) {
-  const std::span<const DepthEvidence> evidence = question.evidence;
-  std::vector<DepthHypothesis> all;
-  const auto add = [&](const Eigen::Vector3d& through, const Eigen::Vector3d& direction) {
-    all.push_back({{through, direction}, log_prior(slope(direction), question.options)});
-  };
-  const Eigen::Vector3d horizontal = scorer.horizontal();
-  for (std::size_t a = 0; a < evidence.size(); ++a) {
-    if (!horizontal.isZero()) add(evidence[a].x, horizontal);
-    for (std::size_t b = a + 1; b < evidence.size(); ++b) {
-      if (std::abs(evidence[a].parameter - evidence[b].parameter) < kSmallestBase) continue;
-      add(evidence[a].x, scorer.in_plane(evidence[b].x - evidence[a].x));
-    }
-  }
-  if (question.flanks != nullptr) {
-    for (const DepthLine& line : question.flanks->likely_lines()) add(line.through, line.direction);
-  }
+std::vector<DepthProfile> hypotheses(const DepthQuestion& question, const DepthScorer& scorer) {
+  std::vector<DepthProfile> all = straight_profiles(question, scorer);
+  std::vector<DepthProfile> gables = gable_profiles(question, scorer);
+  std::move(gables.begin(), gables.end(), std::back_inserter(all));
+  if (auto row = row_profile(question, scorer)) all.push_back(std::move(*row));
   return all;
+}
+
+std::vector<DepthPart> parts_of(const DepthProfile& profile,
+                                const DepthQuestion& question,
+                                const DepthScorer& scorer) {
+  std::vector<DepthPart> parts(profile.lines.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    DepthPart& part = parts[p];
+    part.line = profile.lines[p];
+    if (p > 0) part.from = profile.cuts[p - 1];
+    if (p < profile.cuts.size()) part.to = profile.cuts[p];
+    for (std::size_t i = 0; i < question.evidence.size(); ++i) {
+      const DepthEvidence& e = question.evidence[i];
+      const bool is_here = scorer.line_at(profile, e.parameter) == p ||
+                           (part.from && scorer.is_at(*part.from, e)) ||
+                           (part.to && scorer.is_at(*part.to, e));
+      if (is_here && scorer.supports(e, profile.lines[p])) part.supports.push_back(i);
+    }
+    part.horizontal =
+        slope(profile.lines[p].direction) <= kHorizontalSigma * question.options.sigma_slope;
+  }
+  return parts;
 }
 
 }  // namespace
@@ -50,23 +46,19 @@ std::vector<DepthHypothesis> hypotheses(const DepthQuestion& question, const Dep
 std::optional<DepthConsensus> agree_on_depth(const DepthQuestion& question) {
   constexpr double kAnother_m = 1.0;
   const DepthScorer scorer(question);
-  const std::vector<DepthHypothesis> all = hypotheses(question, scorer);
+  const std::vector<DepthProfile> all = hypotheses(question, scorer);
   if (all.empty()) return std::nullopt;
   std::vector<double> scores;
   scores.reserve(all.size());
-  for (const DepthHypothesis& hypothesis : all) scores.push_back(scorer.score(hypothesis));
-  const auto best = static_cast<std::size_t>(std::ranges::max_element(scores) - scores.begin());
+  for (const DepthProfile& profile : all) scores.push_back(scorer.score(profile));
+  const auto at = std::max_element(scores.begin(), scores.end()) - scores.begin();
+  const DepthProfile& best = all[static_cast<std::size_t>(at)];
 
   DepthConsensus consensus;
-  consensus.line = all[best].line;
-  consensus.horizontal =
-      slope(consensus.line.direction) <= kHorizontalSigma * question.options.sigma_slope;
-  for (std::size_t i = 0; i < question.evidence.size(); ++i) {
-    if (scorer.supports(question.evidence[i], consensus.line)) consensus.supports.push_back(i);
-  }
+  consensus.parts = parts_of(best, question, scorer);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (scorer.apart_m(all[i].line, consensus.line) <= kAnother_m) continue;
-    consensus.margin = std::min(consensus.margin, scores[best] - scores[i]);
+    if (scorer.apart_m(all[i], best) <= kAnother_m) continue;
+    consensus.margin = std::min(consensus.margin, scores[static_cast<std::size_t>(at)] - scores[i]);
   }
   return consensus;
 }

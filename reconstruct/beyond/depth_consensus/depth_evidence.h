@@ -17,6 +17,7 @@ struct DepthEvidence {
   /// Weight of a point where another line seems to meet this one; 0 for what the ends of the line's
   /// own segments show.
   double meeting = 0.0;
+  bool may_cut = false;  ///< where the match may be cut into several lines
 };
 
 }  // namespace ridgeline::reconstruct

@@ -15,6 +15,9 @@ namespace {
 
 /// Within this many standard deviations evidence supports a line.
 constexpr double kSupportSigma = 3.0;
+/// Lines that end on one another are seen to do so within this.
+constexpr double kCutReachPx = 6.0;
+
 }  // namespace
 
 double slope(const Eigen::Vector3d& direction) {
@@ -24,6 +27,8 @@ double slope(const Eigen::Vector3d& direction) {
 DepthScorer::DepthScorer(const DepthQuestion& question)
     : question_(question),
       unit_m_(question.lines.stereo.object.scale_m),
+      reach_(kCutReachPx / question.lines.stereo.views[0].image.scale_px /
+             length(question.line[0].segment)),
       other_from_object_(line_projection(question.lines.stereo.views[1].image_from_object)),
       normal_(question.line[0].plane.mean.head<3>().normalized()) {}
 
@@ -35,6 +40,11 @@ Eigen::Vector3d DepthScorer::horizontal() const {
 
 Eigen::Vector3d DepthScorer::in_plane(const Eigen::Vector3d& v) const {
   return (v - normal_.dot(v) * normal_).normalized();
+}
+
+Eigen::Vector3d DepthScorer::mirrored(const Eigen::Vector3d& direction) const {
+  const Eigen::Vector3d level = horizontal();
+  return 2.0 * level.dot(direction) * level - direction;
 }
 
 DepthScorer::Misfit DepthScorer::misfit(const DepthEvidence& e, const DepthLine& line) const {
@@ -49,6 +59,18 @@ bool DepthScorer::supports(const DepthEvidence& e, const DepthLine& line) const 
   return std::abs(m.distance_m) <= kSupportSigma * m.sigma_m;
 }
 
+bool DepthScorer::is_at(std::size_t cut, const DepthEvidence& e) const {
+  return std::abs(e.parameter - question_.evidence[cut].parameter) <= reach_;
+}
+
+std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) const {
+  const auto beyond = [&](double p, std::size_t cut) {
+    return p < question_.evidence[cut].parameter;
+  };
+  const auto cut = std::upper_bound(profile.cuts.begin(), profile.cuts.end(), parameter, beyond);
+  return static_cast<std::size_t>(cut - profile.cuts.begin());
+}
+
 /// Where the line meets the plane across the base segment.
 double DepthScorer::height(const DepthLine& line, double parameter) const {
   const Segment2& base = question_.line[0].segment;
@@ -60,9 +82,19 @@ double DepthScorer::height(const DepthLine& line, double parameter) const {
   return line.through.z() + s * line.direction.z();
 }
 
-double DepthScorer::apart_m(const DepthLine& a, const DepthLine& b) const {
-  return unit_m_ * std::max(std::abs(height(a, 0.0) - height(b, 0.0)),
-                            std::abs(height(a, 1.0) - height(b, 1.0)));
+double DepthScorer::apart_m(const DepthProfile& a, const DepthProfile& b) const {
+  constexpr int kPlaces = 9;
+  double most = 0.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double parameter = static_cast<double>(i) / (kPlaces - 1);
+    most = std::max(most, std::abs(height(a.lines[line_at(a, parameter)], parameter) -
+                                   height(b.lines[line_at(b, parameter)], parameter)));
+  }
+  return unit_m_ * most;
+}
+
+double DepthScorer::difference_of_ends_m(const DepthProfile& profile) const {
+  return unit_m_ * (height(profile.lines.back(), 1.0) - height(profile.lines.front(), 0.0));
 }
 
 double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
@@ -72,6 +104,24 @@ double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
   const bool is_above = m.distance_m * normal_.cross(line.direction).z() > 0.0;
   const double doubt = is_above ? 1.0 - (1.0 - o.doubt_above) * e.meeting * (1.0 - agreement) : 1.0;
   return std::log(doubt * (1.0 - e.prior) + e.prior * o.agreement_gain * agreement);
+}
+
+double DepthScorer::score_near_cut(const DepthEvidence& e, const DepthLine& line) const {
+  const Misfit m = misfit(e, line);
+  return std::log1p(e.prior * std::max(0.0, question_.options.agreement_gain - 1.0) *
+                    bell(m.distance_m / m.sigma_m));
+}
+
+double DepthScorer::score_of_cut(std::size_t cut,
+                                 const DepthLine& before,
+                                 const DepthLine& after) const {
+  const DepthEvidence& e = question_.evidence[cut];
+  double agreement = 0.0;
+  for (const DepthLine& line : {before, after}) {
+    const Misfit m = misfit(e, line);
+    agreement = std::max(agreement, bell(m.distance_m / m.sigma_m));
+  }
+  return std::log(1.0 - e.prior + e.prior * question_.options.agreement_gain * agreement);
 }
 
 double DepthScorer::score_of_end(int which, const DepthLine& line) const {
@@ -103,14 +153,33 @@ double DepthScorer::other_misclosure(const DepthLine& h) const {
   return (kFreedoms + 2.0) * std::log1p(squared / kFreedoms);
 }
 
-double DepthScorer::score(const DepthHypothesis& hypothesis) const {
-  const DepthLine& line = hypothesis.line;
-  double sum = hypothesis.log_prior + score_of_end(0, line) + score_of_end(1, line);
-  for (const DepthEvidence& e : question_.evidence) sum += score(e, line);
-  if (question_.flanks != nullptr) {
-    sum += question_.flanks->log_likelihood([&](double) -> const DepthLine& { return line; });
+double DepthScorer::score(const DepthProfile& profile) const {
+  double sum = profile.log_prior;
+  sum += score_of_end(0, profile.lines.front()) + score_of_end(1, profile.lines.back());
+  for (std::size_t i = 0; i < profile.cuts.size(); ++i) {
+    sum += score_of_cut(profile.cuts[i], profile.lines[i], profile.lines[i + 1]);
   }
-  return sum - 0.5 * other_misclosure(line);
+  for (std::size_t k = 0; k < question_.evidence.size(); ++k) {
+    const DepthEvidence& e = question_.evidence[k];
+    const auto cut = std::find_if(profile.cuts.begin(), profile.cuts.end(),
+                                  [&](std::size_t c) { return is_at(c, e); });
+    if (cut == profile.cuts.end()) {
+      sum += score(e, profile.lines[line_at(profile, e.parameter)]);
+    } else if (*cut != k) {
+      const auto i = static_cast<std::size_t>(cut - profile.cuts.begin());
+      sum += std::max(score_near_cut(e, profile.lines[i]), score_near_cut(e, profile.lines[i + 1]));
+    }
+  }
+  double misclosure = 0.0;
+  for (const DepthLine& line : profile.lines) {
+    misclosure = std::max(misclosure, other_misclosure(line));
+  }
+  if (question_.flanks != nullptr) {
+    sum += question_.flanks->log_likelihood([&](double parameter) -> const DepthLine& {
+      return profile.lines[line_at(profile, parameter)];
+    });
+  }
+  return sum - 0.5 * misclosure;
 }
 
 }  // namespace ridgeline::reconstruct

@@ -24,13 +24,14 @@ struct DepthQuestion {
   const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
 };
 
-/// A line that an aligned match may show, and how likely it is before its evidence is heard.
-struct DepthHypothesis {
-  DepthLine line;
+/// What an aligned match may show, from its start to its end: one line or several.
+struct DepthProfile {
+  std::vector<DepthLine> lines;
+  std::vector<std::size_t> cuts;  ///< evidence between each line and the next, ascending along
   double log_prior = 0.0;
 };
 
-/// How well lines explain an aligned match; see agree_on_depth().
+/// How well profiles explain an aligned match; see agree_on_depth().
 class DepthScorer {
  public:
   explicit DepthScorer(const DepthQuestion& question);
@@ -39,27 +40,49 @@ class DepthScorer {
   [[nodiscard]] Eigen::Vector3d horizontal() const;
   /// The direction that a vector has in the projection plane.
   [[nodiscard]] Eigen::Vector3d in_plane(const Eigen::Vector3d& v) const;
+  /// The direction in the plane that falls as steeply as the given one rises.
+  [[nodiscard]] Eigen::Vector3d mirrored(const Eigen::Vector3d& direction) const;
 
   /// Within chance of the line.
   [[nodiscard]] bool supports(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Largest difference of the heights of two lines over the segment.
-  [[nodiscard]] double apart_m(const DepthLine& a, const DepthLine& b) const;
+  /// Whether evidence so near to a cut that it may be on either side of it.
+  [[nodiscard]] bool is_at(std::size_t cut, const DepthEvidence& evidence) const;
+  /// Which of the lines of a profile is seen at a parameter of the base segment.
+  [[nodiscard]] std::size_t line_at(const DepthProfile& profile, double parameter) const;
 
-  /// Logarithm of the probability, up to one constant for all.
-  [[nodiscard]] double score(const DepthHypothesis& hypothesis) const;
+  /// Largest difference of the heights of two profiles over the segment.
+  [[nodiscard]] double apart_m(const DepthProfile& a, const DepthProfile& b) const;
+
+  /// Height at the end of a profile over that at its start.
+  [[nodiscard]] double difference_of_ends_m(const DepthProfile& profile) const;
+
+  /// Height of a horizontal line over another one.
+  [[nodiscard]] double rise_m(const DepthLine& from, const DepthLine& to) const {
+    return unit_m_ * (to.through.z() - from.through.z());
+  }
+
+  /// Logarithms of probabilities, up to one constant for all.
+  [[nodiscard]] double score(const DepthProfile& profile) const;
+  [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
+  /// The same for evidence so near to a cut that it speaks for a line beside it but not against one.
+  [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
+  /// Of the evidence at the cut itself, which belongs to either line.
+  [[nodiscard]] double score_of_cut(std::size_t cut,
+                                    const DepthLine& before,
+                                    const DepthLine& after) const;
+  [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
 
  private:
   struct Misfit {
     double distance_m, sigma_m;
   };
   [[nodiscard]] Misfit misfit(const DepthEvidence& evidence, const DepthLine& line) const;
-  [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
-  [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
   [[nodiscard]] double height(const DepthLine& line, double parameter) const;
   [[nodiscard]] double other_misclosure(const DepthLine& line) const;
 
   const DepthQuestion& question_;
   double unit_m_;  ///< of the conditioned frame
+  double reach_;   ///< of a cut, in parameters of the base segment
   Eigen::Matrix<double, 3, 6> other_from_object_;
   Eigen::Vector3d normal_;  ///< of the projection plane
 };

@@ -8,7 +8,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -54,22 +53,37 @@ NetworkLine network_line(const StereoLines& lines,
 struct Members {
   std::vector<NetworkLine> lines;
   std::vector<JointLine*> results;
-  std::vector<std::optional<int>> of_match;
+  std::vector<std::vector<int>> of_match;
 };
 
 Members members_of(const StereoLines& lines,
-                   std::vector<JointLine>& by_match,
+                   std::vector<std::vector<JointLine>>& by_match,
                    const ReconstructOptions& options) {
   Members members;
   members.of_match.resize(by_match.size());
   for (std::size_t match = 0; match < by_match.size(); ++match) {
-    JointLine& joint = by_match[match];
-    if (!joint.line.segment_in_local) continue;
-    members.of_match[match] = static_cast<int>(members.lines.size());
-    members.lines.push_back(network_line(lines, match, joint, options));
-    members.results.push_back(&joint);
+    for (JointLine& joint : by_match[match]) {
+      if (!joint.line.segment_in_local) continue;
+      members.of_match[match].push_back(static_cast<int>(members.lines.size()));
+      members.lines.push_back(network_line(lines, match, joint, options));
+      members.results.push_back(&joint);
+    }
   }
   return members;
+}
+
+/// Of the parts of a match the one closest to a segment of the left image; none for a match without.
+std::optional<int> closest_part(const Members& members, std::size_t match, const Segment2& to) {
+  std::optional<int> closest;
+  double least = 0.0;
+  for (const int part : members.of_match[match]) {
+    const double apart =
+        distance(members.lines[static_cast<std::size_t>(part)].seen[0].segment, to);
+    if (closest && apart >= least) continue;
+    closest = part;
+    least = apart;
+  }
+  return closest;
 }
 
 std::vector<Meeting> meetings_of(const StereoLines& lines,
@@ -83,8 +97,8 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
     const auto a = static_cast<std::size_t>(i);
     const auto b = static_cast<std::size_t>(k);
     if (!(pair_weight(lines, lines.lines[a], k, options) > options.min_weight)) continue;
-    const std::optional<int> first = members.of_match[a];
-    const std::optional<int> second = members.of_match[b];
+    const auto first = closest_part(members, a, lines.lines[b][0].segment);
+    const auto second = closest_part(members, b, lines.lines[a][0].segment);
     if (!first || !second) continue;
     meetings.push_back(
         {*first, *second,
@@ -110,7 +124,7 @@ bool is_determined(const ReconstructedLine& line, const ReconstructOptions& opti
 void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      const ReconstructOptions& options,
-                     std::vector<JointLine>& by_match) {
+                     std::vector<std::vector<JointLine>>& by_match) {
   const Members members = members_of(lines, by_match, options);
   const std::vector<Meeting> meetings = meetings_of(lines, connections, members, options);
   const std::vector<AdjustedInNetwork> adjusted =

@@ -13,10 +13,10 @@ namespace ridgeline::reconstruct {
 /// determined by it, or that have fewer accepted meetings than `joint` has points; a line that lost all
 /// of its meetings to its own images says so in its status.
 /// @param lines     with covariances of the centroid form, whatever `joint` has used
-/// @param by_match  the line of each match
+/// @param by_match  of each match its line, or its parts
 void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      const ReconstructOptions& options,
-                     std::vector<JointLine>& by_match);
+                     std::vector<std::vector<JointLine>>& by_match);
 
 }  // namespace ridgeline::reconstruct

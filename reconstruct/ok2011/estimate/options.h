@@ -54,6 +54,10 @@ struct ReconstructOptions {
   double max_nearby_sigma_m = 0.4;  ///< of the height of a line that others are compared with
   /// Most that agreement with the line raises the odds of evidence by.
   double agreement_gain = 4.0;
+  double gable_share = 0.8;        ///< of gables among what has the shape of one
+  double step_share = 0.07;        ///< of places where one crosses: steps of a row
+  double min_cut_weight = 0.3;     ///< W of the point where a match is cut
+  double min_cut_length_px = 7.0;  ///< of each part
   /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
   double min_depth_margin = 2.5;
   /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth. Of
@@ -109,6 +113,14 @@ struct ReconstructOptions {
               "consensus: sigma of the height of a line that others are compared with"},
         Field{"agreement_gain", &O::agreement_gain, 1e-3, 1e6,
               "consensus: most that agreement raises the odds of a point by"},
+        Field{"gable_share", &O::gable_share, 0.0, 1.0,
+              "consensus: prior share of gables among what has the shape of one"},
+        Field{"step_share", &O::step_share, 0.0, 1.0,
+              "consensus: prior share of crossings where a row of lines has a step"},
+        Field{"min_cut_weight", &O::min_cut_weight, 0.0, 1.0,
+              "consensus: weight of a point that a match is cut at"},
+        Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
+              "consensus: shortest part of a match that is cut"},
         Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
               "consensus: a line is ambiguous if another depth comes closer; log of the odds"}};
   }

@@ -104,11 +104,29 @@ void reconstruct_joint(const StereoLines& lines,
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
 
-std::vector<ReconstructedLine> lines_of(const std::vector<JointLine>& by_match) {
-  std::vector<ReconstructedLine> lines;
-  lines.reserve(by_match.size());
-  for (const JointLine& joint : by_match) lines.push_back(joint.line);
-  return lines;
+/// The lines of an aligned match; `direct` is its one line by that method.
+std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
+                                           const std::vector<LineSupport>& parts,
+                                           const ReconstructOptions& options,
+                                           const ReconstructedLine& direct) {
+  std::vector<JointLine> results;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    JointLine& result = results.emplace_back(JointLine{direct, parts[p]});
+    if (parts.size() > 1) {
+      result.line.part = static_cast<int>(p) + 1;
+      reconstruct_direct(lines, parts[p].seen, options, result.line);
+    }
+    reconstruct_joint(lines, parts[p], options, result.line);
+  }
+  return results;
+}
+
+std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_match) {
+  std::vector<ReconstructedLine> all;
+  for (const std::vector<JointLine>& lines : by_match) {
+    for (const JointLine& joint : lines) all.push_back(joint.line);
+  }
+  return all;
 }
 
 }  // namespace
@@ -210,25 +228,28 @@ std::vector<ReconstructedLine> reconstruct_lines(
 
   SupportOfMatch support = [&](std::size_t, const ObservedPair& line, const Segment2&,
                                std::span<const int> mates) {
-    return published_support(lines, line, mates, options);
+    return std::vector{published_support(lines, line, mates, options)};
   };
   if (beyond.support) {
     support = beyond.support(lines, direct_lines(lines, lines.lines, matches, options));
   }
-  std::vector<JointLine> by_match(matches.size());
+  std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    JointLine& joint = by_match[i];
-    joint.line = results[i];
-    joint.support.seen = observed[i];
-    if (results[i].line_class != LineClass::kAligned) return;
-    joint.support = support(i, observed[i], results[i].seen_px[0], neighbours[i]);
-    reconstruct_joint(lines, joint.support, options, joint.line);
+    if (results[i].line_class != LineClass::kAligned) {
+      LineSupport images_alone;
+      images_alone.seen = observed[i];
+      by_match[i] = {{results[i], images_alone}};
+      return;
+    }
+    const std::vector<LineSupport> parts =
+        support(i, observed[i], results[i].seen_px[0], neighbours[i]);
+    by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
   });
   if (options.method == Method::kNetwork) {
     beyond.network(stereo_lines(cameras, extracted, registered, matches, LineCovariance::kCentroid),
                    connections, by_match);
   }
-  return lines_of(by_match);
+  return flattened(by_match);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -55,6 +55,9 @@ struct UsedPoint {
 
 struct ReconstructedLine {
   LineMatch match;
+  /// Number of the part from the start of the left segment, where the match was cut into several
+  /// lines (agree_on_depth()); 0 for a whole match.
+  int part = 0;
   int n_meetings = 0;  ///< other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
   Status status = Status::kNoIntersection;
@@ -81,11 +84,11 @@ struct JointLine {
   LineSupport support;
 };
 
-/// What an aligned match rests on. `seen_px`: the line in the left image.
-using SupportOfMatch = std::function<LineSupport(std::size_t match,
-                                                 const ObservedPair& line,
-                                                 const Segment2& seen_px,
-                                                 std::span<const int> neighbours)>;
+/// The lines of an aligned match, mostly one, and what each rests on. `seen_px`: the line in the left image.
+using SupportOfMatch = std::function<std::vector<LineSupport>(std::size_t match,
+                                                              const ObservedPair& line,
+                                                              const Segment2& seen_px,
+                                                              std::span<const int> neighbours)>;
 
 /// Where what goes beyond the paper enters the estimation. Each may be empty.
 struct EstimateExtensions {
@@ -95,7 +98,7 @@ struct EstimateExtensions {
   /// Method::kNetwork: adjusts the lines of `joint`, by match, together. `lines` have covariances of the centroid form.
   std::function<void(const StereoLines& lines,
                      std::span<const PairConnection> connections,
-                     std::vector<JointLine>& by_match)>
+                     std::vector<std::vector<JointLine>>& by_match)>
       network;
 };
 
@@ -109,8 +112,9 @@ std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
 /// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with
 /// Method::kJoint, by adjustment of these planes and the best artificial points made with the lines
 /// that they have a pair connection with; with Method::kNetwork all of them adjusted together
-/// (EstimateExtensions::network) from there. Of a left segment with several mates each line gets the part
-/// that its mate shows. One line per match.
+/// (adjust_network()) from there. Of a left segment with several mates each line gets the part
+/// that its mate shows. One line per match, or several of an aligned one that
+/// agree_on_depth() finds to show several.
 ///
 /// @param cameras      image_from_local of the left (base) and the right image, free of error
 /// @param segments     of the left and the right image

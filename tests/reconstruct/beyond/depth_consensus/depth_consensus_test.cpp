@@ -2,6 +2,7 @@
 // Aligned lines whose neighbours do not all meet them, as eaves over the ground.
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 
+#include "reconstruct/beyond/depth_consensus/depth_profiles.h"
 #include "tests/reconstruct/support/line_group.h"
 
 #include <gmock/gmock.h>
@@ -188,8 +189,9 @@ TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
     const std::vector<double> nearby{evidence[right].x.z()};
     const auto consensus = line.consensus(evidence, nearby);
     ASSERT_TRUE(consensus);
-    EXPECT_TRUE(consensus->horizontal);
-    EXPECT_THAT(consensus->supports, testing::ElementsAre(right));
+    ASSERT_EQ(consensus->parts.size(), 1U);
+    EXPECT_TRUE(consensus->parts[0].horizontal);
+    EXPECT_THAT(consensus->parts[0].supports, testing::ElementsAre(right));
   }
   EXPECT_FALSE(line.consensus({}));
 }
@@ -200,11 +202,25 @@ TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   for (DepthEvidence& e : evidence) e.meeting = 1.0;
   const auto consensus = line.consensus(evidence);
   ASSERT_TRUE(consensus);
-  EXPECT_THAT(consensus->supports, testing::ElementsAre(1U));
+  EXPECT_THAT(consensus->parts.at(0).supports, testing::ElementsAre(1U));
   EXPECT_GT(consensus->margin, ReconstructOptions{}.min_depth_margin);
   // without a say in what hides what, neither is better
   for (DepthEvidence& e : evidence) e.meeting = 0.0;
   EXPECT_LT(line.consensus(evidence)->margin, ReconstructOptions{}.min_depth_margin);
+}
+
+TEST(RowProfile, IsNoneWithoutRoomForASecondStep) {
+  const LoneLine line;
+  const ReconstructOptions options;
+  const auto has_row_cut_at = [&](double parameter) {
+    std::vector<DepthEvidence> evidence{line.evidence_at(0.0, kHeightM),
+                                        line.evidence_at(parameter, kHeightM)};
+    evidence[1].may_cut = true;
+    const DepthQuestion question{line.lines, line.lines.lines[0], evidence, {}, options};
+    return row_profile(question, DepthScorer(question)).has_value();
+  };
+  EXPECT_TRUE(has_row_cut_at(0.5));
+  EXPECT_FALSE(has_row_cut_at(0.1));  // 10 px
 }
 
 TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
