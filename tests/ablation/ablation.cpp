@@ -59,7 +59,7 @@ struct SceneFigures {
   double correct = 0.0, wrong = 0.0, missed = 0.0;
   double roof_lines = 0.0, roof_found = 0.0;
   struct Errors {
-    double n = 0.0, sum_squares_m2 = 0.0, gross = 0.0;
+    double n = 0.0, sum_squares_m2 = 0.0, sum_medians_m = 0.0, gross = 0.0;
   };
   std::map<std::string, Errors> errors;  ///< by class, against true lines
   double judged = 0.0, sum_z2 = 0.0, beyond = 0.0;
@@ -93,7 +93,7 @@ std::map<std::string, SceneFigures> figures_of(const fs::path& results, const st
     if (row.at("method") != method) continue;
     const double n = number(row, "n_on_reference");
     const double rms_m = number(row, "rms_m");
-    scenes[row.at("patch")].errors[row.at("class")] = {n, n * rms_m * rms_m,
+    scenes[row.at("patch")].errors[row.at("class")] = {n, n * rms_m * rms_m, n * number(row, "median_m"),
                                                        n * number(row, "gross_share")};
   }
   for (auto& [patch, scene] : scenes) {
@@ -124,6 +124,7 @@ SceneFigures sum_of(const Scenes& scenes) {
       SceneFigures::Errors& total = sum.errors[line_class];
       total.n += e.n;
       total.sum_squares_m2 += e.sum_squares_m2;
+      total.sum_medians_m += e.sum_medians_m;
       total.gross += e.gross;
     }
   }
@@ -146,6 +147,11 @@ const std::vector<Measure>& measures() {
        [](const SceneFigures& f) { return 100.0 * f.correct / (f.correct + f.wrong + f.missed); }},
       {"roof lines %", [](const SceneFigures& f) { return 100.0 * f.roof_found / f.roof_lines; }},
       {"not_aligned mm", [](const SceneFigures& f) { return 1e3 * rms_m(f, "not_aligned"); }},
+      {"median mm",
+       [](const SceneFigures& f) {
+         const SceneFigures::Errors& e = f.errors.at("not_aligned");
+         return 1e3 * e.sum_medians_m / e.n;
+       }},
       {"aligned mm", [](const SceneFigures& f) { return 1e3 * rms_m(f, "aligned"); }},
       {"gross", [](const SceneFigures& f) { return f.errors.at("total").gross; }}};
   return all;
@@ -201,8 +207,11 @@ std::string row_of(const Variant& variant, const SceneFigures& f, double seconds
   std::string row = fmt::format("| {} | {:.0f} / {:.0f} / {:.0f} ", variant.name, f.correct, f.wrong,
                                 f.missed);
   for (const Measure& measure : measures()) row += fmt::format("| {:.1f} ", measure.of(f));
-  return row + fmt::format("| {:.2f} | {:.1f} | {:.1f} |\n", f.sum_z2 / f.judged,
-                           100.0 * f.beyond / f.judged, seconds);
+  const auto of_judged = [&](double sum, double scale) {
+    return f.judged > 0.0 ? fmt::format("{:.2f}", scale * sum / f.judged) : std::string("-");
+  };
+  return row + fmt::format("| {} | {} | {:.1f} |\n", of_judged(f.sum_z2, 1.0),
+                           of_judged(f.beyond, 100.0), seconds);
 }
 
 void print_set(const std::string& title, const fs::path& folder, const std::vector<std::string>& patches) {
