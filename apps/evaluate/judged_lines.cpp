@@ -21,10 +21,9 @@ Segment3 metric_segment(const io::Line& line, const Eigen::Vector3d& unit_m) {
 }
 
 std::string class_of(const io::Line& line, std::optional<double> epipolar_angle_deg) {
-  constexpr double kAligned_deg = 10.0;  // Ok et al. 2011, section 3
   if (!line.line_class.empty()) return line.line_class;
   if (!epipolar_angle_deg) return "all";
-  return *epipolar_angle_deg <= kAligned_deg ? "aligned" : "not_aligned";
+  return *epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
 }
 
 /// The image segments of a line that states them, with the cameras of the patch's pair.

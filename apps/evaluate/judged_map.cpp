@@ -3,7 +3,7 @@
 
 #include "apps/evaluate/judged_lines.h"
 #include "apps/evaluate/map_style.h"
-#include "apps/evaluate/roof_kind.h"
+#include "evaluate/judge/roof_kind.h"
 #include "io/geopackage_writer.h"
 #include "reconstruct/geometry/local_frame.h"
 
@@ -277,7 +277,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
                      .style = lines_style()};
   const std::size_t first = layer.columns.size();
   for (Column& column : columns_of(fields)) layer.columns.push_back(std::move(column));
-  PlanesById by_id;
+  evaluate::PlanesById by_id;
   for (const JudgedPlane& plane : planes) by_id[plane.id] = &plane;
   const Eigen::Vector3d unit_m = unit_m_of(set);
   layer.features.reserve(set.lines.size());
@@ -289,8 +289,9 @@ io::MapLayer lines_layer(const io::LineSet& set,
       feature.vertices = {line.segment_in_world.start, line.segment_in_world.end};
     }
     feature.values = input_values(set, line, first);
-    const MapLine judged{e, line,
-                         roof_kind(e, segment_in_local(line, unit_m, evaluation.origin_m), by_id)};
+    const MapLine judged{
+        e, line,
+        evaluate::roof_kind(e, segment_in_local(line, unit_m, evaluation.origin_m), by_id)};
     add_values(fields, first, feature.values, judged);
     layer.features.push_back(std::move(feature));
   }

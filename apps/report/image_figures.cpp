@@ -110,18 +110,21 @@ std::vector<LegendEntry> match_legend(bool has_reference) {
 }  // namespace
 
 cv::Mat figure1(const ReportPatch& patch) {
-  constexpr double kAligned_rad = 10.0 * std::numbers::pi / 180.0;  // Ok et al. 2011, section 3
   const auto [base, other] = patch_cameras(*patch.patch, patch.frame);
   SegmentPicture picture(patch.images->images[0]);
   for (const EdgeSegment& segment : patch.images->segments[0]) {
-    const bool is_aligned = epipolar_angle_rad(base, other, segment.line.segment) <= kAligned_rad;
+    const double angle_deg =
+        epipolar_angle_rad(base, other, segment.line.segment) * 180.0 / std::numbers::pi;
+    const bool is_aligned = angle_deg <= patch.max_aligned_angle_deg;
     picture.draw(segment.in_image, is_aligned ? colour::kAligned : colour::kNotAligned,
                  is_aligned ? kThick : kThin);
   }
-  return framed_image(
-      picture, patch, 0, "Line segments",
-      {{LegendMark::kLine, {colour::kAligned}, "aligned with the epipolar line (up to 10 degrees)"},
-       {LegendMark::kLine, {colour::kNotAligned}, "not aligned"}});
+  return framed_image(picture, patch, 0, "Line segments",
+                      {{LegendMark::kLine,
+                        {colour::kAligned},
+                        fmt::format("aligned with the epipolar line (up to {:g} degrees)",
+                                    patch.max_aligned_angle_deg)},
+                       {LegendMark::kLine, {colour::kNotAligned}, "not aligned"}});
 }
 
 cv::Mat figure7(const ReportPatch& patch, std::size_t image) {

@@ -151,6 +151,7 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
       inputs.is_of_files() || !patch.patch ? inputs.paths("cloud") : patch.patch->lidar;
   read_or_note(patch, "points are not shown", [&] {
     patch.judge = inputs.judge_options();
+    patch.max_aligned_angle_deg = inputs.max_aligned_angle_deg();
     if (clouds.empty()) {
       patch.notes.emplace_back("no LIDAR: lines are shown, but not judged");
     } else if (inputs.is_of_files() || patch.patch) {

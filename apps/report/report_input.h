@@ -9,6 +9,7 @@
 #include "io/matches_file.h"
 #include "io/patch.h"
 #include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <opencv2/core/mat.hpp>
@@ -50,7 +51,8 @@ struct ReportPatch {
   std::optional<io::PatchFile> patch;
   std::optional<ReportImages> images;
   ShownCloud cloud;
-  evaluate::JudgeOptions judge;    ///< the widths of its fits
+  evaluate::JudgeOptions judge;  ///< the widths of its fits
+  double max_aligned_angle_deg = kMaxAlignedAngle_deg;
   std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each
 };
 

@@ -3,6 +3,7 @@
 
 #include "apps/evaluate/judge_files.h"
 #include "io/error.h"
+#include "reconstruct/geometry/epipolar.h"
 
 #include <fmt/core.h>
 
@@ -130,6 +131,11 @@ io::ReadOptions RunInputs::cloud_options() const {
                                                   Eigen::Vector3d(b[2], b[3], HUGE_VAL));
   }
   return options;
+}
+
+double RunInputs::max_aligned_angle_deg() const {
+  const evaluate::Json echoed = options_.value("reconstruct", evaluate::Json::object());
+  return echoed.value("max_aligned_angle_deg", kMaxAlignedAngle_deg);
 }
 
 evaluate::JudgeOptions RunInputs::judge_options() const {

@@ -45,6 +45,7 @@ class RunInputs {
   [[nodiscard]] io::ReadOptions cloud_options() const;
   /// The widths that planes are fitted with; defaults for the rest.
   [[nodiscard]] evaluate::JudgeOptions judge_options() const;
+  [[nodiscard]] double max_aligned_angle_deg() const;
 
  private:
   struct Input {

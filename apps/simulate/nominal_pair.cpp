@@ -6,11 +6,6 @@
 #include <numbers>
 
 namespace ridgeline::simulate {
-namespace {
-
-constexpr double kAligned_deg = 10.0;
-
-}  // namespace
 
 std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
   FlightOptions nominal;
@@ -26,7 +21,7 @@ io::LineSet classed_by_pair(io::LineSet lines, const std::array<ProjectionMatrix
   for (io::Line& line : lines.lines) {
     line.epipolar_angle_deg =
         epipolar_angle_rad(pair, line.segment_in_world) * 180.0 / std::numbers::pi;
-    line.line_class = *line.epipolar_angle_deg <= kAligned_deg ? "aligned" : "not_aligned";
+    line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
   }
   return lines;
 }

@@ -10,21 +10,16 @@ set(io_cloud_sources
   cloud/cloud_origin.cpp
   cloud/common_crs.cpp
   cloud/expand_patterns.cpp
-  cloud/format_guess.cpp
   cloud/geotiff_keys.cpp
   cloud/header_lines.cpp
   cloud/labelled_points.cpp
   cloud/las_crs.cpp
-  cloud/las_header.cpp
   cloud/las_records.cpp
   cloud/las_source.cpp
-  cloud/las_vlr.cpp
   cloud/las_writer.cpp
   cloud/lzf.cpp
-  cloud/mapped_file.cpp
   cloud/occupied_cells.cpp
   cloud/open_cloud.cpp
-  cloud/page_advice.cpp
   cloud/pcd_source.cpp
   cloud/plan_mask.cpp
   cloud/ply_header.cpp
@@ -41,28 +36,22 @@ set(io_cloud_headers
   sha256.h
   cloud/binary_table.h
   cloud/block_reader.h
-  cloud/bytes.h
   cloud/cloud_checks.h
   cloud/cloud_facts.h
   cloud/cloud_files.h
   cloud/cloud_origin.h
   cloud/cloud_source.h
   cloud/common_crs.h
-  cloud/format_guess.h
   cloud/geotiff_keys.h
   cloud/header_lines.h
   cloud/labelled_points.h
   cloud/las_crs.h
-  cloud/las_header.h
   cloud/las_records.h
   cloud/las_source.h
-  cloud/las_vlr.h
   cloud/las_writer.h
   cloud/local_from_file.h
   cloud/lzf.h
-  cloud/mapped_file.h
   cloud/occupied_cells.h
-  cloud/page_advice.h
   cloud/pcd_source.h
   cloud/plan_mask.h
   cloud/ply_header.h

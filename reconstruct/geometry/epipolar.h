@@ -39,6 +39,9 @@ ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
 /// projection centres; without meaning otherwise.
 Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const ProjectionMatrix& to);
 
+/// Up to this angle to the epipolar line a line is `aligned`, unless the user says otherwise (Ok et al. 2011, section 3).
+inline constexpr double kMaxAlignedAngle_deg = 10.0;
+
 /// Angle in [0, pi/2] between an image segment and the epipolar line through its midpoint, the join
 /// of midpoint and epipole, in the image `own` with the mate image `other`.
 double epipolar_angle_rad(const ProjectionMatrix& own,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/field.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 
@@ -21,11 +22,11 @@ struct ReconstructOptions {
   /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
   LineCovariance line_covariance = LineCovariance::kEq1;
 
-  double max_aligned_angle_deg = 10.0;  ///< up to here a line is `aligned` (section 3)
-  double sigma_distance_px = 5.0;       ///< sigma_1 of Eq. 6: distance of the two segments
-  double sigma_epipolar_px = 2.0;       ///< sigma_2 of Eq. 6: distance to the epipolar line
-  double min_pair_angle_deg = 10.0;     ///< a pair up to this angle gives no point (t of Eq. 6)
-  double min_weight = 0.01;             ///< T_w: points up to this weight are discarded
+  double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< up to here a line is `aligned`
+  double sigma_distance_px = 5.0;    ///< sigma_1 of Eq. 6: distance of the two segments
+  double sigma_epipolar_px = 2.0;    ///< sigma_2 of Eq. 6: distance to the epipolar line
+  double min_pair_angle_deg = 10.0;  ///< a pair up to this angle gives no point (t of Eq. 6)
+  double min_weight = 0.01;          ///< T_w: points up to this weight are discarded
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the
   /// right segment: its left one continues far beyond a short right one. Not in the paper.
   double max_end_sigma_m = 0.5;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/roof_kind.h"
+#include "evaluate/judge/roof_kind.h"
 
 #include <cmath>
 #include <numbers>
 #include <tuple>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::evaluate {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kLevelLine_rad = 5.0 * kRadians;
 constexpr double kLevelPlane_rad = 5.0 * kRadians;
 
-double slope_rad(const Segment3& s) {
+double rise_rad(const Segment3& s) {
   const Eigen::Vector3d d = s.end - s.start;
   return std::atan2(std::abs(d.z()), d.head<2>().norm());
 }
@@ -29,13 +29,13 @@ double height_above(const PlanesById& planes, std::uint64_t id, const Plane3& ot
 }
 
 /// Two planes fall away from their edge if the points of each lie below the other.
-bool is_convex(const evaluate::LineEvaluation& line, const PlanesById& planes) {
+bool is_convex(const LineEvaluation& line, const PlanesById& planes) {
   const auto& [a, b] = std::tie(line.planes[0], line.planes[1]);
   return height_above(planes, a.id, b.plane) + height_above(planes, b.id, a.plane) < 0.0;
 }
 
 std::string kind_of_border(const Plane3& plane, const Segment3& segment) {
-  if (ridgeline::slope_rad(plane) < kLevelPlane_rad) return "step";
+  if (slope_rad(plane) < kLevelPlane_rad) return "step";
   const Eigen::Vector2d down = plane.normal().head<2>().normalized();
   const Eigen::Vector2d along = (segment.end - segment.start).head<2>().normalized();
   return std::abs(down.dot(along)) < std::numbers::sqrt2 / 2.0 ? "eave" : "verge";
@@ -43,13 +43,13 @@ std::string kind_of_border(const Plane3& plane, const Segment3& segment) {
 
 }  // namespace
 
-std::string roof_kind(const evaluate::LineEvaluation& line,
+std::string roof_kind(const LineEvaluation& line,
                       const Segment3& segment_in_local,
                       const PlanesById& planes) {
   if (line.planes.empty()) return "";
   if (line.planes.size() == 1) return kind_of_border(line.planes[0].plane, segment_in_local);
   if (!is_convex(line, planes)) return "valley";
-  return slope_rad(segment_in_local) < kLevelLine_rad ? "ridge" : "hip";
+  return rise_rad(segment_in_local) < kLevelLine_rad ? "ridge" : "hip";
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::evaluate
