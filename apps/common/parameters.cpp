@@ -101,6 +101,7 @@ void read_consensus(const io::YamlMap& map, evaluate::JudgeOptions& judge) {
 
 void read_file(const std::string& file, Parameters& parameters) {
   std::vector<std::string_view> groups;
+  groups.reserve(kGroups.size());
   for (const auto& [group, meaning] : kGroups) groups.emplace_back(group);
   const io::YamlMap root(file, io::load_yaml(file), groups);
   for (const auto& [group, meaning] : kGroups) {
