@@ -82,9 +82,8 @@ class GeoJsonReader {
     if (crs->is_null()) return;
     const json name = crs->value(json::json_pointer("/properties/name"), json());
     if (!name.is_string()) throw IoError(path_, "\"crs\" has no properties.name");
-    const Crs stated{name.get<std::string>()};
-    const auto reference = spatial_reference(stated);
-    if (!reference || !is_undefined(*reference)) set_.crs = stated;
+    const auto definition = name.get<std::string>();
+    if (definition.find(kUndefinedPlane) == std::string::npos) set_.crs.definition = definition;
   }
 
   void read_feature(const json& feature) {

@@ -62,21 +62,17 @@ std::optional<OGRSpatialReference> spatial_reference(const Crs& crs) {
 
 OGRSpatialReference undefined_plane() {
   OGRSpatialReference reference;
-  reference.SetLocalCS("Undefined Cartesian SRS");
+  reference.SetLocalCS(kUndefinedPlane);
   reference.SetLinearUnits("metre", 1.0);
   return reference;
 }
 
-bool is_undefined(const OGRSpatialReference& reference) {
-  // names that GeoPackage has for none; GDAL writes the geographic one whatever the coordinates are
-  constexpr std::array<std::string_view, 2> kNone{"Undefined Cartesian SRS",
-                                                  "Undefined geographic SRS"};
-  const char* const name = reference.GetName();
-  return name != nullptr && std::ranges::find(kNone, name) != kNone.end();
-}
-
 Crs crs_of(const OGRSpatialReference* reference) {
-  if (reference == nullptr || is_undefined(*reference)) return {};
+  // names that GeoPackage has for none; GDAL writes the geographic one whatever the coordinates are
+  constexpr std::array<std::string_view, 2> kNone{kUndefinedPlane, "Undefined geographic SRS"};
+  if (reference == nullptr) return {};
+  const char* const name = reference->GetName();
+  if (name != nullptr && std::ranges::find(kNone, name) != kNone.end()) return {};
   const QuietGdal quiet;
   const char* options[] = {"FORMAT=WKT2_2019", nullptr};
   char* text = nullptr;

@@ -44,10 +44,8 @@ class FixedDate {
 std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
 
 /// The system of a file for what states none: a plane with metres that is nowhere on Earth.
+inline constexpr const char* kUndefinedPlane = "Undefined Cartesian SRS";
 OGRSpatialReference undefined_plane();
-
-/// Whether it is that plane or what GDAL writes into GeoPackages for none.
-bool is_undefined(const OGRSpatialReference& reference);
 
 /// As WKT2; unknown for null and for the undefined ones of GeoPackage.
 Crs crs_of(const OGRSpatialReference* reference);
