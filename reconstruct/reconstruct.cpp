@@ -248,6 +248,7 @@ Options published() {
 }
 
 void validate(const MatchingOptions& options) {
+  check(!options.matchers.empty(), "matchers: none; must be pairwise, chio or both");
   ridgeline::validate(options);
   ridgeline::validate(options.pairwise);
   ridgeline::validate(options.chio);

@@ -136,6 +136,23 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
   Options options;
   options.matching.pairwise.min_overlap = 2.0;
   EXPECT_THROW((void)reconstruct(views(), heights_m(), options), std::invalid_argument);
+  options = {};
+  options.matching.matchers.clear();
+  EXPECT_THROW((void)reconstruct(views(), heights_m(), options), std::invalid_argument);
+}
+
+TEST_F(TwoViews, AsPublishedTakeNothingOfOurs) {
+  Options options = published();
+  const Reconstruction found = reconstruct(views(), heights_m(), options);
+  for (const FoundMatch& match : found.pairs[0].matches.used().matches) {
+    EXPECT_EQ(match.matcher, "pairwise");
+  }
+  for (const ReconstructedLine& line : found.pairs[0].lines) {
+    EXPECT_NE(line.status, Status::kFlanks);
+    EXPECT_NE(line.status, Status::kHorizontal);
+    EXPECT_NE(line.status, Status::kAmbiguousDepth);
+  }
+  EXPECT_NE(coordinates(found.pairs[0]), coordinates(reconstruct(views(), heights_m()).pairs[0]));
 }
 
 }  // namespace
