@@ -141,19 +141,5 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
   EXPECT_THROW((void)reconstruct(views(), heights_m(), options), std::invalid_argument);
 }
 
-TEST_F(TwoViews, AsPublishedTakeNothingOfOurs) {
-  Options options = published();
-  const Reconstruction found = reconstruct(views(), heights_m(), options);
-  for (const FoundMatch& match : found.pairs[0].matches.used().matches) {
-    EXPECT_EQ(match.matcher, "pairwise");
-  }
-  for (const ReconstructedLine& line : found.pairs[0].lines) {
-    EXPECT_NE(line.status, Status::kFlanks);
-    EXPECT_NE(line.status, Status::kHorizontal);
-    EXPECT_NE(line.status, Status::kAmbiguousDepth);
-  }
-  EXPECT_NE(coordinates(found.pairs[0]), coordinates(reconstruct(views(), heights_m()).pairs[0]));
-}
-
 }  // namespace
 }  // namespace ridgeline::reconstruct
