@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/yaml_check.h"
 
-#include "io/nearest_name.h"
-
 #include "io/input_file.h"
 #include "io/lines/text.h"
+#include "io/nearest_name.h"
 
 #include <fmt/format.h>
 
@@ -72,8 +71,9 @@ YamlMap::YamlMap(std::string path,
   for (const auto& entry : node) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a text)";
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      fail_yaml(path_, entry.first, fmt::format("unknown key '{}', the nearest is '{}'; {}", key,
-                                                    nearest_name(key, known), known_keys));
+      fail_yaml(path_, entry.first,
+                fmt::format("unknown key '{}', the nearest is '{}'; {}", key,
+                            nearest_name(key, known), known_keys));
     }
     if (!seen.insert(key).second) {
       fail_yaml(path_, entry.first, fmt::format("key '{}' is given twice", key));
