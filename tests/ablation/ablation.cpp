@@ -93,8 +93,8 @@ std::map<std::string, SceneFigures> figures_of(const fs::path& results, const st
     if (row.at("method") != method) continue;
     const double n = number(row, "n_on_reference");
     const double rms_m = number(row, "rms_m");
-    scenes[row.at("patch")].errors[row.at("class")] = {n, n * rms_m * rms_m, n * number(row, "median_m"),
-                                                       n * number(row, "gross_share")};
+    scenes[row.at("patch")].errors[row.at("class")] = {
+        n, n * rms_m * rms_m, n * number(row, "median_m"), n * number(row, "gross_share")};
   }
   for (auto& [patch, scene] : scenes) {
     std::ifstream file(results / patch / ("evaluation." + method + ".json"));
@@ -184,9 +184,8 @@ std::map<std::string, double> run_variants(const fs::path& folder,
     const fs::path config = folder / (std::string(variant.name) + ".yaml");
     std::ofstream(config) << (*variant.parameters == '\0' ? "judge: {}" : variant.parameters)
                           << "\n";
-    std::vector<std::string> arguments{"run",         "--out",      variant.name,
-                                       "--no-report", "--methods",  "joint,network",
-                                       "--config",    config.string()};
+    std::vector<std::string> arguments{"run",       "--out",         variant.name, "--no-report",
+                                       "--methods", "joint,network", "--config",   config.string()};
     arguments.insert(arguments.end(), patches.begin(), patches.end());
     const auto result = ridgeline::test::run_program(RIDGELINE_BINARY, arguments, folder);
     check(result.exit_code == 0, result.err);
@@ -204,8 +203,8 @@ Scenes scenes_of(const fs::path& results, const std::string& method) {
 }
 
 std::string row_of(const Variant& variant, const SceneFigures& f, double seconds) {
-  std::string row = fmt::format("| {} | {:.0f} / {:.0f} / {:.0f} ", variant.name, f.correct, f.wrong,
-                                f.missed);
+  std::string row =
+      fmt::format("| {} | {:.0f} / {:.0f} / {:.0f} ", variant.name, f.correct, f.wrong, f.missed);
   for (const Measure& measure : measures()) row += fmt::format("| {:.1f} ", measure.of(f));
   const auto of_judged = [&](double sum, double scale) {
     return f.judged > 0.0 ? fmt::format("{:.2f}", scale * sum / f.judged) : std::string("-");
@@ -214,7 +213,9 @@ std::string row_of(const Variant& variant, const SceneFigures& f, double seconds
                            of_judged(f.beyond, 100.0), seconds);
 }
 
-void print_set(const std::string& title, const fs::path& folder, const std::vector<std::string>& patches) {
+void print_set(const std::string& title,
+               const fs::path& folder,
+               const std::vector<std::string>& patches) {
   const std::map<std::string, double> seconds = run_variants(folder, patches);
   for (const std::string method : {"joint", "network"}) {
     std::string head = "| without | correct / false / missed |";
@@ -225,8 +226,8 @@ void print_set(const std::string& title, const fs::path& folder, const std::vect
       changes += fmt::format(" {} |", measure.name);
       rule += "--:|";
     }
-    fmt::print("\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | time s |\n{}--:|--:|--:|\n", title,
-               patches.size(), method, head, rule);
+    fmt::print("\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | time s |\n{}--:|--:|--:|\n",
+               title, patches.size(), method, head, rule);
     const Scenes with = scenes_of(folder / kVariants[0].name, method);
     for (const Variant& variant : kVariants) {
       fmt::print("{}", row_of(variant, sum_of(scenes_of(folder / variant.name, method)),
