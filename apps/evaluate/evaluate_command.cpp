@@ -186,7 +186,8 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   return options;
 }
 
-nlohmann::ordered_json echo_arguments(const EvaluateArguments& a) {
+nlohmann::ordered_json echo_arguments(const EvaluateArguments& a,
+                                      const evaluate::JudgeOptions& judge) {
   nlohmann::ordered_json json;
   json["lines"] = a.lines;
   json["cloud"] = a.clouds;
@@ -198,7 +199,7 @@ nlohmann::ordered_json echo_arguments(const EvaluateArguments& a) {
   json["max_resolution_m"] = a.max_resolution_m;
   json["assume_crs"] = a.assume_crs;
   json["vertex_pairs"] = a.vertex_pairs;
-  json["judge"] = echo(read_parameters(a.parameters))["judge"];
+  json["judge"] = echo(Parameters{{}, judge})["judge"];
   json["gross_m"] = a.summary.gross_m;
   json["sigma_sys_m"] = a.summary.sigma_sys_m;
   json["bootstrap_replicates"] = a.summary.bootstrap.replicates;
@@ -218,6 +219,7 @@ std::vector<Input> inputs_of(const EvaluateArguments& a, const JudgeFilesOptions
   }
   if (!a.patch.empty()) inputs.push_back({"patch", a.patch});
   if (options.reference_lines) inputs.push_back({"reference", *options.reference_lines});
+  if (!a.parameters.config.empty()) inputs.push_back({"config", a.parameters.config});
   return inputs;
 }
 
@@ -237,7 +239,7 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
 int run_evaluate(const EvaluateArguments& arguments) {
   RunRecord record("evaluate");
   const JudgeFilesOptions options = judge_files_options(arguments);
-  record.set_options(echo_arguments(arguments));
+  record.set_options(echo_arguments(arguments, options.judge));
   const std::vector<Input> inputs = inputs_of(arguments, options);
   std::vector<std::string> paths;
   paths.reserve(inputs.size());

@@ -38,6 +38,7 @@ struct RunOptions {
   io::Crs assume_crs;          ///< declares or overrides that of patch, cloud and reference lines
   double max_image_mpx = 0.0;  ///< of io::read_image()
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< of check_pair()
+  std::string config_path;                             ///< where parameters come from; empty: none
   bool resume = false;
   bool report = true;  ///< report.html and the figures
   PageFacts page;

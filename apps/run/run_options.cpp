@@ -88,6 +88,7 @@ RunOptions run_options(const RunFlags& flags) {
     }
   }
   const Parameters parameters = read_parameters(flags.parameters);
+  options.config_path = flags.parameters.config;
   options.extract = parameters.method.extract;
   options.matching = parameters.method.matching;
   options.reconstruct = parameters.method.estimate;

@@ -44,11 +44,13 @@ std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
   return patches;
 }
 
-std::vector<InputFile> inputs_of(const std::vector<io::PatchFile>& patches) {
+std::vector<InputFile> inputs_of(const std::vector<io::PatchFile>& patches,
+                                 const RunOptions& options) {
   std::vector<InputFile> inputs;
   for (const io::PatchFile& patch : patches) {
     for (InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
   }
+  if (!options.config_path.empty()) inputs.push_back({"config", options.config_path});
   return inputs;
 }
 
@@ -102,7 +104,7 @@ void run_patches(const std::string& command,
   record.set_options(echo_options(options));
   const std::vector<io::PatchFile> patches = read_patches(patch_files, options);
   warn_of_images(patches);
-  const std::vector<InputFile> inputs = inputs_of(patches);
+  const std::vector<InputFile> inputs = inputs_of(patches, options);
   const OutputFolder out(folder, paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);
   for (const std::string& name : result_names({})) (void)out.path(name);

@@ -71,6 +71,16 @@ TEST_F(Config, LeavesTheDefaultWhereTheFileSaysNothing) {
   EXPECT_EQ(used["max_iterations"], 300);
 }
 
+TEST_F(Config, IsAnInputThatIsRecordedAndNeverWrittenOver) {
+  ASSERT_EQ(judge_with("judge: {min_points: 12}\n").exit_code, 0);
+  const nlohmann::json inputs = read_json(path("out/run.json"))["inputs"];
+  EXPECT_EQ(inputs.back()["role"], "config");
+  std::filesystem::create_directories(path("in"));
+  write(path("in/table2.csv"), "judge: {min_points: 12}\n");
+  EXPECT_REFUSED(evaluate("scene/lines.good.geojson", "in", {"--config", "in/table2.csv"}),
+                 HasSubstr("would be written over"));
+}
+
 TEST_F(Config, NamesFileLineAndRuleOfWhatItRefuses) {
   EXPECT_REFUSED(
       judge_with("judge:\n  min_pointz: 12\n"),
