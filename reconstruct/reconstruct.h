@@ -65,7 +65,8 @@ struct Options {
   ReconstructOptions estimate;
 };
 
-/// What the papers state and nothing of ours. Where they are silent (weights of the eight constraints, thresholds of
+/// What the papers state without our extensions. The votes of the matching still rest on the look of single lines. Where
+/// the papers are silent (weights of the eight constraints, thresholds of
 /// the matching, the detection of edges) our calibrated values stand. Method::kNetwork is not of a paper.
 Options published();
 
