@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/reconstruct.h"
 
+#include "reconstruct/beyond/combined_matchers/combine_matches.h"
 #include "reconstruct/beyond/depth_consensus/sample_flanks.h"
 #include "reconstruct/beyond/edge_refinement.h"
 #include "reconstruct/beyond/estimate_extensions.h"
+#include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/match_extensions.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
-#include "reconstruct/chio_wang2000/combine_matches.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
@@ -15,7 +16,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace ridgeline::reconstruct {
@@ -46,35 +46,25 @@ std::vector<ScoredMatch> scored_matches(const MatchList& list) {
   return matches;
 }
 
-std::pair<int, int> ids(const ScoredMatch& scored) {
-  return {scored.match.left, scored.match.right};
-}
-
 /// Beyond the papers: lines that the height of matched ones makes possible join the list.
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
-  const auto& [left, right] = pair.views;
-  ChioOptions propagation = options.chio;
-  propagation.range_m =
-      0.0;  // heights of lines that are only nearby brought more wrong lines than right ones
-  propagation.min_similarity =
-      std::max(propagation.min_similarity, options.propagate_min_similarity);
-  const ChioResult more =
-      propagate_heights(left, right, pair.height_range_in_local_m, scored_matches(list),
-                        propagation, options.pairwise, match_extensions(options.pairwise).look);
-  for (const ChioLine& line : more.lines) {
-    list.matches.push_back({line.scored, kByHeight});
-    list.reasons[static_cast<std::size_t>(line.scored.match.left)] = "matched";
+  const CandidateLook look = match_extensions(options.beyond, options.candidates).look;
+  for (const ScoredMatch& scored : propagate_heights(
+           pair.views[0], pair.views[1], pair.height_range_in_local_m, scored_matches(list),
+           options.chio, options.candidates, options.beyond, look)) {
+    list.matches.push_back({scored, kByHeight});
+    list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
   }
-  std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return ids(found.scored); });
+  std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return found.scored.match; });
 }
 
 MatchList by_pairs(const StereoPair& pair, const MatchingOptions& options) {
   const MatchResult found =
       match_pairwise(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.pairwise,
-                     match_extensions(options.pairwise));
+                     options.candidates, match_extensions(options.beyond, options.candidates));
   MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
                  reasons_of(found.outcomes)};
-  if (options.propagate_heights) add_by_height(pair, options, list);
+  if (options.beyond.propagate_heights) add_by_height(pair, options, list);
   return list;
 }
 
@@ -83,20 +73,13 @@ MatchList list_of(const ChioResult& chio) {
           reasons_of(chio.outcomes)};
 }
 
-/// A match that both have found is of "pairwise+chio", or of "pairwise_height+chio".
 MatchList combined(const std::vector<EdgeSegment>& left,
                    const MatchList& pairwise,
                    const ChioResult& chio) {
-  MatchList both{kBothMatchers, {}, pairwise.reasons};
-  std::map<std::pair<int, int>, std::string> finders;
-  for (const FoundMatch& found : pairwise.matches) finders[ids(found.scored)] = found.matcher;
-  for (const CombinedMatch& match : combine_matches(left, scored_matches(pairwise), chio.lines)) {
-    std::string finder;
-    if (match.source != MatchSource::kChio) finder = finders.at(ids(match.scored));
-    if (match.source == MatchSource::kBoth) finder += '+';
-    if (match.source != MatchSource::kPairwise) finder += name(Matcher::kChio);
-    both.matches.push_back({match.scored, finder});
-    both.reasons[static_cast<std::size_t>(match.scored.match.left)] = "matched";
+  MatchList both{kBothMatchers, combine_matches(left, pairwise.matches, chio.lines),
+                 pairwise.reasons};
+  for (const FoundMatch& found : both.matches) {
+    both.reasons[static_cast<std::size_t>(found.scored.match.left)] = "matched";
   }
   return both;
 }
@@ -138,8 +121,8 @@ cv::Mat normalised(const View& view) {
 
 std::vector<EdgeSegment> extract(const cv::Mat& image,
                                  const PixelMap& ideal_from_image,
-                                 const ExtractOptions& options) {
-  return extract_segments(image, ideal_from_image, options, edge_refinement(options));
+                                 const ExtractionOptions& options) {
+  return extract_segments(image, ideal_from_image, options.edges, edge_refinement(options));
 }
 
 Reconstruction reconstruct(std::span<const View> views,
@@ -158,7 +141,7 @@ Reconstruction reconstruct(std::span<const View> views,
   result.segments.resize(views.size());
   tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t v) {
     images[v] = normalised(views[v]);
-    result.segments[v] = extract(images[v], views[v].ideal_from_image, options.extract);
+    result.segments[v] = extract(images[v], views[v].ideal_from_image, options.extraction);
   });
 
   const auto matched_view = [&](std::size_t v) -> MatchView {
@@ -171,7 +154,7 @@ Reconstruction reconstruct(std::span<const View> views,
                           {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
     Matches matches = match(pair, options.matching);
     std::vector<ReconstructedLine> lines =
-        estimate(pair, line_matches(matches.used()), options.estimate, options.matching.pairwise);
+        estimate(pair, line_matches(matches.used()), options.estimation, options.matching.pairwise);
     result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
   }
   return result;
@@ -185,7 +168,7 @@ Matches match(const StereoPair& pair, const MatchingOptions& options) {
     } else {
       result.chio =
           chio_match(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.chio,
-                     options.pairwise, match_extensions(options.pairwise).look);
+                     options.candidates, match_extensions(options.beyond, options.candidates).look);
       result.lists.push_back(list_of(*result.chio));
     }
   }
@@ -197,33 +180,34 @@ Matches match(const StereoPair& pair, const MatchingOptions& options) {
 
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
-                                        const ReconstructOptions& options,
-                                        const MatchOptions& match_options) {
+                                        const EstimationOptions& options,
+                                        const MatchOptions& pair_options) {
   const auto& [left, right] = pair.views;
   const std::array cameras{left.image_from_local, right.image_from_local};
   const std::array images{left.image, right.image};
   const std::array segments{left.segments, right.segments};
   const std::array<double, 2>& heights_m = pair.height_range_in_local_m;
-  const double aligned_deg = options.max_aligned_angle_deg;
+  const double aligned_deg = options.lines.max_aligned_angle_deg;
 
   const std::vector<PairConnection> connections =
-      connect_matches(left.segments, right.segments, matches, cameras, heights_m, match_options);
+      connect_matches(left.segments, right.segments, matches, cameras, heights_m, pair_options);
   std::vector<FlankStrips> strips;
   // only the consensus on depth compares them
-  if (options.flanks && options.consensus && options.method != Method::kDirect) {
+  if (options.beyond.flanks && options.beyond.consensus &&
+      options.lines.method != Method::kDirect) {
     strips = sample_flanks(cameras, images, segments, matches, heights_m, aligned_deg);
   }
   std::vector<double> right_shifts_px;
-  if (options.register_profiles) {
+  if (options.beyond.register_profiles) {
     right_shifts_px =
         registered_shifts_px(cameras, images, segments, matches, heights_m, aligned_deg);
   }
-  ReconstructOptions within_heights = options;
-  within_heights.lowest_height_m = heights_m[0];
-  within_heights.highest_height_m = heights_m[1];
+  EstimationOptions within_heights = options;
+  within_heights.lines.lowest_height_m = heights_m[0];
+  within_heights.lines.highest_height_m = heights_m[1];
   const std::array geometry{geometry_of(left.segments), geometry_of(right.segments)};
-  return reconstruct_lines(cameras, geometry, matches, connections, within_heights, right_shifts_px,
-                           estimate_extensions(within_heights, strips));
+  return reconstruct_lines(cameras, geometry, matches, connections, within_heights.lines,
+                           right_shifts_px, estimate_extensions(within_heights, strips));
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {
@@ -235,29 +219,19 @@ std::vector<LineMatch> line_matches(const MatchList& list) {
 
 Options published() {
   Options options;
-  options.extract.faint_edges = false;
-  options.extract.junction_cuts = false;
-  options.extract.separate_edges = false;
-  options.matching.pairwise.matched_radiometry = false;
-  options.matching.pairwise.close_lines = false;
-  options.matching.pairwise.hidden_walls = false;
-  options.matching.propagate_heights = false;
-  options.matching.chio = published_chio_options();
-  options.estimate = published_options();
+  options.extraction.beyond = EdgeExtensionOptions::none();
+  options.matching.beyond = MatchExtensionOptions::none();
+  options.matching.chio.paper = true;
+  options.estimation.beyond = EstimateExtensionOptions::none();
   return options;
 }
 
-void validate(const MatchingOptions& options) {
-  check(!options.matchers.empty(), "matchers: none; must be pairwise, chio or both");
-  ridgeline::validate(options);
-  ridgeline::validate(options.pairwise);
-  ridgeline::validate(options.chio);
-}
-
 void validate(const Options& options) {
-  ridgeline::validate(options.extract);
-  validate(options.matching);
-  ridgeline::validate(options.estimate);
+  check(!options.matching.matchers.empty(), "matchers: none; must be pairwise, chio or both");
+  const auto each = [](const auto&... parts) { (ridgeline::validate(parts), ...); };
+  each(options.extraction.edges, options.extraction.beyond, options.matching.candidates,
+       options.matching.pairwise, options.matching.chio, options.matching.beyond,
+       options.estimation.lines, options.estimation.beyond);
 }
 
 }  // namespace ridgeline::reconstruct

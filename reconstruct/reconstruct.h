@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/beyond/options.h"
 #include "reconstruct/chio_wang2000/chio_match.h"
 #include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
+#include "reconstruct/ok2011/match/options.h"
 #include "reconstruct/views/match_view.h"
 
 #include <opencv2/core/mat.hpp>
@@ -39,30 +41,17 @@ inline constexpr const char* kBothMatchers = "both";
 
 struct MatchingOptions {
   std::vector<Matcher> matchers{Matcher::kPairwise};  ///< each once
+  CandidateOptions candidates;                        ///< of both
   MatchOptions pairwise;
   ChioOptions chio;
-  /// Lines that `pairwise` left unmatched may take the height of matched ones that they meet
-  /// (propagate_heights()). Beyond both papers.
-  bool propagate_heights = true;
-  /// And they must look more alike than lines that pairs of segments support (chio.min_similarity): on
-  /// the training villages 4 of 19 below this were false, of 6 from here on none.
-  double propagate_min_similarity = 0.82;
-
-  static constexpr auto fields() {
-    using O = MatchingOptions;
-    return std::tuple{
-        Field{"propagate_heights", &O::propagate_heights, false, true,
-              "lines left unmatched may take the height of matched lines that they meet"},
-        Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
-              "if they look alike to at least this"}};
-  }
+  MatchExtensionOptions beyond;
 };
 
 /// The default is the best we know.
 struct Options {
-  ExtractOptions extract;
+  ExtractionOptions extraction;
   MatchingOptions matching;
-  ReconstructOptions estimate;
+  EstimationOptions estimation;
 };
 
 /// What the papers state without our extensions. The votes of the matching still rest on the look of single lines. Where
@@ -124,7 +113,7 @@ LocalFrame local_frame(const ProjectionMatrix& image_from_world,
 /// @param image  as normalised() gives it
 std::vector<EdgeSegment> extract(const cv::Mat& image,
                                  const PixelMap& ideal_from_image = {},
-                                 const ExtractOptions& options = {});
+                                 const ExtractionOptions& options = {});
 
 /// The view's image as the stages use it.
 cv::Mat normalised(const View& view);
@@ -134,17 +123,16 @@ cv::Mat normalised(const View& view);
 Matches match(const StereoPair& pair, const MatchingOptions& options = {});
 
 /// The lines of matched segments.
-/// @param match_options  of the pair connections
+/// @param pair_options  of the pair connections
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
-                                        const ReconstructOptions& options = {},
-                                        const MatchOptions& match_options = {});
+                                        const EstimationOptions& options = {},
+                                        const MatchOptions& pair_options = {});
 
 /// The matches of a list without what speaks for them.
 std::vector<LineMatch> line_matches(const MatchList& list);
 
 /// Throws std::invalid_argument naming the first option that is out of range.
 void validate(const Options& options);
-void validate(const MatchingOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -51,13 +51,4 @@ void add_flags(CLI::App& app,
   });
 }
 
-/// The options as used, for run.json.
-template <typename Options>
-nlohmann::ordered_json echo(const Options& options) {
-  nlohmann::ordered_json json;
-  for_each_field<Options>(
-      [&](const auto& field) { json[std::string(field.name)] = options.*field.member; });
-  return json;
-}
-
 }  // namespace ridgeline::apps

@@ -37,11 +37,14 @@ void for_each_parameter(Parameters& p, Visitor&& visit) {
     for_each_field<std::decay_t<decltype(options)>>(
         [&](const auto& field) { visit(of_file, field, options.*field.member); });
   };
-  group("extract", p.method.extract);
+  group("extract", p.method.extraction.edges);
+  group("extract", p.method.extraction.beyond);
+  group("match", p.method.matching.candidates);
   group("match", p.method.matching.pairwise);
-  group("match", p.method.matching);
+  group("match", p.method.matching.beyond);
   group("chio", p.method.matching.chio);
-  group("reconstruct", p.method.estimate);
+  group("reconstruct", p.method.estimation.lines);
+  group("reconstruct", p.method.estimation.beyond);
   group("judge", p.judge);
 }
 
@@ -169,7 +172,7 @@ Parameters read_parameters(const ParameterArguments& arguments) {
   Parameters parameters = preset_parameters(arguments.preset);
   if (!arguments.config.empty()) read_file(arguments.config, parameters);
   if (arguments.max_aligned_angle_deg) {
-    parameters.method.estimate.max_aligned_angle_deg = *arguments.max_aligned_angle_deg;
+    parameters.method.estimation.lines.max_aligned_angle_deg = *arguments.max_aligned_angle_deg;
   }
   if (arguments.lidar_sigma_m) parameters.judge.lidar_sigma_m = *arguments.lidar_sigma_m;
   validate(parameters.method);

@@ -33,7 +33,7 @@ std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch) {
 std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
                                              std::size_t i,
                                              const cv::Mat& image,
-                                             const reconstruct::ExtractOptions& options) {
+                                             const reconstruct::ExtractionOptions& options) {
   const io::PatchImage& view = patch.images.at(i);
   const auto ideal = [&view](const Eigen::Vector2d& x_px) {
     return io::undistorted_px(view, x_px);
@@ -64,7 +64,7 @@ reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
 }
 
 reconstruct::StereoPair load_pair(const io::PatchFile& patch,
-                                  const reconstruct::ExtractOptions& options,
+                                  const reconstruct::ExtractionOptions& options,
                                   double max_y_parallax_px) {
   check_patch(patch);
   const std::array<cv::Mat, 2> images = patch_images(patch);

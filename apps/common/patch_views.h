@@ -38,7 +38,7 @@ std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch);
 std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
                                              std::size_t i,
                                              const cv::Mat& image,
-                                             const reconstruct::ExtractOptions& options);
+                                             const reconstruct::ExtractionOptions& options);
 
 /// Cameras of the pair and the range of heights in the local frame.
 std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame);
@@ -51,7 +51,7 @@ reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
 
 /// check_patch(), then images, check_pair(), cameras and segments of the pair. Throws IoError.
 reconstruct::StereoPair load_pair(const io::PatchFile& patch,
-                                  const reconstruct::ExtractOptions& options,
+                                  const reconstruct::ExtractionOptions& options,
                                   double max_y_parallax_px);
 
 }  // namespace ridgeline::apps

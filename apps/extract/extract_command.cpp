@@ -11,7 +11,7 @@
 #include "io/patch.h"
 #include "io/png_writer.h"
 #include "io/segments_file.h"
-#include "reconstruct/ok2011/extract/extract_segments.h"
+#include "reconstruct/reconstruct.h"
 #include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
@@ -63,7 +63,7 @@ void check_outputs(const ExtractArguments& a) {
 }
 
 int run_extract(const ExtractArguments& a) {
-  const reconstruct::ExtractOptions options = read_parameters(a.parameters).method.extract;
+  const reconstruct::ExtractionOptions options = read_parameters(a.parameters).method.extraction;
   check_outputs(a);
   const reconstruct::PixelMap ideal_from_image = pixel_map(a);
   const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));

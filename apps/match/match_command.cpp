@@ -82,7 +82,7 @@ int run_match(MatchArguments a) {
   io::PatchFile file = io::read_patch(a.patch);
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
-  const reconstruct::StereoPair pair = load_pair(file, a.options.extract, a.max_y_parallax_px);
+  const reconstruct::StereoPair pair = load_pair(file, a.options.extraction, a.max_y_parallax_px);
   const reconstruct::Matches result = reconstruct::match(pair, a.options.matching);
   io::write_matches(a.out, result.used().matches);
   if (!a.provenance.empty()) {

@@ -51,7 +51,7 @@ std::vector<EdgeSegment> segments_of(const io::PatchFile& patch,
         fs::path(a.matches).parent_path() / fmt::format("segments.{}.csv", patch.images[i].id);
     if (fs::exists(file)) return io::read_segments(file.string());
   }
-  return extract_patch_image(patch, i, image, a.options.extract);
+  return extract_patch_image(patch, i, image, a.options.extraction);
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.
@@ -66,7 +66,7 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
       a.matches.empty()
           ? reconstruct::line_matches(reconstruct::match(pair, a.options.matching).used())
           : read_line_matches(a.matches, segments);
-  return reconstruct::estimate(pair, matches, a.options.estimate, a.options.matching.pairwise);
+  return reconstruct::estimate(pair, matches, a.options.estimation, a.options.matching.pairwise);
 }
 
 /// How files of the format begin that were written here. Those that GDAL writes bear no such mark.
@@ -100,15 +100,15 @@ void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
 int run_reconstruct(ReconstructArguments a) {
   a.options = read_parameters(a.parameters).method;
   a.options.matching.matchers = matchers_named(a.matchers);
-  a.options.estimate.method = method_named(a.method);
-  check_preset(a.parameters, {a.options.estimate.method});
+  a.options.estimation.lines.method = method_named(a.method);
+  check_preset(a.parameters, {a.options.estimation.lines.method});
   io::PatchFile patch = io::read_patch(a.patch);
   patch.max_image_mpx = a.max_image_mpx;
   check_patch(patch);
   check_out(a, paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
-  const io::LineSet lines =
-      line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs, a.options.estimate.method);
+  const io::LineSet lines = line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs,
+                                        a.options.estimation.lines.method);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =

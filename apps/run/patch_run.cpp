@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/patch_run.h"
 
-#include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
 #include "apps/evaluate/judge_files.h"
 #include "apps/evaluate/write_results.h"
@@ -37,6 +36,7 @@ class PatchRun {
            RunRecord& record)
       : patch_(patch),
         options_(options),
+        parameters_(echo(options.parameters)),
         out_(out),
         progress_(progress),
         record_(record),
@@ -74,7 +74,7 @@ class PatchRun {
   }
 
   void extract() {
-    std::vector<std::string> parts{patch_key_, echo(options_.extract).dump(),
+    std::vector<std::string> parts{patch_key_, parameters_["extract"].dump(),
                                    fmt::format("{}", options_.max_y_parallax_px)};
     for (std::size_t i = 0; i < 2; ++i) {
       parts.push_back(io::sha256_of_file(patch_.images[i].path));
@@ -84,10 +84,9 @@ class PatchRun {
   }
 
   void match() {
-    std::vector<std::string> parts{extract_key_, echo(options_.matching.pairwise).dump(),
-                                   echo(options_.matching.chio).dump(),
-                                   echo(options_.matching).dump()};
-    for (const auto matcher : options_.matching.matchers) {
+    std::vector<std::string> parts{extract_key_, parameters_["match"].dump(),
+                                   parameters_["chio"].dump()};
+    for (const auto matcher : options_.parameters.method.matching.matchers) {
       parts.emplace_back(reconstruct::name(matcher));
     }
     match_key_ = stage_key(parts);
@@ -96,7 +95,7 @@ class PatchRun {
 
   void reconstruct(Method method) {
     const std::string name = reconstruct::name(method);
-    std::vector<std::string> parts{match_key_, name, echo(options_.reconstruct).dump()};
+    std::vector<std::string> parts{match_key_, name, parameters_["reconstruct"].dump()};
     for (const std::string& file : stages_.line_files(method)) parts.push_back(file);
     if (options_.local_origin) parts.emplace_back("local origin");
     lines_keys_.push_back(stage_key(parts));
@@ -130,7 +129,7 @@ class PatchRun {
 
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
-    parts.push_back(echo(options_.judge).dump());
+    parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == MapSchema::kFkb) parts.emplace_back("fkb");
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
@@ -153,7 +152,7 @@ class PatchRun {
     options.patch_name = patch_.id;
     options.cloud.frame = stages_.frame();
     options.cloud.assume_crs = options_.assume_crs;
-    options.judge = options_.judge;
+    options.judge = options_.parameters.judge;
     options.summary = options_.summary;
     JudgedFiles judged = judge_files(options, record_);
     record_.add_warnings(judged.warnings);
@@ -175,7 +174,8 @@ class PatchRun {
       evaluation.method = reconstruct::name(method);
       evaluation.origin_m = stages_.frame().origin_m;
       evaluation.options = options_.summary;
-      for (auto& result : evaluate::judge_lines(nothing, lines_of(method), options_.judge)) {
+      for (auto& result :
+           evaluate::judge_lines(nothing, lines_of(method), options_.parameters.judge)) {
         evaluation.lines.push_back(std::move(result.evaluation));
       }
       judged.line_sets.push_back(io::read_lines(in_folder(PatchStages::line_file(method))));
@@ -209,6 +209,7 @@ class PatchRun {
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
+  nlohmann::ordered_json parameters_;  ///< by group
   const OutputFolder& out_;
   Progress& progress_;
   RunRecord& record_;

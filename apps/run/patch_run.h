@@ -3,20 +3,18 @@
 
 #include "apps/common/check_pair.h"
 #include "apps/common/output_folder.h"
+#include "apps/common/parameters.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/progress.h"
 #include "apps/common/run_record.h"
 #include "apps/evaluate/judged_lines.h"
 #include "apps/evaluate/judged_map.h"
 #include "apps/report/page_facts.h"
-#include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
 #include "io/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/patch.h"
-#include "reconstruct/ok2011/estimate/options.h"
-#include "reconstruct/ok2011/extract/options.h"
 
 #include <optional>
 #include <string>
@@ -27,10 +25,7 @@ namespace ridgeline::apps {
 struct RunOptions {
   std::vector<reconstruct::Method> methods{reconstruct::Method::kDirect,
                                            reconstruct::Method::kJoint};
-  reconstruct::ExtractOptions extract;
-  reconstruct::MatchingOptions matching;
-  reconstruct::ReconstructOptions reconstruct;
-  evaluate::JudgeOptions judge;
+  Parameters parameters;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
   MapSchema map_schema = MapSchema::kPlain;

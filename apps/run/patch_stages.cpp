@@ -65,7 +65,7 @@ std::vector<std::string> PatchStages::segment_files() const {
 /// Of the lists of matches.
 std::vector<std::string> PatchStages::list_names() const {
   std::vector<std::string> names;
-  for (const reconstruct::Matcher matcher : options_.matching.matchers)
+  for (const reconstruct::Matcher matcher : options_.parameters.method.matching.matchers)
     names.emplace_back(name(matcher));
   if (names.size() > 1) names.emplace_back(reconstruct::kBothMatchers);
   return names;
@@ -73,7 +73,7 @@ std::vector<std::string> PatchStages::list_names() const {
 
 std::vector<std::string> PatchStages::match_files() const {
   std::vector<std::string> files{kMatches, "unmatched.csv"};
-  const std::vector<reconstruct::Matcher>& matchers = options_.matching.matchers;
+  const std::vector<reconstruct::Matcher>& matchers = options_.parameters.method.matching.matchers;
   for (const reconstruct::Matcher matcher : matchers) {
     if (matcher == reconstruct::Matcher::kChio) files.emplace_back("chio.csv");
     if (matchers.size() == 1) continue;
@@ -125,7 +125,8 @@ void PatchStages::extract() {
   check_pair(patch_, images_, options_.max_y_parallax_px);
   std::array<std::vector<EdgeSegment>, 2> extracted;
   tbb::parallel_for(std::size_t{0}, extracted.size(), [&](std::size_t i) {
-    extracted[i] = extract_patch_image(patch_, i, images_[i], options_.extract);
+    extracted[i] =
+        extract_patch_image(patch_, i, images_[i], options_.parameters.method.extraction);
   });
   for (std::size_t i = 0; i < 2; ++i) io::write_segments(path(files[i]), extracted[i]);
 }
@@ -144,7 +145,8 @@ void PatchStages::remove_match_lists() const {
 
 void PatchStages::match() {
   remove_match_lists();
-  const reconstruct::Matches result = reconstruct::match(pair(), options_.matching);
+  const reconstruct::Matches result =
+      reconstruct::match(pair(), options_.parameters.method.matching);
   io::write_matches(path(kMatches), result.used().matches);
   io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
   if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, frame_));
@@ -157,11 +159,11 @@ void PatchStages::match() {
 
 void PatchStages::reconstruct(reconstruct::Method method) {
   const std::vector<LineMatch> matches = read_line_matches(path(kMatches), segments());
-  reconstruct::ReconstructOptions options = options_.reconstruct;
-  options.method = method;
-  const io::LineSet lines =
-      line_set_of(reconstruct::estimate(pair(), matches, options, options_.matching.pairwise),
-                  frame_, patch_.crs, method);
+  reconstruct::EstimationOptions options = options_.parameters.method.estimation;
+  options.lines.method = method;
+  const io::LineSet lines = line_set_of(
+      reconstruct::estimate(pair(), matches, options, options_.parameters.method.matching.pairwise),
+      frame_, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormat format : options_.line_formats) {
     for (const io::LineFormatInfo& info : io::line_formats()) {

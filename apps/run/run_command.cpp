@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/option_flags.h"
 #include "apps/run/run_options.h"
 #include "apps/run/run_patches.h"
 

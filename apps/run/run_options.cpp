@@ -87,13 +87,9 @@ RunOptions run_options(const RunFlags& flags) {
       options.methods.push_back(method);
     }
   }
-  const Parameters parameters = read_parameters(flags.parameters);
+  options.parameters = read_parameters(flags.parameters);
   options.config_path = flags.parameters.config;
-  options.extract = parameters.method.extract;
-  options.matching = parameters.method.matching;
-  options.reconstruct = parameters.method.estimate;
-  options.judge = parameters.judge;
-  options.matching.matchers = matchers_named(flags.matchers);
+  options.parameters.method.matching.matchers = matchers_named(flags.matchers);
   check_preset(flags.parameters, options.methods);
   for (const std::string& name : flags.line_formats) {
     const auto format = io::line_format(name);

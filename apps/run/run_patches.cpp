@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/run_patches.h"
 
-#include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
 #include "apps/common/parameters.h"
 #include "apps/common/patch_views.h"
@@ -63,11 +62,10 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["max_image_mpx"] = options.max_image_mpx;
   json["max_y_parallax_px"] = options.max_y_parallax_px;
   json["matchers"] = nlohmann::ordered_json::array();
-  for (const auto matcher : options.matching.matchers) {
+  for (const auto matcher : options.parameters.method.matching.matchers) {
     json["matchers"].push_back(reconstruct::name(matcher));
   }
-  json.update(
-      echo(Parameters{{options.extract, options.matching, options.reconstruct}, options.judge}));
+  json.update(echo(options.parameters));
   json["assume_crs"] = options.assume_crs.definition;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;

@@ -6,10 +6,11 @@
 
 namespace ridgeline::reconstruct {
 
-EstimateExtensions estimate_extensions(const ReconstructOptions& options,
+EstimateExtensions estimate_extensions(const EstimationOptions& options,
                                        std::span<const FlankStrips> strips) {
   EstimateExtensions beyond;
-  if (options.consensus) {
+  beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;
+  if (options.beyond.consensus) {
     beyond.support = [options, strips](const StereoLines& lines,
                                        std::span<const ReconstructedLine> direct) {
       return consensus_support(lines, direct, strips, options);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/acquisition.h"
 
-#include "reconstruct/ok2011/match/similarity_voting.h"
-
 #include <algorithm>
 
 namespace ridgeline::reconstruct {

@@ -30,19 +30,20 @@ ChioLine line_of(int left_id,
   return line;
 }
 
-ChioResult run(const MatchView& left,
-               const MatchView& right,
-               const std::array<double, 2>& height_range_in_local_m,
-               std::span<const ScoredMatch> given,
-               const ChioOptions& options,
-               const MatchOptions& match_options,
-               const CandidateLook& change_look) {
+}  // namespace
+
+ChioResult chio_match(const MatchView& left,
+                      const MatchView& right,
+                      const std::array<double, 2>& height_range_in_local_m,
+                      const ChioOptions& options,
+                      const CandidateOptions& candidate_options,
+                      const CandidateLook& change_look,
+                      std::span<const ScoredMatch> given) {
   validate(options);
-  validate(match_options);
   check_images(left, right);
   const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
   const std::vector<CoreCandidates> candidates =
-      core_candidates(left, right, search, options, match_options, change_look);
+      core_candidates(left, right, search, options, candidate_options, change_look);
   ProcessedSegments processed = four_processes(left, right, search, candidates, options, given);
 
   ChioResult result;
@@ -59,28 +60,6 @@ ChioResult run(const MatchView& left,
         line_of(i, *processed.acquired[i], candidates[i], left, right, search, options);
   });
   return result;
-}
-
-}  // namespace
-
-ChioResult chio_match(const MatchView& left,
-                      const MatchView& right,
-                      const std::array<double, 2>& height_range_in_local_m,
-                      const ChioOptions& options,
-                      const MatchOptions& match_options,
-                      const CandidateLook& change_look) {
-  return run(left, right, height_range_in_local_m, {}, options, match_options, change_look);
-}
-
-ChioResult propagate_heights(const MatchView& left,
-                             const MatchView& right,
-                             const std::array<double, 2>& height_range_in_local_m,
-                             std::span<const ScoredMatch> given,
-                             const ChioOptions& options,
-                             const MatchOptions& match_options,
-                             const CandidateLook& change_look) {
-  if (given.empty()) return {{}, std::vector<ChioOutcome>(left.segments.size())};
-  return run(left, right, height_range_in_local_m, given, options, match_options, change_look);
 }
 
 std::vector<ScoredMatch> matches_of(const ChioResult& result) {

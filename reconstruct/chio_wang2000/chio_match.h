@@ -6,7 +6,6 @@
 #include "reconstruct/chio_wang2000/fitted_line.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/geometry/line_match.h"
-#include "reconstruct/ok2011/match/options.h"
 #include "reconstruct/views/match_view.h"
 
 #include <array>
@@ -35,24 +34,17 @@ struct ChioResult {
 /// structure outwards, further fragments of the right edge are linked and one 3D line is fitted to
 /// all reliable points. Segments along the epipolar lines are left alone.
 ///
+/// @param candidate_options  of the search of candidates, whose angle to the epipolar line is that of `options`
+/// @param change_look        of the candidates; where what goes beyond the paper enters
+/// @param given              matches of another matcher in place of the first two processes
 /// Deterministic for any number of threads. Throws std::invalid_argument as match_pairwise().
 ChioResult chio_match(const MatchView& left,
                       const MatchView& right,
                       const std::array<double, 2>& height_range_in_local_m,
                       const ChioOptions& options = {},
-                      const MatchOptions& match_options = {},
-                      const CandidateLook& change_look = {});
-
-/// What the third and the fourth process find beside the matches of another matcher: lines at the
-/// height of matched lines of the same structures, and of such nearby. A match that is none of
-/// Core's candidates lends no height.
-ChioResult propagate_heights(const MatchView& left,
-                             const MatchView& right,
-                             const std::array<double, 2>& height_range_in_local_m,
-                             std::span<const ScoredMatch> given,
-                             const ChioOptions& options = {},
-                             const MatchOptions& match_options = {},
-                             const CandidateLook& change_look = {});
+                      const CandidateOptions& candidate_options = {},
+                      const CandidateLook& change_look = {},
+                      std::span<const ScoredMatch> given = {});
 
 /// The matches of the lines.
 std::vector<ScoredMatch> matches_of(const ChioResult& result);

@@ -2,8 +2,7 @@
 #include "reconstruct/chio_wang2000/core.h"
 
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/ok2011/match/candidates.h"
-#include "reconstruct/ok2011/match/similarity_voting.h"
+#include "reconstruct/views/candidates.h"
 #include "reconstruct/views/mate_flanks.h"
 
 #include <tbb/parallel_for.h>
@@ -171,10 +170,10 @@ std::vector<CoreCandidates> core_candidates(const MatchView& left,
                                             const MatchView& right,
                                             const StereoSearch& search,
                                             const ChioOptions& options,
-                                            const MatchOptions& match_options,
+                                            const CandidateOptions& candidate_options,
                                             const CandidateLook& change_look) {
   const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
-  MatchOptions wide = match_options;
+  CandidateOptions wide = candidate_options;
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
   if (options.paper) wide.max_candidates = kAllCandidates;
   const std::vector<std::vector<Candidate>> found =

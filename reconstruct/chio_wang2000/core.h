@@ -3,8 +3,7 @@
 
 #include "reconstruct/chio_wang2000/edge_chain.h"
 #include "reconstruct/chio_wang2000/options.h"
-#include "reconstruct/ok2011/match/candidates.h"
-#include "reconstruct/ok2011/match/options.h"
+#include "reconstruct/views/candidates.h"
 #include "reconstruct/views/epipolar_overlap.h"
 #include "reconstruct/views/match_view.h"
 
@@ -58,7 +57,7 @@ std::vector<CoreCandidates> core_candidates(const MatchView& left,
                                             const MatchView& right,
                                             const StereoSearch& search,
                                             const ChioOptions& options,
-                                            const MatchOptions& match_options,
+                                            const CandidateOptions& candidate_options,
                                             const CandidateLook& change_look = {});
 
 /// Further fragments of the right edge that `begin`, an index of the list, is one of: enough reliable

@@ -32,10 +32,7 @@ Neighbourhood segments_in_range(std::span<const Segment2> segments,
     if (candidates[i].list.empty()) return;
     const double range_px = range_m / candidates[i].gsd_m;
     const Segment2& s = segments[i];
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(range_px);
-    const Eigen::AlignedBox2d box(s.start.cwiseMin(s.end) - margin,
-                                  s.start.cwiseMax(s.end) + margin);
-    for (const int k : index.in_box(box)) {
+    for (const int k : index.near(s, range_px)) {
       if (k == static_cast<int>(i)) continue;
       const double distance_px = distance(s, segments[k]);
       if (distance_px <= range_px) neighbourhood[i].push_back({k, std::nullopt, distance_px});

@@ -78,11 +78,4 @@ struct ChioOptions {
   }
 };
 
-/// Chio and Wang 2000 to the letter.
-inline ChioOptions published_chio_options() {
-  ChioOptions options;
-  options.paper = true;
-  return options;
-}
-
 }  // namespace ridgeline::reconstruct

@@ -3,7 +3,6 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/segment_index.h"
-#include "reconstruct/ok2011/match/base_pairs.h"
 
 #include <algorithm>
 #include <array>
@@ -34,8 +33,7 @@ std::vector<Meeting> meetings_of(std::span<const Segment2> segments, const ChioO
   std::vector<Meeting> meetings;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Eigen::Vector2d& end : {segments[i].start, segments[i].end}) {
-      const Eigen::Vector2d margin = Eigen::Vector2d::Constant(2.0 * radius);
-      for (const int k : index.in_box(Eigen::AlignedBox2d(end - margin, end + margin))) {
+      for (const int k : index.near({end, end}, 2.0 * radius)) {
         const int id = static_cast<int>(i);
         if (k == id) continue;
         const auto x =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <compare>
 #include <string>
 
 namespace ridgeline {
@@ -9,6 +10,7 @@ namespace ridgeline {
 struct LineMatch {
   int left = 0;
   int right = 0;
+  friend auto operator<=>(const LineMatch&, const LineMatch&) = default;
 };
 
 /// A match with what speaks for it.

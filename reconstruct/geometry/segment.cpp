@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ridgeline {
@@ -60,6 +61,32 @@ double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+std::optional<Eigen::Vector2d> intersection(const Segment2& a,
+                                            const Segment2& b,
+                                            double min_angle_rad) {
+  const Eigen::Vector2d u = a.end - a.start;
+  const Eigen::Vector2d v = b.end - b.start;
+  if (acute_angle_rad(u, v) <= min_angle_rad) return std::nullopt;
+  const Eigen::Vector2d w = b.start - a.start;
+  const double t = (w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
+  return a.start + t * u;
+}
+
+bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px) {
+  const std::array<Eigen::Vector2d, 4> ends{a.start, a.end, b.start, b.end};
+  Segment2 whole = a;
+  for (const Eigen::Vector2d& from : ends) {
+    for (const Eigen::Vector2d& to : ends) {
+      if ((to - from).squaredNorm() > (whole.end - whole.start).squaredNorm()) whole = {from, to};
+    }
+  }
+  const Eigen::Vector2d along = (whole.end - whole.start).normalized();
+  return std::all_of(ends.begin(), ends.end(), [&](const Eigen::Vector2d& x) {
+    const Eigen::Vector2d w = x - whole.start;
+    return std::abs(along.x() * w.y() - along.y() * w.x()) <= tolerance_px;
+  });
 }
 
 }  // namespace ridgeline

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace ridgeline {
 
 /// An image line segment in pixels; pixel (0,0) is the centre of the top-left pixel.
@@ -43,5 +45,14 @@ double distance(const Segment2& a, const Segment2& b);
 /// stays exact near 0 and pi/2 where acos does not. 0 if either has zero length.
 double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// Where the lines of two segments meet; nothing for an acute angle up to `min_angle_rad`.
+std::optional<Eigen::Vector2d> intersection(const Segment2& a,
+                                            const Segment2& b,
+                                            double min_angle_rad);
+
+/// Whether two segments of an image are parts of one straight edge: all their ends within the
+/// tolerance of the line between the two that are farthest apart.
+bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px = 1.5);
 
 }  // namespace ridgeline

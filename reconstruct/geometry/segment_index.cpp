@@ -68,4 +68,10 @@ std::vector<int> SegmentIndex::in_box(const Eigen::AlignedBox2d& box) const {
   return found;
 }
 
+std::vector<int> SegmentIndex::near(const Segment2& segment, double margin_px) const {
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(margin_px);
+  const Eigen::AlignedBox2d box = box_of(segment);
+  return in_box(Eigen::AlignedBox2d(box.min() - margin, box.max() + margin));
+}
+
 }  // namespace ridgeline::reconstruct

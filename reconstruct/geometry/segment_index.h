@@ -19,6 +19,8 @@ class SegmentIndex {
   /// Segments that may come into the box, in ascending order, each once: all that do, and some that
   /// only pass nearby.
   [[nodiscard]] std::vector<int> in_box(const Eigen::AlignedBox2d& box) const;
+  /// The same for the box of a segment, grown by a margin.
+  [[nodiscard]] std::vector<int> near(const Segment2& segment, double margin_px) const;
 
  private:
   [[nodiscard]] Eigen::Vector2i cell_of(const Eigen::Vector2d& x) const;

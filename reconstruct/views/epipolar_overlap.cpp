@@ -73,6 +73,14 @@ bool covers_enough(const EpipolarOverlap& overlap) {
   return std::max(overlap.share_of_left(), overlap.share_of_right()) >= kMinAlignedShare;
 }
 
+bool disjoint(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
+  const auto [a_low, a_high] = std::minmax(a[0], a[1]);
+  const auto [b_low, b_high] = std::minmax(b[0], b[1]);
+  const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
+  return common <= kShared * std::min(a_high - a_low, b_high - b_low);
+}
+
 }  // namespace
 
 double EpipolarOverlap::right_of(double on_left_parameter) const {
@@ -159,6 +167,23 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
     if (overlap) overlaps.push_back(*overlap);
   }
   return overlaps;
+}
+
+bool may_share_mate(const Segment2& a,
+                    const EpipolarOverlap& a_overlap,
+                    const Segment2& b,
+                    const EpipolarOverlap& b_overlap) {
+  return are_fragments(a, b) && disjoint(a_overlap.on_right, b_overlap.on_right);
+}
+
+bool may_be_mates_of_one(const Segment2& a,
+                         const EpipolarOverlap& a_overlap,
+                         const Segment2& b,
+                         const EpipolarOverlap& b_overlap) {
+  // windows run along the eave above them, in a wall of a few pixels
+  constexpr double kTolerance_px = 1.0;
+  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b, kTolerance_px) &&
+         disjoint(a_overlap.on_left, b_overlap.on_left);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -38,12 +38,12 @@ double quantile(const Histogram& counts, double share, std::int64_t n_pixels) {
 }
 
 /// normalised = scale * raw + offset, then clipped.
-struct Stretch {
+struct LinearStretch {
   float scale = 0.0F;
   float offset = 0.0F;
 };
 
-Stretch stretch_of(const Histogram& counts, std::int64_t n_pixels) {
+LinearStretch stretch_of(const Histogram& counts, std::int64_t n_pixels) {
   constexpr double kTail = 0.005;
   constexpr double kMargin = 0.25;
   const double lowest = quantile(counts, 0.0, n_pixels);
@@ -65,7 +65,7 @@ template <typename T>
 cv::Mat normalised(const cv::Mat& raw) {
   const int n_bands = raw.channels();
   const auto n_pixels = static_cast<std::int64_t>(raw.total());
-  std::array<Stretch, 4> stretch;
+  std::array<LinearStretch, 4> stretch;
   const std::vector<Histogram> counts = histograms<T>(raw);
   for (int band = 0; band < n_bands; ++band) stretch[band] = stretch_of(counts[band], n_pixels);
 

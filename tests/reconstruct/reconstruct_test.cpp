@@ -134,7 +134,7 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
                  std::invalid_argument);
   }
   Options options;
-  options.matching.pairwise.min_overlap = 2.0;
+  options.matching.candidates.min_overlap = 2.0;
   EXPECT_THROW((void)reconstruct(views(), heights_m(), options), std::invalid_argument);
   options = {};
   options.matching.matchers.clear();

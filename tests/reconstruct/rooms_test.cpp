@@ -21,8 +21,8 @@ const std::map<std::string, std::vector<std::string>>& allowed() {
       {"geometry", {}},
       {"views", {"geometry"}},
       {"ok2011", {"geometry", "views"}},
-      {"chio_wang2000", {"geometry", "views", "ok2011/match"}},
-      {"beyond", {"geometry", "views", "ok2011"}},
+      {"chio_wang2000", {"geometry", "views"}},
+      {"beyond", {"geometry", "views", "ok2011", "chio_wang2000"}},
       {"pair_check", {"geometry"}}};
   return rooms;
 }

@@ -44,16 +44,12 @@ std::vector<CloseLine> close_lines_of(const SegmentIndex& index,
                                       std::span<const Segment2> segments,
                                       int id) {
   const Segment2& a = segments[static_cast<std::size_t>(id)];
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kClose_px);
-  Eigen::AlignedBox2d box(a.start);
-  box.extend(a.end);
-  box = Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
   const Eigen::Vector2d along = (a.end - a.start).normalized();
   const Eigen::Vector2d normal(-along.y(), along.x());
   std::array<std::optional<CloseLine>, 2> nearest;
   std::array<double, 2> distance{std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::infinity()};
-  for (const int other : index.in_box(box)) {
+  for (const int other : index.near(a, kClose_px)) {
     if (other == id) continue;
     const auto offset = offset_px(a, segments[static_cast<std::size_t>(other)]);
     if (!offset) continue;

@@ -37,20 +37,20 @@ EdgeTrace shifted(const EdgeTrace& trace,
 
 /// An edge and what is known about where it is from.
 struct Part {
-  DetectedEdge edge;
+  EdgeTrace edge;
   Segment2 line;
   bool separated = false;
 };
 
-std::vector<Part> parts_of(DetectedEdge edge, const cv::Mat& image, const CloseEdgeFinder& finder) {
-  const Segment2 line = line_through(edge.trace);
+std::vector<Part> parts_of(EdgeTrace edge, const cv::Mat& image, const CloseEdgeFinder& finder) {
+  const Segment2 line = line_through(edge);
   std::vector<Part> parts;
   if (const auto steps = finder.find(image, line)) {
     const double strongest = std::max((*steps)[0].height, (*steps)[1].height);
     for (const ProfileStep& step : *steps) {
-      EdgeTrace trace = shifted(edge.trace, line, step, step.height / strongest);
+      EdgeTrace trace = shifted(edge, line, step, step.height / strongest);
       const Segment2 moved = line_through(trace);
-      parts.push_back({{std::move(trace), std::nullopt}, moved, true});
+      parts.push_back({std::move(trace), moved, true});
     }
     return parts;
   }
@@ -102,10 +102,10 @@ std::vector<bool> repeated(const std::vector<Part>& parts) {
 
 }  // namespace
 
-std::vector<DetectedEdge> separate_edges(std::vector<DetectedEdge> edges, const cv::Mat& image) {
+std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Mat& image) {
   std::vector<Segment2> lines;
   lines.reserve(edges.size());
-  for (const DetectedEdge& edge : edges) lines.push_back(line_through(edge.trace));
+  for (const EdgeTrace& edge : edges) lines.push_back(line_through(edge));
   const CloseEdgeFinder finder(edge_blur_px(image, lines));
   std::vector<std::vector<Part>> found(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
@@ -116,7 +116,7 @@ std::vector<DetectedEdge> separate_edges(std::vector<DetectedEdge> edges, const 
     std::move(some.begin(), some.end(), std::back_inserter(parts));
   }
   const std::vector<bool> drop = repeated(parts);
-  std::vector<DetectedEdge> separated;
+  std::vector<EdgeTrace> separated;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!drop[i]) separated.push_back(std::move(parts[i].edge));
   }

@@ -10,6 +10,6 @@ namespace ridgeline::reconstruct {
 /// Replaces edges that are two edges blurred into one by these two (CloseEdgeFinder). Where both had
 /// been detected already, each stays once.
 /// @param image  CV_32FC(n), n = 1..4, as the camera saw it: neither diffused nor boosted
-std::vector<DetectedEdge> separate_edges(std::vector<DetectedEdge> edges, const cv::Mat& image);
+std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Mat& image);
 
 }  // namespace ridgeline::reconstruct

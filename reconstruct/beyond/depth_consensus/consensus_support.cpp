@@ -18,10 +18,10 @@ class KnownEnds {
  public:
   KnownEnds(const StereoLines& lines,
             std::span<const ReconstructedLine> results,
-            const ReconstructOptions& options) {
+            double max_sigma_m) {
     for (const ReconstructedLine& line : results) {
       if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
-      if (*line.direct_sigma_z_m > options.max_nearby_sigma_m) continue;
+      if (*line.direct_sigma_z_m > max_sigma_m) continue;
       add(lines.stereo, line.segment_in_local->start);
       add(lines.stereo, line.segment_in_local->end);
     }
@@ -30,11 +30,8 @@ class KnownEnds {
 
   /// Heights of the ends near an image line, in the conditioned object frame.
   [[nodiscard]] std::vector<double> heights_near(const Segment2& seen_px, double radius_px) const {
-    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius_px);
-    const Eigen::AlignedBox2d box(seen_px.start.cwiseMin(seen_px.end) - reach,
-                                  seen_px.start.cwiseMax(seen_px.end) + reach);
     std::vector<double> heights;
-    for (const int i : index_.in_box(box)) {
+    for (const int i : index_.near(seen_px, radius_px)) {
       const auto end = static_cast<std::size_t>(i);
       if (distance(seen_px, ends_px_[end].start) <= radius_px) heights.push_back(heights_[end]);
     }
@@ -127,7 +124,7 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
 /// Whether a segment is long enough for its ends to tell a depth.
 bool has_telling_ends(const StereoLines& lines,
                       const ObservedPair& line,
-                      const ReconstructOptions& options) {
+                      const EstimateExtensionOptions& options) {
   return lines.stereo.views[0].image.scale_px * length(line[0].segment) >=
          options.min_ends_length_px;
 }
@@ -152,7 +149,7 @@ std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const Observed
 bool may_cut(const StereoLines& lines,
              const ObservedPair& line,
              const CandidatePoint& at,
-             const ReconstructOptions& options) {
+             const EstimateExtensionOptions& options) {
   if (at.ranked.weight < options.min_cut_weight) return false;
   const auto x = crossing(line, lines.lines[static_cast<std::size_t>(at.ranked.neighbour)]);
   for (std::size_t j = 0; j < 2; ++j) {
@@ -164,14 +161,14 @@ bool may_cut(const StereoLines& lines,
   return true;
 }
 
-/// A match with the artificial points that are good enough to be heard, and what its ends show.
-struct Heard {
+/// What tells the depth of a match: the artificial points that are good enough, and what its ends show.
+struct MatchEvidence {
   const StereoLines& lines;
   const ObservedPair& line;
   std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
   std::vector<int> which_ends;          ///< 0 starts, 1 ends
-  std::vector<DepthEvidence> evidence;  ///< of the points, then of the ends
+  std::vector<DepthEvidence> on_depth;  ///< of the points, then of the ends
 };
 
 /// Whether the border of an image cuts the starts (0) or the ends (1) of both segments.
@@ -180,40 +177,41 @@ bool is_cut(const FlankStrips& strips, int which, bool runs_back) {
   return strips.left.is_cut[left] || strips.right.is_cut[runs_back ? 1 - left : left];
 }
 
-Heard hear(const StereoLines& lines,
-           const ObservedPair& line,
-           std::span<const int> neighbours,
-           const FlankStrips* strips,
-           const ReconstructOptions& options) {
-  Heard heard{lines, line, {}, {}, {}, {}};
-  for (const CandidatePoint& c : candidate_points(lines, line, neighbours, options)) {
-    if (!(c.ranked.weight > options.min_weight)) continue;
-    heard.points.push_back(c);
+MatchEvidence evidence_of(const StereoLines& lines,
+                          const ObservedPair& line,
+                          std::span<const int> neighbours,
+                          const FlankStrips* strips,
+                          const EstimationOptions& options) {
+  const auto& [published, beyond] = options;
+  MatchEvidence evidence{lines, line, {}, {}, {}, {}};
+  for (const CandidatePoint& c : candidate_points(lines, line, neighbours, published)) {
+    if (!(c.ranked.weight > published.min_weight)) continue;
+    evidence.points.push_back(c);
     DepthEvidence e = evidence_of(c.estimated.point, c.ranked.parameter,
-                                  options.max_point_prior * c.ranked.weight);
+                                  beyond.max_point_prior * c.ranked.weight);
     e.meeting = c.ranked.weight;
-    e.may_cut = may_cut(lines, line, c, options);
-    heard.evidence.push_back(e);
+    e.may_cut = may_cut(lines, line, c, beyond);
+    evidence.on_depth.push_back(e);
   }
   for (const int which : {0, 1}) {
     if (strips != nullptr && is_cut(*strips, which, runs_back(lines, line))) continue;
     if (const auto end = point_in_object(lines, line, ends_in_images(lines, line, which),
-                                         options.sigma_end_px, options)) {
-      heard.ends.push_back(*end);
-      heard.which_ends.push_back(which);
-      heard.evidence.push_back(evidence_of(*end, which, options.end_prior));
+                                         beyond.sigma_end_px, published)) {
+      evidence.ends.push_back(*end);
+      evidence.which_ends.push_back(which);
+      evidence.on_depth.push_back(evidence_of(*end, which, beyond.end_prior));
     }
   }
-  return heard;
+  return evidence;
 }
 
 /// The part of the match between the cuts.
-ObservedPair seen_part(const Heard& heard, const DepthPart& part) {
-  ObservedPair seen = heard.line;
-  const bool back = runs_back(heard.lines, heard.line);
-  const auto cut = [&](std::size_t evidence, bool at_start) {
-    const auto other = static_cast<std::size_t>(heard.points[evidence].ranked.neighbour);
-    const auto x = crossing(heard.line, heard.lines.lines[other]);
+ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
+  ObservedPair seen = evidence.line;
+  const bool back = runs_back(evidence.lines, evidence.line);
+  const auto cut = [&](std::size_t point, bool at_start) {
+    const auto other = static_cast<std::size_t>(evidence.points[point].ranked.neighbour);
+    const auto x = crossing(evidence.line, evidence.lines.lines[other]);
     for (std::size_t j = 0; j < 2; ++j) {
       const bool starts = at_start != (back && j == 1);
       (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
@@ -225,16 +223,16 @@ ObservedPair seen_part(const Heard& heard, const DepthPart& part) {
 }
 
 /// Takes points of the line that the strips beside it show in both images; false if they show none.
-bool add_flank_points(const Heard& heard,
+bool add_flank_points(const MatchEvidence& evidence,
                       const FlankCorrelation& flanks,
                       const DepthPart& part,
-                      const ReconstructOptions& options,
+                      const EstimationOptions& options,
                       LineSupport& support) {
   const auto found = flanks.homologous(part.line, part.horizontal);
   if (!found) return false;
   for (const FlankCorrelation::Homologous& x : *found) {
-    if (const auto point =
-            point_in_object(heard.lines, heard.line, x, options.sigma_flank_px, options)) {
+    if (const auto point = point_in_object(evidence.lines, evidence.line, x,
+                                           options.beyond.sigma_flank_px, options.lines)) {
       support.ends.push_back(*point);
       support.ends_in_images.push_back(x);
     }
@@ -243,37 +241,38 @@ bool add_flank_points(const Heard& heard,
   return support.has_flanks;
 }
 
-LineSupport support_of(const Heard& heard,
+LineSupport support_of(const MatchEvidence& evidence,
                        const DepthPart& part,
                        const FlankCorrelation* flanks,
-                       const ReconstructOptions& options) {
+                       const EstimationOptions& options) {
   LineSupport support;
-  support.seen = seen_part(heard, part);
+  support.seen = seen_part(evidence, part);
   std::vector<CandidatePoint> agreeing;
   for (const std::size_t i : part.supports) {
-    if (i >= heard.points.size()) continue;
-    agreeing.push_back(heard.points[i]);
+    if (i >= evidence.points.size()) continue;
+    agreeing.push_back(evidence.points[i]);
     RankedPoint& ranked = agreeing.back().ranked;
     const auto x =
-        crossing(heard.line, heard.lines.lines[static_cast<std::size_t>(ranked.neighbour)]);
+        crossing(evidence.line, evidence.lines.lines[static_cast<std::size_t>(ranked.neighbour)]);
     ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
   }
-  support.points = best_of_regions(agreeing, options);
-  if (part.horizontal) support.sigma_slope = options.sigma_slope;
+  support.points = best_of_regions(agreeing, options.lines);
+  if (part.horizontal) support.sigma_slope = options.beyond.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (flanks != nullptr && add_flank_points(heard, *flanks, part, options, support)) return support;
+  if (flanks != nullptr && add_flank_points(evidence, *flanks, part, options, support))
+    return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
-    if (i < heard.points.size()) continue;
-    const std::size_t end = i - heard.points.size();
-    support.ends.push_back(heard.ends[end]);
+    if (i < evidence.points.size()) continue;
+    const std::size_t end = i - evidence.points.size();
+    support.ends.push_back(evidence.ends[end]);
     support.ends_in_images.push_back(
-        ends_in_images(heard.lines, heard.line, heard.which_ends[end]));
+        ends_in_images(evidence.lines, evidence.line, evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
   if (support.points.empty()) {
-    support.ambiguous =
-        is_cut || support.ends.empty() || !has_telling_ends(heard.lines, heard.line, options);
+    support.ambiguous = is_cut || support.ends.empty() ||
+                        !has_telling_ends(evidence.lines, evidence.line, options.beyond);
   } else {
     support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
   }
@@ -285,12 +284,12 @@ std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
                                             std::span<const int> neighbours,
                                             std::span<const double> heights_nearby,
                                             const FlankStrips* strips,
-                                            const ReconstructOptions& options) {
-  const Heard heard = hear(lines, line, neighbours, strips, options);
+                                            const EstimationOptions& options) {
+  const MatchEvidence evidence = evidence_of(lines, line, neighbours, strips, options);
   std::optional<FlankCorrelation> flanks;
   if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
-  const auto consensus = agree_on_depth(
-      {lines, line, heard.evidence, heights_nearby, options, flanks ? &*flanks : nullptr});
+  const auto consensus = agree_on_depth({lines, line, evidence.on_depth, heights_nearby,
+                                         options.beyond, flanks ? &*flanks : nullptr});
   if (!consensus) {
     LineSupport nothing;
     nothing.seen = line;
@@ -299,8 +298,8 @@ std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
   std::vector<LineSupport> all;
   const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {
-    all.push_back(support_of(heard, part, flanks && is_whole ? &*flanks : nullptr, options));
-    if (consensus->margin < options.min_depth_margin) all.back().ambiguous = true;
+    all.push_back(support_of(evidence, part, flanks && is_whole ? &*flanks : nullptr, options));
+    if (consensus->margin < options.beyond.min_depth_margin) all.back().ambiguous = true;
   }
   return all;
 }
@@ -310,17 +309,18 @@ std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
 SupportOfMatch consensus_support(const StereoLines& lines,
                                  std::span<const ReconstructedLine> direct,
                                  std::span<const FlankStrips> strips,
-                                 const ReconstructOptions& options) {
+                                 const EstimationOptions& options) {
   check(strips.empty() || strips.size() == direct.size(),
         "consensus_support: strips = ", strips.size(), ", must be one per match, ", direct.size(),
         ", or none");
-  return [&lines, strips, options, ends = KnownEnds(lines, direct, options)](
-             std::size_t match, const ObservedPair& line, const Segment2& seen_px,
-             std::span<const int> neighbours) {
-    return lines_by_consensus(lines, line, neighbours,
-                              ends.heights_near(seen_px, options.nearby_px),
-                              strips.empty() ? nullptr : &strips[match], options);
-  };
+  return
+      [&lines, strips, options, ends = KnownEnds(lines, direct, options.beyond.max_nearby_sigma_m)](
+          std::size_t match, const ObservedPair& line, const Segment2& seen_px,
+          std::span<const int> neighbours) {
+        return lines_by_consensus(lines, line, neighbours,
+                                  ends.heights_near(seen_px, options.beyond.nearby_px),
+                                  strips.empty() ? nullptr : &strips[match], options);
+      };
 }
 
 }  // namespace ridgeline::reconstruct

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/beyond/options.h"
 #include "reconstruct/geometry/flank_strips.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
@@ -18,6 +19,6 @@ namespace ridgeline::reconstruct {
 SupportOfMatch consensus_support(const StereoLines& lines,
                                  std::span<const ReconstructedLine> direct,
                                  std::span<const FlankStrips> strips,
-                                 const ReconstructOptions& options);
+                                 const EstimationOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -22,13 +22,13 @@ double sloping(double slope) {
          (1.0 - kRoofShare) * bell(slope / kStreet);
 }
 
-double log_straight_prior(double slope, const ReconstructOptions& options) {
+double log_straight_prior(double slope, const EstimateExtensionOptions& options) {
   const double p = options.horizontal_share;
   return std::log(p * bell(slope / options.sigma_slope) + (1.0 - p) * sloping(slope));
 }
 
 /// Of a cut between two steps of a row: a row that has one step often has more.
-double log_step_prior(bool is_first, const ReconstructOptions& options) {
+double log_step_prior(bool is_first, const EstimateExtensionOptions& options) {
   constexpr double kNextShare = 0.3;
   return std::log(is_first ? options.step_share : kNextShare);
 }

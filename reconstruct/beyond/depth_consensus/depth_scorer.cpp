@@ -98,7 +98,7 @@ double DepthScorer::difference_of_ends_m(const DepthProfile& profile) const {
 }
 
 double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
-  const ReconstructOptions& o = question_.options;
+  const EstimateExtensionOptions& o = question_.options;
   const Misfit m = misfit(e, line);
   const double agreement = bell(m.distance_m / m.sigma_m);
   const bool is_above = m.distance_m * normal_.cross(line.direction).z() > 0.0;

@@ -4,8 +4,8 @@
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
 #include "reconstruct/beyond/depth_consensus/depth_line.h"
 #include "reconstruct/beyond/depth_consensus/flank_correlation.h"
+#include "reconstruct/beyond/options.h"
 #include "reconstruct/ok2011/estimate/candidate_points.h"
-#include "reconstruct/ok2011/estimate/options.h"
 
 #include <Eigen/Core>
 
@@ -20,7 +20,7 @@ struct DepthQuestion {
   const ObservedPair& line;
   std::span<const DepthEvidence> evidence;
   std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
-  const ReconstructOptions& options;
+  const EstimateExtensionOptions& options;
   const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/beyond/close_edges/close_lines.h"
-#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/candidates.h"
 
 #include <array>
 #include <vector>

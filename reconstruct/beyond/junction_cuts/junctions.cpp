@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/junction_cuts/junctions.h"
 
+#include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/ok2011/extract/line_sums.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
@@ -9,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <unordered_map>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -22,67 +21,43 @@ constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge inte
 constexpr double kShortestPart = 2.5;     ///< of min_length_px: short parts are matched badly
 constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
 
-/// An end of an edge.
-struct End {
-  std::size_t edge = 0;
-  Eigen::Vector2d x_px, along;
+/// The ends of all edges; end k is of edge k / 2.
+struct Ends {
+  std::vector<Segment2> places;  ///< of no length
+  SegmentIndex index;
 };
 
-/// The ends of all edges by cells of the image.
-class EndIndex {
- public:
-  explicit EndIndex(const std::vector<PrincipalAxes>& axes,
-                    const std::vector<DetectedEdge>& edges) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      for (const EdgeSample& end : {edges[i].trace.front(), edges[i].trace.back()}) {
-        ends_[key(cell_of(end.position_px.x()), cell_of(end.position_px.y()))].push_back(
-            {i, end.position_px, axes[i].along});
-      }
-    }
+Ends ends_of(const std::vector<EdgeTrace>& edges) {
+  std::vector<Segment2> places;
+  for (const EdgeTrace& edge : edges) {
+    for (const EdgeSample& end : {edge.front(), edge.back()})
+      places.push_back({end.position_px, end.position_px});
   }
-
-  /// Calls `visit(end)` for the ends in the cells around a point.
-  template <typename Visit>
-  void around(const Eigen::Vector2d& x_px, const Visit& visit) const {
-    const int cx = cell_of(x_px.x());
-    const int cy = cell_of(x_px.y());
-    for (int y = cy - 1; y <= cy + 1; ++y) {
-      for (int x = cx - 1; x <= cx + 1; ++x) {
-        const auto found = ends_.find(key(x, y));
-        if (found == ends_.end()) continue;
-        for (const End& end : found->second) visit(end);
-      }
-    }
-  }
-
- private:
-  static int cell_of(double x) { return static_cast<int>(std::floor(x / kMeetingReach_px)); }
-  static std::uint64_t key(int x, int y) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32U) |
-           static_cast<std::uint32_t>(y);
-  }
-  std::unordered_map<std::uint64_t, std::vector<End>> ends_;
-};
+  return {places, SegmentIndex(places)};
+}
 
 /// The samples of a trace at which other edges end or beyond which it is interrupted, in order; one of
 /// a group of neighbours.
 std::vector<std::size_t> junctions_of(std::size_t edge,
-                                      const std::vector<DetectedEdge>& edges,
-                                      const PrincipalAxes& axes,
-                                      const EndIndex& index) {
-  const EdgeTrace& trace = edges[edge].trace;
+                                      const std::vector<EdgeTrace>& edges,
+                                      const std::vector<PrincipalAxes>& axes,
+                                      const Ends& ends) {
+  const EdgeTrace& trace = edges[edge];
+  const Eigen::Vector2d& along = axes[edge].along;
   std::vector<bool> touched(trace.size(), false);
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    const Eigen::Vector2d& x = trace[i].position_px;
-    index.around(x, [&](const End& end) {
-      const double sine = std::abs(axes.along.x() * end.along.y() - axes.along.y() * end.along.x());
-      if (end.edge == edge || sine < std::sin(kMinAngle_rad)) return;
-      const Eigen::Vector2d offset = end.x_px - x;
+  for (const int k : ends.index.near({trace.front().position_px, trace.back().position_px},
+                                     kMeetingReach_px + 2.0 * axes[edge].max_distance)) {
+    const std::size_t other = static_cast<std::size_t>(k) / 2;
+    if (other == edge || acute_angle_rad(along, axes[other].along) < kMinAngle_rad) continue;
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+      const Eigen::Vector2d offset = ends.places[k].start - trace[i].position_px;
       // the sample beside the end
-      if (offset.norm() > kMeetingReach_px || std::abs(axes.along.dot(offset)) > 1.0) return;
-      touched[i] = true;
-    });
-    if (i > 0 && (x - trace[i - 1].position_px).norm() > kGap_px) touched[i] = true;
+      if (std::abs(along.dot(offset)) <= 1.0 && offset.norm() <= kMeetingReach_px)
+        touched[i] = true;
+    }
+  }
+  for (std::size_t i = 1; i < trace.size(); ++i) {
+    if ((trace[i].position_px - trace[i - 1].position_px).norm() > kGap_px) touched[i] = true;
   }
   std::vector<std::size_t> at;
   for (std::size_t i = 0; i < touched.size(); ++i) {
@@ -104,13 +79,13 @@ struct Run {
 };
 
 /// How much better two lines fit than one, relative to what a bend takes; a bend from 1 on.
-double bend_of(const Run& a, const Run& b, const ExtractOptions& options) {
+double bend_of(const Run& a, const Run& b, double least_bend_px) {
   // of the two parameters of the second line, for edge pixels that are correlated
   constexpr double kSignificant = 40.0;
   const double two_lines = a.sums.residual() + b.sums.residual();
   const LineSums both = a.sums + b.sums;
   const double gain = both.residual() - two_lines;
-  const double least = both.n * options.min_junction_bend_px * options.min_junction_bend_px;
+  const double least = both.n * least_bend_px * least_bend_px;
   const double scatter = kSignificant * two_lines / std::max(1.0, both.n - 4.0);
   return gain / std::max({least, scatter, 1e-12});
 }
@@ -146,8 +121,7 @@ double cost_of_joining(const std::vector<Run>& runs, std::size_t i) {
 
 /// Joins what is too short for a part to the neighbour that it continues best: of two junctions close
 /// to each other the one stays at which the edge changes its course.
-void join_short(std::vector<Run>& runs, const Points& points, const ExtractOptions& options) {
-  const double shortest_px = kShortestPart * options.min_length_px;
+void join_short(std::vector<Run>& runs, const Points& points, double shortest_px) {
   const auto is_short = [&](const Run& run) {
     return (points[run.last - 1] - points[run.first]).norm() < shortest_px;
   };
@@ -167,12 +141,12 @@ void join_short(std::vector<Run>& runs, const Points& points, const ExtractOptio
 }
 
 /// Joins neighbours until all that remain differ.
-void join(std::vector<Run>& runs, const ExtractOptions& options) {
+void join(std::vector<Run>& runs, double least_bend_px) {
   while (runs.size() > 1) {
     double least = 1.0;
     std::size_t at = runs.size();
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-      const double bend = bend_of(runs[i], runs[i + 1], options);
+      const double bend = bend_of(runs[i], runs[i + 1], least_bend_px);
       if (bend >= least) continue;
       least = bend;
       at = i;
@@ -184,30 +158,29 @@ void join(std::vector<Run>& runs, const ExtractOptions& options) {
 
 }  // namespace
 
-std::vector<DetectedEdge> cut_at_junctions(std::vector<DetectedEdge> edges,
-                                           const ExtractOptions& options) {
+std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
+                                        const ExtractionOptions& options) {
   std::vector<PrincipalAxes> axes(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(),
-                    [&](std::size_t i) { axes[i] = principal_axes(positions(edges[i].trace)); });
-  const EndIndex index(axes, edges);
+                    [&](std::size_t i) { axes[i] = principal_axes(positions(edges[i])); });
+  const Ends ends = ends_of(edges);
   std::vector<std::vector<Run>> runs(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
-    const Points points = positions(edges[i].trace);
-    runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes[i], index));
-    join_short(runs[i], points, options);
-    join(runs[i], options);
+    const Points points = positions(edges[i]);
+    runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes, ends));
+    join_short(runs[i], points, kShortestPart * options.edges.min_length_px);
+    join(runs[i], options.beyond.min_junction_bend_px);
   });
-  std::vector<DetectedEdge> cut;
+  std::vector<EdgeTrace> cut;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (runs[i].size() == 1) {
       cut.push_back(std::move(edges[i]));
       continue;
     }
-    const auto begin = edges[i].trace.begin();
+    const auto begin = edges[i].begin();
     for (const Run& run : runs[i]) {
-      cut.push_back({EdgeTrace(begin + static_cast<std::ptrdiff_t>(run.first),
-                               begin + static_cast<std::ptrdiff_t>(run.last)),
-                     std::nullopt});
+      cut.emplace_back(begin + static_cast<std::ptrdiff_t>(run.first),
+                       begin + static_cast<std::ptrdiff_t>(run.last));
     }
   }
   return cut;

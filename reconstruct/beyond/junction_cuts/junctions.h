@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/beyond/options.h"
 #include "reconstruct/ok2011/extract/edge_segments.h"
 
 #include <vector>
@@ -16,7 +17,7 @@ namespace ridgeline::reconstruct {
 /// An edge is cut at all its junctions, and neighbouring parts are joined again, those first that one
 /// line fits best, while two do not fit better than one by min_junction_bend_px (root mean square)
 /// and by more than the scatter explains. Parts are 2.5 times min_length_px long at least.
-std::vector<DetectedEdge> cut_at_junctions(std::vector<DetectedEdge> edges,
-                                           const ExtractOptions& options);
+std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
+                                        const ExtractionOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
 
-#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/candidates.h"
 #include "reconstruct/views/mate_flanks.h"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ Radiometry matched_radiometry(const MatchView& left,
                               const MatchView& right,
                               const StereoSearch& search,
                               const Radiometry& first,
-                              const MatchOptions& options,
+                              const CandidateOptions& options,
                               const CandidateLook& change_look) {
   constexpr std::size_t kFewest = 20;
   const MatchView longest = longest_of(left);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/ok2011/match/candidates.h"
-#include "reconstruct/ok2011/match/options.h"
+#include "reconstruct/views/candidates.h"
 #include "reconstruct/views/epipolar_transfer.h"
 #include "reconstruct/views/match_view.h"
 #include "reconstruct/views/strip_look.h"
@@ -19,7 +18,7 @@ Radiometry matched_radiometry(const MatchView& left,
                               const MatchView& right,
                               const StereoSearch& search,
                               const Radiometry& first,
-                              const MatchOptions& options,
+                              const CandidateOptions& options,
                               const CandidateLook& change_look = {});
 
 }  // namespace ridgeline::reconstruct

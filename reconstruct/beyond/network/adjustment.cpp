@@ -16,17 +16,16 @@ constexpr NetworkAdjustment::Prediction kUncontrolled{0.0, std::numeric_limits<d
 NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
                                      std::vector<const NetworkLine*> lines,
                                      std::vector<Meeting> meetings,
-                                     const ReconstructOptions& options)
+                                     const std::array<double, 2>& heights_m,
+                                     double sigma_slope)
     : weights(meetings.size(), 1.0),
       stereo_(stereo),
       lines_(std::move(lines)),
       meetings_(std::move(meetings)),
-      sigma_slope_(options.sigma_slope),
-      height_((0.5 * (options.lowest_height_m + options.highest_height_m) -
-               stereo.object.centre_m.z()) /
+      sigma_slope_(sigma_slope),
+      height_((0.5 * (heights_m[0] + heights_m[1]) - stereo.object.centre_m.z()) /
               stereo.object.scale_m),
-      sigma_height_((options.highest_height_m - options.lowest_height_m) /
-                    (std::sqrt(12.0) * stereo.object.scale_m)) {
+      sigma_height_((heights_m[1] - heights_m[0]) / (std::sqrt(12.0) * stereo.object.scale_m)) {
   for (const NetworkLine* line : lines_) {
     conditions_.push_back(conditions_of(*line));
     estimates_.push_back(line->start);

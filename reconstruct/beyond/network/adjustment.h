@@ -17,8 +17,9 @@ class NetworkAdjustment {
  public:
   NetworkAdjustment(const StereoViews& stereo,
                     std::vector<const NetworkLine*> lines,
-                    std::vector<Meeting> meetings,  ///< by index into `lines`
-                    const ReconstructOptions& options);
+                    std::vector<Meeting> meetings,           ///< by index into `lines`
+                    const std::array<double, 2>& heights_m,  ///< of objects, local frame
+                    double sigma_slope);
 
   [[nodiscard]] const std::vector<Meeting>& meetings() const { return meetings_; }
   [[nodiscard]] std::size_t n_lines() const { return lines_.size(); }

@@ -30,15 +30,14 @@ Place place_of(const StereoViews& stereo, const ObservedPair& line, const Observ
 Junction junction(const StereoViews& stereo,
                   const ObservedPair& a,
                   const ObservedPair& b,
-                  const ReconstructOptions& options) {
+                  double sigma_meeting_m) {
   constexpr double kCorner = 0.87, kEndOnLine = 0.7, kCrossing = 0.35, kBeyondEnds = 0.45;
   const Place of_a = place_of(stereo, a, b);
   const Place of_b = place_of(stereo, b, a);
-  const double sigma_m = options.sigma_meeting_m;
-  if (of_a == Place::kBeyond || of_b == Place::kBeyond) return {kBeyondEnds, sigma_m};
-  if (of_a == Place::kEnd && of_b == Place::kEnd) return {kCorner, 0.5 * sigma_m};
+  if (of_a == Place::kBeyond || of_b == Place::kBeyond) return {kBeyondEnds, sigma_meeting_m};
+  if (of_a == Place::kEnd && of_b == Place::kEnd) return {kCorner, 0.5 * sigma_meeting_m};
   const bool cross = of_a == Place::kWithin && of_b == Place::kWithin;
-  return {cross ? kCrossing : kEndOnLine, 0.5 * sigma_m};
+  return {cross ? kCrossing : kEndOnLine, 0.5 * sigma_meeting_m};
 }
 
 }  // namespace ridgeline::reconstruct

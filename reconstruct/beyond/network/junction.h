@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/ok2011/estimate/options.h"
 #include "reconstruct/views/conditioned_view.h"
 
 namespace ridgeline::reconstruct {
@@ -25,6 +24,6 @@ struct Junction {
 Junction junction(const StereoViews& stereo,
                   const ObservedPair& a,
                   const ObservedPair& b,
-                  const ReconstructOptions& options);
+                  double sigma_meeting_m);
 
 }  // namespace ridgeline::reconstruct

@@ -61,7 +61,7 @@ double squared(double x) { return x * x; }
 /// other: normal if they meet, else about uniform over max_miss_m.
 double probability(const Junction& junction,
                    const NetworkAdjustment::Prediction& predicted,
-                   const ReconstructOptions& options) {
+                   const EstimateExtensionOptions& options) {
   const double prior = junction.prior;
   if (!std::isfinite(predicted.sigma)) return prior;
   const double widest = options.max_miss_m / junction.sigma_m;
@@ -77,7 +77,7 @@ double probability(const Junction& junction,
 /// given all others at their weights. What the two lines by themselves make improbable stays out: false
 /// meetings of one line, as of a road marking with the cars beside it, would support each other. Decided at
 /// the end.
-bool decide_meetings(NetworkAdjustment& adjustment, const ReconstructOptions& options) {
+bool decide_meetings(NetworkAdjustment& adjustment, const EstimateExtensionOptions& options) {
   constexpr int kMostRounds = 20;
   constexpr double kSettled = 1e-3;      // largest change of a weight
   constexpr double kNearMinimum = 1e-2;  // in standard deviations
@@ -204,11 +204,12 @@ bool guard(NetworkAdjustment& adjustment, std::vector<bool>& has_dropped) {
 void adjust_group(const StereoViews& stereo,
                   std::span<const NetworkLine> lines,
                   const Group& group,
-                  const ReconstructOptions& options,
+                  const std::array<double, 2>& heights_m,
+                  const EstimateExtensionOptions& options,
                   std::vector<AdjustedInNetwork>& results) {
   std::vector<const NetworkLine*> members;
   for (const int line : group.lines) members.push_back(&lines[line]);
-  NetworkAdjustment adjustment(stereo, members, group.meetings, options);
+  NetworkAdjustment adjustment(stereo, members, group.meetings, heights_m, options.sigma_slope);
   std::vector<bool> has_dropped(members.size(), false);
   if (!decide_meetings(adjustment, options) || !reject_false_meetings(adjustment) ||
       !guard(adjustment, has_dropped) || !adjustment.converged()) {
@@ -236,11 +237,12 @@ void adjust_group(const StereoViews& stereo,
 std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
                                               std::span<const NetworkLine> lines,
                                               std::span<const Meeting> meetings,
-                                              const ReconstructOptions& options) {
+                                              const std::array<double, 2>& heights_m,
+                                              const EstimateExtensionOptions& options) {
   std::vector<AdjustedInNetwork> results(lines.size());
   const std::vector<Group> groups = connected_groups(lines.size(), meetings);
   tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
-    adjust_group(stereo, lines, groups[g], options, results);
+    adjust_group(stereo, lines, groups[g], heights_m, options, results);
   });
   return results;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reconstruct/beyond/network/junction.h"
+#include "reconstruct/beyond/options.h"
 #include "reconstruct/geometry/uncertain/pluecker.h"
-#include "reconstruct/ok2011/estimate/options.h"
 #include "reconstruct/views/conditioned_view.h"
 
 #include <Eigen/Core>
@@ -60,9 +60,11 @@ struct AdjustedInNetwork {
 ///
 /// Lines without a chain of meetings between them are independent: one sparse system for each group,
 /// groups in parallel. Results do not depend on the number of threads.
+/// @param heights_m  lowest and highest height of objects, local frame
 std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
                                               std::span<const NetworkLine> lines,
                                               std::span<const Meeting> meetings,
-                                              const ReconstructOptions& options);
+                                              const std::array<double, 2>& heights_m,
+                                              const EstimateExtensionOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -37,7 +37,7 @@ void start_from(const ReconstructedLine& joint,
 NetworkLine network_line(const StereoLines& lines,
                          std::size_t match,
                          const JointLine& joint,
-                         const ReconstructOptions& options) {
+                         const EstimateExtensionOptions& options) {
   NetworkLine line;
   line.seen = lines.lines[match];
   for (std::size_t j = 0; j < 2; ++j) line.seen[j].segment = joint.support.seen[j].segment;
@@ -58,7 +58,7 @@ struct Members {
 
 Members members_of(const StereoLines& lines,
                    std::vector<std::vector<JointLine>>& by_match,
-                   const ReconstructOptions& options) {
+                   const EstimateExtensionOptions& options) {
   Members members;
   members.of_match.resize(by_match.size());
   for (std::size_t match = 0; match < by_match.size(); ++match) {
@@ -89,7 +89,8 @@ std::optional<int> closest_part(const Members& members, std::size_t match, const
 std::vector<Meeting> meetings_of(const StereoLines& lines,
                                  std::span<const PairConnection> connections,
                                  const Members& members,
-                                 const ReconstructOptions& options) {
+                                 const ReconstructOptions& options,
+                                 double sigma_meeting_m) {
   std::set<std::pair<int, int>> pairs;  // in one order, each once
   for (const PairConnection& c : connections) pairs.insert(std::minmax(c.i, c.k));
   std::vector<Meeting> meetings;
@@ -100,9 +101,9 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
     const auto first = closest_part(members, a, lines.lines[b][0].segment);
     const auto second = closest_part(members, b, lines.lines[a][0].segment);
     if (!first || !second) continue;
-    meetings.push_back(
-        {*first, *second,
-         junction(lines.stereo, members.lines[*first].seen, members.lines[*second].seen, options)});
+    meetings.push_back({*first, *second,
+                        junction(lines.stereo, members.lines[*first].seen,
+                                 members.lines[*second].seen, sigma_meeting_m)});
   }
   return meetings;
 }
@@ -123,12 +124,15 @@ bool is_determined(const ReconstructedLine& line, const ReconstructOptions& opti
 
 void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
-                     const ReconstructOptions& options,
+                     const EstimationOptions& options,
                      std::vector<std::vector<JointLine>>& by_match) {
-  const Members members = members_of(lines, by_match, options);
-  const std::vector<Meeting> meetings = meetings_of(lines, connections, members, options);
+  const auto& [published, beyond] = options;
+  const Members members = members_of(lines, by_match, beyond);
+  const std::vector<Meeting> meetings =
+      meetings_of(lines, connections, members, published, beyond.sigma_meeting_m);
   const std::vector<AdjustedInNetwork> adjusted =
-      adjust_network(lines.stereo, members.lines, meetings, options);
+      adjust_network(lines.stereo, members.lines, meetings,
+                     {published.lowest_height_m, published.highest_height_m}, beyond);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
@@ -136,8 +140,9 @@ void adjust_together(const StereoLines& lines,
     // with fewer meetings than the points that `joint` rests on, that is the better determined
     if (adjusted[i].n_meetings < std::max(1, static_cast<int>(joint.points.size()))) continue;
     ReconstructedLine line = joint;
-    if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line, options, line) ||
-        !is_determined(line, options)) {
+    if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line,
+                         beyond.max_end_sigma_m, line) ||
+        !is_determined(line, published)) {
       continue;
     }
     line.status = Status::kNetwork;

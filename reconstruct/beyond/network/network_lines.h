@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/beyond/options.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
 #include <span>
@@ -16,7 +17,7 @@ namespace ridgeline::reconstruct {
 /// @param by_match  of each match its line, or its parts
 void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
-                     const ReconstructOptions& options,
+                     const EstimationOptions& options,
                      std::vector<std::vector<JointLine>>& by_match);
 
 }  // namespace ridgeline::reconstruct

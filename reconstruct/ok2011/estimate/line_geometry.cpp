@@ -16,9 +16,9 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
 bool is_extrapolated(const UncertainSegment3& left,
                      const UncertainSegment3& right,
                      double scale_m,
-                     const ReconstructOptions& options) {
+                     double max_end_sigma_m) {
   const double sigma_m = scale_m * largest_sigma_z_m(left.cov);
-  return sigma_m > options.max_end_sigma_m && scale_m * largest_sigma_z_m(right.cov) < sigma_m;
+  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(right.cov) < sigma_m;
 }
 
 }  // namespace
@@ -30,16 +30,16 @@ double largest_sigma_z_m(const Matrix6d& cov_m2) {
 bool assign_geometry(const StereoViews& stereo,
                      const ObservedPair& seen,
                      const UncertainLine3& estimate,
-                     const ReconstructOptions& options,
+                     double max_end_sigma_m,
                      ReconstructedLine& result) {
   const std::array<ConditionedView, 2>& views = stereo.views;
   const auto left = endpoints(estimate, views[0], seen[0], views);
   if (!left) return false;
   const auto right = endpoints(estimate, views[1], seen[1], views);
   const ObjectConditioning& object = stereo.object;
-  result.between_right_ends =
-      right && result.line_class == LineClass::kNotAligned &&
-      (result.between_right_ends || is_extrapolated(*left, *right, object.scale_m, options));
+  result.between_right_ends = right && result.line_class == LineClass::kNotAligned &&
+                              (result.between_right_ends ||
+                               is_extrapolated(*left, *right, object.scale_m, max_end_sigma_m));
   const UncertainSegment3& used = result.between_right_ends ? *right : *left;
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;

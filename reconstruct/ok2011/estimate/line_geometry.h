@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/ok2011/estimate/endpoints.h"
-#include "reconstruct/ok2011/estimate/options.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/views/conditioned_view.h"
 
@@ -12,12 +11,13 @@ namespace ridgeline::reconstruct {
 double largest_sigma_z_m(const Matrix6d& cov_m2);
 
 /// Replaces the result's geometry by the part of the line that is seen between the ends of its left
-/// segment, or of the right one (max_end_sigma_m, or where it was so before); false, and nothing is
+/// segment, or of a not_aligned line whose end is less certain than that (height), where the right ones are more certain,
+/// between these; false, and nothing is
 /// changed, if a camera does not see it.
 bool assign_geometry(const StereoViews& stereo,
                      const ObservedPair& seen,
                      const UncertainLine3& estimate,
-                     const ReconstructOptions& options,
+                     double max_end_sigma_m,
                      ReconstructedLine& result);
 
 }  // namespace ridgeline::reconstruct

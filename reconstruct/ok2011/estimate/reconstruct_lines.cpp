@@ -40,13 +40,13 @@ Segment2 in_image(const ConditionedView& view, const ObservedLine& observed) {
 
 void reconstruct_direct(const StereoLines& lines,
                         const ObservedPair& line,
-                        const ReconstructOptions& options,
+                        double max_end_sigma_m,
                         ReconstructedLine& result) {
   for (std::size_t j = 0; j < 2; ++j) {
     result.seen_px[j] = in_image(lines.stereo.views[j], line[j]);
   }
   const auto estimate = intersection(line[0].plane, line[1].plane);
-  if (!estimate || !assign_geometry(lines.stereo, line, *estimate, options, result)) return;
+  if (!estimate || !assign_geometry(lines.stereo, line, *estimate, max_end_sigma_m, result)) return;
   result.status = Status::kDirect;
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
 }
@@ -82,7 +82,7 @@ void give_up(Status why, ReconstructedLine& result) {
 /// Takes the result of `direct` over and replaces it where there is anything to rest on.
 void reconstruct_joint(const StereoLines& lines,
                        const LineSupport& support,
-                       const ReconstructOptions& options,
+                       double max_end_sigma_m,
                        ReconstructedLine& result) {
   if (support.ambiguous) return give_up(Status::kAmbiguousDepth, result);
   if (support.points.empty() && support.ends.empty()) {
@@ -96,7 +96,8 @@ void reconstruct_joint(const StereoLines& lines,
   }
   const std::array<UncertainPlane3, 2> planes{support.seen[0].plane, support.seen[1].plane};
   const auto adjusted = adjust_line(planes, points, support.sigma_slope);
-  if (!adjusted || !assign_geometry(lines.stereo, support.seen, adjusted->line, options, result)) {
+  if (!adjusted ||
+      !assign_geometry(lines.stereo, support.seen, adjusted->line, max_end_sigma_m, result)) {
     return give_up(Status::kNoIntersection, result);
   }
   result.status = joint_status(*adjusted, support);
@@ -107,16 +108,16 @@ void reconstruct_joint(const StereoLines& lines,
 /// The lines of an aligned match; `direct` is its one line by that method.
 std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
                                            const std::vector<LineSupport>& parts,
-                                           const ReconstructOptions& options,
+                                           double max_end_sigma_m,
                                            const ReconstructedLine& direct) {
   std::vector<JointLine> results;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     JointLine& result = results.emplace_back(JointLine{direct, parts[p]});
     if (parts.size() > 1) {
       result.line.part = static_cast<int>(p) + 1;
-      reconstruct_direct(lines, parts[p].seen, options, result.line);
+      reconstruct_direct(lines, parts[p].seen, max_end_sigma_m, result.line);
     }
-    reconstruct_joint(lines, parts[p], options, result.line);
+    reconstruct_joint(lines, parts[p], max_end_sigma_m, result.line);
   }
   return results;
 }
@@ -182,13 +183,14 @@ const char* name(Status status) {
 std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
                                             std::span<const ObservedPair> observed,
                                             std::span<const LineMatch> matches,
-                                            const ReconstructOptions& options) {
+                                            const ReconstructOptions& options,
+                                            double max_end_sigma_m) {
   std::vector<ReconstructedLine> results(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     ReconstructedLine& result = results[i];
     result.match = matches[i];
     classify(lines, i, options, result);
-    reconstruct_direct(lines, observed[i], options, result);
+    reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
   });
   return results;
 }
@@ -223,7 +225,8 @@ std::vector<ReconstructedLine> reconstruct_lines(
   const std::vector<ObservedPair> observed =
       stereo_lines(cameras, extracted, registered, matches, options.line_covariance).lines;
 
-  std::vector<ReconstructedLine> results = direct_lines(lines, observed, matches, options);
+  std::vector<ReconstructedLine> results =
+      direct_lines(lines, observed, matches, options, beyond.max_end_sigma_m);
   if (options.method == Method::kDirect) return results;
 
   SupportOfMatch support = [&](std::size_t, const ObservedPair& line, const Segment2&,
@@ -231,7 +234,8 @@ std::vector<ReconstructedLine> reconstruct_lines(
     return std::vector{published_support(lines, line, mates, options)};
   };
   if (beyond.support) {
-    support = beyond.support(lines, direct_lines(lines, lines.lines, matches, options));
+    support = beyond.support(
+        lines, direct_lines(lines, lines.lines, matches, options, beyond.max_end_sigma_m));
   }
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
@@ -243,7 +247,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
     }
     const std::vector<LineSupport> parts =
         support(i, observed[i], results[i].seen_px[0], neighbours[i]);
-    by_match[i] = reconstruct_aligned(lines, parts, options, results[i]);
+    by_match[i] = reconstruct_aligned(lines, parts, beyond.max_end_sigma_m, results[i]);
   });
   if (options.method == Method::kNetwork) {
     beyond.network(stereo_lines(cameras, extracted, registered, matches, LineCovariance::kCentroid),

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -65,7 +66,7 @@ struct ReconstructedLine {
   std::array<Segment2, 2> seen_px;              ///< the line in the left and the right image
   double epipolar_angle_rad = 0.0;              ///< the smaller one of both images
   std::array<double, 2> epipolar_angles_rad{};  ///< left, right
-  /// m; ends seen at those of the left segment, or of the right one (max_end_sigma_m).
+  /// m; ends seen at those of the left segment, or of the right one (EstimateExtensions).
   std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
   std::optional<Segment3> right_segment_in_local;  ///< the same line between the right ends
@@ -92,6 +93,8 @@ using SupportOfMatch = std::function<std::vector<LineSupport>(std::size_t match,
 
 /// Where what goes beyond the paper enters the estimation. Each may be empty.
 struct EstimateExtensions {
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right segment.
+  double max_end_sigma_m = std::numeric_limits<double>::infinity();
   /// What aligned lines rest on in place of published_support(), given all lines and those by `direct`.
   std::function<SupportOfMatch(const StereoLines& lines, std::span<const ReconstructedLine> direct)>
       support;
@@ -106,7 +109,8 @@ struct EstimateExtensions {
 std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
                                             std::span<const ObservedPair> observed,
                                             std::span<const LineMatch> matches,
-                                            const ReconstructOptions& options);
+                                            const ReconstructOptions& options,
+                                            double max_end_sigma_m);
 
 /// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order
 /// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with

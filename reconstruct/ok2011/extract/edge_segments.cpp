@@ -26,25 +26,11 @@ bool map_points(std::span<Eigen::Vector2d> points, const PixelMap& ideal_from_im
   return true;
 }
 
-RegressionLine line_of(const std::optional<Segment2>& segment,
-                       std::span<const Eigen::Vector2d> points) {
-  return segment ? fixed_line(*segment, points) : regression_line(points);
-}
-
-std::optional<EdgeLines> lines_of(const DetectedEdge& edge, const PixelMap& ideal_from_image) {
-  std::vector<Eigen::Vector2d> points = positions(edge.trace);
-  EdgeLines lines{&edge.trace, line_of(edge.segment, points), {}};
-  if (!ideal_from_image) {
-    lines.ideal = lines.in_image;
-    return lines;
-  }
-  std::optional<Segment2> segment = edge.segment;
-  if (!map_points(points, ideal_from_image)) return std::nullopt;
-  if (segment && (!map_points({&segment->start, 1}, ideal_from_image) ||
-                  !map_points({&segment->end, 1}, ideal_from_image))) {
-    return std::nullopt;
-  }
-  lines.ideal = line_of(segment, points);
+std::optional<EdgeLines> lines_of(const EdgeTrace& edge, const PixelMap& ideal_from_image) {
+  std::vector<Eigen::Vector2d> points = positions(edge);
+  EdgeLines lines{&edge, regression_line(points), {}};
+  if (ideal_from_image && !map_points(points, ideal_from_image)) return std::nullopt;
+  lines.ideal = ideal_from_image ? regression_line(points) : lines.in_image;
   return lines;
 }
 
@@ -79,7 +65,7 @@ EdgeSegment segment_of(const EdgeLines& lines,
 
 }  // namespace
 
-std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
+std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& edges,
                                        const cv::Mat& image,
                                        const PixelMap& ideal_from_image,
                                        const ExtractOptions& options) {

@@ -15,16 +15,9 @@ namespace ridgeline::reconstruct {
 /// the distortion is known. Empty: they are the same.
 using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
-/// An edge as a detector found it.
-struct DetectedEdge {
-  EdgeTrace trace;
-  /// The detector's own line, in pixels of the file; else it is the regression line of the trace.
-  std::optional<Segment2> segment;
-};
-
 /// The segments of edges: lines in the pixels of the file and in ideal pixels, their uncertainty,
 /// flanks, contrast and direction. Edges of which a part has no ideal pixel are left out.
-std::vector<EdgeSegment> edge_segments(const std::vector<DetectedEdge>& edges,
+std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& edges,
                                        const cv::Mat& image,
                                        const PixelMap& ideal_from_image,
                                        const ExtractOptions& options);

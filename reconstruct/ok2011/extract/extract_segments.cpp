@@ -75,54 +75,28 @@ std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptio
   return parts;
 }
 
-/// One trace per edge, beside those that are known.
-std::vector<DetectedEdge> traced_edges(const std::vector<Points>& pieces,
-                                       const GradientImage& image,
-                                       std::span<const DetectedEdge> known,
-                                       const ExtractOptions& options) {
-  LineTracer tracer(image, options);
-  for (const DetectedEdge& edge : known) tracer.claim(edge.trace);
-  std::vector<DetectedEdge> edges;
-  for (const Points& piece : pieces) {
+}  // namespace
+
+std::vector<EdgeTrace> edge_traces(const cv::Mat& image,
+                                   const ExtractOptions& options,
+                                   std::span<const EdgeTrace> known) {
+  const GradientImage gradient = gradient_image(image, options);
+  LineTracer tracer(gradient, options);
+  for (const EdgeTrace& edge : known) tracer.claim(edge);
+  std::vector<EdgeTrace> edges;
+  for (const Points& piece : detected_pieces(image, gradient.noise, options)) {
     const auto trace = tracer.trace(piece);
     if (!trace) continue;
     for (EdgeTrace& part : straight_parts(*trace, options)) {
       const Eigen::Vector2d chord = part.back().position_px - part.front().position_px;
       if (chord.norm() < options.min_length_px) continue;
-      if (significance(part, image.noise) < options.min_significance) continue;
+      if (significance(part, gradient.noise) < options.min_significance) continue;
       tracer.claim(part);
-      edges.push_back({std::move(part), std::nullopt});
+      edges.push_back(std::move(part));
     }
   }
   return edges;
 }
-
-std::vector<DetectedEdge> edges_beside(std::span<const DetectedEdge> known,
-                                       const cv::Mat& image,
-                                       const ExtractOptions& options) {
-  const GradientImage gradient = gradient_image(image, options);
-  return traced_edges(detected_pieces(image, gradient.noise, options), gradient, known, options);
-}
-
-/// Of a second look: more smoothing, which leaves nothing for the diffusion to do.
-ExtractOptions for_faint_edges(ExtractOptions options) {
-  options.gradient_sigma_px = options.faint_gradient_sigma_px;
-  options.min_length_px = std::max(options.min_length_px, options.faint_min_length_px);
-  options.diffusion_levels = 0;
-  return options;
-}
-
-std::vector<DetectedEdge> detected_edges(const cv::Mat& image, const ExtractOptions& options) {
-  std::vector<DetectedEdge> edges = edges_beside({}, image, options);
-  if (options.faint_edges) {
-    std::vector<DetectedEdge> faint = edges_beside(edges, image, for_faint_edges(options));
-    edges.insert(edges.end(), std::make_move_iterator(faint.begin()),
-                 std::make_move_iterator(faint.end()));
-  }
-  return edges;
-}
-
-}  // namespace
 
 std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
                                           const PixelMap& ideal_from_image,
@@ -131,7 +105,7 @@ std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
   check(!image.empty() && image.depth() == CV_32F && image.channels() <= 4,
         "extract_segments: the image must have 1 to 4 bands of float");
   validate(options);
-  std::vector<DetectedEdge> edges = detected_edges(image, options);
+  std::vector<EdgeTrace> edges = edge_traces(image, options);
   if (refine) edges = refine(std::move(edges), image);
   return edge_segments(edges, image, ideal_from_image, options);
 }

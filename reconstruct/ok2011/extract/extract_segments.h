@@ -8,15 +8,21 @@
 #include <opencv2/core/mat.hpp>
 
 #include <functional>
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
 
+/// The straight edges of an image, the longest first, beside those that are known already.
+/// `image`: CV_32FC(n) of normalised_image(), n = 1..4, not empty.
+std::vector<EdgeTrace> edge_traces(const cv::Mat& image,
+                                   const ExtractOptions& options,
+                                   std::span<const EdgeTrace> known = {});
+
 /// Changes detected edges before segments are made of them; where what goes beyond the paper enters. Of the image as it
 /// was seen.
 using EdgeRefinement =
-    std::function<std::vector<DetectedEdge>(std::vector<DetectedEdge>, const cv::Mat& image)>;
+    std::function<std::vector<EdgeTrace>(std::vector<EdgeTrace>, const cv::Mat& image)>;
 
 /// The straight edges of an image with their uncertainty (Ok et al. 2011, section 2), in a
 /// fixed order. An image without texture has none.

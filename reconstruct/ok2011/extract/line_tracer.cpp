@@ -162,14 +162,6 @@ std::optional<EdgeTrace> LineTracer::trace(std::span<const Eigen::Vector2d> poin
   return found;
 }
 
-EdgeTrace LineTracer::along(const Segment2& segment) const {
-  if (!(length(segment) > 0.0)) return {};
-  const std::array<Eigen::Vector2d, 2> ends{segment.start, segment.end};
-  const Line line(principal_axes(ends));
-  const auto [first, last] = std::minmax({line.step_of(segment.start), line.step_of(segment.end)});
-  return samples_between(line, first, last);
-}
-
 void LineTracer::claim(const EdgeTrace& trace) {
   const cv::Rect inside({0, 0}, claimed_.size());
   for (const EdgeSample& sample : trace) {

@@ -38,10 +38,6 @@ class LineTracer {
 
   void claim(const EdgeTrace& trace);
 
-  /// Where the edge crosses the rows or columns between the ends of a given segment, claimed or
-  /// not. Empty for a segment without length.
-  [[nodiscard]] EdgeTrace along(const Segment2& segment) const;
-
  private:
   struct Line;
 

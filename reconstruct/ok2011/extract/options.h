@@ -10,24 +10,16 @@ namespace ridgeline::reconstruct {
 /// Strengths are multiples of the local noise: the typical strength of the gradient where there is
 /// no edge (NoiseGrid).
 struct ExtractOptions {
-  int diffusion_levels = 3;        ///< of the non-linear diffusion before detection; 0: none
-  double diffusion_lambda = 2.0;   ///< edges this much stronger than the noise stop it
-  double gradient_sigma_px = 0.8;  ///< more loses close edges, less is noisier
-  /// A second look where the first one found nothing: ridges and hips between faces of nearly the
-  /// same colour.
-  bool faint_edges = true;
-  double faint_gradient_sigma_px = 1.6;
-  double faint_min_length_px = 25.0;   ///< shorter ones are mostly texture
-  double low_noise_factor = 1.0;       ///< of a pixel of an edge
-  double high_noise_factor = 2.0;      ///< of the strongest pixel of an edge
-  double max_lambda_min_px2 = 0.15;    ///< straightness: variance across the line
-  double max_deviation_px = 1.0;       ///< straightness: largest distance from the line
-  double min_bend_px = 0.2;            ///< an edge is cut where two lines fit better by this
-  bool junction_cuts = true;           ///< cut edges where another one ends on them or crosses
-  double min_junction_bend_px = 0.05;  ///< such a cut stays if two lines fit better by this
-  double max_gap_px = 10.0;            ///< an edge that continues beyond is the same
+  int diffusion_levels = 3;          ///< of the non-linear diffusion before detection; 0: none
+  double diffusion_lambda = 2.0;     ///< edges this much stronger than the noise stop it
+  double gradient_sigma_px = 0.8;    ///< more loses close edges, less is noisier
+  double low_noise_factor = 1.0;     ///< of a pixel of an edge
+  double high_noise_factor = 2.0;    ///< of the strongest pixel of an edge
+  double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
+  double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
+  double min_bend_px = 0.2;          ///< an edge is cut where two lines fit better by this
+  double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
   double min_length_px = 10.0;
-  bool separate_edges = true;  ///< resolve edges that blur into one
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
   /// edge must be strong, a faint one long. Chance alignments in texture are neither.
   double min_significance = 10.0;
@@ -46,12 +38,6 @@ struct ExtractOptions {
               "edges this many times as strong as the noise stop the diffusion"},
         Field{"gradient_sigma_px", &O::gradient_sigma_px, 0.5, 5.0,
               "smoothing of the colour gradient"},
-        Field{"faint_edges", &O::faint_edges, false, true,
-              "look again with more smoothing, for edges too faint for the first look"},
-        Field{"faint_gradient_sigma_px", &O::faint_gradient_sigma_px, 0.5, 5.0,
-              "smoothing of the colour gradient in the second look"},
-        Field{"faint_min_length_px", &O::faint_min_length_px, 3.0, 1e5,
-              "shorter segments of the second look are dropped"},
         Field{"low_noise_factor", &O::low_noise_factor, 0.0, 1e3,
               "edge pixels are this many times as strong as the noise"},
         Field{"high_noise_factor", &O::high_noise_factor, 0.0, 1e3,
@@ -62,15 +48,9 @@ struct ExtractOptions {
               "straightness: largest distance of an edge pixel from the line"},
         Field{"min_bend_px", &O::min_bend_px, 0.0, 100.0,
               "an edge is cut where two lines fit better than one by this, root mean square"},
-        Field{"junction_cuts", &O::junction_cuts, false, true,
-              "cut an edge where another one ends on it or crosses it"},
-        Field{"min_junction_bend_px", &O::min_junction_bend_px, 0.0, 100.0,
-              "the same where another edge ends on it"},
         Field{"max_gap_px", &O::max_gap_px, 0.0, 1e3,
               "an edge that continues beyond a gap up to this is one segment"},
         Field{"min_length_px", &O::min_length_px, 3.0, 1e5, "shorter segments are dropped"},
-        Field{"separate_edges", &O::separate_edges, false, true,
-              "resolve two edges within about two pixels that blur into one"},
         Field{"min_significance", &O::min_significance, 0.0, 1e6,
               "strength over noise times the root of the edge pixels; weaker ones are dropped"},
         Field{"systematic_across_px", &O::systematic_across_px, 0.0, 10.0,

@@ -84,24 +84,6 @@ RegressionLine regression_line(std::span<const Eigen::Vector2d> points) {
   return line;
 }
 
-RegressionLine fixed_line(const Segment2& segment, std::span<const Eigen::Vector2d> points) {
-  const double half_length = 0.5 * length(segment);
-  RegressionLine line{.centroid = midpoint(segment),
-                      .along = (segment.end - segment.start).normalized(),
-                      .residual_px = {},
-                      .weight = std::vector<double>(points.size(), 1.0)};
-  const Eigen::Vector2d normal(-line.along.y(), line.along.x());
-  for (const Eigen::Vector2d& x : points) {
-    line.residual_px.push_back(normal.dot(x - line.centroid));
-  }
-  line.sum_weights = std::max(1.0, static_cast<double>(points.size()));
-  line.sum_weights_t2 = line.sum_weights * half_length * half_length / 3.0;
-  line.rms_px = std::sqrt(squares(line) / line.sum_weights);
-  line.first = -half_length;
-  line.last = half_length;
-  return line;
-}
-
 namespace {
 
 constexpr std::size_t kMinForStatistics = 30;

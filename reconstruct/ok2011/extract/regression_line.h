@@ -27,10 +27,6 @@ struct RegressionLine {
 /// a corner an edge bends towards the inside. Needs three points that are not all the same.
 RegressionLine regression_line(std::span<const Eigen::Vector2d> points);
 
-/// The given segment as if it were the regression line of points near it: residuals from the
-/// segment, all weights 1.
-RegressionLine fixed_line(const Segment2& segment, std::span<const Eigen::Vector2d> points);
-
 /// Variance of a point across the line from the residuals, if n points are n / correlation
 /// independent ones.
 double variance_px2(const RegressionLine& line, double correlation);

@@ -25,11 +25,8 @@ std::vector<Partner> partners_within(double radius_px,
                                      const SegmentIndex& index,
                                      double min_angle_rad) {
   const Segment2& own = segments[segment];
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius_px);
-  const Eigen::AlignedBox2d box(own.start.cwiseMin(own.end) - reach,
-                                own.start.cwiseMax(own.end) + reach);
   std::vector<Partner> partners;
-  for (const int other : index.in_box(box)) {
+  for (const int other : index.near(own, radius_px)) {
     if (other == segment) continue;
     const Segment2& mate = segments[other];
     if (distance(own, mate) > radius_px) continue;
@@ -65,17 +62,6 @@ std::vector<Partner> partners_of(int segment,
 }
 
 }  // namespace
-
-std::optional<Eigen::Vector2d> intersection(const Segment2& a,
-                                            const Segment2& b,
-                                            double min_angle_rad) {
-  const Eigen::Vector2d u = a.end - a.start;
-  const Eigen::Vector2d v = b.end - b.start;
-  if (acute_angle_rad(u, v) <= min_angle_rad) return std::nullopt;
-  const Eigen::Vector2d w = b.start - a.start;
-  const double t = (w.x() * v.y() - w.y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
-  return a.start + t * u;
-}
 
 std::vector<BasePair> base_pairs(std::span<const Segment2> segments, const MatchOptions& options) {
   const SegmentIndex index(segments);

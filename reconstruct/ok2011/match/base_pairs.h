@@ -20,11 +20,6 @@ struct BasePair {
   friend auto operator<=>(const BasePair&, const BasePair&) = default;
 };
 
-/// Where the lines of two segments meet; nothing for an acute angle up to `min_angle_rad`.
-std::optional<Eigen::Vector2d> intersection(const Segment2& a,
-                                            const Segment2& b,
-                                            double min_angle_rad);
-
 /// The reference pairs of an image (Ok et al. 2011, section 2), in ascending order: acute angle above
 /// min_pair_angle_deg, distance of the segments and of their intersection from both within a
 /// radius. The radius grows per segment until it has min_partners, so that isolated lines find

@@ -16,7 +16,6 @@ namespace {
 constexpr double kAngleSigma_rad = 5.0 * M_PI / 180.0;
 constexpr double kDirectionSigma_rad = 8.0 * M_PI / 180.0;
 constexpr double kExtentLogSigma = 0.15;
-constexpr double kColourScale = 0.08;  // of the range of grey values
 
 double gaussian(double residual, double sigma) {
   return std::exp(-0.5 * (residual / sigma) * (residual / sigma));
@@ -40,28 +39,6 @@ double mean_end_distance(const PairShape& pair) {
          ((pair.first.start - pair.second.start).norm() +
           (pair.first.start - pair.second.end).norm() +
           (pair.first.end - pair.second.start).norm() + (pair.first.end - pair.second.end).norm());
-}
-
-Colour difference(const Colour& a, const Colour& b) {
-  Colour d{};
-  for (int band = 0; band < kMaxBands; ++band) d[band] = a[band] - b[band];
-  return d;
-}
-
-double norm(const Colour& c) {
-  double squared = 0.0;
-  for (const float value : c) squared += static_cast<double>(value) * value;
-  return std::sqrt(squared);
-}
-
-/// Colours of a right segment's flanks on the sides of the left segment's direction.
-struct Sides {
-  Colour left, right;
-};
-Sides mapped_sides(const EdgeSegment& right, bool reversed, const Radiometry& radiometry) {
-  const auto [on_left, on_right] = mate_flanks(right, reversed);
-  return {radiometry.left_from_right(on_left->colour),
-          radiometry.left_from_right(on_right->colour)};
 }
 
 }  // namespace
@@ -116,28 +93,6 @@ std::optional<double> extent_similarity(const PairShape& left,
   const double a = (length(left.first) + length(left.second)) / mean_end_distance(left);
   const double b = (length(right.first) + length(right.second)) / mean_end_distance(right);
   return gaussian(std::log(a / b), spread * kExtentLogSigma);
-}
-
-std::optional<double> colour_similarity(const EdgeSegment& left,
-                                        const EdgeSegment& right,
-                                        bool reversed,
-                                        const Radiometry& radiometry) {
-  const Sides mate = mapped_sides(right, reversed, radiometry);
-  const double smallest = std::min(norm(difference(left.left.colour, mate.left)),
-                                   norm(difference(left.right.colour, mate.right)));
-  return gaussian(smallest, kColourScale);
-}
-
-std::optional<double> contrast_similarity(const EdgeSegment& left,
-                                          const EdgeSegment& right,
-                                          bool reversed,
-                                          const Radiometry& radiometry) {
-  const Sides mate = mapped_sides(right, reversed, radiometry);
-  const Colour step = difference(left.right.colour, left.left.colour);
-  const Colour mate_step = difference(mate.right, mate.left);
-  const double both = norm(step) + norm(mate_step);
-  if (!(both > 0.0)) return std::nullopt;
-  return 1.0 - norm(difference(step, mate_step)) / both;
 }
 
 }  // namespace ridgeline::reconstruct

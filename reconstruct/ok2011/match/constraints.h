@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/geometry/edge_segment.h"
-#include "reconstruct/views/edge_look.h"
+#include "reconstruct/views/line_similarity.h"
 
 #include <Eigen/Core>
 
@@ -55,19 +55,7 @@ std::optional<double> extent_similarity(const PairShape& left,
                                         const PairShape& right,
                                         double spread = 1.0);
 
-/// 5: colours beside one line: of the side that changes less, since occlusion changes the other.
-/// `reversed`: the right segment runs against the left one, so that its flanks change sides.
-std::optional<double> colour_similarity(const EdgeSegment& left,
-                                        const EdgeSegment& right,
-                                        bool reversed,
-                                        const Radiometry& radiometry);
-
-/// 6: the colour step across one line, direction and size: 1 - |c - c'| / (|c| + |c'|). Absent
-/// without a step in both images.
-std::optional<double> contrast_similarity(const EdgeSegment& left,
-                                          const EdgeSegment& right,
-                                          bool reversed,
-                                          const Radiometry& radiometry);
+/// 5 and 6, of one line: colour_similarity() and contrast_similarity() of views/line_similarity.h.
 
 /// The image content spanned by a pair on the grid of the pair's own affine frame: origin the
 /// intersection point, axes along the segments.

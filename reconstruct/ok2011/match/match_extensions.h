@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/candidates.h"
 #include "reconstruct/views/match_view.h"
 
 #include <functional>

@@ -26,6 +26,7 @@ MatchResult match_pairwise(const MatchView& left,
                            const MatchView& right,
                            const std::array<double, 2>& height_range_in_local_m,
                            const MatchOptions& options,
+                           const CandidateOptions& candidate_options,
                            const MatchExtensions& beyond) {
   validate(options);
   check_images(left, right);
@@ -33,7 +34,7 @@ MatchResult match_pairwise(const MatchView& left,
   Radiometry radiometry = relative_radiometry(left.segments, right.segments);
   if (beyond.radiometry) radiometry = beyond.radiometry(left, right, search, radiometry);
   std::vector<std::vector<Candidate>> candidates =
-      match_candidates(left, right, search, radiometry, options, beyond.look);
+      match_candidates(left, right, search, radiometry, candidate_options, beyond.look);
   if (beyond.candidates) beyond.candidates(left, right, search, radiometry, candidates);
   const LocalTransfer transfer =
       local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});

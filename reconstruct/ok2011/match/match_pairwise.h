@@ -44,6 +44,7 @@ MatchResult match_pairwise(const MatchView& left,
                            const MatchView& right,
                            const std::array<double, 2>& height_range_in_local_m,
                            const MatchOptions& options = {},
+                           const CandidateOptions& candidate_options = {},
                            const MatchExtensions& beyond = {});
 
 }  // namespace ridgeline::reconstruct

@@ -9,14 +9,6 @@ namespace ridgeline::reconstruct {
 
 /// Pair-wise matching. Ok et al. 2011 name the steps but publish no numbers: the defaults are ours.
 struct MatchOptions {
-  /// Below this angle to the epipolar line end points are not transferred by geometry.
-  double min_epipolar_angle_deg = 5.0;
-  double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
-  double max_slope_deg = 50.0;  ///< of a roof; where it implies more, a match is wrong
-  double epipolar_tolerance_px = 2.0;  ///< of near-aligned segments to each other's epipolar band
-  double min_overlap = 0.3;            ///< of the shorter segment, in the epipolar overlap
-  int max_candidates = 8;              ///< per segment, by the look of the single line
-
   double first_pair_radius_px = 30.0;  ///< grows until a segment has min_partners
   double max_pair_radius_px = 150.0;
   int min_partners = 3;
@@ -26,14 +18,6 @@ struct MatchOptions {
   /// proportion to it.
   double max_pair_turn_deg = 15.0;
   double max_pair_epipolar_px = 5.0;
-
-  /// Beyond the paper: the radiometry of the pair from surfaces that both images show (matched_radiometry()).
-  bool matched_radiometry = true;
-  /// Beyond the paper: the edges of a narrow strip keep their order (keep_order_of_close_lines()).
-  bool close_lines = true;
-  /// Beyond the paper: walls that one camera alone sees are left out of the comparison (look_past_wall(),
-  /// compare_across_hidden_strips()).
-  bool hidden_walls = true;
 
   double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best mate
   /// Of a match against its rivals, to be kept; 0.9 if a segment is shorter than 12 px, 0.6 if it is
@@ -45,17 +29,6 @@ struct MatchOptions {
   static constexpr auto fields() {
     using O = MatchOptions;
     return std::tuple{
-        Field{"min_epipolar_angle_deg", &O::min_epipolar_angle_deg, 0.1, 45.0,
-              "below this angle to the epipolar line the look decides what corresponds"},
-        Field{"max_turn_deg", &O::max_turn_deg, 0.0, 90.0,
-              "largest difference of direction of two matched segments"},
-        Field{"max_slope_deg", &O::max_slope_deg, 0.0, 89.9,
-              "largest slope of a line in object space; 89.9 for edges of walls too"},
-        Field{"epipolar_tolerance_px", &O::epipolar_tolerance_px, 0.0, 100.0,
-              "of near-aligned segments to each other's epipolar band"},
-        Field{"min_overlap", &O::min_overlap, 0.0, 1.0,
-              "epipolar overlap of two segments, share of the shorter one"},
-        Field{"max_candidates", &O::max_candidates, 1, 100, "candidates kept per segment"},
         Field{"first_pair_radius_px", &O::first_pair_radius_px, 1.0, 1e4,
               "search radius of line pairs to start with"},
         Field{"max_pair_radius_px", &O::max_pair_radius_px, 1.0, 1e4,
@@ -70,12 +43,6 @@ struct MatchOptions {
               "ratio of 0.26, in proportion"},
         Field{"max_pair_epipolar_px", &O::max_pair_epipolar_px, 0.0, 100.0,
               "largest distance of a pair's intersection point from its epipolar line"},
-        Field{"matched_radiometry", &O::matched_radiometry, false, true,
-              "gain and offset of the images from surfaces that both show"},
-        Field{"close_lines", &O::close_lines, false, true,
-              "the two edges of a narrow strip keep their order"},
-        Field{"hidden_walls", &O::hidden_walls, false, true,
-              "compare across walls that one camera alone sees"},
         Field{"max_distance_ratio", &O::max_distance_ratio, 0.0, 1.0,
               "next to best mate of a line, by probability; above it the line is ambiguous"},
         Field{"min_probability", &O::min_probability, 0.0, 1.0,

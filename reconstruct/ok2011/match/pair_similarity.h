@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/ok2011/match/base_pairs.h"
-#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/candidates.h"
 
 #include <array>
 #include <optional>

@@ -66,14 +66,6 @@ Neighbour closest(const Segment2& own, int other, const Segment2& segment) {
   return best;
 }
 
-bool disjoint(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
-  const auto [a_low, a_high] = std::minmax(a[0], a[1]);
-  const auto [b_low, b_high] = std::minmax(b[0], b[1]);
-  const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
-  return common <= kShared * std::min(a_high - a_low, b_high - b_low);
-}
-
 void add_row_rivals(Network& network, const MatchView& right) {
   for (std::size_t i = 0; i + 1 < network.first.size(); ++i) {
     for (Flat a = network.first[i]; a < network.first[i + 1]; ++a) {
@@ -127,10 +119,8 @@ std::vector<Neighbour> neighbours_of(int segment,
   constexpr double kReach_px = 60.0;
   constexpr std::size_t kMost = 12;
   const Segment2& own = segments[segment];
-  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kReach_px);
   std::vector<Neighbour> neighbours;
-  for (const int other : index.in_box(Eigen::AlignedBox2d(own.start.cwiseMin(own.end) - reach,
-                                                          own.start.cwiseMax(own.end) + reach))) {
+  for (const int other : index.near(own, kReach_px)) {
     if (other == segment) continue;
     const Neighbour neighbour = closest(own, other, segments[other]);
     if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
@@ -241,38 +231,6 @@ double strength(const Candidate& candidate, const Support& support) {
 }
 
 }  // namespace
-
-bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px) {
-  const std::array<Eigen::Vector2d, 4> ends{a.start, a.end, b.start, b.end};
-  Segment2 whole = a;
-  for (const Eigen::Vector2d& from : ends) {
-    for (const Eigen::Vector2d& to : ends) {
-      if ((to - from).squaredNorm() > (whole.end - whole.start).squaredNorm()) whole = {from, to};
-    }
-  }
-  const Eigen::Vector2d along = (whole.end - whole.start).normalized();
-  return std::all_of(ends.begin(), ends.end(), [&](const Eigen::Vector2d& x) {
-    const Eigen::Vector2d w = x - whole.start;
-    return std::abs(along.x() * w.y() - along.y() * w.x()) <= tolerance_px;
-  });
-}
-
-bool may_share_mate(const Segment2& a,
-                    const EpipolarOverlap& a_overlap,
-                    const Segment2& b,
-                    const EpipolarOverlap& b_overlap) {
-  return are_fragments(a, b) && disjoint(a_overlap.on_right, b_overlap.on_right);
-}
-
-bool may_be_mates_of_one(const Segment2& a,
-                         const EpipolarOverlap& a_overlap,
-                         const Segment2& b,
-                         const EpipolarOverlap& b_overlap) {
-  // windows run along the eave above them, in a wall of a few pixels
-  constexpr double kTolerance_px = 1.0;
-  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b, kTolerance_px) &&
-         disjoint(a_overlap.on_left, b_overlap.on_left);
-}
 
 Supports similarity_votes(const MatchView& left,
                           const MatchView& right,

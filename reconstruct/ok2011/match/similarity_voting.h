@@ -38,23 +38,4 @@ Supports similarity_votes(const MatchView& left,
                           std::span<const PairMatch> pairs,
                           const LocalTransfer& transfer);
 
-/// Whether two segments of an image are parts of one straight edge: all their ends within the
-/// tolerance of the line between the two that are farthest apart.
-bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px = 1.5);
-
-/// Whether two left segments may have the same mate: fragments of one edge, each with a part of the
-/// mate of its own.
-bool may_share_mate(const Segment2& a,
-                    const EpipolarOverlap& a_overlap,
-                    const Segment2& b,
-                    const EpipolarOverlap& b_overlap);
-
-/// Whether two right segments may be mates of the same left one: fragments of one edge to a pixel,
-/// each with a part of the left segment of its own. Never of near-aligned segments: the parts of these are guessed
-/// from their look.
-bool may_be_mates_of_one(const Segment2& a,
-                         const EpipolarOverlap& a_overlap,
-                         const Segment2& b,
-                         const EpipolarOverlap& b_overlap);
-
 }  // namespace ridgeline::reconstruct

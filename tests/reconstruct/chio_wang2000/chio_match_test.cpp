@@ -82,11 +82,5 @@ TEST_F(ChioMatch, RefusesOptionsAndImagesThatAreNone) {
   EXPECT_THROW(match(), std::invalid_argument);
 }
 
-TEST_F(ChioMatch, PropagatesFromNothingNothing) {
-  const ChioResult result = propagate_heights(pair_.views[0], pair_.views[1], pair_.heights_m, {});
-  EXPECT_TRUE(result.lines.empty());
-  EXPECT_EQ(result.outcomes.size(), pair_.views[0].segments.size());
-}
-
 }  // namespace
 }  // namespace ridgeline::reconstruct

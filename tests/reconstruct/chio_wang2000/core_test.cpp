@@ -27,7 +27,7 @@ class Core : public testing::Test {
   [[nodiscard]] CoreCandidates candidates(const ChioOptions& options) const {
     const StereoSearch search(pair_.views[0].image_from_local, pair_.views[1].image_from_local,
                               pair_.heights_m);
-    MatchOptions wide;
+    CandidateOptions wide;
     wide.max_slope_deg = 85.0;
     wide.max_turn_deg = 80.0;
     return core_candidates(pair_.views[0], pair_.views[1], search, options, wide).front();
@@ -52,10 +52,10 @@ TEST_F(Core, RejectsWithTheReason) {
   ChioOptions options;
   options.min_pieces = 500;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kFewPieces);
-  options = published_chio_options();
+  options = ChioOptions{.paper = true};
   options.max_rate_sigma = 0.001;  // the painted edge is ragged
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kUneven);
-  options = published_chio_options();
+  options = ChioOptions{.paper = true};
   options.max_flank_difference = 0.0;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kFlank);
 }
@@ -69,7 +69,7 @@ TEST_F(Core, RejectsASteepLineAndATurnedOne) {
   };
   pair_.add_segment(1, {along_ray(eave_.start, 2.0), along_ray(eave_.end, 16.0)});
   ChioOptions options;
-  EXPECT_EQ(candidates(published_chio_options()).reason, ChioOutcome::kAzimuth);
+  EXPECT_EQ(candidates(ChioOptions{.paper = true}).reason, ChioOutcome::kAzimuth);
   options.max_azimuth_deg = 90.0;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kSteep);
 }

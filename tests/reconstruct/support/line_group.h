@@ -10,6 +10,11 @@
 
 namespace ridgeline::test {
 
+/// Ok et al. 2011 without what goes beyond it.
+inline reconstruct::EstimationOptions published() {
+  return {{}, reconstruct::EstimateExtensionOptions::none()};
+}
+
 /// The input of reconstruct_lines() with its truth: match i is segment i of both images.
 struct LineGroup {
   StereoScene scene;
@@ -19,11 +24,11 @@ struct LineGroup {
   std::vector<PairConnection> connections;
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
-      const reconstruct::ReconstructOptions& options = reconstruct::published_options(),
+      const reconstruct::EstimationOptions& options = published(),
       std::span<const reconstruct::FlankStrips> strips = {},
       std::span<const double> right_shifts_px = {}) const {
-    return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections, options,
-                                          right_shifts_px,
+    return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections,
+                                          options.lines, right_shifts_px,
                                           reconstruct::estimate_extensions(options, strips));
   }
 };
@@ -85,9 +90,9 @@ inline SegmentSpec line_at(double theta_deg) {
 }
 inline const std::vector<NeighbourSpec> kThreeNeighbours{{0.05, 80}, {0.5, -60}, {0.95, 110}};
 
-inline reconstruct::ReconstructOptions direct_options() {
-  reconstruct::ReconstructOptions options = reconstruct::published_options();
-  options.method = reconstruct::Method::kDirect;
+inline reconstruct::EstimationOptions direct_options() {
+  reconstruct::EstimationOptions options = published();
+  options.lines.method = reconstruct::Method::kDirect;
   return options;
 }
 

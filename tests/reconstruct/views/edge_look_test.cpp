@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/views/edge_look.h"
 
-#include "reconstruct/ok2011/match/line_similarity.h"
+#include "reconstruct/views/line_similarity.h"
 #include "tests/reconstruct/ok2011/match/painted_pair.h"
 
 #include <gmock/gmock.h>

@@ -12,8 +12,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-std::vector<EdgeSegment> extract(const cv::Mat& image, const ExtractOptions& options = {}) {
-  return extract_segments(image, {}, options, edge_refinement(options));
+std::vector<EdgeSegment> extract(const cv::Mat& image, const EdgeExtensionOptions& beyond = {}) {
+  return extract_segments(image, {}, {}, edge_refinement({{}, beyond}));
 }
 
 using test::BlurredStrip;
@@ -53,7 +53,7 @@ TEST(SeparateEdges, BothBordersOfAMarkingAreWhereTheyAreAndEachIsThereOnce) {
 
 TEST(SeparateEdges, WithoutItTheBordersAreTooFarApart) {
   const BlurredStrip strip = marking(1.5);
-  ExtractOptions options;
+  EdgeExtensionOptions options;
   options.separate_edges = false;
   const std::vector<double> offsets = offsets_px(strip, extract(strip.image(), options));
   ASSERT_EQ(offsets.size(), 2U);
@@ -66,7 +66,7 @@ TEST(SeparateEdges, AStaircaseThatIsOneMaximumOfTheGradientBecomesTwoEdges) {
   strip.offsets_px = {-0.7, 0.7};
   strip.colours = {{{0.2, 0.2, 0.2}, {0.45, 0.4, 0.42}, {0.65, 0.7, 0.6}}};
   strip.noise = 0.005;
-  ExtractOptions as_one;
+  EdgeExtensionOptions as_one;
   as_one.separate_edges = false;
   EXPECT_EQ(extract(strip.image(), as_one).size(), 1U);
   EXPECT_THAT(offsets_px(strip, extract(strip.image())),

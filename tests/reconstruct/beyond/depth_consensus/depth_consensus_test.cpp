@@ -52,8 +52,8 @@ TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
   LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
   add_ground_line(group, 0.5, 70.0);
   // as published all three regions give a point, and the false one bends the line
-  EXPECT_GT(worst_error_m(group, group.reconstruct(published_options())[0]), 1.0);
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  EXPECT_GT(worst_error_m(group, group.reconstruct(test::published())[0]), 1.0);
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kJoint);
   EXPECT_EQ(line.points.size(), 2U);
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
@@ -62,7 +62,7 @@ TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
 TEST(DepthConsensus, IsNotOutvotedByPointsOfOneFalseSurface) {
   LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
   for (const double parameter : {0.25, 0.4, 0.55, 0.7}) add_ground_line(group, parameter, 70.0);
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   ASSERT_EQ(line.status, Status::kJoint);
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
 }
@@ -77,7 +77,7 @@ LineGroup with_ends_that_disagree(double other_m) {
 }
 
 TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
-  const ReconstructedLine line = with_ends_that_disagree(3.0).reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = with_ends_that_disagree(3.0).reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kAmbiguousDepth);
   EXPECT_FALSE(line.segment_in_local);
   EXPECT_FALSE(line.covariance_m2);
@@ -86,7 +86,7 @@ TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
 
 TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
   const LineGroup group = make_group(eave(0.5), {{0.0, 80}});
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kHorizontal);
   EXPECT_EQ(line.points.size(), 1U);
   EXPECT_LT(worst_error_m(group, line), kAssumedM);
@@ -94,7 +94,7 @@ TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
 
 TEST(DepthConsensus, HorizontalitySteadiesPointsThatAgreeOnIt) {
   const LineGroup group = make_group(eave(0.5), {{0.3, 80}, {0.7, 110}});
-  const auto sigma_slope = [&](const ReconstructOptions& options) {
+  const auto sigma_slope = [&](const EstimationOptions& options) {
     const ReconstructedLine line = group.reconstruct(options)[0];
     EXPECT_EQ(line.status, Status::kJoint);
     Vector6d rise = Vector6d::Zero();
@@ -102,16 +102,16 @@ TEST(DepthConsensus, HorizontalitySteadiesPointsThatAgreeOnIt) {
     rise[5] = -rise[2];
     return std::sqrt(rise.dot(*line.covariance_m2 * rise));
   };
-  const ReconstructOptions options;
-  EXPECT_LE(sigma_slope(options), options.sigma_slope);
-  EXPECT_GT(sigma_slope(published_options()), 1.2 * options.sigma_slope);
+  const EstimationOptions options;
+  EXPECT_LE(sigma_slope(options), options.beyond.sigma_slope);
+  EXPECT_GT(sigma_slope(test::published()), 1.2 * options.beyond.sigma_slope);
 }
 
 TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
   SegmentSpec verge = eave(0.5);
   verge.end_z_m = kHeightM + 4.0;
   const LineGroup group = make_group(verge, {{0.0, 80}, {1.0, 110}});
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kJoint);
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
 }
@@ -119,24 +119,24 @@ TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
 TEST(DepthConsensus, DoesNotTakeTwoPointsInOnePlaceForADirection) {
   // in two regions, but only a tenth of the segment apart
   const LineGroup group = make_group(eave(0.5), {{0.28, 80}, {0.38, 110}});
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.points.size(), 2U);
   EXPECT_EQ(line.status, Status::kHorizontal);
 }
 
 TEST(DepthConsensus, DoesNotDependOnTheDirectionOfTheSegments) {
   LineGroup group = make_group(eave(0.5), {});
-  const ReconstructedLine expected = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine expected = group.reconstruct(EstimationOptions{})[0];
   Segment2& right = group.segments[1][0].segment;
   std::swap(right.start, right.end);
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, expected.status);
   EXPECT_LT(worst_error_m(group, line), kAssumedM);
 }
 
 TEST(DepthConsensus, TakesALineWithoutPointsFromItsEnds) {
   const LineGroup group = make_group(eave(0.5), {});
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kHorizontal);
   EXPECT_TRUE(line.points.empty());
   EXPECT_LT(worst_error_m(group, line), kAssumedM);
@@ -145,10 +145,10 @@ TEST(DepthConsensus, TakesALineWithoutPointsFromItsEnds) {
 TEST(DepthConsensus, EndsOfAShortSegmentProveNothing) {
   SegmentSpec step = eave(0.5);
   step.length_px = 12.0;
-  EXPECT_EQ(make_group(step, {}).reconstruct(ReconstructOptions{})[0].status,
+  EXPECT_EQ(make_group(step, {}).reconstruct(EstimationOptions{})[0].status,
             Status::kAmbiguousDepth);
   // with a point they do
-  const ReconstructedLine line = make_group(step, {{0.0, 80}}).reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = make_group(step, {{0.0, 80}}).reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kHorizontal);
 }
 
@@ -168,7 +168,7 @@ struct LoneLine {
 
   [[nodiscard]] std::optional<DepthConsensus> consensus(std::span<const DepthEvidence> evidence,
                                                         std::span<const double> nearby = {}) const {
-    return agree_on_depth({lines, lines.lines[0], evidence, nearby, ReconstructOptions{}});
+    return agree_on_depth({lines, lines.lines[0], evidence, nearby, EstimateExtensionOptions{}});
   }
 
   /// A point seen at a parameter of the left segment, at this height.
@@ -203,15 +203,15 @@ TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   const auto consensus = line.consensus(evidence);
   ASSERT_TRUE(consensus);
   EXPECT_THAT(consensus->parts.at(0).supports, testing::ElementsAre(1U));
-  EXPECT_GT(consensus->margin, ReconstructOptions{}.min_depth_margin);
+  EXPECT_GT(consensus->margin, EstimateExtensionOptions{}.min_depth_margin);
   // without a say in what hides what, neither is better
   for (DepthEvidence& e : evidence) e.meeting = 0.0;
-  EXPECT_LT(line.consensus(evidence)->margin, ReconstructOptions{}.min_depth_margin);
+  EXPECT_LT(line.consensus(evidence)->margin, EstimateExtensionOptions{}.min_depth_margin);
 }
 
 TEST(RowProfile, IsNoneWithoutRoomForASecondStep) {
   const LoneLine line;
-  const ReconstructOptions options;
+  const EstimateExtensionOptions options;
   const auto has_row_cut_at = [&](double parameter) {
     std::vector<DepthEvidence> evidence{line.evidence_at(0.0, kHeightM),
                                         line.evidence_at(parameter, kHeightM)};
@@ -234,8 +234,8 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
     const std::array<Segment2, 2> images = kScene.images(nearby);
     for (std::size_t j = 0; j < 2; ++j) with.segments[j].push_back(test::exact(images[j], {}));
     with.matches.push_back({1, 1});  // not connected: it meets nothing
-    ReconstructOptions options;
-    options.min_depth_margin = 0.0;  // a weak reason alone
+    EstimationOptions options;
+    options.beyond.min_depth_margin = 0.0;  // a weak reason alone
     const ReconstructedLine line = with.reconstruct(options)[0];
     ASSERT_TRUE(line.segment_in_local) << height_m;
     EXPECT_NEAR(line.segment_in_local->start.z(), height_m, 0.1) << height_m;
@@ -273,11 +273,11 @@ void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, dou
 std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_m) {
   LineGroup group = with_ends_that_disagree(3.0);
   add_line_with_short_mate(group, left, right, height_m);
-  ReconstructOptions options;
-  options.min_depth_margin = 0.0;  // a weak reason alone
+  EstimationOptions options;
+  options.beyond.min_depth_margin = 0.0;  // a weak reason alone
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
   EXPECT_TRUE(lines[1].between_right_ends);
-  EXPECT_LT(*lines[1].direct_sigma_z_m, options.max_nearby_sigma_m);
+  EXPECT_LT(*lines[1].direct_sigma_z_m, options.beyond.max_nearby_sigma_m);
   return {lines[0].segment_in_local->start.z(), lines[0].segment_in_local->end.z()};
 }
 
@@ -299,8 +299,8 @@ TEST(DepthConsensus, HeightsNearbyAreNotThoseOfWhatIsFarAway) {
 
 TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
   const LineGroup group = make_group(eave(30.0), {{0.0, 80}, {1.0, 110}});
-  const ReconstructedLine published = group.reconstruct(published_options())[0];
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine published = group.reconstruct(test::published())[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kDirect);
   EXPECT_EQ(line.segment_in_local->start, published.segment_in_local->start);
   EXPECT_EQ(line.segment_in_local->end, published.segment_in_local->end);
@@ -308,8 +308,8 @@ TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
 
 TEST(DepthConsensus, NeverLosesALineThatDirectHasUnlessItIsAmbiguous) {
   test::Random random(7);
-  ReconstructOptions decide;
-  decide.min_depth_margin = 0.0;
+  EstimationOptions decide;
+  decide.beyond.min_depth_margin = 0.0;
   for (int i = 0; i < 200; ++i) {
     const LineGroup group = make_group(eave(0.3 + 0.04 * i), {}, {}, &random);
     EXPECT_TRUE(group.reconstruct(decide)[0].segment_in_local) << i;

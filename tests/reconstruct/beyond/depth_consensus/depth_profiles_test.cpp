@@ -70,7 +70,7 @@ double worst_error_m(const Segment3& truth, const ReconstructedLine& line) {
 
 TEST(MatchOfSeveralLines, GivesBothVergesOfAGable) {
   const LineGroup group = gable();
-  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
   const Eigen::Vector2d top = project(kScene.cameras[1], kVerges[0].end);
   for (std::size_t p = 0; p < 2; ++p) {
@@ -89,7 +89,7 @@ TEST(MatchOfSeveralLines, GivesBothVergesOfAGable) {
 TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
   LineGroup group = gable();
   group.connections.pop_back();
-  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
   EXPECT_EQ(lines[1].status, Status::kSegmentEnds);
   for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kRecoveredM);
@@ -103,7 +103,7 @@ TEST(MatchOfSeveralLines, GivesTheVergesOfADormerToo) {
   add_meeting(group, verges[0].start, 80.0);
   add_meeting(group, verges[0].end, 85.0);
   add_meeting(group, verges[1].end, 90.0);
-  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
   for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(verges[p], lines[p]), kRecoveredM);
 }
@@ -112,7 +112,7 @@ TEST(MatchOfSeveralLines, DoesNotDependOnTheDirectionOfTheSegments) {
   LineGroup group = gable();
   Segment2& right = group.segments[1][0].segment;
   std::swap(right.start, right.end);
-  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
   for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kRecoveredM);
 }
@@ -126,7 +126,7 @@ TEST(MatchOfSeveralLines, GivesTheStepsOfARow) {
   add_meeting(group, eaves[1].start, 85.0);  // the verges of the highest house hide the others'
   add_meeting(group, eaves[1].end, 85.0);
   add_meeting(group, eaves[2].end, 80.0);
-  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 2);
   for (std::size_t p = 0; p < 3; ++p) {
     ASSERT_TRUE(lines[p].segment_in_local) << p;
@@ -141,23 +141,23 @@ TEST(MatchOfSeveralLines, AnEaveIsOneWhereverOthersMeetIt) {
     add_meeting(group, seen_at(parameter, kEaveM), 80.0);
   }
   add_meeting(group, seen_at(0.5, 0.0), 70.0);  // a line of the ground that it hides
-  const std::vector<ReconstructedLine> lines = group.reconstruct(ReconstructOptions{});
+  const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size());
   EXPECT_EQ(lines[0].part, 0);
   EXPECT_LT(worst_error_m(eave, lines[0]), kRecoveredM);
 }
 
 TEST(MatchOfSeveralLines, AsPublishedIsOneLine) {
-  ReconstructOptions direct;
-  direct.method = Method::kDirect;
+  EstimationOptions direct;
+  direct.lines.method = Method::kDirect;
   const LineGroup group = gable();
   EXPECT_EQ(group.reconstruct(direct).size(), group.matches.size());
-  EXPECT_EQ(group.reconstruct(published_options()).size(), group.matches.size());
+  EXPECT_EQ(group.reconstruct(test::published()).size(), group.matches.size());
 }
 
 TEST(MatchOfSeveralLines, PartsAreAsLongAsAsked) {
-  ReconstructOptions options;
-  options.min_cut_length_px = 0.6 * kLengthPx;
+  EstimationOptions options;
+  options.beyond.min_cut_length_px = 0.6 * kLengthPx;
   EXPECT_EQ(gable().reconstruct(options).size(), gable().matches.size());
 }
 

@@ -47,7 +47,7 @@ ReconstructedLine reconstructed(const FlankedLine& flanked,
   Segment2& left = group.segments[0][0].segment;
   left.end -= shorter_px * (left.end - left.start).normalized();
   const std::vector<FlankStrips> strips{flanked.strips()};
-  return group.reconstruct(ReconstructOptions{},
+  return group.reconstruct(EstimationOptions{},
                            with_strips ? std::span(strips) : std::span<const FlankStrips>{})[0];
 }
 
@@ -185,7 +185,7 @@ TEST(FlankCorrelation, AnEndThatTheBorderOfAnImageCutsShowsNoPoint) {
     eave.right_runs_back = runs_back;
     const LineGroup group = group_of(eave);
     std::vector<FlankStrips> strips(1);  // beside a line without texture
-    const auto status = [&] { return group.reconstruct(ReconstructOptions{}, strips)[0].status; };
+    const auto status = [&] { return group.reconstruct(EstimationOptions{}, strips)[0].status; };
     EXPECT_NE(status(), Status::kNoPoints);
     strips[0].left.is_cut = {true, false};             // where the left segment starts
     strips[0].right.is_cut = {runs_back, !runs_back};  // where it ends
@@ -202,8 +202,8 @@ TEST(FlankCorrelation, ALineThatOnlyAChanceAgreementSpeaksForIsAmbiguous) {
     for (float& value : side) value = static_cast<float>(random.uniform(0.3, 0.7));
   }
   strips[0].left.is_cut = {true, true};  // ends that show no point
-  ReconstructOptions options;
-  options.min_depth_margin = 0.0;
+  EstimationOptions options;
+  options.beyond.min_depth_margin = 0.0;
   const ReconstructedLine line = group.reconstruct(options, strips)[0];
   EXPECT_EQ(line.status, Status::kAmbiguousDepth);
   EXPECT_FALSE(line.segment_in_local);

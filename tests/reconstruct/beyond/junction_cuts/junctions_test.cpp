@@ -29,28 +29,28 @@ EdgeTrace trace_of(const std::vector<Eigen::Vector2d>& points) {
 
 /// An edge along x from 0 to kLength, displaced by `across`.
 template <typename Across>
-DetectedEdge edge(Across across) {
+EdgeTrace edge(Across across) {
   test::Random random(3);
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < kLength; ++i) points.emplace_back(i, across(i) + random.normal(kNoisePx));
-  return {trace_of(points), std::nullopt};
+  return trace_of(points);
 }
 
 /// An edge of 30 px across that ends `gap` px before the first one.
-DetectedEdge stem(double at, double gap = 1.5) {
+EdgeTrace stem(double at, double gap = 1.5) {
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < 30; ++i) points.emplace_back(at, gap + i);
-  return {trace_of(points), std::nullopt};
+  return trace_of(points);
 }
 
 double gable(int i) { return 0.005 * (kRidgeAt - std::abs(i - kRidgeAt)); }
 
 /// Where the parts of an edge along x begin.
-std::vector<double> begins(const std::vector<DetectedEdge>& edges) {
+std::vector<double> begins(const std::vector<EdgeTrace>& edges) {
   std::vector<double> x;
-  for (const DetectedEdge& e : edges) {
-    const Eigen::Vector2d along = e.trace.back().position_px - e.trace.front().position_px;
-    if (std::abs(along.x()) > std::abs(along.y())) x.push_back(e.trace.front().position_px.x());
+  for (const EdgeTrace& e : edges) {
+    const Eigen::Vector2d along = e.back().position_px - e.front().position_px;
+    if (std::abs(along.x()) > std::abs(along.y())) x.push_back(e.front().position_px.x());
   }
   return x;
 }
@@ -63,14 +63,13 @@ TEST(CutAtJunctions, TheVergesOfAGableApartBelowItsRidge) {
 }
 
 TEST(CutAtJunctions, WhereAStripInterruptsTheEdge) {
-  DetectedEdge interrupted = edge(gable);
-  auto& trace = interrupted.trace;
+  EdgeTrace interrupted = edge(gable);
+  auto& trace = interrupted;
   trace.erase(trace.begin() + kRidgeAt - 2, trace.begin() + kRidgeAt + 2);
   EXPECT_THAT(begins(cut_at_junctions({interrupted}, {})), ElementsAre(0.0, kRidgeAt + 2.0));
   // as straight as it would be without the strip
-  DetectedEdge straight = edge([](int) { return 0.0; });
-  straight.trace.erase(straight.trace.begin() + kRidgeAt - 2,
-                       straight.trace.begin() + kRidgeAt + 2);
+  EdgeTrace straight = edge([](int) { return 0.0; });
+  straight.erase(straight.begin() + kRidgeAt - 2, straight.begin() + kRidgeAt + 2);
   EXPECT_THAT(begins(cut_at_junctions({straight}, {})), ElementsAre(0.0));
 }
 
@@ -102,8 +101,8 @@ TEST(CutAtJunctions, AtTheOneOfTwoCloseJunctionsWhereTheEdgeStepsAside) {
 }
 
 TEST(CutAtJunctions, NotAtAnEdgeThatRunsAlong) {
-  DetectedEdge beside = edge([](int) { return 2.0; });
-  beside.trace.erase(beside.trace.begin(), beside.trace.begin() + kRidgeAt);
+  EdgeTrace beside = edge([](int) { return 2.0; });
+  beside.erase(beside.begin(), beside.begin() + kRidgeAt);
   const auto cut = cut_at_junctions({edge(gable), beside}, {});
   EXPECT_EQ(cut.size(), 2U);
 }
@@ -113,8 +112,8 @@ TEST(CutAtJunctions, PartsKeepTheLeastLengthAndEverySample) {
   const auto cut = cut_at_junctions({edge(step), stem(5), stem(kLength - 4)}, {});
   EXPECT_THAT(begins(cut), ElementsAre(0.0));
   std::size_t n = 0;
-  for (const DetectedEdge& e : cut_at_junctions({edge(gable), stem(kRidgeAt)}, {})) {
-    n += e.trace.size();
+  for (const EdgeTrace& e : cut_at_junctions({edge(gable), stem(kRidgeAt)}, {})) {
+    n += e.size();
   }
   EXPECT_EQ(n, static_cast<std::size_t>(kLength) + 30U);
 }
@@ -146,9 +145,9 @@ std::size_t n_along_x(const std::vector<EdgeSegment>& segments) {
 }
 
 std::vector<EdgeSegment> extracted(const cv::Mat& raw) {
-  ExtractOptions options;
-  options.separate_edges = false;
-  return extract_segments(normalised_image(raw), {}, options, edge_refinement(options));
+  EdgeExtensionOptions beyond;
+  beyond.separate_edges = false;
+  return extract_segments(normalised_image(raw), {}, {}, edge_refinement({{}, beyond}));
 }
 
 TEST(CutAtJunctions, MakesTwoSegmentsOfTheVergesOfAGable) {

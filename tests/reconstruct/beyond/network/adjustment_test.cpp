@@ -9,6 +9,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+constexpr std::array kAnyHeight_m{-1e5, 1e5};
+constexpr double kSigmaSlope = 0.01;
+
 using test::ConditionedScene;
 
 /// Lines of a scene, each observed with errors; they start from the intersections of their planes.
@@ -44,7 +47,7 @@ TEST(NetworkAdjustment, OfImagesAloneIsTheIntersectionOfThePlanesWithItsCovarian
     Vector6d away = direct.mean;  // the start is not what decides
     away(5) += 1e-3;
     lines[0].start = project_to_pluecker_quadric(away);
-    NetworkAdjustment adjustment(scene.stereo, pointers(lines), {}, {});
+    NetworkAdjustment adjustment(scene.stereo, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
     ASSERT_TRUE(adjustment.minimise(1e-9, 50));
     ASSERT_TRUE(adjustment.invert());
     const double sign = adjustment.estimate(0).dot(direct.mean) < 0.0 ? -1.0 : 1.0;
@@ -75,10 +78,10 @@ class MeetingLines : public testing::Test {
 
 TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
   constexpr double kSecondOrder = 0.02;  // of lines whose heights move by 2 standard deviations
-  NetworkAdjustment all(scene.stereo, pointers(lines), meetings, {});
+  NetworkAdjustment all(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   ASSERT_TRUE(all.minimise(1e-9, 50) && all.invert());
   for (std::size_t m = 0; m < meetings.size(); ++m) {
-    NetworkAdjustment without(scene.stereo, pointers(lines), meetings, {});
+    NetworkAdjustment without(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
     without.weights[m] = 0.0;
     ASSERT_TRUE(without.minimise(1e-9, 50) && without.invert());
     EXPECT_NEAR(all.predicted(m).miss, without.miss(m),
@@ -91,12 +94,13 @@ TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
 
 TEST_F(MeetingLines, NothingPredictsAMeetingOfALineOfUnknownPrecision) {
   lines[0].start_cov.reset();
-  const NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, {});
+  const NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, kAnyHeight_m,
+                                     kSigmaSlope);
   EXPECT_TRUE(std::isinf(adjustment.predicted_at_start(0).sigma));
 }
 
 TEST_F(MeetingLines, HaveConvergedOnceAPassMovesNoLineByMoreThanTheTolerance) {
-  NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, {});
+  NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   EXPECT_FALSE(adjustment.converged());
   ASSERT_TRUE(adjustment.minimise(1e-6, 1));
   EXPECT_FALSE(adjustment.converged());
@@ -108,8 +112,8 @@ TEST_F(MeetingLines, HaveConvergedOnceAPassMovesNoLineByMoreThanTheTolerance) {
 }
 
 TEST_F(MeetingLines, AreMoreCertainThanAlone) {
-  NetworkAdjustment alone(scene.stereo, pointers(lines), {}, {});
-  NetworkAdjustment together(scene.stereo, pointers(lines), meetings, {});
+  NetworkAdjustment alone(scene.stereo, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
+  NetworkAdjustment together(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   ASSERT_TRUE(alone.minimise(1e-6, 50) && alone.invert());
   ASSERT_TRUE(together.minimise(1e-6, 50) && together.invert());
   for (std::size_t i = 0; i < lines.size(); ++i) {

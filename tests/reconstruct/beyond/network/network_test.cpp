@@ -21,10 +21,12 @@ using test::line_at;
 using test::LineGroup;
 using test::make_group;
 
-ReconstructOptions network_options() {
-  ReconstructOptions options = published_options();
-  options.line_covariance = LineCovariance::kCentroid;
-  options.method = Method::kNetwork;
+constexpr std::array kAnyHeight_m{-1e5, 1e5};
+
+EstimationOptions network_options() {
+  EstimationOptions options = test::published();
+  options.lines.line_covariance = LineCovariance::kCentroid;
+  options.lines.method = Method::kNetwork;
   return options;
 }
 
@@ -59,14 +61,14 @@ double error_across_m(const ReconstructedLine& line, const Segment3& truth) {
 LineGroup group_with_misses(double theta_deg,
                             const std::vector<test::NeighbourSpec>& neighbours,
                             const test::Noise& noise,
-                            const ReconstructOptions& options,
+                            const EstimationOptions& options,
                             test::Random& random) {
   LineGroup group = make_group(line_at(theta_deg), neighbours);
   for (std::size_t k = 1; k < group.truth.size(); ++k) {
     const Eigen::Vector3d normal = (group.truth[0].end - group.truth[0].start)
                                        .cross(group.truth[k].end - group.truth[k].start)
                                        .normalized();
-    const Eigen::Vector3d miss = random.normal(0.5 * options.sigma_meeting_m) * normal;
+    const Eigen::Vector3d miss = random.normal(0.5 * options.beyond.sigma_meeting_m) * normal;
     group.truth[k] = {group.truth[k].start + miss, group.truth[k].end + miss};
   }
   for (auto& segments : group.segments) segments.clear();
@@ -92,8 +94,8 @@ TEST(Network, LinesThatMeetNoneStayAsTheyAre) {
   test::Random random(331);
   LineGroup group = make_group(line_at(40), kThreeNeighbours, {}, &random);
   group.connections.clear();
-  ReconstructOptions joint = network_options();
-  joint.method = Method::kJoint;
+  EstimationOptions joint = network_options();
+  joint.lines.method = Method::kJoint;
   const auto expected = group.reconstruct(joint);
   const auto actual = group.reconstruct(network_options());
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -107,7 +109,7 @@ class NetworkPrecision : public testing::TestWithParam<double> {};
 
 TEST_P(NetworkPrecision, StatesItsErrors) {
   constexpr int kTrials = 600;
-  const ReconstructOptions options = network_options();
+  const EstimationOptions options = network_options();
   test::Random random(332);
   double sum = 0.0;
   int n = 0;
@@ -135,8 +137,8 @@ double median(std::vector<double> values) {
 TEST(Network, IsMoreAccurateThanJointWhereThatHasNoPoints) {
   constexpr int kTrials = 300;
   test::Random random(333);
-  ReconstructOptions joint = network_options();
-  joint.method = Method::kJoint;
+  EstimationOptions joint = network_options();
+  joint.lines.method = Method::kJoint;
   std::vector<double> before_m;
   std::vector<double> after_m;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -151,8 +153,8 @@ TEST(Network, IsMoreAccurateThanJointWhereThatHasNoPoints) {
 TEST(Network, IsAsAccurateAsJointWithTheSameThreePoints) {
   constexpr int kTrials = 300;
   test::Random random(337);
-  ReconstructOptions joint = network_options();
-  joint.method = Method::kJoint;
+  EstimationOptions joint = network_options();
+  joint.lines.method = Method::kJoint;
   std::vector<double> before_m;
   std::vector<double> after_m;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -172,8 +174,8 @@ TEST(Network, RejectsAFalseMeetingAmongFour) {
   test::Random random(334);
   const std::vector<test::NeighbourSpec> neighbours{
       {0.05, 80}, {0.35, -60}, {0.65, 110}, {0.95, 70}};
-  ReconstructOptions options;  // with the consensus, from which `network` starts
-  options.method = Method::kNetwork;
+  EstimationOptions options;  // with the consensus, from which `network` starts
+  options.lines.method = Method::kNetwork;
   for (const double theta_deg : {30.0, 4.0}) {
     int rejected = 0;
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -214,7 +216,9 @@ TEST(Network, RejectsAMissBeyondChanceHoweverProbableTheMeeting) {
       added.start_cov = direct.cov;
     }
     const std::vector<Meeting> meetings{{0, 1, {0.9999, kSigma_m}}};
-    EXPECT_EQ(adjust_network(scene.stereo, lines, meetings, {})[0].n_meetings, expected) << misses;
+    EXPECT_EQ(adjust_network(scene.stereo, lines, meetings, kAnyHeight_m, {})[0].n_meetings,
+              expected)
+        << misses;
   }
 }
 
@@ -245,9 +249,11 @@ TEST(Network, MeetingsThatTogetherContradictTheImagesOfAGuardedLineAreDropped) {
       added.start = direct.mean;
       added.start_cov = direct.cov;
     }
-    const AdjustedInNetwork free = adjust_network(scene.stereo, lines, meetings, {})[0];
+    const AdjustedInNetwork free =
+        adjust_network(scene.stereo, lines, meetings, kAnyHeight_m, {})[0];
     lines[0].is_guarded = true;
-    const AdjustedInNetwork guarded = adjust_network(scene.stereo, lines, meetings, {})[0];
+    const AdjustedInNetwork guarded =
+        adjust_network(scene.stereo, lines, meetings, kAnyHeight_m, {})[0];
     ASSERT_TRUE(free.adjusted && guarded.adjusted);
     EXPECT_LE(guarded.n_meetings, free.n_meetings);
     EXPECT_LE(guarded.omega, free.omega);

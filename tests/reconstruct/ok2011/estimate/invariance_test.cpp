@@ -85,10 +85,9 @@ struct Path {
 
 class InvarianceOfEveryPath : public testing::TestWithParam<Path> {
  protected:
-  static ReconstructOptions options() {
-    ReconstructOptions options =
-        GetParam().is_published ? published_options() : ReconstructOptions{};
-    options.method = GetParam().method;
+  static EstimationOptions options() {
+    EstimationOptions options = GetParam().is_published ? test::published() : EstimationOptions{};
+    options.lines.method = GetParam().method;
     return options;
   }
 
@@ -108,9 +107,9 @@ class InvarianceOfEveryPath : public testing::TestWithParam<Path> {
 
 class Invariance : public testing::TestWithParam<Method> {
  protected:
-  static ReconstructOptions options() {
-    ReconstructOptions options = published_options();
-    options.method = GetParam();
+  static EstimationOptions options() {
+    EstimationOptions options = test::published();
+    options.lines.method = GetParam();
     return options;
   }
 };
@@ -168,9 +167,9 @@ TEST_P(Invariance, OfTheUnitOfTheObjectFrame) {
   const LineGroup group = make_roof(144);
   LineGroup in_feet = group;
   for (ProjectionMatrix& p : in_feet.scene.cameras) p.leftCols<3>() /= kFeet;
-  ReconstructOptions in_unit = options();
-  in_unit.sigma_meeting_m *= kFeet;
-  in_unit.max_miss_m *= kFeet;
+  EstimationOptions in_unit = options();
+  in_unit.beyond.sigma_meeting_m *= kFeet;
+  in_unit.beyond.max_miss_m *= kFeet;
   const auto expected = group.reconstruct(options());
   auto actual = in_feet.reconstruct(in_unit);
   for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -53,10 +53,10 @@ TEST_P(OnePoint, IsNoWorseThanDirectInAnyQuantile) {
   // a matter of a few lines.
   const std::vector<double> shares{0.25, 0.5, 0.683, 0.9, 0.95};
   test::Random random(151);
-  ReconstructOptions joint = published_options();
-  joint.line_covariance = GetParam();
-  ReconstructOptions direct = joint;
-  direct.method = Method::kDirect;
+  EstimationOptions joint = test::published();
+  joint.lines.line_covariance = GetParam();
+  EstimationOptions direct = joint;
+  direct.lines.method = Method::kDirect;
   for (const double theta_deg : {8.0, 4.0, 2.0, 1.0, 0.3, 0.0}) {
     std::vector<double> direct_errors;
     std::vector<double> joint_errors;
@@ -81,8 +81,8 @@ TEST_P(OnePoint, NeverStatesLessPrecisionThanDirect) {
   // Without errors both are the same line, and a point adds to its normal equations.
   constexpr double kRounding = 1e-6;
   test::Random random(152);
-  ReconstructOptions options = published_options();
-  options.line_covariance = GetParam();
+  EstimationOptions options = test::published();
+  options.lines.line_covariance = GetParam();
   int compared = 0;
   for (int trial = 0; trial < 1000; ++trial) {
     LineGroup group = random_group(random, random.uniform(3, 8));

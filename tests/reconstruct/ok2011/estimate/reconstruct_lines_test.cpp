@@ -77,11 +77,11 @@ TEST(ReconstructLines, LabelsTheClassByTheSmallerAngle) {
 
 TEST(ReconstructLines, TheThresholdAngleIsStillAligned) {
   LineGroup group = make_group(line_at(20.0), kThreeNeighbours);
-  ReconstructOptions options = published_options();
+  EstimationOptions options = test::published();
   const double angle_rad = group.reconstruct(options)[0].epipolar_angle_rad;
-  options.max_aligned_angle_deg = angle_rad * 180.0 / std::numbers::pi;
+  options.lines.max_aligned_angle_deg = angle_rad * 180.0 / std::numbers::pi;
   EXPECT_EQ(group.reconstruct(options)[0].line_class, LineClass::kAligned);
-  options.max_aligned_angle_deg = std::nextafter(options.max_aligned_angle_deg, 0.0);
+  options.lines.max_aligned_angle_deg = std::nextafter(options.lines.max_aligned_angle_deg, 0.0);
   EXPECT_EQ(group.reconstruct(options)[0].line_class, LineClass::kNotAligned);
 }
 
@@ -95,14 +95,14 @@ TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
   right = test::exact({whole.start, whole.start + kShare * (whole.end - whole.start)},
                       {noise.q_px, noise.phi_rad / std::pow(kShare, 1.5), noise.e_px});
   const double seen_m = kShare * length(group.truth[0]);
-  const ReconstructedLine line = group.reconstruct(ReconstructOptions{})[0];
+  const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kDirect);
   EXPECT_NEAR(length(*line.segment_in_local), seen_m, 0.1);  // the scale along the line changes
   EXPECT_LT((line.segment_in_local->start - group.truth[0].start).norm(), kRecoveredM);
 
   const ReconstructedLine published = group.reconstruct(direct_options())[0];
   EXPECT_NEAR(length(*published.segment_in_local), length(group.truth[0]), kRecoveredM);
-  EXPECT_GT(*published.direct_sigma_z_m, ReconstructOptions{}.max_end_sigma_m);
+  EXPECT_GT(*published.direct_sigma_z_m, EstimateExtensionOptions{}.max_end_sigma_m);
   EXPECT_LT(*line.direct_sigma_z_m, 0.3 * *published.direct_sigma_z_m);
 }
 
@@ -215,7 +215,7 @@ TEST(ReconstructLines, WeighsPointsByTheMeasuresOfBothImages) {
       std::abs(in_right.dot(crossing[1])) / in_right.head<2>().norm()};
   ASSERT_GT(epipolar_px[0], 0.5);
 
-  ReconstructOptions options = published_options();
+  EstimationOptions options = test::published();
   EXPECT_NEAR(group.reconstruct(options)[0].points.at(0).weight,
               std::exp(-std::min(distance_px[0], distance_px[1]) / 10.0 -
                        std::min(epipolar_px[0], epipolar_px[1]) / 4.0),
@@ -224,10 +224,10 @@ TEST(ReconstructLines, WeighsPointsByTheMeasuresOfBothImages) {
 
 TEST(ReconstructLines, DiscardsPointsOutsideTheRangeOfHeights) {
   const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);  // heights 3 to 4 m
-  ReconstructOptions options = published_options();
-  options.lowest_height_m = 3.3;
+  EstimationOptions options = test::published();
+  options.lines.lowest_height_m = 3.3;
   EXPECT_EQ(group.reconstruct(options)[0].points.size(), 2);
-  options.highest_height_m = 3.7;
+  options.lines.highest_height_m = 3.7;
   EXPECT_EQ(group.reconstruct(options)[0].points.size(), 1);
 }
 
@@ -246,8 +246,8 @@ TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
 TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
   constexpr double kShiftPx = 1.5;
   for (const Method method : kMethods) {
-    ReconstructOptions options = direct_options();
-    options.method = method;
+    EstimationOptions options = direct_options();
+    options.lines.method = method;
     const LineGroup good = make_group(line_at(40.0), kThreeNeighbours);
     LineGroup group = good;
     UncertainSegment2& moved = group.segments[1][0];
@@ -269,7 +269,7 @@ TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
 TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
   const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);
   const std::vector<double> shifts_px{0.0, 1.5, -1.5, 1.5};
-  for (const ReconstructOptions& options : {published_options(), ReconstructOptions{}}) {
+  for (const EstimationOptions& options : {test::published(), EstimationOptions{}}) {
     const std::vector<ReconstructedLine> plain = group.reconstruct(options);
     const std::vector<ReconstructedLine> moved = group.reconstruct(options, {}, shifts_px);
     ASSERT_TRUE(plain[0].segment_in_local && moved[0].segment_in_local);
@@ -285,7 +285,7 @@ TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
 TEST(ReconstructLines, RejectsWrongInput) {
   const LineGroup good = make_group(line_at(4.0), kThreeNeighbours);
   const auto rejected = [](const LineGroup& group,
-                           const ReconstructOptions& options = published_options()) {
+                           const EstimationOptions& options = test::published()) {
     try {
       static_cast<void>(group.reconstruct(options));
     } catch (const std::invalid_argument& error) {
@@ -308,8 +308,8 @@ TEST(ReconstructLines, RejectsWrongInput) {
   group = good;
   group.segments.pop_back();
   EXPECT_EQ(rejected(group), "reconstruct_lines: images = 1, must be 2");
-  ReconstructOptions options = published_options();
-  options.min_weight = std::numeric_limits<double>::quiet_NaN();
+  EstimationOptions options = test::published();
+  options.lines.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");
   EXPECT_THROW(static_cast<void>(good.reconstruct(options, {}, std::vector{0.0})),

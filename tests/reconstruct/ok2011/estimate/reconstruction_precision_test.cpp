@@ -24,8 +24,8 @@ using test::SegmentSpec;
 
 TEST(ReconstructionPrecision, DirectStatesItsErrorsWithCentroidCovariances) {
   constexpr int kTrials = 1000;
-  ReconstructOptions options = direct_options();
-  options.line_covariance = LineCovariance::kCentroid;
+  EstimationOptions options = direct_options();
+  options.lines.line_covariance = LineCovariance::kCentroid;
   test::Random random(133);
   double sum = 0.0;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -44,8 +44,8 @@ TEST(ReconstructionPrecision, DirectHeightErrorGrowsWithTheInverseSineOfTheAngle
   // 2 sqrt(2) sigma_q / sin(theta) GSD / (B/H), with sigma_phi = sqrt(12) sigma_q / length: sigma_q
   // 0.1 px gives 0.12 m at 45 degrees, 0.50 m at 10 degrees and 1.0 m at 5 degrees
   const test::Noise noise{.q_px = 0.1, .phi_rad = 0.1 * 3.4641 / 100.0, .e_px = 1e-6};
-  ReconstructOptions options = published_options();
-  options.line_covariance = LineCovariance::kCentroid;
+  EstimationOptions options = test::published();
+  options.lines.line_covariance = LineCovariance::kCentroid;
   for (const auto& [theta_deg, sigma_m] :
        {std::pair(45.0, 0.12), std::pair(10.0, 0.50), std::pair(5.0, 1.0), std::pair(1.0, 5.0)}) {
     SegmentSpec level = line_at(theta_deg);
@@ -79,8 +79,8 @@ TEST(ReconstructionPrecision, JointIsOptimisticBecauseItsPointsReuseTheLine) {
   // The published method treats planes and points as uncorrelated though the points lie on the same
   // image lines. The normalised squared error across the line would be 4; measured: 7.8.
   constexpr int kTrials = 600;
-  ReconstructOptions options = published_options();
-  options.line_covariance = LineCovariance::kCentroid;
+  EstimationOptions options = test::published();
+  options.lines.line_covariance = LineCovariance::kCentroid;
   test::Random random(136);
   double sum = 0.0;
   for (int trial = 0; trial < kTrials; ++trial) {

@@ -100,34 +100,6 @@ TEST(ExtractSegments, ALongEdgeThatIsCoveredInPlacesIsOneSegment) {
   EXPECT_EQ(n_long, 1);
 }
 
-test::ErrorSummary errors_of(const test::BlurredScene& scene, const ExtractOptions& options) {
-  const auto segments = extract_segments(normalised_image(scene.raw), {}, options);
-  return test::summary(test::edge_errors(scene.edges, segments), scene.edges);
-}
-
-TEST(ExtractSegments, ASecondLookFindsFaintEdgesAsAccurately) {
-  // steps of twice the noise
-  const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.02});
-  ExtractOptions options;
-  const test::ErrorSummary two_looks = errors_of(scene, options);
-  options.faint_edges = false;
-  const test::ErrorSummary one_look = errors_of(scene, options);
-  EXPECT_LT(one_look.completeness, 0.5);
-  EXPECT_GT(two_looks.completeness, 0.7);
-  EXPECT_LT(two_looks.rms_px, 1.1 * one_look.rms_px);
-  EXPECT_LT(two_looks.across_z2, 1.0);  // the systematic part of the sigma has reserves
-}
-
-TEST(ExtractSegments, ASecondLookLeavesClearEdgesAsTheyAre) {
-  const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.2});
-  ExtractOptions options;
-  const test::ErrorSummary two_looks = errors_of(scene, options);
-  options.faint_edges = false;
-  const test::ErrorSummary one_look = errors_of(scene, options);
-  EXPECT_EQ(two_looks.rms_px, one_look.rms_px);
-  EXPECT_EQ(two_looks.completeness, one_look.completeness);
-}
-
 /// A step that is covered in places and frayed at its end.
 cv::Mat frayed_step(int seed) {
   constexpr int kSize_px = 60;

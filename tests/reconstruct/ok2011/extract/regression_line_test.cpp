@@ -159,20 +159,5 @@ TEST(UncertainSegment, AddsTheSystematicParts) {
   EXPECT_NEAR(more.sigma_phi_rad, std::hypot(plain.sigma_phi_rad, 0.2 / 20.0), kRounding);
 }
 
-TEST(FixedLine, KeepsTheSegmentAndTakesTheResidualsFromIt) {
-  const Points points{{0, 1.1}, {1, 0.9}, {2, 1.1}, {3, 0.9}};
-  const RegressionLine line = fixed_line({{0, 0}, {4, 0}}, points);
-  const Segment2 segment = uncertain_segment(line, {}, {}).segment;
-  EXPECT_EQ(segment.start, Eigen::Vector2d(0, 0));
-  EXPECT_EQ(segment.end, Eigen::Vector2d(4, 0));
-  EXPECT_NEAR(line.rms_px, std::sqrt(1.01), kRounding);
-}
-
-TEST(FixedLine, WithoutPointsHasTheTypicalUncertainty) {
-  const UncertainSegment2 s = uncertain_segment(fixed_line({{0, 0}, {40, 0}}, {}), {0.04, 2.0}, {});
-  EXPECT_GT(s.sigma_q_px, 0.1);
-  EXPECT_GT(s.sigma_phi_rad, 0.0);
-}
-
 }  // namespace
 }  // namespace ridgeline::reconstruct

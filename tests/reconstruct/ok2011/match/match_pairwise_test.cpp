@@ -26,9 +26,9 @@ PaintedPair two_roofs() {
   return pair;
 }
 
-MatchResult match(const PaintedPair& pair, const MatchOptions& options = {}) {
-  return match_pairwise(pair.views[0], pair.views[1], pair.heights_m, options,
-                        match_extensions(options));
+MatchResult match(const PaintedPair& pair, const CandidateOptions& candidates = {}) {
+  return match_pairwise(pair.views[0], pair.views[1], pair.heights_m, {}, candidates,
+                        match_extensions({}, candidates));
 }
 
 TEST(MatchPairwise, FindsTheOutlinesOfFlatRoofs) {
@@ -55,7 +55,7 @@ TEST(MatchPairwise, HasNoCandidateThatWouldBeSteeperThanARoof) {
   const double rise_m = 0.8 * (kHigh.north - kHigh.south);  // 39 degrees
   pair.add_line({{kHigh.east, kHigh.south, z}, {kHigh.east, kHigh.north, z + rise_m}});
   EXPECT_NE(match(pair).outcomes.at(0), MatchOutcome::kNoCandidate);
-  MatchOptions flat;
+  CandidateOptions flat;
   flat.max_slope_deg = 20.0;
   EXPECT_EQ(match(pair, flat).outcomes.at(0), MatchOutcome::kNoCandidate);
 }
@@ -168,7 +168,7 @@ TEST(MatchPairwise, RejectsWhatItCannotWorkWith) {
   PaintedPair one_place = good;
   one_place.views[1].image_from_local = one_place.views[0].image_from_local;
   EXPECT_THROW((void)match(one_place), std::invalid_argument);
-  MatchOptions options;
+  CandidateOptions options;
   options.min_overlap = 1.5;
   EXPECT_THROW((void)match(good, options), std::invalid_argument);
 }

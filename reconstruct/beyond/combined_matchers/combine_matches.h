@@ -5,26 +5,19 @@
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/line_match.h"
 
-#include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ridgeline::reconstruct {
 
-/// Which matcher found a match.
-enum class MatchSource : std::uint8_t { kPairwise, kChio, kBoth };
-
-struct CombinedMatch {
-  ScoredMatch scored;  ///< as `pairwise` has it, if it does
-  MatchSource source = MatchSource::kPairwise;
-};
-
 /// The matches of two matchers as one list, by left, then by right index: all of `pairwise`, and of `chio` the lines
 /// of the first three processes whose left segment `pairwise` has left unmatched and whose right one
 /// it has given to no other left edge. That something nearby has its height, as in the fourth, is not
-/// enough for a line that `pairwise` does not match.
-std::vector<CombinedMatch> combine_matches(std::span<const EdgeSegment> left,
-                                           std::span<const ScoredMatch> pairwise,
-                                           std::span<const ChioLine> chio);
+/// enough for a line that `pairwise` does not match. A match that both have found keeps what `pairwise` says of it;
+/// "+chio" is added to its matcher.
+std::vector<FoundMatch> combine_matches(std::span<const EdgeSegment> left,
+                                        std::vector<FoundMatch> pairwise,
+                                        std::span<const ChioLine> chio);
 
 }  // namespace ridgeline::reconstruct

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/chio_wang2000/combine_matches.h"
+#include "reconstruct/beyond/combined_matchers/combine_matches.h"
 
 #include "tests/reconstruct/ok2011/match/stereo_pair.h"
 
@@ -22,7 +22,8 @@ TEST(CombineMatches, TakesPairwiseFirstAndWellConstrainedLinesOfChio) {
   std::vector<EdgeSegment> left;
   for (int i = 0; i < 5; ++i) left.push_back(test::edge({{0, 50.0 * i}, {40, 50.0 * i}}));
   left.push_back(test::edge({{45, 0}, {80, 0}}));
-  const std::vector<ScoredMatch> pairwise{{{0, 10}, 0.9, 3.0}, {{1, 11}, 0.8, 2.0}};
+  const std::vector<FoundMatch> pairwise{{{{0, 10}, 0.9, 3.0}, "pairwise"},
+                                         {{{1, 11}, 0.8, 2.0}, "pairwise_height"}};
   const std::vector<ChioLine> chio{
       chio_line(0, 10, 4),  // agrees
       chio_line(1, 99, 1),  // disagrees: pairwise stays
@@ -31,25 +32,26 @@ TEST(CombineMatches, TakesPairwiseFirstAndWellConstrainedLinesOfChio) {
       chio_line(4, 10, 1),  // its mate belongs to another edge
       chio_line(5, 10, 2),  // its mate is shared with a fragment of the same edge
   };
-  const std::vector<CombinedMatch> combined = combine_matches(left, pairwise, chio);
+  const std::vector<FoundMatch> combined = combine_matches(left, pairwise, chio);
   ASSERT_EQ(combined.size(), 4U);
-  EXPECT_EQ(combined[0].source, MatchSource::kBoth);
+  EXPECT_EQ(combined[0].matcher, "pairwise+chio");
   EXPECT_EQ(combined[0].scored.score, 0.9);
-  EXPECT_EQ(combined[1].source, MatchSource::kPairwise);
+  EXPECT_EQ(combined[1].matcher, "pairwise_height");
   EXPECT_EQ(combined[1].scored.match.right, 11);
-  EXPECT_EQ(combined[2].source, MatchSource::kChio);
+  EXPECT_EQ(combined[2].matcher, "chio");
   EXPECT_EQ(combined[2].scored.match.left, 2);
   EXPECT_EQ(combined[3].scored.match.left, 5);
 }
 
 TEST(CombineMatches, KeepsAllFragmentsThatALineIsMatchedWith) {
   const std::vector<EdgeSegment> left{test::edge({{0, 0}, {80, 0}})};
-  const std::vector<ScoredMatch> pairwise{{{0, 10}, 0.9, 3.0}, {{0, 11}, 0.8, 2.0}};
-  const std::vector<CombinedMatch> combined =
+  const std::vector<FoundMatch> pairwise{{{{0, 10}, 0.9, 3.0}, "pairwise"},
+                                         {{{0, 11}, 0.8, 2.0}, "pairwise"}};
+  const std::vector<FoundMatch> combined =
       combine_matches(left, pairwise, std::vector{chio_line(0, 11, 1)});
   ASSERT_EQ(combined.size(), 2U);
-  EXPECT_EQ(combined[0].source, MatchSource::kPairwise);
-  EXPECT_EQ(combined[1].source, MatchSource::kBoth);
+  EXPECT_EQ(combined[0].matcher, "pairwise");
+  EXPECT_EQ(combined[1].matcher, "pairwise+chio");
 }
 
 TEST(CombineMatches, OfNothingAreNone) { EXPECT_TRUE(combine_matches({}, {}, {}).empty()); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/ok2011/match/line_similarity.h"
+#include "reconstruct/views/line_similarity.h"
 
-#include "reconstruct/ok2011/match/constraints.h"
+#include "reconstruct/views/mate_flanks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kEndScale_px = 3.0;  // end points along a line are this uncertain
+constexpr double kColourScale = 0.08;  // of the range of grey values
+constexpr double kEndScale_px = 3.0;   // end points along a line are this uncertain
 
 /// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
 double ends_agreement(const EdgeSegment& left,
@@ -28,7 +29,51 @@ double ends_agreement(const EdgeSegment& left,
   return 0.5 * (std::exp(-at_start / kEndScale_px) + std::exp(-at_end / kEndScale_px));
 }
 
+Colour difference(const Colour& a, const Colour& b) {
+  Colour d{};
+  for (int band = 0; band < kMaxBands; ++band) d[band] = a[band] - b[band];
+  return d;
+}
+
+double norm(const Colour& c) {
+  double squared = 0.0;
+  for (const float value : c) squared += static_cast<double>(value) * value;
+  return std::sqrt(squared);
+}
+
+/// Colours of a right segment's flanks on the sides of the left segment's direction.
+struct Sides {
+  Colour left, right;
+};
+Sides mapped_sides(const EdgeSegment& right, bool reversed, const Radiometry& radiometry) {
+  const auto [on_left, on_right] = mate_flanks(right, reversed);
+  return {radiometry.left_from_right(on_left->colour),
+          radiometry.left_from_right(on_right->colour)};
+}
+
 }  // namespace
+
+std::optional<double> colour_similarity(const EdgeSegment& left,
+                                        const EdgeSegment& right,
+                                        bool reversed,
+                                        const Radiometry& radiometry) {
+  const Sides mate = mapped_sides(right, reversed, radiometry);
+  const double smallest = std::min(norm(difference(left.left.colour, mate.left)),
+                                   norm(difference(left.right.colour, mate.right)));
+  return std::exp(-0.5 * (smallest / kColourScale) * (smallest / kColourScale));
+}
+
+std::optional<double> contrast_similarity(const EdgeSegment& left,
+                                          const EdgeSegment& right,
+                                          bool reversed,
+                                          const Radiometry& radiometry) {
+  const Sides mate = mapped_sides(right, reversed, radiometry);
+  const Colour step = difference(left.right.colour, left.left.colour);
+  const Colour mate_step = difference(mate.right, mate.left);
+  const double both = norm(step) + norm(mate_step);
+  if (!(both > 0.0)) return std::nullopt;
+  return 1.0 - norm(difference(step, mate_step)) / both;
+}
 
 LineMeasures line_measures(const EdgeSegment& left,
                            const EdgeSegment& right,

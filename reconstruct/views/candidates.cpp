@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/ok2011/match/candidates.h"
+#include "reconstruct/views/candidates.h"
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/segment_index.h"
@@ -23,7 +23,7 @@ struct Search {
   const MatchView& right;
   const StereoSearch& stereo;
   ImagePair images;
-  const MatchOptions& options;
+  const CandidateOptions& options;
   const CandidateLook& change_look;
   std::vector<Segment2> right_segments;
   SegmentIndex index;
@@ -51,7 +51,7 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
                                                     const LocalTransfer& transfer,
                                                     const EdgeSegment& left,
                                                     const EdgeSegment& right) {
-  const MatchOptions& options = search.options;
+  const CandidateOptions& options = search.options;
   if (acute_angle_rad(Eigen::Vector2d(left.line.segment.end - left.line.segment.start),
                       Eigen::Vector2d(right.line.segment.end - right.line.segment.start)) >
       3.0 * options.min_epipolar_angle_deg * kRadPerDeg) {
@@ -75,7 +75,7 @@ bool admissible(const EpipolarOverlap& overlap,
                 const SearchedSegment& searched,
                 double gsd_m,
                 const std::array<double, 2>& heights_m,
-                const MatchOptions& options) {
+                const CandidateOptions& options) {
   const double tolerance_m = kHeightTolerance_px / searched.px_per_m;
   const double run_m = gsd_m * overlap.share_of_left() * length(searched.segment);
   const double rise_m = std::abs(overlap.height_m[1] - overlap.height_m[0]);
@@ -92,7 +92,7 @@ std::optional<Candidate> candidate(const Search& search,
                                    const EdgeSegment& left,
                                    int right_id) {
   const EdgeSegment& right = search.right.segments[right_id];
-  const MatchOptions& options = search.options;
+  const CandidateOptions& options = search.options;
   const Segment2& a = left.line.segment;
   const Segment2& b = right.line.segment;
   if (acute_angle_rad(Eigen::Vector2d(transfer.jacobian * (a.end - a.start)),
@@ -151,8 +151,9 @@ std::vector<std::vector<Candidate>> match_candidates(const MatchView& left,
                                                      const MatchView& right,
                                                      const StereoSearch& search,
                                                      const Radiometry& radiometry,
-                                                     const MatchOptions& options,
+                                                     const CandidateOptions& options,
                                                      const CandidateLook& change_look) {
+  validate(options);
   std::vector<Segment2> right_segments = ideal_segments(right);
   const SegmentIndex index(right_segments);
   const Search all{left,

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/faint_edges/faint_edges.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ridgeline::reconstruct {
+
+std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
+                                        const cv::Mat& image,
+                                        const ExtractionOptions& options) {
+  ExtractOptions smoother = options.edges;
+  smoother.gradient_sigma_px = options.beyond.faint_gradient_sigma_px;
+  smoother.min_length_px =
+      std::max(options.edges.min_length_px, options.beyond.faint_min_length_px);
+  smoother.diffusion_levels = 0;  // the smoothing leaves nothing for it to do
+  std::vector<EdgeTrace> faint = edge_traces(image, smoother, known);
+  std::move(faint.begin(), faint.end(), std::back_inserter(known));
+  return known;
+}
+
+}  // namespace ridgeline::reconstruct

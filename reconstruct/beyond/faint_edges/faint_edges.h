@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/beyond/options.h"
+#include "reconstruct/ok2011/extract/extract_segments.h"
+
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// The known edges, then those that a second look with more smoothing finds beside them: ridges and hips between faces
+/// of nearly the same colour are too faint for the first look.
+/// @param image  CV_32FC(n), n = 1..4
+std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
+                                        const cv::Mat& image,
+                                        const ExtractionOptions& options);
+
+}  // namespace ridgeline::reconstruct

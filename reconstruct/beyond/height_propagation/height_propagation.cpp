@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/height_propagation/height_propagation.h"
+
+#include <algorithm>
+
+namespace ridgeline::reconstruct {
+
+std::vector<ScoredMatch> propagate_heights(const MatchView& left,
+                                           const MatchView& right,
+                                           const std::array<double, 2>& height_range_in_local_m,
+                                           std::span<const ScoredMatch> given,
+                                           const ChioOptions& chio,
+                                           const CandidateOptions& candidates,
+                                           const MatchExtensionOptions& options,
+                                           const CandidateLook& change_look) {
+  if (given.empty()) return {};
+  ChioOptions propagation = chio;
+  // heights of lines that are only nearby brought more wrong lines than right ones
+  propagation.range_m = 0.0;
+  propagation.min_similarity = std::max(chio.min_similarity, options.propagate_min_similarity);
+  return matches_of(chio_match(left, right, height_range_in_local_m, propagation, candidates,
+                               change_look, given));
+}
+
+}  // namespace ridgeline::reconstruct

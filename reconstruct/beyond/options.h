@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/field.h"
+#include "reconstruct/ok2011/estimate/options.h"
+#include "reconstruct/ok2011/extract/options.h"
+
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+
+/// What goes beyond the paper in the extraction; see edge_refinement().
+struct EdgeExtensionOptions {
+  bool faint_edges = true;
+  double faint_gradient_sigma_px = 1.6;
+  double faint_min_length_px = 25.0;  ///< shorter ones are mostly texture
+  bool junction_cuts = true;
+  double min_junction_bend_px = 0.05;  ///< a cut stays if two lines fit better by this
+  bool separate_edges = true;
+
+  static constexpr EdgeExtensionOptions none() {
+    return {.faint_edges = false, .junction_cuts = false, .separate_edges = false};
+  }
+
+  static constexpr auto fields() {
+    using O = EdgeExtensionOptions;
+    return std::tuple{
+        Field{"faint_edges", &O::faint_edges, false, true,
+              "look again with more smoothing, for edges too faint for the first look"},
+        Field{"faint_gradient_sigma_px", &O::faint_gradient_sigma_px, 0.5, 5.0,
+              "smoothing of the colour gradient in the second look"},
+        Field{"faint_min_length_px", &O::faint_min_length_px, 3.0, 1e5,
+              "shorter segments of the second look are dropped"},
+        Field{"junction_cuts", &O::junction_cuts, false, true,
+              "cut an edge where another one ends on it or crosses it"},
+        Field{"min_junction_bend_px", &O::min_junction_bend_px, 0.0, 100.0,
+              "such a cut stays where two lines fit better than one by this, root mean square"},
+        Field{"separate_edges", &O::separate_edges, false, true,
+              "resolve two edges within about two pixels that blur into one"}};
+  }
+};
+
+/// Of the extraction: what the paper says, and what goes beyond it.
+struct ExtractionOptions {
+  ExtractOptions edges;
+  EdgeExtensionOptions beyond;
+};
+
+/// What goes beyond the papers in the matching; see match_extensions() and propagate_heights().
+struct MatchExtensionOptions {
+  bool matched_radiometry = true;
+  bool close_lines = true;
+  bool hidden_walls = true;
+  bool propagate_heights = true;
+  /// Lines matched by height must look more alike than lines that pairs of segments support (chio.min_similarity): on
+  /// the training villages 4 of 19 below this were false, of 6 from here on none.
+  double propagate_min_similarity = 0.82;
+
+  static constexpr MatchExtensionOptions none() {
+    return {.matched_radiometry = false,
+            .close_lines = false,
+            .hidden_walls = false,
+            .propagate_heights = false};
+  }
+
+  static constexpr auto fields() {
+    using O = MatchExtensionOptions;
+    return std::tuple{
+        Field{"matched_radiometry", &O::matched_radiometry, false, true,
+              "gain and offset of the images from surfaces that both show"},
+        Field{"close_lines", &O::close_lines, false, true,
+              "the two edges of a narrow strip keep their order"},
+        Field{"hidden_walls", &O::hidden_walls, false, true,
+              "compare across walls that one camera alone sees"},
+        Field{"propagate_heights", &O::propagate_heights, false, true,
+              "lines left unmatched may take the height of matched lines that they meet"},
+        Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
+              "if they look alike to at least this"}};
+  }
+};
+
+/// What goes beyond the paper in the estimation; see estimate_extensions().
+struct EstimateExtensionOptions {
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the
+  /// right segment: its left one continues far beyond a short right one.
+  double max_end_sigma_m = 0.5;
+  /// Right segments of not_aligned matches are moved to where their image shows what the left ones lie
+  /// on, by the colour profiles across the lines. See registered_shifts_px().
+  bool register_profiles = true;
+  /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
+  /// the ends of both segments and horizontality tell. See agree_on_depth().
+  bool consensus = true;
+  /// The consensus hears how the strips beside the line correlate at each depth. See FlankCorrelation.
+  bool flanks = true;
+  double sigma_flank_px = 0.5;   ///< of points of the line found so, along the line
+  double max_point_prior = 0.7;  ///< that two lines which cross in both images meet, at W = 1
+  double end_prior = 0.75;       ///< that the ends of both segments show the same point
+  double sigma_end_px = 1.0;     ///< along the line, if they do
+  /// Lines that rest on their ends alone are at least this long: false matches of short segments have
+  /// ends that agree as well.
+  double min_ends_length_px = 15.0;
+  double sigma_meeting_m = 0.1;     ///< distance of lines that meet
+  double max_miss_m = 2.5;          ///< of lines that only seem to meet
+  double doubt_above = 0.1;         ///< that a point above the line is none: less than below it
+  double horizontal_share = 0.8;    ///< of the aligned lines, before anything is known
+  double sigma_slope = 0.01;        ///< of lines that are built horizontal
+  double nearby_px = 100.0;         ///< from the line, in the base image, heights are compared
+  double sigma_height_m = 0.2;      ///< of lines at the same height
+  double max_nearby_sigma_m = 0.4;  ///< of the height of a line that others are compared with
+  /// Most that agreement with the line raises the odds of evidence by.
+  double agreement_gain = 4.0;
+  double gable_share = 0.8;        ///< of gables among what has the shape of one
+  double step_share = 0.07;        ///< of places where one crosses: steps of a row
+  double min_cut_weight = 0.3;     ///< W of the point where a match is cut
+  double min_cut_length_px = 7.0;  ///< of each part
+  /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
+  double min_depth_margin = 2.5;
+
+  static constexpr EstimateExtensionOptions none() {
+    return {
+        .max_end_sigma_m = 1e6, .register_profiles = false, .consensus = false, .flanks = false};
+  }
+
+  static constexpr auto fields() {
+    using O = EstimateExtensionOptions;
+    return std::tuple{
+        Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 1e6,
+              "lines less certain than this at an end are given between the right ends"},
+        Field{"register_profiles", &O::register_profiles, false, true,
+              "not_aligned: move the right edge to where the profiles across it agree"},
+        Field{"consensus", &O::consensus, false, true,
+              "use points that agree on the depth of their line; off: as published"},
+        Field{"flanks", &O::flanks, false, true,
+              "consensus: compare the strips beside the line in both images"},
+        Field{"sigma_flank_px", &O::sigma_flank_px, 1e-3, 1e3,
+              "consensus: scatter of points found by that along the line"},
+        Field{"max_point_prior", &O::max_point_prior, 0.01, 0.99,
+              "consensus: prior probability of the best point"},
+        Field{"end_prior", &O::end_prior, 0.01, 0.99,
+              "consensus: prior probability that segment ends correspond"},
+        Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
+              "consensus: scatter of corresponding segment ends along the line"},
+        Field{"min_ends_length_px", &O::min_ends_length_px, 0.0, 1e4,
+              "consensus: shorter lines that no point supports are ambiguous"},
+        Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
+              "consensus, network: distance of lines that meet"},
+        Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
+              "network: distance of lines that only seem to meet"},
+        Field{"doubt_above", &O::doubt_above, 0.0, 1.0,
+              "consensus: doubt about a point above the line, where below it is 1"},
+        Field{"horizontal_share", &O::horizontal_share, 0.0, 0.999,
+              "consensus: prior share of horizontal lines"},
+        Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
+              "consensus: scatter of the slope of horizontal lines"},
+        Field{"nearby_px", &O::nearby_px, 0.0, 1e4,
+              "consensus: heights of lines up to this distance are likely ones"},
+        Field{"sigma_height_m", &O::sigma_height_m, 1e-3, 1e3,
+              "consensus: scatter of lines at the same height"},
+        Field{"max_nearby_sigma_m", &O::max_nearby_sigma_m, 0.0, 1e3,
+              "consensus: sigma of the height of a line that others are compared with"},
+        Field{"agreement_gain", &O::agreement_gain, 1e-3, 1e6,
+              "consensus: most that agreement raises the odds of a point by"},
+        Field{"gable_share", &O::gable_share, 0.0, 1.0,
+              "consensus: prior share of gables among what has the shape of one"},
+        Field{"step_share", &O::step_share, 0.0, 1.0,
+              "consensus: prior share of crossings where a row of lines has a step"},
+        Field{"min_cut_weight", &O::min_cut_weight, 0.0, 1.0,
+              "consensus: weight of a point that a match is cut at"},
+        Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
+              "consensus: shortest part of a match that is cut"},
+        Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,
+              "consensus: a line is ambiguous if another depth comes closer; log of the odds"}};
+  }
+};
+
+/// Of the estimation: what the paper says, and what goes beyond it.
+struct EstimationOptions {
+  ReconstructOptions lines;
+  EstimateExtensionOptions beyond;
+};
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/faint_edges/faint_edges.h"
+
+#include "reconstruct/beyond/edge_refinement.h"
+#include "reconstruct/views/normalised_image.h"
+#include "tests/reconstruct/ok2011/extract/blurred_scene.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+test::ErrorSummary errors_of(const test::BlurredScene& scene, bool faint_edges) {
+  EdgeExtensionOptions beyond{.junction_cuts = false, .separate_edges = false};
+  beyond.faint_edges = faint_edges;
+  const auto segments =
+      extract_segments(normalised_image(scene.raw), {}, {}, edge_refinement({{}, beyond}));
+  return test::summary(test::edge_errors(scene.edges, segments), scene.edges);
+}
+
+TEST(WithFaintEdges, FindsFaintEdgesAsAccurately) {
+  // steps of twice the noise
+  const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.02});
+  const test::ErrorSummary two_looks = errors_of(scene, true);
+  const test::ErrorSummary one_look = errors_of(scene, false);
+  EXPECT_LT(one_look.completeness, 0.5);
+  EXPECT_GT(two_looks.completeness, 0.7);
+  EXPECT_LT(two_looks.rms_px, 1.1 * one_look.rms_px);
+  EXPECT_LT(two_looks.across_z2, 1.0);  // the systematic part of the sigma has reserves
+}
+
+TEST(WithFaintEdges, LeavesClearEdgesAsTheyAre) {
+  const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.2});
+  const test::ErrorSummary two_looks = errors_of(scene, true);
+  const test::ErrorSummary one_look = errors_of(scene, false);
+  EXPECT_EQ(two_looks.rms_px, one_look.rms_px);
+  EXPECT_EQ(two_looks.completeness, one_look.completeness);
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/height_propagation/height_propagation.h"
+
+#include "tests/reconstruct/ok2011/match/painted_pair.h"
+
+#include <gmock/gmock.h>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+using test::PaintedPair;
+
+/// A flat roof at 6 m; its east and west eaves run across the epipolar lines. A line meets a corner of it.
+class PropagateHeights : public testing::Test {
+ protected:
+  static constexpr PaintedPair::Roof kRoof{-6.0, -5.0, 6.0, 5.0, 6.0};
+
+  PropagateHeights() : pair_({kRoof}) {
+    pair_.add_outline(kRoof);
+    pair_.add_line({{6.0, 5.0, 6.0}, {9.0, 11.0, 6.0}});
+    inclined_ = static_cast<int>(pair_.views[0].segments.size()) - 1;
+  }
+
+  [[nodiscard]] std::vector<ScoredMatch> from(const std::vector<ScoredMatch>& given,
+                                              double min_similarity = 0.0) const {
+    MatchExtensionOptions options;
+    options.propagate_min_similarity = min_similarity;
+    return propagate_heights(pair_.views[0], pair_.views[1], pair_.heights_m, given, {}, {},
+                             options);
+  }
+
+  PaintedPair pair_;
+  int inclined_ = 0;
+};
+
+TEST_F(PropagateHeights, FindsNothingBesideNothing) { EXPECT_TRUE(from({}).empty()); }
+
+TEST_F(PropagateHeights, FindsTheLineThatMeetsAMatchedOne) {
+  const std::vector<ScoredMatch> all = from({{{1, 1}, 1.0, 1.0}, {{3, 3}, 1.0, 1.0}});
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].match.left, inclined_);
+  EXPECT_EQ(all[0].match.right, inclined_);
+}
+
+TEST_F(PropagateHeights, LeavesLinesThatDoNotLookAlike) {
+  EXPECT_TRUE(from({{{1, 1}, 1.0, 1.0}, {{3, 3}, 1.0, 1.0}}, 1.0).empty());
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
