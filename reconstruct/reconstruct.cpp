@@ -49,9 +49,8 @@ std::vector<ScoredMatch> scored_matches(const MatchList& list) {
 /// Beyond the papers: lines that the height of matched ones makes possible join the list.
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
   const CandidateLook look = match_extensions(options.beyond, options.candidates).look;
-  for (const ScoredMatch& scored : propagate_heights(
-           pair.views[0], pair.views[1], pair.height_range_in_local_m, scored_matches(list),
-           options.chio, options.candidates, options.beyond, look)) {
+  for (const ScoredMatch& scored : propagate_heights(pair, scored_matches(list), options.chio,
+                                                     options.candidates, options.beyond, look)) {
     list.matches.push_back({scored, kByHeight});
     list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
   }
@@ -59,9 +58,8 @@ void add_by_height(const StereoPair& pair, const MatchingOptions& options, Match
 }
 
 MatchList by_pairs(const StereoPair& pair, const MatchingOptions& options) {
-  const MatchResult found =
-      match_pairwise(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.pairwise,
-                     options.candidates, match_extensions(options.beyond, options.candidates));
+  const MatchResult found = match_pairwise(pair, options.pairwise, options.candidates,
+                                           match_extensions(options.beyond, options.candidates));
   MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
                  reasons_of(found.outcomes)};
   if (options.beyond.propagate_heights) add_by_height(pair, options, list);
@@ -166,9 +164,8 @@ Matches match(const StereoPair& pair, const MatchingOptions& options) {
     if (matcher == Matcher::kPairwise) {
       result.lists.push_back(by_pairs(pair, options));
     } else {
-      result.chio =
-          chio_match(pair.views[0], pair.views[1], pair.height_range_in_local_m, options.chio,
-                     options.candidates, match_extensions(options.beyond, options.candidates).look);
+      result.chio = chio_match(pair, options.chio, options.candidates,
+                               match_extensions(options.beyond, options.candidates).look);
       result.lists.push_back(list_of(*result.chio));
     }
   }
@@ -182,31 +179,24 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
                                         const EstimationOptions& options,
                                         const MatchOptions& pair_options) {
-  const auto& [left, right] = pair.views;
-  const std::array cameras{left.image_from_local, right.image_from_local};
-  const std::array images{left.image, right.image};
-  const std::array segments{left.segments, right.segments};
-  const std::array<double, 2>& heights_m = pair.height_range_in_local_m;
   const double aligned_deg = options.lines.max_aligned_angle_deg;
-
-  const std::vector<PairConnection> connections =
-      connect_matches(left.segments, right.segments, matches, cameras, heights_m, pair_options);
+  const std::vector<PairConnection> connections = connect_matches(pair, matches, pair_options);
   std::vector<FlankStrips> strips;
   // only the consensus on depth compares them
   if (options.beyond.flanks && options.beyond.consensus &&
       options.lines.method != Method::kDirect) {
-    strips = sample_flanks(cameras, images, segments, matches, heights_m, aligned_deg);
+    strips = sample_flanks(pair, matches, aligned_deg);
   }
   std::vector<double> right_shifts_px;
   if (options.beyond.register_profiles) {
-    right_shifts_px =
-        registered_shifts_px(cameras, images, segments, matches, heights_m, aligned_deg);
+    right_shifts_px = registered_shifts_px(pair, matches, aligned_deg);
   }
   EstimationOptions within_heights = options;
-  within_heights.lines.lowest_height_m = heights_m[0];
-  within_heights.lines.highest_height_m = heights_m[1];
-  const std::array geometry{geometry_of(left.segments), geometry_of(right.segments)};
-  return reconstruct_lines(cameras, geometry, matches, connections, within_heights.lines,
+  within_heights.lines.lowest_height_m = pair.height_range_in_local_m[0];
+  within_heights.lines.highest_height_m = pair.height_range_in_local_m[1];
+  const std::array geometry{geometry_of(pair.views[0].segments),
+                            geometry_of(pair.views[1].segments)};
+  return reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
                            right_shifts_px, estimate_extensions(within_heights, strips));
 }
 

@@ -59,12 +59,6 @@ struct Options {
 /// the matching, the detection of edges) our calibrated values stand. Method::kNetwork is not of a paper.
 Options published();
 
-/// A pair of views ready to be matched.
-struct StereoPair {
-  std::array<MatchView, 2> views;  ///< base, search
-  std::array<double, 2> height_range_in_local_m{};
-};
-
 /// What one matcher, or both together, made of a pair.
 struct MatchList {
   std::string name;                  ///< "pairwise", "chio" or "both"

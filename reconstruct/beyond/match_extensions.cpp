@@ -13,22 +13,18 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
   MatchExtensions beyond;
   if (options.hidden_walls) beyond.look = look_past_wall;
   if (options.matched_radiometry) {
-    beyond.radiometry = [candidates, look = beyond.look](
-                            const MatchView& left, const MatchView& right,
-                            const StereoSearch& search, const Radiometry& first) {
-      return matched_radiometry(left, right, search, first, candidates, look);
+    beyond.radiometry = [candidates, look = beyond.look](const SearchedPair& pair,
+                                                         const Radiometry& first) {
+      return matched_radiometry(pair, first, candidates, look);
     };
   }
   if (!options.close_lines && !options.hidden_walls) return beyond;
-  beyond.candidates = [options](const MatchView& left, const MatchView& right,
-                                const StereoSearch& search, const Radiometry& radiometry,
+  beyond.candidates = [options](const SearchedPair& pair, const Radiometry& radiometry,
                                 std::vector<std::vector<Candidate>>& found) {
-    const std::array<CloseLines, 2> close{close_lines(ideal_segments(left)),
-                                          close_lines(ideal_segments(right))};
-    if (options.close_lines) keep_order_of_close_lines(left, search, close, found);
-    if (options.hidden_walls) {
-      compare_across_hidden_strips({&left, &right}, search, radiometry, close, found);
-    }
+    const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.left)),
+                                          close_lines(ideal_segments(pair.right))};
+    if (options.close_lines) keep_order_of_close_lines(pair, close, found);
+    if (options.hidden_walls) compare_across_hidden_strips(pair, radiometry, close, found);
   };
   return beyond;
 }

@@ -12,9 +12,7 @@ namespace {
 ChioLine line_of(int left_id,
                  const Acquired& acquired,
                  const CoreCandidates& candidates,
-                 const MatchView& left,
-                 const MatchView& right,
-                 const StereoSearch& search,
+                 const SearchedPair& pair,
                  const ChioOptions& options) {
   const CoreCandidate& first = candidates.list[acquired.candidate];
   ChioLine line;
@@ -22,29 +20,26 @@ ChioLine line_of(int left_id,
   line.acquired = acquired;
   line.chain = first.chain;
   std::vector<int> links{first.right};
-  for (const int c : linked_fragments(candidates, acquired.candidate, right, options)) {
+  for (const int c : linked_fragments(candidates, acquired.candidate, pair.right, options)) {
     links.push_back(candidates.list[c].right);
   }
   line.fragments.assign(links.begin() + 1, links.end());
-  line.line = line_through_links(left_id, links, left, right, search, candidates.gsd_m, options);
+  line.line = line_through_links(left_id, links, pair, candidates.gsd_m, options);
   return line;
 }
 
 }  // namespace
 
-ChioResult chio_match(const MatchView& left,
-                      const MatchView& right,
-                      const std::array<double, 2>& height_range_in_local_m,
+ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options,
                       const CandidateOptions& candidate_options,
                       const CandidateLook& change_look,
                       std::span<const ScoredMatch> given) {
   validate(options);
-  check_images(left, right);
-  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
+  const SearchedPair views = searched(pair);
   const std::vector<CoreCandidates> candidates =
-      core_candidates(left, right, search, options, candidate_options, change_look);
-  ProcessedSegments processed = four_processes(left, right, search, candidates, options, given);
+      core_candidates(views, options, candidate_options, change_look);
+  ProcessedSegments processed = four_processes(views, candidates, options, given);
 
   ChioResult result;
   result.outcomes = std::move(processed.outcomes);
@@ -56,8 +51,7 @@ ChioResult chio_match(const MatchView& left,
   result.lines.resize(acquired.size());
   tbb::parallel_for(std::size_t{0}, acquired.size(), [&](std::size_t k) {
     const int i = acquired[k];
-    result.lines[k] =
-        line_of(i, *processed.acquired[i], candidates[i], left, right, search, options);
+    result.lines[k] = line_of(i, *processed.acquired[i], candidates[i], views, options);
   });
   return result;
 }

@@ -38,9 +38,7 @@ struct ChioResult {
 /// @param change_look        of the candidates; where what goes beyond the paper enters
 /// @param given              matches of another matcher in place of the first two processes
 /// Deterministic for any number of threads. Throws std::invalid_argument as match_pairwise().
-ChioResult chio_match(const MatchView& left,
-                      const MatchView& right,
-                      const std::array<double, 2>& height_range_in_local_m,
+ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options = {},
                       const CandidateOptions& candidate_options = {},
                       const CandidateLook& change_look = {},

@@ -3,7 +3,6 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/views/candidates.h"
-#include "reconstruct/views/mate_flanks.h"
 
 #include <tbb/parallel_for.h>
 
@@ -26,9 +25,7 @@ struct Screened {
 };
 
 struct Scene {
-  const MatchView& left;
-  const MatchView& right;
-  const StereoSearch& search;
+  const SearchedPair& pair;
   const Radiometry& radiometry;
   const ChioOptions& options;
 };
@@ -56,7 +53,7 @@ double flank_difference(const Scene& scene,
                         const EdgeSegment& left,
                         const EdgeSegment& right,
                         bool reversed) {
-  const int n_bands = scene.left.image.channels();
+  const int n_bands = scene.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {
     return mean_of(scene.radiometry.left_from_right(flank.colour), n_bands);
   };
@@ -71,7 +68,7 @@ ChioOutcome screening(const Scene& scene,
                       const ChainSummary& chain) {
   const ChioOptions& options = scene.options;
   const double gsd_m = screened.transfer.gsd_m;
-  const EdgeSegment& right = scene.right.segments[candidate.right];
+  const EdgeSegment& right = scene.pair.right.segments[candidate.right];
   const double noise = options.paper ? 0.0 : kNoiseFactor;
   if (chain.n_reliable < options.min_pieces) return ChioOutcome::kFewPieces;
   if (azimuth_difference_rad(screened.transfer, screened.left.line.segment, right.line.segment) >
@@ -106,9 +103,9 @@ void sort_by_preference(std::vector<CoreCandidate>& list, const ChioOptions& opt
 CoreCandidates candidates_of(const Scene& scene,
                              const EdgeSegment& left,
                              const std::vector<Candidate>& found) {
-  const Screened screened{
-      left, local_transfer(scene.search, midpoint(left.line.segment)),
-      searched_points(scene.search.right_from_left, ImageSampler(scene.left.image), left)};
+  const Screened screened{left, local_transfer(scene.pair.search, midpoint(left.line.segment)),
+                          searched_points(scene.pair.search.right_from_left,
+                                          ImageSampler(scene.pair.left.image), left)};
   CoreCandidates result;
   result.gsd_m = screened.transfer.gsd_m;
   for (const Candidate& candidate : found) {
@@ -117,8 +114,8 @@ CoreCandidates candidates_of(const Scene& scene,
       continue;
     }
     const ChainSummary chain =
-        edge_chain(scene.search.right_from_left, screened.points, left.line,
-                   scene.right.segments[candidate.right].line, result.gsd_m, scene.options)
+        edge_chain(scene.pair.search.right_from_left, screened.points, left.line,
+                   scene.pair.right.segments[candidate.right].line, result.gsd_m, scene.options)
             .summary;
     const ChioOutcome verdict = screening(scene, screened, candidate, chain);
     const bool may_begin = verdict == ChioOutcome::kMatched;
@@ -135,53 +132,27 @@ CoreCandidates candidates_of(const Scene& scene,
 }  // namespace
 
 const char* name(ChioOutcome outcome) {
-  switch (outcome) {
-    case ChioOutcome::kMatched:
-      return "matched";
-    case ChioOutcome::kEpipolarDegenerate:
-      return "epipolar_degenerate";
-    case ChioOutcome::kNoCandidate:
-      return "no_candidate";
-    case ChioOutcome::kFewPieces:
-      return "few_pieces";
-    case ChioOutcome::kAzimuth:
-      return "azimuth";
-    case ChioOutcome::kFlank:
-      return "flank";
-    case ChioOutcome::kSteep:
-      return "steep";
-    case ChioOutcome::kUneven:
-      return "uneven";
-    case ChioOutcome::kLowScore:
-      return "low_score";
-    case ChioOutcome::kOutOfReach:
-      return "out_of_reach";
-    case ChioOutcome::kHeight:
-      return "height";
-    case ChioOutcome::kAmbiguous:
-      return "ambiguous";
-    case ChioOutcome::kLostToOther:
-      return "lost_to_other";
-  }
-  return "";
+  constexpr std::array kNames{
+      "matched",      "no_candidate", "epipolar_degenerate", "few_pieces", "azimuth",   "flank",
+      "steep",        "uneven",       "out_of_reach",        "height",     "low_score", "ambiguous",
+      "lost_to_other"};
+  return kNames.at(static_cast<std::size_t>(outcome));
 }
 
-std::vector<CoreCandidates> core_candidates(const MatchView& left,
-                                            const MatchView& right,
-                                            const StereoSearch& search,
+std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
                                             const CandidateLook& change_look) {
-  const Radiometry radiometry = relative_radiometry(left.segments, right.segments);
+  const Radiometry radiometry = relative_radiometry(pair.left.segments, pair.right.segments);
   CandidateOptions wide = candidate_options;
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
   if (options.paper) wide.max_candidates = kAllCandidates;
   const std::vector<std::vector<Candidate>> found =
-      match_candidates(left, right, search, radiometry, wide, change_look);
-  const Scene scene{left, right, search, radiometry, options};
-  std::vector<CoreCandidates> candidates(left.segments.size());
+      match_candidates(pair, radiometry, wide, change_look);
+  const Scene scene{pair, radiometry, options};
+  std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
-    candidates[i] = candidates_of(scene, left.segments[i], found[i]);
+    candidates[i] = candidates_of(scene, pair.left.segments[i], found[i]);
   });
   return candidates;
 }

@@ -53,9 +53,7 @@ struct CoreCandidates {
 /// reliable pieces, mean rate of height change and its standard deviation. The epipolar band is
 /// searched as match_candidates() does. Preference: the most reliable pieces, then the steadiest
 /// rate, by paper; else the look.
-std::vector<CoreCandidates> core_candidates(const MatchView& left,
-                                            const MatchView& right,
-                                            const StereoSearch& search,
+std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
                                             const CandidateLook& change_look = {});

@@ -16,8 +16,8 @@ struct RightLine {
 
   explicit RightLine(const Segment2& s)
       : start(s.start),
-        along((s.end - s.start).normalized()),
-        normal(-along.y(), along.x()),
+        along(ridgeline::along(s)),
+        normal(normal_of(along)),
         c(normal.dot(s.start)),
         length_px(length(s)) {}
 
@@ -80,8 +80,7 @@ void summarise_pieces(EdgeChain& chain) {
 
 /// Variance of a segment's line across itself, at a point.
 double variance_across_px2(const UncertainSegment2& s, const Eigen::Vector2d& x) {
-  const Eigen::Vector2d u = (s.segment.end - s.segment.start).normalized();
-  const double t = u.dot(x - s.centroid_px);
+  const double t = along(s.segment).dot(x - s.centroid_px);
   return s.sigma_q_px * s.sigma_q_px + t * t * s.sigma_phi_rad * s.sigma_phi_rad;
 }
 
@@ -99,10 +98,9 @@ void summarise_heights(const EpipolarTransfer& right_from_left,
   const auto point = std::find_if(left_points.begin(), left_points.end(),
                                   [&](const SearchedPoint& p) { return p.point.step == middle; });
   const Eigen::Vector2d x = point->point.x_px;
-  const Eigen::Vector2d u = (left.segment.end - left.segment.start).normalized();
   const double z_m = point->stretch.height_on(line.normal, line.c);
   const double moved_m =
-      right_from_left.stretch(x + Eigen::Vector2d(-u.y(), u.x())).height_on(line.normal, line.c);
+      right_from_left.stretch(x + normal(left.segment)).height_on(line.normal, line.c);
   chain.summary.height_per_px_m = std::abs(moved_m - z_m);
   // the right line's height moves as much as its normal has of the epipolar direction
   const double right_per_px_m = 1.0 / std::abs(line.normal.dot(point->stretch.derivative(z_m)));

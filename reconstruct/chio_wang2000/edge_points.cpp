@@ -60,23 +60,16 @@ std::optional<double> edge_offset_px(const ImageSampler& image,
 
 std::vector<EdgePoint> edge_points(const ImageSampler& image, const EdgeSegment& edge) {
   const int n_steps = std::max(1, static_cast<int>(length(edge.line.segment)));
-  const auto normal_of = [](const Segment2& s) {
-    const Eigen::Vector2d u = (s.end - s.start).normalized();
-    return Eigen::Vector2d(-u.y(), u.x());
-  };
-  const auto at = [](const Segment2& s, double t) {
-    return Eigen::Vector2d((1.0 - t) * s.start + t * s.end);
-  };
-  const Eigen::Vector2d in_image = normal_of(edge.in_image);
-  const Eigen::Vector2d ideal = normal_of(edge.line.segment);
+  const Eigen::Vector2d in_image = normal(edge.in_image);
+  const Eigen::Vector2d ideal = normal(edge.line.segment);
   std::vector<EdgePoint> points;
   points.reserve(static_cast<std::size_t>(n_steps));
   for (int step = 0; step < n_steps; ++step) {
     const double t = (step + 0.5) / n_steps;
-    const auto offset_px = edge_offset_px(image, at(edge.in_image, t), in_image);
+    const auto offset_px = edge_offset_px(image, point_at(edge.in_image, t), in_image);
     if (!offset_px) continue;
     // the distortion of the lens is the same over a pixel
-    points.push_back({step, at(edge.line.segment, t) + *offset_px * ideal});
+    points.push_back({step, point_at(edge.line.segment, t) + *offset_px * ideal});
   }
   return points;
 }

@@ -11,7 +11,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Ground pixel of the paper's images.
 constexpr double kSigmas = 2.0;  // by which the difference of two heights may be off
 
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
@@ -25,19 +24,17 @@ struct Correspondence {
 
 class Iteration {
  public:
-  Iteration(const MatchView& left,
-            const MatchView& right,
-            const StereoSearch& search,
+  Iteration(const SearchedPair& pair,
             const std::vector<CoreCandidates>& candidates,
             const ChioOptions& options)
-      : left_segments_(ideal_segments(left)),
-        search_(search),
+      : left_segments_(ideal_segments(pair.left)),
+        search_(pair.search),
         candidates_(candidates),
         options_(options),
         structures_(linear_structures(left_segments_, options)),
-        right_structures_(linear_structures(ideal_segments(right), options)),
-        right_of_segment_(structures_of_segments(right_structures_, right.segments.size())),
-        acquisition_(left, right, candidates, options) {}
+        right_structures_(linear_structures(ideal_segments(pair.right), options)),
+        right_of_segment_(structures_of_segments(right_structures_, pair.right.segments.size())),
+        acquisition_(pair.left, pair.right, candidates, options) {}
 
   ProcessedSegments run() {
     for (const Structure& structure : structures_) first_and_second(structure);
@@ -73,9 +70,7 @@ class Iteration {
   [[nodiscard]] double height_at(int left,
                                  const CoreCandidate& candidate,
                                  const Eigen::Vector2d& x) const {
-    const Segment2& s = left_segments_[left];
-    const Eigen::Vector2d d = s.end - s.start;
-    return candidate.overlap.height_at(d.dot(x - s.start) / d.squaredNorm());
+    return candidate.overlap.height_at(parameter_along(left_segments_[left], x));
   }
 
   /// Height of the matched neighbour that the candidates of a segment are compared with.
@@ -246,13 +241,11 @@ class Iteration {
 
 }  // namespace
 
-ProcessedSegments four_processes(const MatchView& left,
-                                 const MatchView& right,
-                                 const StereoSearch& search,
+ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
                                  std::span<const ScoredMatch> given) {
-  Iteration iteration(left, right, search, candidates, options);
+  Iteration iteration(pair, candidates, options);
   return given.empty() ? iteration.run() : iteration.run_beside(given);
 }
 

@@ -33,9 +33,7 @@ struct ProcessedSegments {
 ///
 /// Matches of another matcher may stand in place of the first two processes, `given`; then what 3 and
 /// 4 find beside them by the close limit is all.
-ProcessedSegments four_processes(const MatchView& left,
-                                 const MatchView& right,
-                                 const StereoSearch& search,
+ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
                                  std::span<const ScoredMatch> given = {});

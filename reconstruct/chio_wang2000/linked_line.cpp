@@ -27,19 +27,18 @@ void add_reliable_points(const EdgeChain& chain, std::vector<ChainPoint>& points
 
 /// How the ends of a line move with shift (px, at the centroid) and direction of the right line.
 Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
-                                          const MatchView& left,
-                                          const UncertainSegment2& right,
-                                          const StereoSearch& search) {
-  const Eigen::Vector2d along = (right.segment.end - right.segment.start).normalized();
-  const Eigen::Vector2d normal(-along.y(), along.x());
+                                          const SearchedPair& pair,
+                                          const UncertainSegment2& right) {
+  const Eigen::Vector2d u = along(right.segment);
   Eigen::Matrix<double, 6, 2> jacobian;
   for (const Eigen::Index end : {0, 1}) {
     const Eigen::Vector3d& x = end == 0 ? line.start : line.end;
-    const Stretch stretch = search.right_from_left.stretch(project(left.image_from_local, x));
-    const double height_per_px_m = 1.0 / normal.dot(stretch.derivative(x.z()));
-    const Eigen::Vector3d ray = x - search.right_from_left.centre();
+    const Stretch stretch =
+        pair.search.right_from_left.stretch(project(pair.left.image_from_local, x));
+    const double height_per_px_m = 1.0 / normal_of(u).dot(stretch.derivative(x.z()));
+    const Eigen::Vector3d ray = x - pair.search.right_from_left.centre();
     const Eigen::Vector3d per_px = ray / ray.z() * height_per_px_m;
-    const double t_px = along.dot(stretch.at(x.z()) - right.centroid_px);
+    const double t_px = u.dot(stretch.at(x.z()) - right.centroid_px);
     jacobian.block<3, 1>(3 * end, 0) = per_px;
     jacobian.block<3, 1>(3 * end, 1) = t_px * per_px;
   }
@@ -50,18 +49,16 @@ Eigen::Matrix<double, 6, 2> by_right_line(const Segment3& line,
 
 std::optional<FittedLine> line_through_links(int left_id,
                                              std::span<const int> right_ids,
-                                             const MatchView& left,
-                                             const MatchView& right,
-                                             const StereoSearch& search,
+                                             const SearchedPair& pair,
                                              double gsd_m,
                                              const ChioOptions& options) {
-  const EdgeSegment& edge = left.segments[left_id];
+  const EdgeSegment& edge = pair.left.segments[left_id];
   const std::vector<SearchedPoint> searched =
-      searched_points(search.right_from_left, ImageSampler(left.image), edge);
+      searched_points(pair.search.right_from_left, ImageSampler(pair.left.image), edge);
   std::vector<ChainPoint> on_line;
   for (const int id : right_ids) {
-    add_reliable_points(edge_chain(search.right_from_left, searched, edge.line,
-                                   right.segments[id].line, gsd_m, options),
+    add_reliable_points(edge_chain(pair.search.right_from_left, searched, edge.line,
+                                   pair.right.segments[id].line, gsd_m, options),
                         on_line);
   }
   // fragments are linked in any order; the line runs the way of the left segment
@@ -72,8 +69,8 @@ std::optional<FittedLine> line_through_links(int left_id,
   for (const ChainPoint& p : on_line) points.push_back(p.x_in_local);
   std::optional<FittedLine> line = fit_line(points, kCorrelation);
   if (!line) return line;
-  const UncertainSegment2& mate = right.segments[right_ids.front()].line;
-  const Eigen::Matrix<double, 6, 2> jacobian = by_right_line(line->segment, left, mate, search);
+  const UncertainSegment2& mate = pair.right.segments[right_ids.front()].line;
+  const Eigen::Matrix<double, 6, 2> jacobian = by_right_line(line->segment, pair, mate);
   const Eigen::Vector2d variances(mate.sigma_q_px * mate.sigma_q_px,
                                   mate.sigma_phi_rad * mate.sigma_phi_rad);
   line->cov_m2 += jacobian * variances.asDiagonal() * jacobian.transpose();

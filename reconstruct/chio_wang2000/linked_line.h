@@ -17,9 +17,7 @@ namespace ridgeline::reconstruct {
 /// Empty for fewer than three reliable points.
 std::optional<FittedLine> line_through_links(int left_id,
                                              std::span<const int> right_ids,
-                                             const MatchView& left,
-                                             const MatchView& right,
-                                             const StereoSearch& search,
+                                             const SearchedPair& pair,
                                              double gsd_m,
                                              const ChioOptions& options);
 

@@ -25,4 +25,11 @@ struct EdgeSegment {
   double contrast = 0.0;  ///< mean strength of the colour gradient along the edge, 1/px
 };
 
+/// The flanks of a right segment on the left and the right of its left mate's direction.
+/// @param reversed  the right segment runs against the left one, so that its flanks change sides
+inline std::array<const Flank*, 2> mate_flanks(const EdgeSegment& right, bool reversed) {
+  if (reversed) return {&right.right, &right.left};
+  return {&right.left, &right.right};
+}
+
 }  // namespace ridgeline

@@ -63,6 +63,10 @@ double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
+double acute_angle_rad(const Segment2& a, const Segment2& b) {
+  return acute_angle_rad(Eigen::Vector2d(a.end - a.start), Eigen::Vector2d(b.end - b.start));
+}
+
 std::optional<Eigen::Vector2d> intersection(const Segment2& a,
                                             const Segment2& b,
                                             double min_angle_rad) {

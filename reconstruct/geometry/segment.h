@@ -24,6 +24,19 @@ inline Eigen::Vector3d midpoint(const Segment3& s) { return 0.5 * (s.start + s.e
 inline Eigen::Vector3d point_at(const Segment3& s, double t) {
   return (1.0 - t) * s.start + t * s.end;
 }
+inline Eigen::Vector2d point_at(const Segment2& s, double t) {
+  return (1.0 - t) * s.start + t * s.end;
+}
+/// Unit vector u from start to end.
+inline Eigen::Vector2d along(const Segment2& s) { return (s.end - s.start).normalized(); }
+/// n = (-u_y, u_x): points to the right side of the segment, as y runs down in an image.
+inline Eigen::Vector2d normal_of(const Eigen::Vector2d& u) { return {-u.y(), u.x()}; }
+inline Eigen::Vector2d normal(const Segment2& s) { return normal_of(along(s)); }
+/// Parameter of the foot of `x` on the infinite line of the segment, 0 at its start and 1 at its end.
+inline double parameter_along(const Segment2& s, const Eigen::Vector2d& x) {
+  const Eigen::Vector2d d = s.end - s.start;
+  return d.dot(x - s.start) / d.squaredNorm();
+}
 inline bool all_finite(const Segment3& s) { return s.start.allFinite() && s.end.allFinite(); }
 
 /// The plan view (x, y) of a segment.
@@ -45,6 +58,7 @@ double distance(const Segment2& a, const Segment2& b);
 /// stays exact near 0 and pi/2 where acos does not. 0 if either has zero length.
 double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+double acute_angle_rad(const Segment2& a, const Segment2& b);
 
 /// Where the lines of two segments meet; nothing for an acute angle up to `min_angle_rad`.
 std::optional<Eigen::Vector2d> intersection(const Segment2& a,

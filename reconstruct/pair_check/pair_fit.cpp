@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/pair_check/pair_fit.h"
 
+#include "reconstruct/geometry/median.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -15,13 +17,6 @@ using PointPair = std::array<Eigen::Vector2d, 2>;
 
 double distance_to_line_px(const Eigen::Vector2d& x_px, const Eigen::Vector3d& line) {
   return std::abs(line.dot(x_px.homogeneous())) / line.head<2>().norm();
-}
-
-double distance_to_segment_px(const Eigen::Vector2d& x_px, const Segment2& segment) {
-  const Eigen::Vector2d along = segment.end - segment.start;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? along.dot(x_px - segment.start) / square : 0.0;
-  return (segment.start + std::clamp(t, 0.0, 1.0) * along - x_px).norm();
 }
 
 /// Where `other` shows what `own` shows at a pixel, between both heights.
@@ -44,13 +39,6 @@ std::optional<PointPair> ideal_pair(const PointMatch& match, const PairGeometry&
     ideal[i] = *x_px;
   }
   return ideal;
-}
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::vector<PairReading> readings_to_try() {
@@ -99,14 +87,13 @@ PairFit fit_of_pair(std::span<const PointMatch> points,
         0.5 * (distance_to_line_px(right, right_from_left * left.homogeneous()) +
                distance_to_line_px(left, right_from_left.transpose() * right.homogeneous())));
     const double off_px =
-        0.5 * (distance_to_segment_px(
-                   right, between_heights(cameras[0], cameras[1], left, geometry.heights_m)) +
-               distance_to_segment_px(
-                   left, between_heights(cameras[1], cameras[0], right, geometry.heights_m)));
+        0.5 * (distance(between_heights(cameras[0], cameras[1], left, geometry.heights_m), right) +
+               distance(between_heights(cameras[1], cameras[0], right, geometry.heights_m), left));
     if (off_px <= limit_px) ++n_fit;
   }
   const std::size_t n = parallaxes_px.size();
-  return {n, median_of(std::move(parallaxes_px)), n == 0 ? 0.0 : double(n_fit) / double(n)};
+  if (n == 0) return {0, std::numeric_limits<double>::quiet_NaN(), 0.0};
+  return {n, median(std::move(parallaxes_px)), double(n_fit) / double(n)};
 }
 
 PointMatch as_seen(const PointMatch& file_points,

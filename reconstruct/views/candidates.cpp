@@ -19,9 +19,7 @@ constexpr double kParallaxStep_px = 1.0;  // of the search along near-aligned li
 constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
 
 struct Search {
-  const MatchView& left;
-  const MatchView& right;
-  const StereoSearch& stereo;
+  const SearchedPair& pair;
   ImagePair images;
   const CandidateOptions& options;
   const CandidateLook& change_look;
@@ -52,15 +50,14 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
                                                     const EdgeSegment& left,
                                                     const EdgeSegment& right) {
   const CandidateOptions& options = search.options;
-  if (acute_angle_rad(Eigen::Vector2d(left.line.segment.end - left.line.segment.start),
-                      Eigen::Vector2d(right.line.segment.end - right.line.segment.start)) >
+  if (acute_angle_rad(left.line.segment, right.line.segment) >
       3.0 * options.min_epipolar_angle_deg * kRadPerDeg) {
     return std::nullopt;
   }
   std::optional<EpipolarOverlap> best;
   double best_ncc = 0.0;
   for (const EpipolarOverlap& overlap :
-       aligned_overlaps(searched, right.line.segment, search.stereo.height_range_m,
+       aligned_overlaps(searched, right.line.segment, search.pair.search.height_range_m,
                         options.epipolar_tolerance_px, kParallaxStep_px)) {
     const double ncc =
         sum_of_ncc(edge_look(search.images, left, right, overlap, transfer, kCoarseGrid));
@@ -91,7 +88,7 @@ std::optional<Candidate> candidate(const Search& search,
                                    const LocalTransfer& transfer,
                                    const EdgeSegment& left,
                                    int right_id) {
-  const EdgeSegment& right = search.right.segments[right_id];
+  const EdgeSegment& right = search.pair.right.segments[right_id];
   const CandidateOptions& options = search.options;
   const Segment2& a = left.line.segment;
   const Segment2& b = right.line.segment;
@@ -104,14 +101,14 @@ std::optional<Candidate> candidate(const Search& search,
       aligned ? best_aligned_overlap(search, searched, transfer, left, right)
               : epipolar_overlap(searched, b);
   if (!overlap ||
-      !admissible(*overlap, searched, transfer.gsd_m, search.stereo.height_range_m, options)) {
+      !admissible(*overlap, searched, transfer.gsd_m, search.pair.search.height_range_m, options)) {
     return std::nullopt;
   }
   EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
   if (search.change_look && !aligned) {
     const double lowest_m = std::min(overlap->height_m[0], overlap->height_m[1]);
     search.change_look(search.images, left, right, *overlap, transfer,
-                       lowest_m - search.stereo.height_range_m[0], look);
+                       lowest_m - search.pair.search.height_range_m[0], look);
   }
   Candidate found;
   found.look = look;
@@ -125,10 +122,10 @@ std::optional<Candidate> candidate(const Search& search,
 std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& left) {
   std::vector<Candidate> candidates;
   const std::optional<SearchedSegment> searched =
-      searched_segment(search.stereo, left.line.segment);
+      searched_segment(search.pair.search, left.line.segment);
   if (!searched) return candidates;
-  const auto& heights_m = search.stereo.height_range_m;
-  const LocalTransfer transfer = local_transfer(search.stereo, midpoint(left.line.segment));
+  const auto& heights_m = search.pair.search.height_range_m;
+  const LocalTransfer transfer = local_transfer(search.pair.search, midpoint(left.line.segment));
   const Eigen::AlignedBox2d box =
       band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
   for (const int id : search.index.in_box(box)) {
@@ -147,26 +144,23 @@ std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& le
 
 }  // namespace
 
-std::vector<std::vector<Candidate>> match_candidates(const MatchView& left,
-                                                     const MatchView& right,
-                                                     const StereoSearch& search,
+std::vector<std::vector<Candidate>> match_candidates(const SearchedPair& pair,
                                                      const Radiometry& radiometry,
                                                      const CandidateOptions& options,
                                                      const CandidateLook& change_look) {
   validate(options);
-  std::vector<Segment2> right_segments = ideal_segments(right);
+  std::vector<Segment2> right_segments = ideal_segments(pair.right);
   const SegmentIndex index(right_segments);
-  const Search all{left,
-                   right,
-                   search,
-                   {ImageSampler(left.image), ImageSampler(right.image), radiometry},
+  const Search all{pair,
+                   {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
                    options,
                    change_look,
                    std::move(right_segments),
                    index};
-  std::vector<std::vector<Candidate>> candidates(left.segments.size());
-  tbb::parallel_for(std::size_t{0}, left.segments.size(),
-                    [&](std::size_t i) { candidates[i] = candidates_of(all, left.segments[i]); });
+  const std::vector<EdgeSegment>& left = pair.left.segments;
+  std::vector<std::vector<Candidate>> candidates(left.size());
+  tbb::parallel_for(std::size_t{0}, left.size(),
+                    [&](std::size_t i) { candidates[i] = candidates_of(all, left[i]); });
   return candidates;
 }
 

@@ -62,9 +62,7 @@ using CandidateLook = std::function<void(const ImagePair& images,
 /// The candidates of each left segment: right segments that overlap its epipolar band for the range
 /// of heights, at a direction and a height that can be; the best `max_candidates` by the look of
 /// the single line, best first. Throws std::invalid_argument for options out of range.
-std::vector<std::vector<Candidate>> match_candidates(const MatchView& left,
-                                                     const MatchView& right,
-                                                     const StereoSearch& search,
+std::vector<std::vector<Candidate>> match_candidates(const SearchedPair& pair,
                                                      const Radiometry& radiometry,
                                                      const CandidateOptions& options,
                                                      const CandidateLook& change_look = {});

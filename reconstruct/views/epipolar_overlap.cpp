@@ -10,22 +10,6 @@ namespace {
 /// Share of the shorter segment that near-aligned segments must have in common.
 constexpr double kMinAlignedShare = 0.5;
 
-/// Parameter of the foot of the perpendicular on the infinite line of a segment.
-double line_parameter(const Segment2& s, const Eigen::Vector2d& x) {
-  const Eigen::Vector2d d = s.end - s.start;
-  return d.dot(x - s.start) / d.squaredNorm();
-}
-
-struct LineNormal {
-  Eigen::Vector2d n;
-  double c;
-};
-LineNormal line_normal(const Segment2& s) {
-  const Eigen::Vector2d u = (s.end - s.start).normalized();
-  const Eigen::Vector2d n(-u.y(), u.x());
-  return {n, n.dot(s.start)};
-}
-
 /// The overlap when the left ends correspond to right parameters t at heights z. Nothing if empty.
 std::optional<EpipolarOverlap> overlap_of(const std::array<double, 2>& t,
                                           const std::array<double, 2>& z) {
@@ -58,12 +42,12 @@ std::optional<EpipolarOverlap> aligned_overlap(const SearchedSegment& left,
   const Eigen::Vector2d y_start = left.start.at(z[0]);
   const Eigen::Vector2d y_end = left.end.at(z[1]);
   std::optional<EpipolarOverlap> overlap =
-      overlap_of({line_parameter(right, y_start), line_parameter(right, y_end)}, z);
+      overlap_of({parameter_along(right, y_start), parameter_along(right, y_end)}, z);
   if (!overlap) return std::nullopt;
-  const LineNormal line = line_normal(right);
+  const Eigen::Vector2d n = normal(right);
   for (const double u : overlap->on_left) {
     const Eigen::Vector2d y = (1.0 - u) * y_start + u * y_end;
-    if (std::abs(line.n.dot(y) - line.c) > tolerance_px) return std::nullopt;
+    if (std::abs(n.dot(y) - n.dot(right.start)) > tolerance_px) return std::nullopt;
   }
   overlap->aligned = true;
   return overlap;
@@ -125,11 +109,11 @@ bool is_near_aligned(const SearchedSegment& left, const Segment2& right, double 
 
 std::optional<EpipolarOverlap> epipolar_overlap(const SearchedSegment& left,
                                                 const Segment2& right) {
-  const LineNormal line = line_normal(right);
-  const std::array<double, 2> z = {left.start.height_on(line.n, line.c),
-                                   left.end.height_on(line.n, line.c)};
+  const Eigen::Vector2d n = normal(right);
+  const double c = n.dot(right.start);
+  const std::array<double, 2> z = {left.start.height_on(n, c), left.end.height_on(n, c)};
   return overlap_of(
-      {line_parameter(right, left.start.at(z[0])), line_parameter(right, left.end.at(z[1]))}, z);
+      {parameter_along(right, left.start.at(z[0])), parameter_along(right, left.end.at(z[1]))}, z);
 }
 
 std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,

@@ -28,10 +28,6 @@ struct EpipolarOverlap {
   [[nodiscard]] double height_at(double on_left_parameter) const;
 };
 
-inline Eigen::Vector2d point_at(const Segment2& s, double t) {
-  return (1.0 - t) * s.start + t * s.end;
-}
-
 /// A left segment prepared for the search of its mates.
 struct SearchedSegment {
   Segment2 segment;

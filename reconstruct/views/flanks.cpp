@@ -37,16 +37,16 @@ struct ColourSum {
 }  // namespace
 
 std::array<Flank, 2> flanks(const cv::Mat& image, const Segment2& in_image) {
-  const Eigen::Vector2d along = (in_image.end - in_image.start).normalized();
-  const Eigen::Vector2d normal(-along.y(), along.x());
+  const Eigen::Vector2d u = along(in_image);
+  const Eigen::Vector2d n = normal_of(u);
   std::array<ColourSum, 2> sums;
   const int n_along = static_cast<int>(length(in_image)) + 1;
   for (int i = 0; i < n_along; ++i) {
-    const Eigen::Vector2d on_line = in_image.start + double(i) * along;
+    const Eigen::Vector2d on_line = in_image.start + double(i) * u;
     for (int k = 0; k < kNumSamplesAcross; ++k) {
       const double distance = kNearest_px + k;
-      sums[0].add(image, on_line - distance * normal);
-      sums[1].add(image, on_line + distance * normal);
+      sums[0].add(image, on_line - distance * n);
+      sums[1].add(image, on_line + distance * n);
     }
   }
   return {sums[0].mean(image.channels()), sums[1].mean(image.channels())};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/views/line_similarity.h"
 
-#include "reconstruct/views/mate_flanks.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -6,7 +6,8 @@
 
 namespace ridgeline::reconstruct {
 
-void check_images(const MatchView& left, const MatchView& right) {
+SearchedPair searched(const StereoPair& pair) {
+  const auto& [left, right] = pair.views;
   for (const MatchView* view : {&left, &right}) {
     check(view->image.depth() == CV_32F && view->image.channels() <= kMaxBands &&
               view->image.rows >= 2 && view->image.cols >= 2,
@@ -15,6 +16,9 @@ void check_images(const MatchView& left, const MatchView& right) {
   check(left.image.channels() == right.image.channels(),
         "bands of the images = ", left.image.channels(), " and ", right.image.channels(),
         ", must be equal");
+  return {
+      left, right,
+      StereoSearch(left.image_from_local, right.image_from_local, pair.height_range_in_local_m)};
 }
 
 std::vector<Segment2> ideal_segments(const MatchView& view) {

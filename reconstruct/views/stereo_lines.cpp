@@ -16,8 +16,7 @@ std::size_t checked_index(const char* what, int index, std::size_t size) {
 }
 
 UncertainSegment2 shifted(const UncertainSegment2& segment, double across_px) {
-  const Eigen::Vector2d u = (segment.segment.end - segment.segment.start).normalized();
-  const Eigen::Vector2d by = across_px * Eigen::Vector2d(-u.y(), u.x());
+  const Eigen::Vector2d by = across_px * normal(segment.segment);
   UncertainSegment2 moved = segment;
   for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
     *x += by;

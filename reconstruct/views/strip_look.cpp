@@ -60,8 +60,7 @@ StripFrame strip_frame(const EdgeSegment& left,
     frame.on_right.push_back(point_at(right.line.segment, on_right) +
                              file_shift(right, std::clamp(on_right, 0.0, 1.0)));
   }
-  const Eigen::Vector2d u = (segment.end - segment.start).normalized();
-  frame.side_in_left = Eigen::Vector2d(-u.y(), u.x());
+  frame.side_in_left = normal(segment);
   return frame;
 }
 

@@ -20,22 +20,17 @@ constexpr double kSmallestCoverage = 0.5;  // of the line itself: a fragment bes
 /// Signed distance of b from a, in the middle of what they have in common; empty if b does not run
 /// along a.
 std::optional<double> offset_px(const Segment2& a, const Segment2& b) {
-  if (acute_angle_rad(Eigen::Vector2d(a.end - a.start), Eigen::Vector2d(b.end - b.start)) >
-      kParallel_deg * kRadPerDeg) {
-    return std::nullopt;
-  }
+  if (acute_angle_rad(a, b) > kParallel_deg * kRadPerDeg) return std::nullopt;
   const double len = length(a);
-  const Eigen::Vector2d along = (a.end - a.start) / len;
-  const Eigen::Vector2d normal(-along.y(), along.x());
-  const double start = along.dot(b.start - a.start);
-  const double end = along.dot(b.end - a.start);
+  const double start = along(a).dot(b.start - a.start);
+  const double end = along(a).dot(b.end - a.start);
   const double low = std::max(0.0, std::min(start, end));
   const double high = std::min(len, std::max(start, end));
   const double least_px =
       std::max(kSmallestOverlap * std::min(len, std::abs(end - start)), kSmallestCoverage * len);
   if (high - low < least_px) return std::nullopt;
   const double share = (0.5 * (low + high) - start) / (end - start);
-  const double offset = normal.dot((1.0 - share) * b.start + share * b.end - a.start);
+  const double offset = normal(a).dot(point_at(b, share) - a.start);
   if (std::abs(offset) > kClose_px) return std::nullopt;
   return offset;
 }
@@ -44,8 +39,7 @@ std::vector<CloseLine> close_lines_of(const SegmentIndex& index,
                                       std::span<const Segment2> segments,
                                       int id) {
   const Segment2& a = segments[static_cast<std::size_t>(id)];
-  const Eigen::Vector2d along = (a.end - a.start).normalized();
-  const Eigen::Vector2d normal(-along.y(), along.x());
+  const Eigen::Vector2d n = normal(a);
   std::array<std::optional<CloseLine>, 2> nearest;
   std::array<double, 2> distance{std::numeric_limits<double>::infinity(),
                                  std::numeric_limits<double>::infinity()};
@@ -56,7 +50,7 @@ std::vector<CloseLine> close_lines_of(const SegmentIndex& index,
     const std::size_t side = *offset < 0.0 ? 0 : 1;
     if (std::abs(*offset) >= distance[side]) continue;
     distance[side] = std::abs(*offset);
-    nearest[side] = CloseLine{other, side == 0 ? Eigen::Vector2d(-normal) : normal, distance[side]};
+    nearest[side] = CloseLine{other, side == 0 ? Eigen::Vector2d(-n) : n, distance[side]};
   }
   std::vector<CloseLine> found;
   for (const auto& line : nearest) {
@@ -87,8 +81,7 @@ CloseLines close_lines(std::span<const Segment2> segments) {
   return found;
 }
 
-void keep_order_of_close_lines(const MatchView& left,
-                               const StereoSearch& search,
+void keep_order_of_close_lines(const SearchedPair& pair,
                                const std::array<CloseLines, 2>& close,
                                std::vector<std::vector<Candidate>>& candidates) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -96,7 +89,7 @@ void keep_order_of_close_lines(const MatchView& left,
     std::erase_if(candidates[i], [&](const Candidate& c) {
       const std::vector<CloseLine>& beside_right = close[1][static_cast<std::size_t>(c.right)];
       return beside_right.size() == 1 &&
-             exchanges_sides(left.segments[i].line.segment, search, close[0][i].front(),
+             exchanges_sides(pair.left.segments[i].line.segment, pair.search, close[0][i].front(),
                              beside_right.front(), c);
     });
   }

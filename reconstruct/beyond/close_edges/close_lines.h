@@ -25,8 +25,7 @@ CloseLines close_lines(std::span<const Segment2> segments);
 /// Takes candidates away that would exchange the two edges of a narrow strip: where both segments
 /// have a line close by, on one side each, it is the same side. A gutter, a kerb, both borders of a
 /// marking are seen in the same order from above.
-void keep_order_of_close_lines(const MatchView& left,
-                               const StereoSearch& search,
+void keep_order_of_close_lines(const SearchedPair& pair,
                                const std::array<CloseLines, 2>& close,
                                std::vector<std::vector<Candidate>>& candidates);
 

@@ -23,13 +23,11 @@ EdgeTrace shifted(const EdgeTrace& trace,
                   const Segment2& line,
                   const ProfileStep& step,
                   double share_of_strength) {
-  const double len = length(line);
-  const Eigen::Vector2d along = (line.end - line.start) / len;
-  const Eigen::Vector2d normal(-along.y(), along.x());
+  const Eigen::Vector2d n = normal(line);
   EdgeTrace moved = trace;
   for (EdgeSample& sample : moved) {
-    const double tau = 2.0 * along.dot(sample.position_px - line.start) / len - 1.0;
-    sample.position_px += (step.offset_px + tau * step.tilt_px) * normal;
+    const double tau = 2.0 * parameter_along(line, sample.position_px) - 1.0;
+    sample.position_px += (step.offset_px + tau * step.tilt_px) * n;
     sample.strength *= share_of_strength;
   }
   return moved;
@@ -65,13 +63,12 @@ bool same_edge(const Segment2& a, const Segment2& b) {
   const Segment2& longer = length(a) >= length(b) ? a : b;
   const Segment2& shorter = length(a) >= length(b) ? b : a;
   const double len = length(longer);
-  const Eigen::Vector2d along = (longer.end - longer.start) / len;
-  const Eigen::Vector2d normal(-along.y(), along.x());
+  const Eigen::Vector2d u = along(longer);
   for (const Eigen::Vector2d& x : {shorter.start, shorter.end}) {
-    if (std::abs(normal.dot(x - longer.start)) > kSame_px) return false;
+    if (std::abs(normal_of(u).dot(x - longer.start)) > kSame_px) return false;
   }
   const auto [low, high] =
-      std::minmax({along.dot(shorter.start - longer.start), along.dot(shorter.end - longer.start)});
+      std::minmax({u.dot(shorter.start - longer.start), u.dot(shorter.end - longer.start)});
   return std::min(high, len) - std::max(low, 0.0) >= kSmallestOverlap * (high - low);
 }
 

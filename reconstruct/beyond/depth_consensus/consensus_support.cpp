@@ -57,14 +57,14 @@ class KnownEnds {
 UncertainPoint2 end_in_image(const ObservedLine& observed,
                              const Eigen::Vector2d& end,
                              double sigma_end) {
-  const Eigen::Vector2d along = (observed.segment.end - observed.segment.start).normalized();
-  const Eigen::Vector2d across(-along.y(), along.x());
+  const Eigen::Vector2d u = along(observed.segment);
+  const Eigen::Vector2d n = normal_of(u);
   const Eigen::Vector3d x = end.homogeneous();
   const double norm = observed.line.mean.head<2>().norm();
   const double variance_across = x.dot(observed.line.cov * x) / (norm * norm);
   UncertainPoint2 point{x, Eigen::Matrix3d::Zero()};
-  point.cov.topLeftCorner<2, 2>() = sigma_end * sigma_end * along * along.transpose() +
-                                    variance_across * across * across.transpose();
+  point.cov.topLeftCorner<2, 2>() =
+      sigma_end * sigma_end * u * u.transpose() + variance_across * n * n.transpose();
   return spherically_normalised(point);
 }
 

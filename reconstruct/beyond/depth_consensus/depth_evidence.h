@@ -3,7 +3,18 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 namespace ridgeline::reconstruct {
+
+/// The curve of a normal distribution, 1 at z = 0.
+inline double bell(double z) { return std::exp(-0.5 * z * z); }
+
+/// A line in the projection plane of the base segment, conditioned frame.
+struct DepthLine {
+  Eigen::Vector3d through = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector
+};
 
 /// Points closer together along the segment than this share of it fix no direction.
 inline constexpr double kSmallestBase = 0.2;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/depth_profiles.h"
 
-#include "reconstruct/beyond/depth_consensus/bell.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

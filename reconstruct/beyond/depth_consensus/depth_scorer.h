@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
-#include "reconstruct/beyond/depth_consensus/depth_line.h"
 #include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 #include "reconstruct/beyond/options.h"
 #include "reconstruct/ok2011/estimate/candidate_points.h"

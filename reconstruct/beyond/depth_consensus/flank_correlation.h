@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/beyond/depth_consensus/depth_line.h"
+#include "reconstruct/beyond/depth_consensus/depth_evidence.h"
 #include "reconstruct/beyond/depth_consensus/strip_correlation.h"
 #include "reconstruct/geometry/flank_strips.h"
 #include "reconstruct/ok2011/estimate/candidate_points.h"

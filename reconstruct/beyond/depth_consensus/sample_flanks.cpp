@@ -69,45 +69,41 @@ double parameter_in_right(const std::array<ProjectionMatrix, 2>& cameras,
                           double height_m) {
   const Plane3 level(Eigen::Vector3d::UnitZ(), -height_m);
   const Eigen::Vector2d x = project(cameras[1], point_on_plane(cameras[0], x_in_left, level));
-  const Eigen::Vector2d along = right.end - right.start;
-  return along.dot(x - right.start) / along.squaredNorm();
+  return parameter_along(right, x);
 }
 
-FlankStrips sample_match(const std::array<ProjectionMatrix, 2>& cameras,
-                         const std::array<cv::Mat, 2>& images,
+FlankStrips sample_match(const StereoPair& pair,
                          const EdgeSegment& left,
-                         const EdgeSegment& right,
-                         const std::array<double, 2>& height_range_m) {
+                         const EdgeSegment& right) {
   const double most = kMostBeyond_px / length(right.line.segment);
   double from = 0.0;
   double to = 1.0;
   for (const Eigen::Vector2d& x : {left.line.segment.start, left.line.segment.end}) {
-    for (const double height_m : height_range_m) {
-      const double t = parameter_in_right(cameras, right.line.segment, x, height_m);
+    for (const double height_m : pair.height_range_in_local_m) {
+      const double t = parameter_in_right(pair.cameras(), right.line.segment, x, height_m);
       if (!std::isfinite(t)) continue;
       from = std::clamp(t, -most, from);
       to = std::clamp(t, to, 1.0 + most);
     }
   }
-  return {sample(images[0], left, 0.0, 1.0, FlankStrip::kLeftStep_px),
-          sample(images[1], right, from, to, FlankStrip::kRightStep_px)};
+  return {sample(pair.views[0].image, left, 0.0, 1.0, FlankStrip::kLeftStep_px),
+          sample(pair.views[1].image, right, from, to, FlankStrip::kRightStep_px)};
 }
 
 }  // namespace
 
-std::vector<FlankStrips> sample_flanks(const std::array<ProjectionMatrix, 2>& cameras,
-                                       const std::array<cv::Mat, 2>& images,
-                                       const std::array<std::vector<EdgeSegment>, 2>& segments,
+std::vector<FlankStrips> sample_flanks(const StereoPair& pair,
                                        std::span<const LineMatch> matches,
-                                       const std::array<double, 2>& height_range_m,
                                        double max_angle_deg) {
   std::vector<FlankStrips> strips(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    const EdgeSegment& left = segments[0].at(static_cast<std::size_t>(matches[i].left));
-    const EdgeSegment& right = segments[1].at(static_cast<std::size_t>(matches[i].right));
-    const double angle_rad = epipolar_angle_rad(cameras, left.line.segment, right.line.segment);
+    const EdgeSegment& left = pair.views[0].segments.at(static_cast<std::size_t>(matches[i].left));
+    const EdgeSegment& right =
+        pair.views[1].segments.at(static_cast<std::size_t>(matches[i].right));
+    const double angle_rad =
+        epipolar_angle_rad(pair.cameras(), left.line.segment, right.line.segment);
     if (angle_rad > max_angle_deg * kRadPerDeg) return;
-    strips[i] = sample_match(cameras, images, left, right, height_range_m);
+    strips[i] = sample_match(pair, left, right);
   });
   return strips;
 }

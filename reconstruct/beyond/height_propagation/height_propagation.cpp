@@ -5,9 +5,7 @@
 
 namespace ridgeline::reconstruct {
 
-std::vector<ScoredMatch> propagate_heights(const MatchView& left,
-                                           const MatchView& right,
-                                           const std::array<double, 2>& height_range_in_local_m,
+std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
                                            std::span<const ScoredMatch> given,
                                            const ChioOptions& chio,
                                            const CandidateOptions& candidates,
@@ -18,8 +16,7 @@ std::vector<ScoredMatch> propagate_heights(const MatchView& left,
   // heights of lines that are only nearby brought more wrong lines than right ones
   propagation.range_m = 0.0;
   propagation.min_similarity = std::max(chio.min_similarity, options.propagate_min_similarity);
-  return matches_of(chio_match(left, right, height_range_in_local_m, propagation, candidates,
-                               change_look, given));
+  return matches_of(chio_match(pair, propagation, candidates, change_look, given));
 }
 
 }  // namespace ridgeline::reconstruct

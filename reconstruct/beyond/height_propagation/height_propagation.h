@@ -4,7 +4,6 @@
 #include "reconstruct/beyond/options.h"
 #include "reconstruct/chio_wang2000/chio_match.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -13,9 +12,7 @@ namespace ridgeline::reconstruct {
 /// Lines that another matcher has left unmatched and that meet matched ones, at the height of these: what the third
 /// process of Chio and Wang 2000 finds beside the given matches, by its close limit. A given match that is none of
 /// Core's candidates lends no height.
-std::vector<ScoredMatch> propagate_heights(const MatchView& left,
-                                           const MatchView& right,
-                                           const std::array<double, 2>& height_range_in_local_m,
+std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
                                            std::span<const ScoredMatch> given,
                                            const ChioOptions& chio,
                                            const CandidateOptions& candidates,

@@ -11,13 +11,15 @@ using Ids = std::array<int, 2>;
 
 /// A pair of images with the lines close to others.
 struct Pair {
-  const std::array<const MatchView*, 2>& views;
-  const StereoSearch& search;
+  const SearchedPair& views;
   const Radiometry& radiometry;
   const std::array<CloseLines, 2>& close;
 
+  [[nodiscard]] const MatchView& view(int image) const {
+    return image == 0 ? views.left : views.right;
+  }
   [[nodiscard]] const EdgeSegment& segment(int image, int id) const {
-    return views[image]->segments[id];
+    return view(image).segments[id];
   }
   [[nodiscard]] const std::vector<CloseLine>& beside(int image, int id) const {
     return close[image][id];
@@ -44,8 +46,8 @@ Eigen::Vector2d px_per_m_up(const Pair& pair,
                             const Eigen::Vector2d& x_px,
                             double height_m) {
   const EpipolarTransfer& transfer =
-      image == 0 ? pair.search.right_from_left : pair.search.left_from_right;
-  const ProjectionMatrix& image_from_local = pair.views[image]->image_from_local;
+      image == 0 ? pair.views.search.right_from_left : pair.views.search.left_from_right;
+  const ProjectionMatrix& image_from_local = pair.view(image).image_from_local;
   const Eigen::Vector3d x = image_from_local * transfer.object_point(x_px, height_m).homogeneous();
   const Eigen::Vector3d up = image_from_local.col(2);
   return (up.head<2>() - up.z() * x_px) / x.z();
@@ -87,8 +89,8 @@ void add_strips(const Pair& pair,
   const Eigen::Vector2d up_px_per_m =
       px_per_m_up(pair, image, midpoint(pair.segment(image, ids[image]).line.segment), height_m);
   const Eigen::Matrix2d right_from_left =
-      local_transfer(pair.search.right_from_left, midpoint(pair.segment(0, left).line.segment),
-                     height_m)
+      local_transfer(pair.views.search.right_from_left,
+                     midpoint(pair.segment(0, left).line.segment), height_m)
           .jacobian;
   for (const CloseLine& above : pair.beside(image, ids[image])) {
     if (!is_below(up_px_per_m, above)) continue;
@@ -110,8 +112,7 @@ void add_strips(const Pair& pair,
 
 /// 0 for the left side of a segment, 1 for the right one, as in EdgeLook.
 int side_of(const EdgeSegment& edge, const Eigen::Vector2d& towards) {
-  const Eigen::Vector2d u = edge.line.segment.end - edge.line.segment.start;
-  return Eigen::Vector2d(-u.y(), u.x()).dot(towards) > 0.0 ? 1 : 0;
+  return normal(edge.line.segment).dot(towards) > 0.0 ? 1 : 0;
 }
 
 Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.right; }
@@ -153,13 +154,12 @@ std::vector<HiddenStrip> hidden_strips(const Pair& pair,
 
 }  // namespace
 
-void compare_across_hidden_strips(const std::array<const MatchView*, 2>& views,
-                                  const StereoSearch& search,
+void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,
                                   std::vector<std::vector<Candidate>>& candidates) {
   constexpr double kSmallestRatio = 0.8;  // of the similarities of the upper and the lower edge
-  const Pair pair{views, search, radiometry, close};
+  const Pair pair{views, radiometry, close};
   std::vector<std::vector<Candidate>> changed = candidates;
   for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {
     const Candidate whole = across(strip, pair);

@@ -21,8 +21,7 @@ namespace ridgeline::reconstruct {
 /// similarity and the lower one loses the candidate.
 ///
 /// @param close  the lines close to others in the left and in the right image
-void compare_across_hidden_strips(const std::array<const MatchView*, 2>& views,
-                                  const StereoSearch& search,
+void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,
                                   std::vector<std::vector<Candidate>>& candidates);

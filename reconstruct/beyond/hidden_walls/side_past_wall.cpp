@@ -12,10 +12,9 @@ constexpr StripGrid kGrid{1.5, 2.0, 4, 12, 1, false};
 /// What the right image shows farther out than the left one if a side lies lower than its line, as
 /// the width of the wall between: negative where the left image does.
 double px_per_m_of_drop(const StripFrame& frame, double sign, const LocalTransfer& transfer) {
-  const Eigen::Vector2d along = (frame.on_right.back() - frame.on_right.front()).normalized();
-  const Eigen::Vector2d normal(-along.y(), along.x());
-  const double outwards = normal.dot(sign * frame.side_in_right) > 0.0 ? 1.0 : -1.0;
-  return -outwards * normal.dot(transfer.per_height);
+  const Eigen::Vector2d n = normal({frame.on_right.front(), frame.on_right.back()});
+  const double outwards = n.dot(sign * frame.side_in_right) > 0.0 ? 1.0 : -1.0;
+  return -outwards * n.dot(transfer.per_height);
 }
 
 std::vector<Eigen::Vector2d> shifted(std::vector<Eigen::Vector2d> points,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
 
+#include "reconstruct/geometry/median.h"
 #include "reconstruct/views/candidates.h"
-#include "reconstruct/views/mate_flanks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,9 +63,7 @@ double median_misclosure(std::span<const ColourPair> pairs, int band, double gai
   for (const ColourPair& pair : pairs) {
     all.push_back(std::abs(pair.left[band] - gain * pair.right[band] - offset));
   }
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return median(std::move(all));
 }
 
 /// Least squares, reweighted for Cauchy's distribution of the misclosures.
@@ -93,25 +91,23 @@ void refine_band(std::span<const ColourPair> pairs, int band, Radiometry& radiom
 
 }  // namespace
 
-Radiometry matched_radiometry(const MatchView& left,
-                              const MatchView& right,
-                              const StereoSearch& search,
+Radiometry matched_radiometry(const SearchedPair& pair,
                               const Radiometry& first,
                               const CandidateOptions& options,
                               const CandidateLook& change_look) {
   constexpr std::size_t kFewest = 20;
-  const MatchView longest = longest_of(left);
+  const MatchView longest = longest_of(pair.left);
   const std::vector<std::vector<Candidate>> candidates =
-      match_candidates(longest, right, search, first, options, change_look);
+      match_candidates({longest, pair.right, pair.search}, first, options, change_look);
   std::vector<ColourPair> pairs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].empty()) continue;
     const Candidate& best = candidates[i].front();
-    add_colours(longest.segments[i], right.segments[best.right], best, pairs);
+    add_colours(longest.segments[i], pair.right.segments[best.right], best, pairs);
   }
   if (pairs.size() < kFewest) return first;
   Radiometry refined = first;
-  for (int band = 0; band < left.image.channels(); ++band) refine_band(pairs, band, refined);
+  for (int band = 0; band < pair.left.image.channels(); ++band) refine_band(pairs, band, refined);
   return refined;
 }
 

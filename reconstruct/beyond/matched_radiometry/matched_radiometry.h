@@ -14,9 +14,7 @@ namespace ridgeline::reconstruct {
 /// that have the same texture on a side, which no gain or offset changes, give the colours of one
 /// surface in both images; per band a straight line is fitted to them, robustly. A band without
 /// enough of them, or without contrast, keeps its first values.
-Radiometry matched_radiometry(const MatchView& left,
-                              const MatchView& right,
-                              const StereoSearch& search,
+Radiometry matched_radiometry(const SearchedPair& pair,
                               const Radiometry& first,
                               const CandidateOptions& options,
                               const CandidateLook& change_look = {});

@@ -17,9 +17,8 @@ Place place_of(const StereoViews& stereo, const ObservedPair& line, const Observ
   for (std::size_t j = 0; j < 2; ++j) {
     const Eigen::Vector2d x = line[j].line.mean.cross(other[j].line.mean).hnormalized();
     const Segment2& s = line[j].segment;
-    const double length = (s.end - s.start).norm();
-    const double along = (x - s.start).dot(s.end - s.start) / length;
-    to_end_px += 0.5 * stereo.views[j].image.scale_px * std::max(-along, along - length);
+    const double t = parameter_along(s, x);
+    to_end_px += 0.5 * stereo.views[j].image.scale_px * length(s) * std::max(-t, t - 1.0);
   }
   if (to_end_px > kAtEnd_px) return Place::kBeyond;
   return to_end_px < -kAtEnd_px ? Place::kWithin : Place::kEnd;

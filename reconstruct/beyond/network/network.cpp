@@ -4,13 +4,13 @@
 #include "reconstruct/beyond/network/adjustment.h"
 
 #include <Eigen/Eigenvalues>
+#include <boost/pending/disjoint_sets.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -24,28 +24,20 @@ struct Group {
   std::vector<Meeting> meetings;  ///< by place in `lines`
 };
 
-int root_of(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 std::vector<Group> connected_groups(std::size_t n_lines, std::span<const Meeting> meetings) {
-  std::vector<int> parent(n_lines);
-  std::iota(parent.begin(), parent.end(), 0);
+  boost::disjoint_sets_with_storage<> sets(n_lines);
   for (const Meeting& m : meetings) {
-    const int a = root_of(parent, m.first);
-    const int b = root_of(parent, m.second);
-    parent[std::max(a, b)] = std::min(a, b);
+    sets.union_set(static_cast<std::size_t>(m.first), static_cast<std::size_t>(m.second));
   }
-  std::map<int, Group> groups;
+  std::map<std::size_t, Group> groups;
   std::vector<int> place(n_lines);
   for (std::size_t i = 0; i < n_lines; ++i) {
-    std::vector<int>& lines = groups[root_of(parent, static_cast<int>(i))].lines;
+    std::vector<int>& lines = groups[sets.find_set(i)].lines;
     place[i] = static_cast<int>(lines.size());
     lines.push_back(static_cast<int>(i));
   }
   for (const Meeting& m : meetings) {
-    groups[root_of(parent, m.first)].meetings.push_back(
+    groups[sets.find_set(static_cast<std::size_t>(m.first))].meetings.push_back(
         {place[m.first], place[m.second], m.junction});
   }
   std::vector<Group> result;

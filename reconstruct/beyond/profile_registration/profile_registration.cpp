@@ -84,10 +84,9 @@ double shift_of_match(const StereoSearch& search,
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return 0.0;
   const StripFrame frame = strip_frame(left, right, *overlap, kMostAlong);
-  const Eigen::Vector2d u = (right.line.segment.end - right.line.segment.start).normalized();
   // the sides of the left segment, whichever way the right one runs
   const double sign = overlap->reversed() ? -1.0 : 1.0;
-  const Eigen::Vector2d side_in_right = sign * Eigen::Vector2d(-u.y(), u.x());
+  const Eigen::Vector2d side_in_right = sign * normal(right.line.segment);
   const std::vector<Colour> seen_left =
       mean_profile(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
   const std::vector<Colour> seen_right =
@@ -98,22 +97,19 @@ double shift_of_match(const StereoSearch& search,
 
 }  // namespace
 
-std::vector<double> registered_shifts_px(const std::array<ProjectionMatrix, 2>& cameras,
-                                         const std::array<cv::Mat, 2>& images,
-                                         const std::array<std::vector<EdgeSegment>, 2>& segments,
+std::vector<double> registered_shifts_px(const StereoPair& pair,
                                          std::span<const LineMatch> matches,
-                                         const std::array<double, 2>& height_range_m,
                                          double max_angle_deg) {
-  check(images[0].channels() == images[1].channels(),
-        "bands of the images = ", images[0].channels(), " and ", images[1].channels(),
-        ", must be equal");
-  const StereoSearch search(cameras[0], cameras[1], height_range_m);
-  const std::array<ImageSampler, 2> samplers{ImageSampler(images[0]), ImageSampler(images[1])};
+  const StereoSearch search = searched(pair).search;
+  const std::array<ImageSampler, 2> samplers{ImageSampler(pair.views[0].image),
+                                             ImageSampler(pair.views[1].image)};
   std::vector<double> shifts_px(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    const EdgeSegment& left = segments[0].at(static_cast<std::size_t>(matches[i].left));
-    const EdgeSegment& right = segments[1].at(static_cast<std::size_t>(matches[i].right));
-    const double angle_rad = epipolar_angle_rad(cameras, left.line.segment, right.line.segment);
+    const EdgeSegment& left = pair.views[0].segments.at(static_cast<std::size_t>(matches[i].left));
+    const EdgeSegment& right =
+        pair.views[1].segments.at(static_cast<std::size_t>(matches[i].right));
+    const double angle_rad =
+        epipolar_angle_rad(pair.cameras(), left.line.segment, right.line.segment);
     if (angle_rad <= max_angle_deg * kRadPerDeg) return;
     shifts_px[i] = shift_of_match(search, samplers, left, right);
   });

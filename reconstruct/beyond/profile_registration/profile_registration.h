@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/edge_segment.h"
-#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/line_match.h"
+#include "reconstruct/views/match_view.h"
 
-#include <opencv2/core/mat.hpp>
-
-#include <array>
 #include <span>
 #include <vector>
 
@@ -20,16 +16,10 @@ namespace ridgeline::reconstruct {
 /// line fixes). By match, pixels along n = (-u_y, u_x) of the right segment; 0 for matches up to
 /// `max_angle_deg` to the epipolar line, without overlap or too near to the border, and where the
 /// profiles agree as well as they are, or nowhere since the images show different surfaces.
-/// @param cameras         image_from_local, of ideal pixels
-/// @param images          CV_32FC(1..4), the same number of bands in both
-/// @param height_range_m  in the local frame
 /// Throws std::invalid_argument for other numbers of bands, std::out_of_range for an index that no
 /// segment has.
-std::vector<double> registered_shifts_px(const std::array<ProjectionMatrix, 2>& cameras,
-                                         const std::array<cv::Mat, 2>& images,
-                                         const std::array<std::vector<EdgeSegment>, 2>& segments,
+std::vector<double> registered_shifts_px(const StereoPair& pair,
                                          std::span<const LineMatch> matches,
-                                         const std::array<double, 2>& height_range_m,
                                          double max_angle_deg);
 
 }  // namespace ridgeline::reconstruct

@@ -26,9 +26,9 @@ PairMeasures measures(const StereoLines& lines,
     const Segment2& a = line[j].segment;
     const Segment2& b = lines.lines[static_cast<std::size_t>(neighbour)][j].segment;
     const double scale_px = lines.stereo.views[j].image.scale_px;
-    return PairMeasures{
-        scale_px * distance(a, b), scale_px * distance_to_line(x[j].mean, epipolar_line[j]),
-        acute_angle_rad(Eigen::Vector2d(a.end - a.start), Eigen::Vector2d(b.end - b.start))};
+    return PairMeasures{scale_px * distance(a, b),
+                        scale_px * distance_to_line(x[j].mean, epipolar_line[j]),
+                        acute_angle_rad(a, b)};
   };
   return smaller_of_each({in_image(0), in_image(1)});
 }
@@ -68,11 +68,6 @@ double pair_weight(const StereoLines& lines,
                    const ReconstructOptions& options) {
   const ImagePoints x = crossings(line, lines.lines[static_cast<std::size_t>(neighbour)]);
   return point_weight(measures(lines, line, neighbour, x), options);
-}
-
-double parameter_along(const Segment2& segment, const Eigen::Vector2d& x) {
-  const Eigen::Vector2d direction = segment.end - segment.start;
-  return direction.dot(x - segment.start) / direction.squaredNorm();
 }
 
 bool plausible(const StereoLines& lines,

@@ -20,9 +20,6 @@ struct CandidatePoint {
   RankedPoint ranked;
 };
 
-/// Parameter of a point along the segment's line, 0 at the start and 1 at the end.
-double parameter_along(const Segment2& segment, const Eigen::Vector2d& x);
-
 /// Whether a point of the conditioned frame lies in front of both cameras and within the heights.
 bool plausible(const StereoLines& lines,
                const Eigen::Vector4d& x,

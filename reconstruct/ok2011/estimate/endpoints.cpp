@@ -13,9 +13,8 @@ namespace {
 UncertainPlane3 end_plane(const ConditionedView& view,
                           const ObservedLine& observed,
                           const Eigen::Vector2d& x) {
-  const Eigen::Vector2d along = (observed.segment.end - observed.segment.start).normalized();
-  UncertainLine2 across{Eigen::Vector3d(along.x(), along.y(), -along.dot(x)),
-                        Eigen::Matrix3d::Zero()};
+  const Eigen::Vector2d u = along(observed.segment);
+  UncertainLine2 across{Eigen::Vector3d(u.x(), u.y(), -u.dot(x)), Eigen::Matrix3d::Zero()};
   across.cov(2, 2) = observed.sigma_e * observed.sigma_e;
   return projection_plane(view.image_from_object, across);
 }

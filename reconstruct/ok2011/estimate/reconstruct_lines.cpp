@@ -133,15 +133,8 @@ std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine
 }  // namespace
 
 const char* name(Method method) {
-  switch (method) {
-    case Method::kDirect:
-      return "direct";
-    case Method::kJoint:
-      return "joint";
-    case Method::kNetwork:
-      return "network";
-  }
-  return "";
+  constexpr std::array kNames{"direct", "joint", "network"};
+  return kNames.at(static_cast<std::size_t>(method));
 }
 
 const char* name(LineClass line_class) {
@@ -149,35 +142,11 @@ const char* name(LineClass line_class) {
 }
 
 const char* name(Status status) {
-  switch (status) {
-    case Status::kDirect:
-      return "direct";
-    case Status::kJoint:
-      return "joint";
-    case Status::kOnePoint:
-      return "one_point";
-    case Status::kFlanks:
-      return "flanks";
-    case Status::kSegmentEnds:
-      return "segment_ends";
-    case Status::kHorizontal:
-      return "horizontal";
-    case Status::kNoPoints:
-      return "no_points";
-    case Status::kRankDeficient:
-      return "rank_deficient";
-    case Status::kNotConverged:
-      return "not_converged";
-    case Status::kAmbiguousDepth:
-      return "ambiguous_depth";
-    case Status::kNoIntersection:
-      return "no_intersection";
-    case Status::kNetwork:
-      return "network";
-    case Status::kGuardReverted:
-      return "guard_reverted";
-  }
-  return "";
+  constexpr std::array kNames{
+      "direct",          "joint",     "one_point",      "flanks",        "segment_ends",
+      "horizontal",      "no_points", "rank_deficient", "not_converged", "ambiguous_depth",
+      "no_intersection", "network",   "guard_reverted"};
+  return kNames.at(static_cast<std::size_t>(status));
 }
 
 std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/extract/edge_blur.h"
 
+#include "reconstruct/geometry/median.h"
 #include "reconstruct/views/colour_profile.h"
 
 #include <algorithm>
@@ -57,10 +58,7 @@ double edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
       blurs.push_back(*blur);
     }
   }
-  if (blurs.size() < kFewestEdges) return kTypicalBlur_px;
-  const auto middle = blurs.begin() + static_cast<std::ptrdiff_t>(blurs.size() / 2);
-  std::nth_element(blurs.begin(), middle, blurs.end());
-  return *middle;
+  return blurs.size() < kFewestEdges ? kTypicalBlur_px : median(std::move(blurs));
 }
 
 }  // namespace ridgeline::reconstruct

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/extract/line_tracer.h"
 
+#include "reconstruct/geometry/median.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
 #include <opencv2/core.hpp>
@@ -18,9 +19,7 @@ constexpr double kMinRelativeStrength = 0.3;  ///< of the median of the trace
 double median_strength(const EdgeTrace& trace) {
   std::vector<double> strengths;
   for (const EdgeSample& sample : trace) strengths.push_back(sample.strength);
-  const auto middle = strengths.begin() + static_cast<std::ptrdiff_t>(strengths.size() / 2);
-  std::nth_element(strengths.begin(), middle, strengths.end());
-  return *middle;
+  return median(std::move(strengths));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/extract/noise_grid.h"
 
+#include "reconstruct/geometry/median.h"
+
 #include <opencv2/core.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -18,9 +20,7 @@ float median_strength(const cv::Mat& gradient) {
     const auto* row = gradient.ptr<cv::Vec2f>(y);
     for (int x = 0; x < gradient.cols; ++x) squares.push_back(row[x].dot(row[x]));
   }
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  return std::sqrt(*middle);
+  return std::sqrt(median(std::move(squares)));
 }
 
 /// Index of the block whose middle is before `x`, and the share of the next one.

@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/extract/regression_line.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/median.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -16,10 +17,8 @@ constexpr double kSigmaOfMedian = 1.4826;
 constexpr double kSmallestSigma_px = 0.02;
 
 double median_absolute(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   for (double& value : values) value = std::abs(value);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return median(std::move(values));
 }
 
 bool at_end(std::size_t i, std::size_t n) {
@@ -150,9 +149,7 @@ EdgeNoise edge_noise(std::span<const RegressionLine> lines) {
     if (line.weight.size() < kMinForStatistics) continue;
     variances.push_back(variance_px2(line, noise.correlation));
   }
-  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  noise.variance_px2 = *middle;
+  noise.variance_px2 = median(std::move(variances));
   return noise;
 }
 

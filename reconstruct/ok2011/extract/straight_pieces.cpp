@@ -8,8 +8,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-Eigen::Vector2d normal_of(const Eigen::Vector2d& along) { return {-along.y(), along.x()}; }
-
 /// Index of the point farthest from the chord of the first and the last, never one of the two.
 int farthest_from_chord(std::span<const Eigen::Vector2d> points) {
   Eigen::Vector2d chord = points.back() - points.front();

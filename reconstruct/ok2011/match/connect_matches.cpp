@@ -22,8 +22,7 @@ bool meet_in_both(const std::array<Segment2, 2>& a,
     const auto meeting = intersection(a[image], b[image], options.min_pair_angle_deg * kRadPerDeg);
     if (!meeting) return false;
     x[image] = *meeting;
-    angle_rad[image] = acute_angle_rad(Eigen::Vector2d(a[image].end - a[image].start),
-                                       Eigen::Vector2d(b[image].end - b[image].start));
+    angle_rad[image] = acute_angle_rad(a[image], b[image]);
   }
   const double apart_px = 0.5 * (epipolar_distance_px(right_from_left, x[0], x[1]) +
                                  epipolar_distance_px(right_from_left.transpose(), x[1], x[0]));
@@ -39,14 +38,14 @@ Eigen::Vector2d mean_midpoint(std::span<const Segment2> segments) {
 
 }  // namespace
 
-std::vector<PairConnection> connect_matches(std::span<const EdgeSegment> left,
-                                            std::span<const EdgeSegment> right,
+std::vector<PairConnection> connect_matches(const StereoPair& pair,
                                             std::span<const LineMatch> matches,
-                                            const std::array<ProjectionMatrix, 2>& cameras,
-                                            const std::array<double, 2>& height_range_in_local_m,
                                             const MatchOptions& options) {
   validate(options);
-  const StereoSearch search(cameras[0], cameras[1], height_range_in_local_m);
+  const std::vector<EdgeSegment>& left = pair.views[0].segments;
+  const std::vector<EdgeSegment>& right = pair.views[1].segments;
+  const auto [left_camera, right_camera] = pair.cameras();
+  const StereoSearch search(left_camera, right_camera, pair.height_range_in_local_m);
   std::vector<Segment2> in_left;
   for (const LineMatch& match : matches) {
     check(match.left >= 0 && match.left < static_cast<int>(left.size()), "left_id = ", match.left,
@@ -58,14 +57,14 @@ std::vector<PairConnection> connect_matches(std::span<const EdgeSegment> left,
   std::vector<PairConnection> connections;
   if (matches.empty()) return connections;
   const double spread = relief_spread(local_transfer(search, mean_midpoint(in_left)));
-  for (const BasePair& pair : base_pairs(in_left, options)) {
-    const LineMatch& a = matches[pair.first];
-    const LineMatch& b = matches[pair.second];
+  for (const auto& [i, k] : base_pairs(in_left, options)) {
+    const LineMatch& a = matches[i];
+    const LineMatch& b = matches[k];
     if (a.right == b.right) continue;
-    if (meet_in_both({in_left[pair.first], right[a.right].line.segment},
-                     {in_left[pair.second], right[b.right].line.segment},
+    if (meet_in_both({in_left[i], right[a.right].line.segment},
+                     {in_left[k], right[b.right].line.segment},
                      search.right_from_left.fundamental(), spread, options)) {
-      connections.push_back({pair.first, pair.second});
+      connections.push_back({i, k});
     }
   }
   return connections;

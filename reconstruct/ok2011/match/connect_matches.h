@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/edge_segment.h"
-#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/ok2011/match/options.h"
+#include "reconstruct/views/match_view.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -19,11 +17,8 @@ namespace ridgeline::reconstruct {
 /// Fragments that share a mate are not connected with each other.
 /// `matches` index into the segments. Throws std::invalid_argument for an index out of range or
 /// options out of range.
-std::vector<PairConnection> connect_matches(std::span<const EdgeSegment> left,
-                                            std::span<const EdgeSegment> right,
+std::vector<PairConnection> connect_matches(const StereoPair& pair,
                                             std::span<const LineMatch> matches,
-                                            const std::array<ProjectionMatrix, 2>& cameras,
-                                            const std::array<double, 2>& height_range_in_local_m,
                                             const MatchOptions& options = {});
 
 }  // namespace ridgeline::reconstruct

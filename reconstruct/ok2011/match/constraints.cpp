@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/constraints.h"
 
-#include "reconstruct/views/mate_flanks.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>

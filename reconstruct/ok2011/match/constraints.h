@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/geometry/edge_segment.h"
+#include "reconstruct/views/image_sampler.h"
 #include "reconstruct/views/line_similarity.h"
 
 #include <Eigen/Core>
@@ -65,6 +66,14 @@ struct PairPatch {
   int n_bands = 0;
   std::array<Colour, kNumSamples> colours{};
 };
+
+/// Frame of a pair: x = origin + alpha first + beta second, alpha and beta in [0, 1].
+struct PairFrame {
+  Eigen::Vector2d origin, first, second;
+};
+
+/// Samples the parallelogram of the frame; nothing if a part of it lies outside of the image.
+std::optional<PairPatch> pair_patch(const ImageSampler& image, const PairFrame& frame);
 
 /// 7: normalised cross correlation over all bands, negative values as 0. Absent without texture.
 std::optional<double> correlation(const PairPatch& left, const PairPatch& right);

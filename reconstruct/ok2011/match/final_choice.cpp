@@ -172,21 +172,9 @@ class Taken {
 }  // namespace
 
 const char* name(MatchOutcome outcome) {
-  switch (outcome) {
-    case MatchOutcome::kMatched:
-      return "matched";
-    case MatchOutcome::kNoCandidate:
-      return "no_candidate";
-    case MatchOutcome::kLowScore:
-      return "low_score";
-    case MatchOutcome::kAmbiguous:
-      return "ambiguous";
-    case MatchOutcome::kNoPair:
-      return "no_pair";
-    case MatchOutcome::kLostVote:
-      return "lost_vote";
-  }
-  return "";
+  constexpr std::array kNames{"matched",   "no_candidate", "low_score",
+                              "ambiguous", "no_pair",      "lost_vote"};
+  return kNames.at(static_cast<std::size_t>(outcome));
 }
 
 MatchResult final_choice(const MatchView& left,

@@ -12,16 +12,10 @@ namespace ridgeline::reconstruct {
 /// Where what goes beyond the paper enters the matching. Each may be empty.
 struct MatchExtensions {
   /// A better radiometry than the first one, which the flanks of all segments give.
-  std::function<Radiometry(const MatchView& left,
-                           const MatchView& right,
-                           const StereoSearch& search,
-                           const Radiometry& first)>
-      radiometry;
+  std::function<Radiometry(const SearchedPair& pair, const Radiometry& first)> radiometry;
   CandidateLook look;
   /// Changes the candidates, best first, once all of them are known.
-  std::function<void(const MatchView& left,
-                     const MatchView& right,
-                     const StereoSearch& search,
+  std::function<void(const SearchedPair& pair,
                      const Radiometry& radiometry,
                      std::vector<std::vector<Candidate>>& candidates)>
       candidates;

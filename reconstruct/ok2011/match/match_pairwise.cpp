@@ -22,26 +22,22 @@ std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const 
 
 }  // namespace
 
-MatchResult match_pairwise(const MatchView& left,
-                           const MatchView& right,
-                           const std::array<double, 2>& height_range_in_local_m,
+MatchResult match_pairwise(const StereoPair& pair,
                            const MatchOptions& options,
                            const CandidateOptions& candidate_options,
                            const MatchExtensions& beyond) {
   validate(options);
-  check_images(left, right);
-  const StereoSearch search(left.image_from_local, right.image_from_local, height_range_in_local_m);
+  const SearchedPair views = searched(pair);
+  const auto& [left, right, search] = views;
   Radiometry radiometry = relative_radiometry(left.segments, right.segments);
-  if (beyond.radiometry) radiometry = beyond.radiometry(left, right, search, radiometry);
+  if (beyond.radiometry) radiometry = beyond.radiometry(views, radiometry);
   std::vector<std::vector<Candidate>> candidates =
-      match_candidates(left, right, search, radiometry, candidate_options, beyond.look);
-  if (beyond.candidates) beyond.candidates(left, right, search, radiometry, candidates);
+      match_candidates(views, radiometry, candidate_options, beyond.look);
+  if (beyond.candidates) beyond.candidates(views, radiometry, candidates);
   const LocalTransfer transfer =
       local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});
   const std::vector<BasePair> pairs = base_pairs(ideal_segments(left), options);
-  const PairScene scene{left,
-                        right,
-                        search,
+  const PairScene scene{views,
                         {ImageSampler(left.image), ImageSampler(right.image), radiometry},
                         candidates,
                         options,

@@ -40,9 +40,7 @@ struct MatchResult {
 /// Deterministic for any number of threads. Throws std::invalid_argument for options or heights out
 /// of range, matrices that are not finite or without epipolar geometry, and images of other types
 /// or different numbers of bands.
-MatchResult match_pairwise(const MatchView& left,
-                           const MatchView& right,
-                           const std::array<double, 2>& height_range_in_local_m,
+MatchResult match_pairwise(const StereoPair& pair,
                            const MatchOptions& options = {},
                            const CandidateOptions& candidate_options = {},
                            const MatchExtensions& beyond = {});

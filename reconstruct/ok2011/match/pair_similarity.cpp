@@ -3,7 +3,6 @@
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/ok2011/match/constraints.h"
-#include "reconstruct/ok2011/match/pair_patch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +55,8 @@ PatchSides patch_sides(const Segment2& left,
   const double shrink = std::min(1.0, kLongestSide_px / sides.left.norm());
   sides.left *= shrink;
   if (aligned) {
-    const Eigen::Vector2d u = (right.end - right.start).normalized();
     const double sign = sides.left.dot(left.end - left.start) < 0.0 ? -1.0 : 1.0;
-    sides.right = sign * sides.left.norm() * u;
+    sides.right = sign * sides.left.norm() * along(right);
   } else {
     sides.right *= shrink;
   }
@@ -104,7 +102,7 @@ EpipolarMisfit epipolar_misfit(const PairScene& scene,
                                const Member& b,
                                const Eigen::Vector2d& x_left,
                                const Eigen::Vector2d& x_right) {
-  const Eigen::Matrix3d& right_from_left = scene.search.right_from_left.fundamental();
+  const Eigen::Matrix3d& right_from_left = scene.views.search.right_from_left.fundamental();
   const Eigen::Matrix3d left_from_right = right_from_left.transpose();
   const Eigen::Vector2d n_right = (right_from_left * x_left.homogeneous()).head<2>().normalized();
   const Eigen::Vector2d n_left = (left_from_right * x_right.homogeneous()).head<2>().normalized();
@@ -129,12 +127,9 @@ std::optional<Constraints> constraints_of(const PairScene& scene,
   const bool ends_correspond = !a.overlap.aligned && !b.overlap.aligned;
   const PairShape left{pair.left[0], pair.left[1], *x_left, ends_correspond};
   const PairShape right{pair.right[0], pair.right[1], *x_right, ends_correspond};
-  const double turn_deg =
-      std::abs(acute_angle_rad(Eigen::Vector2d(left.first.end - left.first.start),
-                               Eigen::Vector2d(left.second.end - left.second.start)) -
-               acute_angle_rad(Eigen::Vector2d(right.first.end - right.first.start),
-                               Eigen::Vector2d(right.second.end - right.second.start))) /
-      kRadPerDeg;
+  const double turn_deg = std::abs(acute_angle_rad(left.first, left.second) -
+                                   acute_angle_rad(right.first, right.second)) /
+                          kRadPerDeg;
   if (turn_deg > scene.spread * options.max_pair_turn_deg) return std::nullopt;
   const Radiometry& radiometry = scene.images.radiometry;
   Constraints found;
@@ -184,7 +179,8 @@ std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair
     for (std::size_t s = 0; s < seconds.size(); ++s) {
       if (firsts[f].right == seconds[s].right) continue;
       const auto member = [&](int left, const Candidate& c) {
-        return Member{scene.left.segments[left], scene.right.segments[c.right], c.overlap};
+        return Member{scene.views.left.segments[left], scene.views.right.segments[c.right],
+                      c.overlap};
       };
       const auto found =
           constraints_of(scene, member(pair.first, firsts[f]), member(pair.second, seconds[s]));

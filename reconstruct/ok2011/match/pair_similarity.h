@@ -33,9 +33,7 @@ struct PairMatch {
 
 /// A stereo pair as the pair-wise constraints see it.
 struct PairScene {
-  const MatchView& left;
-  const MatchView& right;
-  const StereoSearch& search;
+  const SearchedPair& views;
   ImagePair images;
   const std::vector<std::vector<Candidate>>& candidates;
   const MatchOptions& options;

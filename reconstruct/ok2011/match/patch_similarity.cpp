@@ -62,6 +62,20 @@ double bin_similarity(const Bin& a, const Bin& b) {
 
 }  // namespace
 
+std::optional<PairPatch> pair_patch(const ImageSampler& image, const PairFrame& frame) {
+  PairPatch patch;
+  patch.n_bands = image.n_bands();
+  int sample = 0;
+  for (int row = 0; row < PairPatch::kSize; ++row) {
+    const Eigen::Vector2d start = frame.origin + (row + 0.5) / PairPatch::kSize * frame.second;
+    for (int column = 0; column < PairPatch::kSize; ++column) {
+      const Eigen::Vector2d x = start + (column + 0.5) / PairPatch::kSize * frame.first;
+      if (!image.sample(x, patch.colours[sample++])) return std::nullopt;
+    }
+  }
+  return patch;
+}
+
 std::optional<double> correlation(const PairPatch& left, const PairPatch& right) {
   double aa = 0.0;
   double bb = 0.0;
