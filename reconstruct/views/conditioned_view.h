@@ -4,6 +4,7 @@
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/uncertain/conditioning.h"
+#include "reconstruct/geometry/uncertain/pluecker.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 
 #include <Eigen/Core>
@@ -22,6 +23,13 @@ struct ConditionedView {
 /// Whether a point that is not at infinity lies in front of the camera, for either sign of the
 /// homogeneous vector and of the matrix (Hartley and Zisserman 2004, result 6.1).
 bool in_front(const ConditionedView& view, const Eigen::Vector4d& point);
+
+/// The plane that an image shows as the line through x normal to `along`; of the length of `along`.
+inline Eigen::Vector4d plane_across(const ProjectionMatrix& image_from_object,
+                                    const Eigen::Vector2d& x,
+                                    const Eigen::Vector2d& along) {
+  return image_from_object.transpose() * Eigen::Vector3d(along.x(), along.y(), -along.dot(x));
+}
 
 /// An image segment as the estimation uses it; all members in the conditioned frames.
 struct ObservedLine {

@@ -12,51 +12,25 @@ namespace {
 /// pixel at a base to height ratio of 0.26.
 constexpr double kSlope = 0.7;
 
-/// Mean colours along the line at steps across it.
-class Profile {
- public:
-  static constexpr double kHalfWidth_px = 4.0;
-  static constexpr double kStep_px = 0.5;
-  static constexpr int kSize = 17;
-
-  /// Nothing if a sample lies outside of the image.
-  static std::optional<Profile> along(const ImageSampler& image,
-                                      std::span<const Eigen::Vector2d> line,
-                                      const Eigen::Vector2d& side) {
-    Profile profile;
-    Colour colour{};
-    for (int k = 0; k < kSize; ++k) {
-      const Eigen::Vector2d offset = (k * kStep_px - kHalfWidth_px) * side;
-      for (const Eigen::Vector2d& x : line) {
-        if (!image.sample(x + offset, colour)) return std::nullopt;
-        for (int band = 0; band < image.n_bands(); ++band) profile.sums_[k][band] += colour[band];
-      }
-    }
-    for (Colour& sum : profile.sums_) {
-      for (float& value : sum) value /= static_cast<float>(line.size());
-    }
-    return profile;
-  }
-
-  [[nodiscard]] const Colour& at(int k) const { return sums_[k]; }
-
- private:
-  std::array<Colour, kSize> sums_{};
-};
+/// Of the profile across the line: 4 px to both sides in steps of half a pixel.
+constexpr StripGrid kProfileGrid{.first_offset_px = -4.0, .offset_step_px = 0.5, .n_offsets = 17};
 
 std::optional<double> profile_ncc(const ImagePair& images, const StripFrame& frame) {
-  const auto left = Profile::along(images.left, frame.on_left, frame.side_in_left);
-  if (!left) return std::nullopt;
-  const auto right = Profile::along(images.right, frame.on_right, frame.side_in_right);
-  if (!right) return std::nullopt;
+  const auto seen = [](const ImageSampler& image, const std::vector<Eigen::Vector2d>& on_line,
+                       const Eigen::Vector2d& side) {
+    return mean_profile(sample_strip(image, on_line, side, kProfileGrid), kProfileGrid);
+  };
+  const std::vector<Colour> left = seen(images.left, frame.on_left, frame.side_in_left);
+  std::vector<Colour> right = seen(images.right, frame.on_right, frame.side_in_right);
+  if (left.empty() || right.empty()) return std::nullopt;
   std::array<BandSums, kMaxBands> sums{};
-  for (int k = 0; k < Profile::kSize; ++k) {
-    const Colour mapped = images.radiometry.left_from_right(right->at(k));
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const Colour mapped = images.radiometry.left_from_right(right[k]);
     for (int band = 0; band < images.left.n_bands(); ++band) {
-      sums[band].add(left->at(k)[band], mapped[band]);
+      sums[band].add(left[k][band], mapped[band]);
     }
   }
-  return side_look(sums, images.left.n_bands(), Profile::kSize).ncc;
+  return side_look(sums, images.left.n_bands(), static_cast<int>(left.size())).ncc;
 }
 
 struct FlankMoments {

@@ -92,6 +92,11 @@ StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
   return lines;
 }
 
+std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const ObservedPair& other) {
+  return {line[0].line.mean.cross(other[0].line.mean).hnormalized(),
+          line[1].line.mean.cross(other[1].line.mean).hnormalized()};
+}
+
 Neighbours neighbours_of(std::span<const PairConnection> connections, std::size_t num_matches) {
   Neighbours neighbours(num_matches);
   for (const PairConnection& c : connections) {

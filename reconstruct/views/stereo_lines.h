@@ -41,6 +41,9 @@ StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
                          std::span<const LineMatch> matches,
                          LineCovariance form);
 
+/// Where two matches cross in both images, conditioned.
+std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const ObservedPair& other);
+
 using Neighbours = std::vector<std::vector<int>>;  ///< by match, ascending
 
 /// The matches that each is connected with. Throws std::invalid_argument for an index out of range and for

@@ -24,23 +24,37 @@ double SideLook::colour_agreement() const {
   return std::exp(-colour_difference / kScale);
 }
 
-SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples) {
+double correlation(std::span<const BandSums> bands, int n_samples, double noise_variance) {
   double covariance = 0.0;
   double variance_a = 0.0;
   double variance_b = 0.0;
-  double squared_difference = 0.0;
   const double n = n_samples;
-  for (int band = 0; band < n_bands; ++band) {
-    const BandSums& s = sums[band];
+  for (const BandSums& s : bands) {
     covariance += s.ab / n - s.a * s.b / (n * n);
     variance_a += s.aa / n - s.a * s.a / (n * n);
     variance_b += s.bb / n - s.b * s.b / (n * n);
-    const double difference = (s.a - s.b) / n;
+  }
+  const double noise = static_cast<double>(bands.size()) * noise_variance;
+  const double scale = std::sqrt((variance_a + noise) * (variance_b + noise));
+  return scale > 0.0 ? covariance / scale : 0.0;
+}
+
+double correlation(std::span<const Colour> a, std::span<const Colour> b, double noise_variance) {
+  std::array<BandSums, kMaxBands> sums{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t band = 0; band < kMaxBands; ++band) sums[band].add(a[i][band], b[i][band]);
+  }
+  return correlation(sums, static_cast<int>(a.size()), noise_variance);
+}
+
+SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples) {
+  double squared_difference = 0.0;
+  for (int band = 0; band < n_bands; ++band) {
+    const double difference = (sums[band].a - sums[band].b) / n_samples;
     squared_difference += difference * difference;
   }
-  const double noise = n_bands * kNoiseVariance;
-  return {covariance / std::sqrt((variance_a + noise) * (variance_b + noise)),
-          std::sqrt(squared_difference / n_bands)};
+  const std::span<const BandSums> seen(sums.data(), static_cast<std::size_t>(n_bands));
+  return {correlation(seen, n_samples, kNoiseVariance), std::sqrt(squared_difference / n_bands)};
 }
 
 StripFrame strip_frame(const EdgeSegment& left,
@@ -80,6 +94,20 @@ Strip sample_strip(const ImageSampler& image,
     }
   }
   return strip;
+}
+
+std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid) {
+  if (std::count(strip.is_inside.begin(), strip.is_inside.end(), char{0}) > 0) return {};
+  std::vector<Colour> profile(static_cast<std::size_t>(grid.n_offsets), Colour{});
+  for (std::size_t i = 0; i < strip.colours.size(); ++i) {
+    Colour& sum = profile[i % profile.size()];
+    for (std::size_t band = 0; band < sum.size(); ++band) sum[band] += strip.colours[i][band];
+  }
+  const auto n = static_cast<float>(strip.colours.size() / profile.size());
+  for (Colour& sum : profile) {
+    for (float& value : sum) value /= n;
+  }
+  return profile;
 }
 
 std::optional<SideLook> compare(const Strip& left,

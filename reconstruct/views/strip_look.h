@@ -79,6 +79,9 @@ Strip sample_strip(const ImageSampler& image,
                    const Eigen::Vector2d& side,
                    const StripGrid& grid);
 
+/// Mean colours of a strip at each offset from the line; none if a sample lies outside of the image.
+std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid);
+
 /// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
 /// images.
 std::optional<SideLook> compare(const Strip& left,
@@ -97,6 +100,13 @@ struct BandSums {
     ab += x * y;
   }
 };
+/// Normalised cross correlation of all bands together; `noise_variance` of a band damps it where there is little texture.
+/// 0 where a side has no variance at all.
+double correlation(std::span<const BandSums> bands, int n_samples, double noise_variance = 0.0);
+/// Of profiles of one length.
+double correlation(std::span<const Colour> a,
+                   std::span<const Colour> b,
+                   double noise_variance = 0.0);
 /// Of n > 0 samples.
 SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples);
 

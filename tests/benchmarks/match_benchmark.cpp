@@ -52,7 +52,7 @@ std::array<MatchView, 2> random_views(int size_px) {
 void match_of_size(benchmark::State& state) {
   const std::array<MatchView, 2> views = random_views(static_cast<int>(state.range(0)));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(match_pairwise(views[0], views[1], {-10.0, 40.0}));
+    benchmark::DoNotOptimize(match_pairwise(StereoPair{views, {-10.0, 40.0}}));
   }
   state.counters["segments"] = static_cast<double>(views[0].segments.size());
 }

@@ -139,12 +139,6 @@ bool fix_direction(std::span<const CandidatePoint> points) {
   return high->ranked.parameter - low->ranked.parameter >= kSmallestBase;
 }
 
-/// Where a match crosses another one, in both images.
-std::array<Eigen::Vector2d, 2> crossing(const ObservedPair& line, const ObservedPair& other) {
-  return {line[0].line.mean.cross(other[0].line.mean).hnormalized(),
-          line[1].line.mean.cross(other[1].line.mean).hnormalized()};
-}
-
 /// Whether the match may be cut where it meets another one: the parts are long enough in both images.
 bool may_cut(const StereoLines& lines,
              const ObservedPair& line,

@@ -73,9 +73,8 @@ std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) 
 double DepthScorer::height(const DepthLine& line, double parameter) const {
   const Segment2& base = question_.line[0].segment;
   const Eigen::Vector2d along = base.end - base.start;
-  const Eigen::Vector2d x = base.start + parameter * along;
-  const Eigen::Vector4d plane = question_.lines.stereo.views[0].image_from_object.transpose() *
-                                Eigen::Vector3d(along.x(), along.y(), -along.dot(x));
+  const Eigen::Vector4d plane = plane_across(question_.lines.stereo.views[0].image_from_object,
+                                             base.start + parameter * along, along);
   const double s = -plane.dot(line.through.homogeneous()) / plane.head<3>().dot(line.direction);
   return line.through.z() + s * line.direction.z();
 }

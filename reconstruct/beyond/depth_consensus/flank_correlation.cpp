@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 
+#include "reconstruct/geometry/vertex.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -31,27 +33,12 @@ double score_of(const std::array<double, 2>& here, const std::array<double, 2>& 
   return std::max(with_upper(0), with_upper(1));
 }
 
-/// The plane of the rays of an image line through x, across the given direction.
-Eigen::Vector4d plane_across(const ProjectionMatrix& camera,
-                             const Eigen::Vector2d& x,
-                             const Eigen::Vector2d& along) {
-  return camera.transpose() * Eigen::Vector3d(along.x(), along.y(), -along.dot(x));
-}
-
 Eigen::Vector3d intersection(const Eigen::Vector4d& a,
                              const Eigen::Vector4d& b,
                              const Eigen::Vector4d& c) {
   Eigen::Matrix3d normals;
   normals << a.head<3>().transpose(), b.head<3>().transpose(), c.head<3>().transpose();
   return normals.inverse() * -Eigen::Vector3d(a.w(), b.w(), c.w());
-}
-
-/// Offset of the vertex of a parabola through three values at -1, 0 and 1; 0 unless the middle one
-/// is the largest.
-double vertex(double before, double middle, double after) {
-  const double curvature = before - 2.0 * middle + after;
-  if (!(curvature < 0.0) || before > middle || after > middle) return 0.0;
-  return 0.5 * (before - after) / curvature;
 }
 
 struct Candidate {

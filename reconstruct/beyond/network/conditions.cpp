@@ -79,9 +79,7 @@ OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane) {
 Eigen::Vector4d end_plane(const ConditionedView& view,
                           const Segment2& segment,
                           const Eigen::Vector2d& x) {
-  const Eigen::Vector2d along = (segment.end - segment.start).normalized();
-  const Eigen::Vector3d across(along.x(), along.y(), -along.dot(x));
-  return (view.image_from_object.transpose() * across).normalized();
+  return plane_across(view.image_from_object, x, along(segment)).normalized();
 }
 
 OfLine end_parallax(const Vector6d& line,
@@ -89,15 +87,15 @@ OfLine end_parallax(const Vector6d& line,
                     const ConditionedView& right_view,
                     const Segment2& right_segment,
                     const Eigen::Vector2d& right_end) {
-  const Eigen::Vector2d along = (right_segment.end - right_segment.start).normalized();
+  const Eigen::Vector2d u = along(right_segment);
   const Eigen::Vector4d x = gamma_matrix(line) * left_end_plane;
   const Eigen::Vector3d seen = right_view.image_from_object * x;
   Eigen::Matrix<double, 2, 3> by_seen;
   by_seen << Eigen::Matrix2d::Identity(), -seen.hnormalized();
   by_seen /= seen.z();
   const Eigen::Matrix<double, 4, 6> by_line = -pi_matrix(left_end_plane).transpose();
-  return {along.dot(seen.hnormalized() - right_end),
-          (along.transpose() * by_seen * right_view.image_from_object * by_line).transpose()};
+  return {u.dot(seen.hnormalized() - right_end),
+          (u.transpose() * by_seen * right_view.image_from_object * by_line).transpose()};
 }
 
 }  // namespace ridgeline::reconstruct

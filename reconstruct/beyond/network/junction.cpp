@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/network/junction.h"
 
+#include "reconstruct/views/stereo_lines.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,10 +16,10 @@ enum class Place { kEnd, kWithin, kBeyond };
 Place place_of(const StereoViews& stereo, const ObservedPair& line, const ObservedPair& other) {
   constexpr double kAtEnd_px = 4.0;
   double to_end_px = 0.0;  // mean: positive beyond, negative within
+  const std::array<Eigen::Vector2d, 2> x = crossing(line, other);
   for (std::size_t j = 0; j < 2; ++j) {
-    const Eigen::Vector2d x = line[j].line.mean.cross(other[j].line.mean).hnormalized();
     const Segment2& s = line[j].segment;
-    const double t = parameter_along(s, x);
+    const double t = parameter_along(s, x[j]);
     to_end_px += 0.5 * stereo.views[j].image.scale_px * length(s) * std::max(-t, t - 1.0);
   }
   if (to_end_px > kAtEnd_px) return Place::kBeyond;

@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/vertex.h"
 #include "reconstruct/views/epipolar_overlap.h"
 #include "reconstruct/views/strip_look.h"
 
@@ -25,54 +26,26 @@ constexpr double kLeastNcc = 0.985;
 /// training villages: 31 of 37 registered lines come closer to the true one there, 3 move away.
 constexpr double kLeastGain = 0.003;
 
-/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the image.
-std::vector<Colour> mean_profile(const ImageSampler& image,
-                                 const std::vector<Eigen::Vector2d>& on_line,
-                                 const Eigen::Vector2d& side,
-                                 int n) {
-  StripGrid grid;
-  grid.first_offset_px = -n * kStep_px;
-  grid.offset_step_px = kStep_px;
-  grid.n_offsets = 2 * n + 1;
-  const Strip strip = sample_strip(image, on_line, side, grid);
-  if (std::count(strip.is_inside.begin(), strip.is_inside.end(), char{0}) > 0) return {};
-  std::vector<Colour> profile(static_cast<std::size_t>(grid.n_offsets), Colour{});
-  for (std::size_t i = 0; i < strip.colours.size(); ++i) {
-    Colour& mean = profile[i % profile.size()];
-    for (std::size_t band = 0; band < mean.size(); ++band) {
-      mean[band] += strip.colours[i][band] / static_cast<float>(on_line.size());
-    }
-  }
-  return profile;
-}
-
-/// Correlation of profiles of one length, all bands together; 0 without any contrast.
-double ncc(std::span<const Colour> a, std::span<const Colour> b) {
-  const auto n = static_cast<double>(a.size());
-  double covariance = 0.0;
-  double variance_a = 0.0;
-  double variance_b = 0.0;
-  for (std::size_t band = 0; band < kMaxBands; ++band) {
-    BandSums sums;
-    for (std::size_t i = 0; i < a.size(); ++i) sums.add(a[i][band], b[i][band]);
-    covariance += sums.ab - sums.a * sums.b / n;
-    variance_a += sums.aa - sums.a * sums.a / n;
-    variance_b += sums.bb - sums.b * sums.b / n;
-  }
-  const double scale = std::sqrt(variance_a * variance_b);
-  return scale > 0.0 ? covariance / scale : 0.0;
+/// Mean colours along a line at steps across it, -n..n; none if a sample lies outside of the image.
+std::vector<Colour> profile_across(const ImageSampler& image,
+                                   const std::vector<Eigen::Vector2d>& on_line,
+                                   const Eigen::Vector2d& side,
+                                   int n) {
+  const StripGrid grid{
+      .first_offset_px = -n * kStep_px, .offset_step_px = kStep_px, .n_offsets = 2 * n + 1};
+  return mean_profile(sample_strip(image, on_line, side, grid), grid);
 }
 
 /// Where the right profile, which is longer, shows the left one.
 double registered_shift_px(std::span<const Colour> left, std::span<const Colour> right) {
   std::array<double, 2 * kFarthest + 1> at{};
-  for (std::size_t k = 0; k < at.size(); ++k) at[k] = ncc(left, right.subspan(k, left.size()));
+  for (std::size_t k = 0; k < at.size(); ++k)
+    at[k] = correlation(left, right.subspan(k, left.size()));
   const auto best = std::max_element(at.begin(), at.end());
   if (best == at.begin() || best == at.end() - 1) return 0.0;
   if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return 0.0;
-  const double curvature = best[-1] - 2.0 * *best + best[1];
-  const double vertex = curvature < 0.0 ? 0.5 * (best[-1] - best[1]) / curvature : 0.0;
-  return kStep_px * (static_cast<double>(best - at.begin()) - kFarthest + vertex);
+  return kStep_px *
+         (static_cast<double>(best - at.begin()) - kFarthest + vertex(best[-1], *best, best[1]));
 }
 
 double shift_of_match(const StereoSearch& search,
@@ -88,9 +61,9 @@ double shift_of_match(const StereoSearch& search,
   const double sign = overlap->reversed() ? -1.0 : 1.0;
   const Eigen::Vector2d side_in_right = sign * normal(right.line.segment);
   const std::vector<Colour> seen_left =
-      mean_profile(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
+      profile_across(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
   const std::vector<Colour> seen_right =
-      mean_profile(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthest);
+      profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthest);
   if (seen_left.empty() || seen_right.empty()) return 0.0;
   return sign * registered_shift_px(seen_left, seen_right);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "reconstruct/geometry/epipolar.h"
-#include "reconstruct/geometry/uncertain/pluecker.h"
 
 #include <Eigen/Core>
 
@@ -35,13 +34,6 @@ struct ImageConditioning {
     return scale_px * x + centre_px;
   }
 };
-
-/// (d; (m - centre x d) / scale): a line of the local frame, not normalised.
-Vector6d conditioned_from_local(const ObjectConditioning& object, const Vector6d& line_in_local);
-
-/// T^-T A: a plane of the local frame, not normalised.
-Eigen::Vector4d conditioned_from_local(const ObjectConditioning& object,
-                                       const Eigen::Vector4d& plane_in_local);
 
 /// K P T^-1: the camera between the two conditioned frames, scaled to unit Frobenius norm.
 ProjectionMatrix conditioned_camera(const ProjectionMatrix& image_from_local,

@@ -77,29 +77,21 @@ std::optional<PairPatch> pair_patch(const ImageSampler& image, const PairFrame& 
 }
 
 std::optional<double> correlation(const PairPatch& left, const PairPatch& right) {
-  double aa = 0.0;
-  double bb = 0.0;
-  double ab = 0.0;
+  std::array<BandSums, kMaxBands> sums{};
+  double variance_left = 0.0;
+  double variance_right = 0.0;
   for (int band = 0; band < left.n_bands; ++band) {
-    double mean_a = 0.0;
-    double mean_b = 0.0;
+    BandSums& s = sums[band];
     for (int i = 0; i < PairPatch::kNumSamples; ++i) {
-      mean_a += left.colours[i][band];
-      mean_b += right.colours[i][band];
+      s.add(left.colours[i][band], right.colours[i][band]);
     }
-    mean_a /= PairPatch::kNumSamples;
-    mean_b /= PairPatch::kNumSamples;
-    for (int i = 0; i < PairPatch::kNumSamples; ++i) {
-      const double a = left.colours[i][band] - mean_a;
-      const double b = right.colours[i][band] - mean_b;
-      aa += a * a;
-      bb += b * b;
-      ab += a * b;
-    }
+    constexpr double kN = PairPatch::kNumSamples;
+    variance_left += s.aa / kN - s.a * s.a / (kN * kN);
+    variance_right += s.bb / kN - s.b * s.b / (kN * kN);
   }
-  const double least = kLeastVariance * PairPatch::kNumSamples * left.n_bands;
-  if (!(aa > least && bb > least)) return std::nullopt;
-  return std::clamp(ab / std::sqrt(aa * bb), 0.0, 1.0);
+  const double least = kLeastVariance * left.n_bands;
+  if (!(variance_left > least && variance_right > least)) return std::nullopt;
+  return std::clamp(correlation(sums, PairPatch::kNumSamples), 0.0, 1.0);
 }
 
 std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right) {

@@ -25,7 +25,7 @@ class ChioMatch : public testing::Test {
   void add_inclined_line() { pair_.add_line({{6.0, 5.0, 6.0}, {9.0, 11.0, 6.0}}); }
 
   [[nodiscard]] ChioResult match(const ChioOptions& options = {}) const {
-    return chio_match(pair_.views[0], pair_.views[1], pair_.heights_m, options);
+    return chio_match(pair_.pair(), options);
   }
 
   PaintedPair pair_;

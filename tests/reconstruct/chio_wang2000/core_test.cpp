@@ -25,12 +25,10 @@ class Core : public testing::Test {
   void add(const Segment3& in_left, const Segment3& in_right) { pair_.add_line(in_left, in_right); }
 
   [[nodiscard]] CoreCandidates candidates(const ChioOptions& options) const {
-    const StereoSearch search(pair_.views[0].image_from_local, pair_.views[1].image_from_local,
-                              pair_.heights_m);
     CandidateOptions wide;
     wide.max_slope_deg = 85.0;
     wide.max_turn_deg = 80.0;
-    return core_candidates(pair_.views[0], pair_.views[1], search, options, wide).front();
+    return core_candidates(pair_.searched(), options, wide).front();
   }
 
   PaintedPair pair_;

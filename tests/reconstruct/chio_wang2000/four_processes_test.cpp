@@ -59,7 +59,7 @@ class FigureThree : public testing::Test {
 
   [[nodiscard]] ProcessedSegments process(const ChioOptions& options = {},
                                           std::span<const ScoredMatch> given = {}) const {
-    return four_processes(views_[0], views_[1], search_, candidates_, options, given);
+    return four_processes({views_[0], views_[1], search_}, candidates_, options, given);
   }
 
   static std::ptrdiff_t count(const ProcessedSegments& processed) {

@@ -16,11 +16,8 @@ TEST(LineThroughLinks, RunsTheWayOfTheLeftSegmentInWhicheverOrderTheFragmentsWer
   pair.add_segment(0, edge);
   pair.add_segment(1, {edge.start, {-4.0, -0.5, 5.0}});
   pair.add_segment(1, {{-4.0, 0.5, 5.0}, edge.end});
-  const StereoSearch search(pair.views[0].image_from_local, pair.views[1].image_from_local,
-                            pair.heights_m);
   for (const std::vector<int>& fragments : {std::vector{0, 1}, std::vector{1, 0}}) {
-    const auto line =
-        line_through_links(0, fragments, pair.views[0], pair.views[1], search, kGsd_m, {});
+    const auto line = line_through_links(0, fragments, pair.searched(), kGsd_m, {});
     ASSERT_TRUE(line.has_value());
     EXPECT_LT((line->segment.start - edge.start).norm(), kNear_m) << fragments[0];
     EXPECT_LT((line->segment.end - edge.end).norm(), kNear_m) << fragments[0];

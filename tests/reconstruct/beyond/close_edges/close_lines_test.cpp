@@ -27,11 +27,9 @@ Candidate candidate(int right, double height_m) {
 
 std::vector<std::vector<int>> kept(const PaintedPair& pair,
                                    std::vector<std::vector<Candidate>> candidates) {
-  const StereoSearch search(pair.views[0].image_from_local, pair.views[1].image_from_local,
-                            pair.heights_m);
   const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.views[0])),
                                         close_lines(ideal_segments(pair.views[1]))};
-  keep_order_of_close_lines(pair.views[0], search, close, candidates);
+  keep_order_of_close_lines(pair.searched(), close, candidates);
   std::vector<std::vector<int>> ids;
   for (const std::vector<Candidate>& some : candidates) {
     std::vector<int>& list = ids.emplace_back();

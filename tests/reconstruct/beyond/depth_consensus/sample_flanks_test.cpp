@@ -46,10 +46,10 @@ struct Ramps {
 
   [[nodiscard]] FlankStrips strips(const Segment3& line,
                                    const std::array<double, 2>& heights_m = {0.0, 10.0}) const {
-    const std::array<std::vector<EdgeSegment>, 2> segments{std::vector{segment(0, line)},
-                                                           std::vector{segment(1, line)}};
-    const std::vector<LineMatch> matches{{0, 0}};
-    return sample_flanks(cameras, images, segments, matches, heights_m, 10.0)[0];
+    const StereoPair pair{{MatchView{cameras[0], images[0], {segment(0, line)}},
+                           MatchView{cameras[1], images[1], {segment(1, line)}}},
+                          heights_m};
+    return sample_flanks(pair, std::vector<LineMatch>{{0, 0}}, 10.0)[0];
   }
 
   /// 100 px along the epipolar line, from `x_px` of the left window.

@@ -25,8 +25,7 @@ class PropagateHeights : public testing::Test {
                                               double min_similarity = 0.0) const {
     MatchExtensionOptions options;
     options.propagate_min_similarity = min_similarity;
-    return propagate_heights(pair_.views[0], pair_.views[1], pair_.heights_m, given, {}, {},
-                             options);
+    return propagate_heights(pair_.pair(), given, {}, {}, options);
   }
 
   PaintedPair pair_;

@@ -31,17 +31,13 @@ PaintedPair wall_that_the_right_camera_faces() {
 
 using Candidates = std::vector<std::vector<Candidate>>;
 
-StereoSearch search_of(const PaintedPair& pair) {
-  return {pair.views[0].image_from_local, pair.views[1].image_from_local, pair.heights_m};
-}
-
 Candidates candidates_of(const PaintedPair& pair) {
-  return match_candidates(pair.views[0], pair.views[1], search_of(pair), Radiometry{}, {});
+  return match_candidates(pair.searched(), Radiometry{}, {});
 }
 
 Candidates compared(const PaintedPair& pair, Candidates candidates) {
   compare_across_hidden_strips(
-      {&pair.views[0], &pair.views[1]}, search_of(pair), Radiometry{},
+      pair.searched(), Radiometry{},
       {close_lines(ideal_segments(pair.views[0])), close_lines(ideal_segments(pair.views[1]))},
       candidates);
   return candidates;

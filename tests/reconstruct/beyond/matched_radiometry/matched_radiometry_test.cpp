@@ -44,9 +44,7 @@ void add_walls(MatchView& right, std::size_t n) {
 }
 
 Radiometry matched_radiometry(const PaintedPair& pair, const Radiometry& first) {
-  const StereoSearch search(pair.views[0].image_from_local, pair.views[1].image_from_local,
-                            pair.heights_m);
-  return matched_radiometry(pair.views[0], pair.views[1], search, first, {});
+  return matched_radiometry(pair.searched(), first, {});
 }
 
 struct Found {

@@ -60,12 +60,16 @@ class Marking {
   }
   void cut_right_image(int columns) { images_[1] = images_[1].colRange(0, columns); }
 
+  [[nodiscard]] StereoPair pair(const Segment3& in_left, const Segment3& in_right) const {
+    return {{MatchView{cameras_[0], images_[0], {edge(seen(0, in_left))}},
+             MatchView{cameras_[1], images_[1], {edge(seen(1, in_right))}}},
+            {-10.0, 10.0}};
+  }
+
   /// Of a match of what the two images show of lines.
   [[nodiscard]] double shift_px(const Segment3& in_left, const Segment3& in_right) const {
-    const std::array<std::vector<EdgeSegment>, 2> segments{std::vector{edge(seen(0, in_left))},
-                                                           std::vector{edge(seen(1, in_right))}};
-    const std::vector<LineMatch> matches{{0, 0}};
-    return registered_shifts_px(cameras_, images_, segments, matches, {-10.0, 10.0}, 10.0).at(0);
+    return registered_shifts_px(pair(in_left, in_right), std::vector<LineMatch>{{0, 0}}, 10.0)
+        .at(0);
   }
 
  private:

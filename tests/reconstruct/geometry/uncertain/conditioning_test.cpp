@@ -20,29 +20,6 @@ TEST(ObjectConditioning, UndoesItself) {
   EXPECT_TRUE(kObject.local_from_conditioned(kObject.conditioned_from_local(x)).isApprox(x, kTol));
 }
 
-TEST(ConditionedFromLocal, MovesALineWithItsPoints) {
-  test::Random random(71);
-  for (int trial = 0; trial < 100; ++trial) {
-    const Eigen::Vector3d x = kObject.centre_m + random.vector(-40, 40);
-    const Eigen::Vector3d y = kObject.centre_m + random.vector(-40, 40);
-    const Vector6d in_local = pi_matrix(x.homogeneous()) * y.homogeneous();
-    const Vector6d expected = pi_matrix(kObject.conditioned_from_local(x).homogeneous()) *
-                              kObject.conditioned_from_local(y).homogeneous();
-    const Vector6d line = conditioned_from_local(kObject, in_local) / kObject.scale_m;
-    EXPECT_LT((line - expected).norm(), 1e-9);
-  }
-}
-
-TEST(ConditionedFromLocal, KeepsPointsOnTheirPlane) {
-  const Eigen::Vector3d x(130, -40, 260);
-  const Eigen::Vector3d normal(0.6, 0.0, 0.8);
-  Eigen::Vector4d plane;
-  plane << normal, -normal.dot(x);
-  const Eigen::Vector4d conditioned = conditioned_from_local(kObject, plane);
-  EXPECT_NEAR(conditioned.dot(kObject.conditioned_from_local(x).homogeneous()), 0.0, 1e-10);
-  EXPECT_TRUE(conditioned.head<3>().normalized().isApprox(normal, kTol));
-}
-
 TEST(ConditionedCamera, SeesConditionedPointsAtConditionedPixels) {
   ProjectionMatrix camera;
   camera << 1000, 0, 500, 2e5, 0, -1000, 300, 1e5, 0.01, 0, 1, 800;

@@ -11,18 +11,23 @@ namespace {
 /// Matched lines as both images show them.
 class ConnectMatches : public ::testing::Test {
  protected:
+  ConnectMatches() { look_from({}); }
+
+  void look_from(const test::StereoPair& cameras) {
+    pair_ = {{MatchView{cameras.left, {}, {}}, MatchView{cameras.right, {}, {}}},
+             cameras.heights_m};
+  }
   void add(const Segment3& line) {
-    left_.push_back(test::edge(project(pair_.left, line)));
-    right_.push_back(test::edge(project(pair_.right, line)));
+    for (MatchView& view : pair_.views) {
+      view.segments.push_back(test::edge(project(view.image_from_local, line)));
+    }
     matches_.push_back({static_cast<int>(matches_.size()), static_cast<int>(matches_.size())});
   }
   [[nodiscard]] std::vector<PairConnection> connect(const MatchOptions& options = {}) const {
-    return connect_matches(left_, right_, matches_, {pair_.left, pair_.right}, pair_.heights_m,
-                           options);
+    return connect_matches(pair_, matches_, options);
   }
 
-  test::StereoPair pair_;
-  std::vector<EdgeSegment> left_, right_;
+  StereoPair pair_;
   std::vector<LineMatch> matches_;
 };
 
@@ -54,9 +59,7 @@ TEST_F(ConnectMatches, WidensTheLargestTurnWithTheBase) {
   // an eave along the base and a verge across it, which the base turns by atan(B/H times its slope)
   const auto is_connected = [&](double base_m, double slope) {
     constexpr double kVerge_m = 4.0;
-    pair_ = test::StereoPair(0.0, base_m);
-    left_.clear();
-    right_.clear();
+    look_from(test::StereoPair(0.0, base_m));
     matches_.clear();
     add({{0, 0, 10}, {3, 0, 10}});
     add({{3, 0, 10}, {3, kVerge_m, 10 + slope * kVerge_m}});

@@ -27,8 +27,7 @@ PaintedPair two_roofs() {
 }
 
 MatchResult match(const PaintedPair& pair, const CandidateOptions& candidates = {}) {
-  return match_pairwise(pair.views[0], pair.views[1], pair.heights_m, {}, candidates,
-                        match_extensions({}, candidates));
+  return match_pairwise(pair.pair(), {}, candidates, match_extensions({}, candidates));
 }
 
 TEST(MatchPairwise, FindsTheOutlinesOfFlatRoofs) {

@@ -63,6 +63,13 @@ class PaintedPair {
     add_line({{r.west, r.north, north}, {r.west, r.south, south}});
   }
 
+  [[nodiscard]] reconstruct::StereoPair pair() const { return {views, heights_m}; }
+  [[nodiscard]] reconstruct::SearchedPair searched() const {
+    return {
+        views[0], views[1],
+        reconstruct::StereoSearch(views[0].image_from_local, views[1].image_from_local, heights_m)};
+  }
+
   std::array<reconstruct::MatchView, 2> views;
   std::array<double, 2> heights_m{-5.0, 30.0};
 
