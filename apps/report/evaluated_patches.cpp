@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/evaluated_patches.h"
 
-#include "apps/common/evaluated_methods.h"
-#include "apps/evaluate/judged_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
+#include "io/results/evaluated_methods.h"
+#include "io/results/judged_lines.h"
 #include "io/text_file.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using evaluate::Json;
 
-void arrange(std::vector<ReportPatch>& patches, const EvaluatedMethods& evaluated) {
+void arrange(std::vector<ReportPatch>& patches, const results::EvaluatedMethods& evaluated) {
   std::stable_sort(patches.begin(), patches.end(), [&](const auto& a, const auto& b) {
     return evaluated.rank(a.id) < evaluated.rank(b.id);
   });
@@ -73,8 +73,9 @@ void read_lines_of(const fs::path& file,
   }
   method.lines.resize(ids.size());
   read_or_note(patch, "lines are not drawn", [&] {
-    method.lines = in_order_of(ids, in_metres(io::read_lines(line_file(file, method.name, inputs),
-                                                             inputs.lines_options())));
+    method.lines =
+        in_order_of(ids, results::in_metres(io::read_lines(line_file(file, method.name, inputs),
+                                                           inputs.lines_options())));
   });
 }
 
@@ -97,10 +98,10 @@ ReportPatch& patch_of(const std::string& subfolder,
   return patch;
 }
 
-void read_evaluation(const EvaluationFile& file,
+void read_evaluation(const results::EvaluationFile& file,
                      const RunInputs& inputs,
-                     const EvaluatedMethods& evaluated,
-                     std::set<EvaluatedMethods::PatchAndMethod>& found,
+                     const results::EvaluatedMethods& evaluated,
+                     std::set<results::EvaluatedMethods::PatchAndMethod>& found,
                      std::vector<ReportPatch>& patches) {
   try {
     ReportMethod method;
@@ -124,10 +125,10 @@ void read_evaluation(const EvaluationFile& file,
 }  // namespace
 
 std::vector<ReportPatch> read_evaluated_patches(const fs::path& folder, const RunInputs& inputs) {
-  const EvaluatedMethods evaluated(folder, inputs.is_of_files());
+  const results::EvaluatedMethods evaluated(folder, inputs.is_of_files());
   std::vector<ReportPatch> patches;
-  std::set<EvaluatedMethods::PatchAndMethod> found;
-  for (const EvaluationFile& file : evaluated.files()) {
+  std::set<results::EvaluatedMethods::PatchAndMethod> found;
+  for (const results::EvaluationFile& file : evaluated.files()) {
     read_evaluation(file, inputs, evaluated, found, patches);
   }
   if (patches.empty()) {

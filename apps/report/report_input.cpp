@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/report_input.h"
 
-#include "apps/common/evaluated_methods.h"
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
-#include "apps/evaluate/judge_files.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
@@ -13,6 +11,8 @@
 #include "io/csv_table.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
+#include "io/results/evaluated_methods.h"
+#include "io/results/judge_files.h"
 #include "io/segments_file.h"
 
 #include <fmt/core.h>
@@ -122,7 +122,7 @@ void read_points(const std::vector<std::string>& files,
 }
 
 void read_true_errors(const RunInputs& inputs, const std::string& reference, ReportPatch& patch) {
-  const auto references = reference_lines_of(
+  const auto references = results::reference_lines_of(
       io::read_lines(inputs.unchanged(reference), inputs.lines_options()), patch.frame);
   for (ReportMethod& method : patch.methods) {
     io::LineSet set;
@@ -132,8 +132,8 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
       set.lines.push_back(*method.lines[i]);
       index.push_back(i);
     }
-    const auto errors_m =
-        evaluate::reference_errors_m(judged_lines_of(set, patch.frame, patch.patch), references);
+    const auto errors_m = evaluate::reference_errors_m(
+        results::judged_lines_of(set, patch.frame, patch.patch), references);
     method.true_errors_m.resize(method.lines.size());
     for (std::size_t k = 0; k < index.size(); ++k) method.true_errors_m[index[k]] = errors_m[k];
   }
@@ -196,13 +196,14 @@ ReportInput read_report_input(const std::string& folder) {
   if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");
   ReportInput input;
   const fs::path path(folder);
-  input.run = fs::exists(path / "run.json") ? read_json_object(path / "run.json") : Json::object();
+  input.run =
+      fs::exists(path / "run.json") ? results::read_json_object(path / "run.json") : Json::object();
   const RunInputs inputs(input.run, (path / "run.json").string());
   input.input_paths = inputs.all_paths();
   input.table1 = Json::array();
   // in the folder of an evaluation of files it is an earlier run's
   if (!inputs.is_of_files() && fs::exists(path / "table1.json")) {
-    input.table1 = read_json_object(path / "table1.json").value("rows", Json::array());
+    input.table1 = results::read_json_object(path / "table1.json").value("rows", Json::array());
   }
   input.patches = read_evaluated_patches(path, inputs);
   for (ReportPatch& patch : input.patches) read_run_data(path, inputs, patch);

@@ -3,8 +3,6 @@
 
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
-#include "apps/evaluate/judge_files.h"
-#include "apps/evaluate/write_results.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"
@@ -12,6 +10,8 @@
 #include "io/cloud/cloud_files.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
+#include "io/results/judge_files.h"
+#include "io/results/write_results.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
 
@@ -32,9 +32,9 @@ class PatchRun {
  public:
   PatchRun(const io::PatchFile& patch,
            const RunOptions& options,
-           const OutputFolder& out,
+           const results::OutputFolder& out,
            Progress& progress,
-           RunRecord& record)
+           results::RunRecord& record)
       : patch_(patch),
         options_(options),
         out_(out),
@@ -108,19 +108,19 @@ class PatchRun {
   void evaluate() {
     std::vector<std::string> files;
     for (const Method method : options_.methods) {
-      for (const std::string& file : evaluation_names(reconstruct::name(method))) {
+      for (const std::string& file : results::evaluation_names(reconstruct::name(method))) {
         files.push_back(file);
       }
     }
     stage("evaluate", evaluation_key(), files, [&] {
-      write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(),
-                   options_.map_schema, out_, patch_.id + "/");
+      results::write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(),
+                            options_.map_schema, out_, patch_.id + "/");
     });
     for (const Method method : options_.methods) {
       result_.evaluations.push_back(
           evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method)))));
       result_.truth.push_back(
-          compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
+          results::compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
     }
   }
 
@@ -131,7 +131,7 @@ class PatchRun {
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
     parts.push_back(echo(options_.judge).dump());
-    if (options_.map_schema == MapSchema::kFkb) parts.emplace_back("fkb");
+    if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
                                 options_.summary.bootstrap.seed));
@@ -143,8 +143,8 @@ class PatchRun {
     return stage_key(parts);
   }
 
-  JudgedFiles judge_against_lidar() {
-    JudgeFilesOptions options;
+  results::JudgedFiles judge_against_lidar() {
+    results::JudgeFilesOptions options;
     for (const Method method : options_.methods) {
       options.line_paths.push_back(in_folder(PatchStages::line_file(method)));
     }
@@ -155,7 +155,7 @@ class PatchRun {
     options.cloud.assume_crs = options_.assume_crs;
     options.judge = options_.judge;
     options.summary = options_.summary;
-    JudgedFiles judged = judge_files(options, record_);
+    results::JudgedFiles judged = results::judge_files(options, record_);
     record_.add_warnings(judged.warnings);
     for (std::size_t i = 0; i < options_.methods.size(); ++i) {
       judged.evaluations[i].method = reconstruct::name(options_.methods[i]);
@@ -164,10 +164,10 @@ class PatchRun {
   }
 
   /// Every line gets the status `no_lidar`.
-  [[nodiscard]] JudgedFiles judge_without_lidar() const {
+  [[nodiscard]] results::JudgedFiles judge_without_lidar() const {
     const auto nothing =
         evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
-    JudgedFiles judged;
+    results::JudgedFiles judged;
     judged.cloud_crs = patch_.crs;
     for (const Method method : options_.methods) {
       evaluate::Evaluation evaluation;
@@ -186,8 +186,8 @@ class PatchRun {
   }
 
   [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(Method method) const {
-    return judged_lines_of(io::read_lines(in_folder(PatchStages::line_file(method))),
-                           stages_.frame(), patch_);
+    return results::judged_lines_of(io::read_lines(in_folder(PatchStages::line_file(method))),
+                                    stages_.frame(), patch_);
   }
 
   [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() const {
@@ -200,7 +200,7 @@ class PatchRun {
                                     "them, or declare the CRS with --assume-crs",
                                     agreement.reason));
     }
-    return reference_lines_of(set, stages_.frame());
+    return results::reference_lines_of(set, stages_.frame());
   }
 
   [[nodiscard]] std::string in_folder(const std::string& file) const {
@@ -209,9 +209,9 @@ class PatchRun {
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
-  const OutputFolder& out_;
+  const results::OutputFolder& out_;
   Progress& progress_;
-  RunRecord& record_;
+  results::RunRecord& record_;
   PatchStages stages_;
   StageCache cache_;
   std::string patch_key_, extract_key_, match_key_;
@@ -222,10 +222,12 @@ class PatchRun {
 
 }  // namespace
 
-void check_run(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out) {
+void check_run(const io::PatchFile& patch,
+               const RunOptions& options,
+               const results::OutputFolder& out) {
   PatchStages(patch, options, out).check_outputs();
   for (const Method method : options.methods) {
-    for (const std::string& file : evaluation_names(reconstruct::name(method))) {
+    for (const std::string& file : results::evaluation_names(reconstruct::name(method))) {
       (void)out.path(patch.id + "/" + file);
     }
   }
@@ -245,9 +247,9 @@ std::size_t count_steps(const RunOptions& options) { return 3 + options.methods.
 
 PatchResult run_patch(const io::PatchFile& patch,
                       const RunOptions& options,
-                      const OutputFolder& out,
+                      const results::OutputFolder& out,
                       Progress& progress,
-                      RunRecord& record) {
+                      results::RunRecord& record) {
   return PatchRun(patch, options, out, progress, record).run();
 }
 

@@ -4,6 +4,7 @@
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
 #include "apps/common/reconstructed_lines.h"
+#include "evaluate/gates/figure.h"
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/segments_file.h"
@@ -16,6 +17,9 @@
 
 namespace ridgeline::apps {
 namespace {
+
+static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
+              "gates find the combined matches by it");
 
 /// The list that lines are reconstructed from; with two matchers that of both.
 constexpr const char* kMatches = "matches.csv";
@@ -43,7 +47,7 @@ std::string verdicts_csv(const std::vector<LineMatch>& matches,
 
 PatchStages::PatchStages(const io::PatchFile& patch,
                          const RunOptions& options,
-                         const OutputFolder& out)
+                         const results::OutputFolder& out)
     : patch_(patch), options_(options), out_(out), frame_(patch_frame(patch)) {}
 
 void PatchStages::check_outputs() const {

@@ -21,7 +21,9 @@ namespace ridgeline::apps {
 class PatchStages {
  public:
   /// The files are in the subfolder of `out` that is named after the patch's id.
-  PatchStages(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out);
+  PatchStages(const io::PatchFile& patch,
+              const RunOptions& options,
+              const results::OutputFolder& out);
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
 
@@ -52,7 +54,7 @@ class PatchStages {
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
-  const OutputFolder& out_;
+  const results::OutputFolder& out_;
   LocalFrame frame_;
   std::array<cv::Mat, 2> images_;  ///< normalised; read when first needed
 };

@@ -18,4 +18,4 @@ set(evaluate_statistics_headers
   statistics/reference_errors.h tables/reference_table.h
   statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
   tables/accuracy_table.h tables/evaluation_json.h tables/format.h
-  tables/result_folder.h tables/table1.h tables/table2.h statistics/standards.h statistics/wireframe.h tables/standards_table.h tables/terminal_table.h tables/tolerance_table.h)
+  tables/result_folder.h tables/summary_json.h tables/table1.h tables/table2.h statistics/standards.h statistics/wireframe.h tables/standards_table.h tables/terminal_table.h tables/tolerance_table.h)

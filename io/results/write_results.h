@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/output_folder.h"
-#include "apps/evaluate/judge_files.h"
-#include "apps/evaluate/judged_lines.h"
-#include "apps/evaluate/judged_map.h"
 #include "evaluate/statistics/evaluation.h"
+#include "io/results/judge_files.h"
+#include "io/results/judged_lines.h"
+#include "io/results/judged_map.h"
+#include "io/results/output_folder.h"
 
 #include <span>
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Names of the files that an evaluation of the line files can write before its report, to be
 /// checked before it.
@@ -43,4 +43,4 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out);
 /// several methods: also table2.common.{md,csv} on the lines that all of them have evaluated.
 void write_table2(std::span<const evaluate::Evaluation> evaluations, const OutputFolder& out);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Versions of this program and of the libraries it runs with.
 nlohmann::ordered_json versions();
@@ -39,4 +39,4 @@ class RunRecord {
   nlohmann::ordered_json options_, facts_, inputs_, stages_, warnings_;
 };
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

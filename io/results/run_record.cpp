@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/run_record.h"
+#include "io/results/run_record.h"
 
-#include "apps/common/version.h"
 #include "evaluate/tables/summary_json.h"
 #include "io/library_versions.h"
+#include "io/results/version.h"
 #include "io/sha256.h"
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 double peak_memory_mib() {
@@ -93,4 +93,4 @@ std::string RunRecord::to_json() const {
   return evaluate::dump(json);
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/result_folder_reader.h"
+#include "io/results/result_folder_reader.h"
 
-#include "apps/common/evaluated_methods.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
+#include "io/results/evaluated_methods.h"
 #include "io/text_file.h"
 
 #include <set>
 #include <stdexcept>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace fs = std::filesystem;
 namespace {
 
@@ -78,4 +78,4 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   return results;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

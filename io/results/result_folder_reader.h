@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Reads what the last `evaluate`, `run` or `demo` wrote: the evaluations that EvaluatedMethods finds in
 /// the folder and its subfolders (one per patch), and run.json for the inputs' hashes and the time.
@@ -13,4 +13,4 @@ namespace ridgeline::apps {
 /// not what it should be.
 evaluate::ResultFolder read_result_folder(const std::string& folder);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Throws IoError for a file that is no JSON object.
 evaluate::Json read_json_object(const std::filesystem::path& file);
@@ -53,4 +53,4 @@ class EvaluatedMethods {
   std::map<PatchAndMethod, std::size_t> rank_;
 };
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

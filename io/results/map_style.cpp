@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/map_style.h"
+#include "io/results/map_style.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 /// Lines up to a distance. The report has the same steps (colours.ts).
@@ -179,4 +179,4 @@ io::MapStyle vectors_style() {
           sld("vectors", sld_line_rule("line to plane", "", kVector, 1.0))};
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

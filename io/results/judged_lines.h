@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Metres per coordinate unit by axis: of the CRS, else as set, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
@@ -42,4 +42,4 @@ TruthRows compare_with_truth(const evaluate::Evaluation& evaluation,
                              const std::vector<evaluate::JudgedLine>& lines,
                              const std::optional<std::vector<evaluate::ReferenceLine>>& references);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/run_record.h"
-#include "apps/evaluate/judged_lines.h"
 #include "evaluate/judge/judged_planes.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
 #include "io/patch.h"
+#include "io/results/judged_lines.h"
+#include "io/results/run_record.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 struct JudgeFilesOptions {
   std::vector<std::string> line_paths;
@@ -52,4 +52,4 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
 /// A file's name without folder and extension.
 std::string stem_of(const std::string& path);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

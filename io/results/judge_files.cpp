@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judge_files.h"
+#include "io/results/judge_files.h"
 
-#include "apps/evaluate/judge_batches.h"
-#include "apps/evaluate/judged_lines.h"
 #include "evaluate/statistics/frame_check.h"
 #include "io/error.h"
+#include "io/results/judge_batches.h"
+#include "io/results/judged_lines.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <set>
 #include <string_view>
 #include <utility>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::Evaluation;
@@ -229,4 +228,4 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   return judged;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

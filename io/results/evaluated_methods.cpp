@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/evaluated_methods.h"
+#include "io/results/evaluated_methods.h"
 
 #include "evaluate/tables/summary_json.h"
 #include "io/error.h"
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace fs = std::filesystem;
 namespace {
 
@@ -96,4 +96,4 @@ std::size_t EvaluatedMethods::rank(const PatchAndMethod& evaluation) const {
   return is_known_ ? rank_.at(evaluation) : 0;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// The folder of a run's results. Every file is written whole or not at all, and none of the
 /// inputs is ever written over. Nobody else writes results there meanwhile.
@@ -50,4 +50,4 @@ void check_is_own(const std::string& file, std::string_view beginning, std::stri
 /// that the program did not write.
 void check_is_png(const std::string& option, const std::string& file);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

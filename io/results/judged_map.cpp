@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judged_map.h"
+#include "io/results/judged_map.h"
 
-#include "apps/evaluate/judged_lines.h"
-#include "apps/evaluate/map_style.h"
 #include "evaluate/judge/roof_kind.h"
 #include "io/geopackage_writer.h"
+#include "io/results/judged_lines.h"
+#include "io/results/map_style.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include <set>
 #include <utility>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedPlane;
@@ -342,14 +342,6 @@ io::MapLayer vectors_layer(const io::LineSet& set,
 
 std::string map_name(const std::string& method) { return fmt::format("judged.{}.gpkg", method); }
 
-void add_schema_option(CLI::App& app, std::string& schema) {
-  app.add_option(
-         "--schema", schema,
-         "of the map's lines; fkb: with objtype and accuracies in cm as FKB-Bygning names them")
-      ->check(CLI::IsMember({"plain", "fkb"}))
-      ->capture_default_str();
-}
-
 MapSchema map_schema_named(const std::string& name) {
   return name == "fkb" ? MapSchema::kFkb : MapSchema::kPlain;
 }
@@ -367,4 +359,4 @@ void write_judged_map(const std::string& path,
                         vectors_layer(set, evaluation, unit_m, to_map)});
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judged_lines.h"
+#include "io/results/judged_lines.h"
 
 #include "io/error.h"
 #include "reconstruct/geometry/epipolar.h"
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedLine;
@@ -157,4 +157,4 @@ TruthRows compare_with_truth(
   return rows;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

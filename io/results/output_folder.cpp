@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/output_folder.h"
+#include "io/results/output_folder.h"
 
 #include "io/atomic_file.h"
 #include "io/error.h"
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& inputs)
@@ -69,4 +69,4 @@ void OutputFolder::write(std::string_view name, std::string_view content) const 
 
 void OutputFolder::remove(std::string_view name) const { fs::remove(path(name)); }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/write_results.h"
+#include "io/results/write_results.h"
 
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/strata.h"
@@ -18,7 +18,7 @@
 #include <map>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::Evaluation;
@@ -164,4 +164,4 @@ void write_table2(std::span<const Evaluation> evaluations, const OutputFolder& o
   }
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results
