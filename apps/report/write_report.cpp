@@ -35,8 +35,9 @@ std::vector<Figure> figures_of(const ReportPatch& patch, const ShownScene& scene
     }
   }
   for (std::size_t m = 0; m < patch.methods.size(); ++m) {
-    figures.push_back({fmt::format("{}fig8.{}.png", patch.subfolder, patch.methods[m].name),
-                       [&patch, &scene, m] { return figure8(patch, scene, m); }});
+    figures.push_back(
+        {fmt::format("{}fig8.{}.png", patch.subfolder, patch.methods[m].evaluation.method),
+         [&patch, &scene, m] { return figure8(patch, scene, m); }});
   }
   return figures;
 }
