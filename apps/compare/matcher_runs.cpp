@@ -3,6 +3,7 @@
 
 #include "io/csv_table.h"
 #include "io/error.h"
+#include "io/results/result_folder_reader.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
 
@@ -90,11 +91,9 @@ double number_or_zero(const io::CsvTable& table, std::size_t row, const char* co
 
 /// The last row is of the list that lines were reconstructed from.
 void read_table1(const fs::path& folder, evaluate::MatcherFigures& figures) {
-  for_rows_of(folder / "table1.csv", figures.patch,
-              [&](const io::CsvTable& table, std::size_t row) {
-                figures.counts = {count(table, row, "correct"), count(table, row, "false"),
-                                  count(table, row, "missed")};
-              });
+  for (const evaluate::Table1Row& row : results::read_matching(folder, false).rows) {
+    if (row.patch == figures.patch) figures.counts = row.counts;
+  }
 }
 
 /// Later rows, of later methods, replace earlier ones.

@@ -208,13 +208,9 @@ nlohmann::ordered_json echo_arguments(const EvaluateArguments& a,
   return json;
 }
 
-struct Input {
-  std::string role, path;
-};
-
-std::vector<Input> inputs_of(const EvaluateArguments& a,
-                             const results::JudgeFilesOptions& options) {
-  std::vector<Input> inputs;
+std::vector<results::InputFile> inputs_of(const EvaluateArguments& a,
+                                          const results::JudgeFilesOptions& options) {
+  std::vector<results::InputFile> inputs;
   for (const std::string& path : options.line_paths) inputs.push_back({"lines", path});
   for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
     inputs.push_back({"cloud", path});
@@ -231,21 +227,15 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
         " line files; their planes differ, give one");
   io::require_point_format(a.write_points);
   (void)results::output_file(a.write_points, inputs);
-  if (!results::holds_something(a.write_points) || io::is_own_points_file(a.write_points)) return;
-  throw io::IoError(
-      a.write_points,
-      "is no points file of ridgeline and would be written over; choose another name or "
-      "remove it");
+  results::check_is_own(a.write_points, io::is_own_points_file, "points file");
 }
 
 int run_evaluate(const EvaluateArguments& arguments) {
   results::RunRecord record("evaluate");
   const results::JudgeFilesOptions options = judge_files_options(arguments);
   record.set_options(echo_arguments(arguments, options.judge));
-  const std::vector<Input> inputs = inputs_of(arguments, options);
-  std::vector<std::string> paths;
-  paths.reserve(inputs.size());
-  for (const Input& input : inputs) paths.push_back(input.path);
+  const std::vector<results::InputFile> inputs = inputs_of(arguments, options);
+  const std::vector<std::string> paths = results::paths_of(inputs);
   const results::OutputFolder out(arguments.out, paths);
   for (const std::string& name : results::result_names(options.line_paths)) (void)out.path(name);
 
@@ -255,16 +245,14 @@ int run_evaluate(const EvaluateArguments& arguments) {
   for (const std::string& warning : judged.warnings) spdlog::warn("{}", warning);
   record.add_warnings(judged.warnings);
   const std::set<std::string> unread(judged.unread_clouds.begin(), judged.unread_clouds.end());
-  for (const Input& input : inputs) {
+  for (const results::InputFile& input : inputs) {
     if (unread.contains(input.path)) continue;
-    record.add_input(input.role, input.path);
+    record.add_input(input);
   }
   record.end_stage("hash_inputs");
   results::write_judged(judged, results::map_schema_named(arguments.schema), out, "");
   if (!arguments.write_points.empty()) results::write_plane_points(arguments.write_points, judged);
-  results::write_truth(judged.truth, out);
-  results::write_quality(judged.evaluations, judged.truth, out);
-  results::write_table2(judged.evaluations, out);
+  results::write_tables(judged.evaluations, judged.truth, out);
   if (has_figures(judged.evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
   }

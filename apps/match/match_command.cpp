@@ -63,7 +63,7 @@ void print_processes(const reconstruct::ChioResult& result,
 
 /// Neither inputs nor each other, and all of them can be made.
 void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
-  std::vector<std::string> others = paths_of(input_files(patch));
+  std::vector<std::string> others = results::paths_of(input_files(patch));
   for (const std::string& file : {a.out, a.overlay, a.provenance}) {
     if (!file.empty()) others.push_back(results::output_file(file, others));
   }

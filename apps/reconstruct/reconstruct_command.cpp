@@ -105,7 +105,7 @@ int run_reconstruct(ReconstructArguments a) {
   io::PatchFile patch = io::read_patch(a.patch);
   patch.max_image_mpx = a.max_image_mpx;
   check_patch(patch);
-  check_out(a, paths_of(input_files(patch)));
+  check_out(a, results::paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
   const io::LineSet lines =
       line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs, a.options.estimate.method);

@@ -89,7 +89,7 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
   const io::PatchImage& view = patch.patch->images[i];
   const cv::Mat& image = patch.images->images[i];
   const std::string jpeg = io::jpeg_bytes(display_image(image), kQuality);
-  const std::array<ProjectionMatrix, 2> cameras = patch_cameras(*patch.patch, patch.frame);
+  const std::array<ProjectionMatrix, 2> cameras = io::cameras_in_local(*patch.patch, patch.frame);
   const std::vector<EdgeSegment>& segments = patch.images->segments[i];
   return {{"id", view.id},
           {"file", std::filesystem::path(view.path).filename().string()},
@@ -118,7 +118,7 @@ Json matches_json(const ReportImages& images) {
 
 Json images_json(const ReportPatch& patch) {
   if (!patch.images) return nullptr;
-  const auto cameras = patch_cameras(*patch.patch, patch.frame);
+  const auto cameras = io::cameras_in_local(*patch.patch, patch.frame);
   Json missed = Json::array();
   if (patch.images->score) {
     for (const LineMatch& m : patch.images->score->missed) {

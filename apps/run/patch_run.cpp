@@ -193,13 +193,7 @@ class PatchRun {
   [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() const {
     const io::LineSet set =
         io::read_lines(*patch_.reference_lines, {.assume_crs = options_.assume_crs});
-    const io::CrsAgreement agreement = io::compare(set.crs, patch_.crs);
-    if (!agreement.compatible) {
-      throw io::IoError(set.path,
-                        fmt::format("reference lines and patch do not match: {}; transform one of "
-                                    "them, or declare the CRS with --assume-crs",
-                                    agreement.reason));
-    }
+    results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch_.crs);
     return results::reference_lines_of(set, stages_.frame());
   }
 
@@ -234,13 +228,8 @@ void check_run(const io::PatchFile& patch,
   if (patch.lidar.empty()) return;
   io::ReadOptions cloud;
   cloud.assume_crs = options.assume_crs;
-  const io::Crs crs = io::CloudFiles(patch.lidar, cloud).crs();
-  const io::CrsAgreement agreement = io::compare(patch.crs, crs);
-  if (agreement.compatible) return;
-  throw io::IoError(patch.path,
-                    fmt::format("patch and cloud do not match: {}; correct one of them, "
-                                "or declare the CRS with --assume-crs",
-                                agreement.reason));
+  results::refuse_mismatch("patch and cloud", patch.path, patch.crs,
+                           io::CloudFiles(patch.lidar, cloud).crs());
 }
 
 std::size_t count_steps(const RunOptions& options) { return 3 + options.methods.size(); }

@@ -12,6 +12,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -32,7 +33,7 @@ class PatchStages {
 
   [[nodiscard]] std::vector<std::string> segment_files() const;
   [[nodiscard]] std::vector<std::string> match_files() const;
-  static std::string line_file(reconstruct::Method method);  ///< GeoJSON
+  static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
   void extract();
@@ -45,6 +46,7 @@ class PatchStages {
 
  private:
   [[nodiscard]] std::vector<std::string> list_names() const;
+  [[nodiscard]] std::vector<io::LineFormatInfo> more_line_formats() const;
   void remove_match_lists() const;
   /// Throws IoError if the file is an input.
   [[nodiscard]] std::string path(const std::string& file) const;

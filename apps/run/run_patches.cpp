@@ -44,11 +44,11 @@ std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
   return patches;
 }
 
-std::vector<InputFile> inputs_of(const std::vector<io::PatchFile>& patches,
-                                 const RunOptions& options) {
-  std::vector<InputFile> inputs;
+std::vector<results::InputFile> inputs_of(const std::vector<io::PatchFile>& patches,
+                                          const RunOptions& options) {
+  std::vector<results::InputFile> inputs;
   for (const io::PatchFile& patch : patches) {
-    for (InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
+    for (results::InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
   }
   if (!options.config_path.empty()) inputs.push_back({"config", options.config_path});
   return inputs;
@@ -104,12 +104,12 @@ void run_patches(const std::string& command,
   record.set_options(echo_options(options));
   const std::vector<io::PatchFile> patches = read_patches(patch_files, options);
   warn_of_images(patches);
-  const std::vector<InputFile> inputs = inputs_of(patches, options);
-  const results::OutputFolder out(folder, paths_of(inputs));
+  const std::vector<results::InputFile> inputs = inputs_of(patches, options);
+  const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);
   for (const std::string& name : results::result_names({})) (void)out.path(name);
   for (const io::PatchFile& patch : patches) check_run(patch, options, out);
-  for (const InputFile& input : inputs) record.add_input(input.role, input.path);
+  for (const results::InputFile& input : inputs) record.add_input(input);
   record.end_stage("hash_inputs");
 
   Progress progress(patches.size() * count_steps(options));
@@ -132,14 +132,12 @@ void run_patches(const std::string& command,
 
   // always written: an old table beside new ones would mislead
   write_table1(table1, out);
-  results::write_table2(evaluations, out);
+  results::write_tables(evaluations, truth, out);
   if (!table1.rows.empty()) say("{}\n", evaluate::to_terminal(table1));
   if (has_figures(evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations)));
   }
   for (const std::string& message : messages) say("{}\n", message);
-  results::write_truth(truth, out);
-  results::write_quality(evaluations, truth, out);
   record.end_stage("write");
   record.set("messages", messages);
   record.set("page", to_json(options.page));

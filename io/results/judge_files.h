@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::results {
@@ -48,6 +49,14 @@ struct JudgedFiles {
 /// figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines
 /// that are not in the frame of the cloud.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
+
+/// Throws IoError for the file at `path`, naming both reference systems, if its own and the other do not agree.
+/// `what`: both, "lines and cloud". What one of them leaves open becomes a warning.
+void refuse_mismatch(std::string_view what,
+                     const std::string& path,
+                     const io::Crs& crs,
+                     const io::Crs& other,
+                     std::vector<std::string>* warnings = nullptr);
 
 /// A file's name without folder and extension.
 std::string stem_of(const std::string& path);

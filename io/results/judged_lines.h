@@ -18,6 +18,11 @@ namespace ridgeline::results {
 /// Metres per coordinate unit by axis: of the CRS, else as set, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
 
+/// A line of a file in metres of the local frame; `unit_m`: of the file.
+Segment3 segment_in_local(const io::Line& line,
+                          const Eigen::Vector3d& unit_m,
+                          const LocalFrame& frame);
+
 /// The lines with their coordinates in metres; without CRS and unit, which have been applied.
 io::LineSet in_metres(io::LineSet set);
 

@@ -257,13 +257,6 @@ io::SparseRow input_values(const io::LineSet& set, const io::Line& line, std::si
   return values;
 }
 
-Segment3 segment_in_local(const io::Line& line,
-                          const Eigen::Vector3d& unit_m,
-                          const Eigen::Vector3d& origin_m) {
-  return {line.segment_in_world.start.cwiseProduct(unit_m) - origin_m,
-          line.segment_in_world.end.cwiseProduct(unit_m) - origin_m};
-}
-
 io::MapLayer lines_layer(const io::LineSet& set,
                          const evaluate::Evaluation& evaluation,
                          const std::vector<JudgedPlane>& planes,
@@ -291,7 +284,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
     feature.values = input_values(set, line, first);
     const MapLine judged{
         e, line,
-        evaluate::roof_kind(e, segment_in_local(line, unit_m, evaluation.origin_m), by_id)};
+        evaluate::roof_kind(e, segment_in_local(line, unit_m, {evaluation.origin_m}), by_id)};
     add_values(fields, first, feature.values, judged);
     layer.features.push_back(std::move(feature));
   }
