@@ -10,18 +10,15 @@
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
-#include "io/error.h"
 #include "io/results/cloud_name.h"
 #include "io/results/judge_files.h"
 #include "io/results/judged_map.h"
 #include "io/results/output_folder.h"
 #include "io/results/write_results.h"
 
-#include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <set>
 

@@ -14,8 +14,6 @@
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/views/normalised_image.h"
 
-#include <fmt/core.h>
-
 #include <filesystem>
 #include <memory>
 

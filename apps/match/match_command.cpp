@@ -13,8 +13,6 @@
 #include "io/png_writer.h"
 #include "io/results/output_folder.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 #include <memory>

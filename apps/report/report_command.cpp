@@ -5,8 +5,6 @@
 #include "apps/report/write_report.h"
 #include "io/results/gate_files.h"
 
-#include <fmt/core.h>
-
 #include <memory>
 
 namespace ridgeline::apps {

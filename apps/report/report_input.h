@@ -17,7 +17,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>

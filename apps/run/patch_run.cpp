@@ -8,7 +8,6 @@
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/cloud/cloud_files.h"
-#include "io/error.h"
 #include "io/lines/read_lines.h"
 #include "io/results/judge_files.h"
 #include "io/results/write_results.h"

@@ -18,7 +18,6 @@
 #include "reconstruct/ok2011/estimate/options.h"
 #include "reconstruct/ok2011/extract/options.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -10,7 +10,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -2,7 +2,6 @@
 #include "apps/run/stage_cache.h"
 
 #include "io/atomic_file.h"
-#include "io/error.h"
 #include "io/results/version.h"
 #include "io/sha256.h"
 #include "io/text_file.h"

@@ -3,7 +3,6 @@
 
 #include "io/results/judge_files.h"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace ridgeline::results {
