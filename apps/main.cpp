@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/run_record.h"
-#include "apps/common/version.h"
 #include "io/error.h"
 #include "io/nearest_name.h"
+#include "io/results/run_record.h"
+#include "io/results/version.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -93,8 +93,8 @@ constexpr const char* kOutputRules =
     "stays. A folder of results serves one run at a time.";
 
 std::string version_text() {
-  std::string text = fmt::format("ridgeline {} ({})\n", kVersion, kGitHash);
-  const nlohmann::ordered_json all = versions();
+  std::string text = fmt::format("ridgeline {} ({})\n", results::kVersion, results::kGitHash);
+  const nlohmann::ordered_json all = results::versions();
   for (const auto& [library, version] : all.items()) {
     if (library == "ridgeline" || library == "git_hash") continue;
     text += fmt::format("  {} {}\n", library, version.get<std::string>());

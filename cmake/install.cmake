@@ -1,5 +1,5 @@
 # `find_package(ridgeline)` gives ridgeline::geometry, ::laz, ::views, ::extract, ::match, ::chio, ::estimate,
-# ::beyond, ::reconstruct, ::io and ::evaluate.
+# ::beyond, ::reconstruct, ::io, ::evaluate and ::results.
 include(CMakePackageConfigHelpers)
 
 # ridgeline::laz and what it rests on can be found alone: find_package(ridgeline COMPONENTS laz).
@@ -12,7 +12,7 @@ function(install_libraries export)
 endfunction()
 install_libraries(ridgelineLazTargets ridgeline_geometry ridgeline_laz)
 install_libraries(ridgelineTargets ridgeline_views ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
-  ridgeline_beyond ridgeline_reconstruct ridgeline_io ridgeline_evaluate)
+  ridgeline_beyond ridgeline_reconstruct ridgeline_io ridgeline_evaluate ridgeline_results)
 install(TARGETS ridgeline DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY sample_data DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgeline)
 

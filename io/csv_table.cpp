@@ -12,21 +12,38 @@
 #include <limits>
 
 namespace ridgeline::io {
+namespace {
+
+std::vector<std::string_view> plain_fields_of(std::string_view row) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const std::size_t comma = row.find(',');
+    fields.push_back(trimmed(row.substr(0, comma)));
+    if (comma == std::string_view::npos) return fields;
+    row.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
 
 CsvTable::CsvTable(const std::string& path) : path_(path), content_(read_input(path)) {
   const std::vector<TextRow> rows = rows_of(content_);
   if (rows.empty())
-    throw IoError(path, "empty; a header with the names of the columns is expected");
-  for (const std::string_view name : plain_fields_of(rows.front().text)) {
-    names_.push_back(lower_case(name));
-  }
+    throw IoError(path, "is empty; a header with the names of the columns is expected");
+  for (const std::string_view name : fields_of(rows.front())) names_.push_back(lower_case(name));
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    rows_.push_back({rows[i].number, plain_fields_of(rows[i].text)});
+    rows_.push_back({rows[i].number, fields_of(rows[i])});
     if (rows_.back().fields.size() != names_.size()) {
       throw IoError(place_of(i - 1), fmt::format("{} fields, the header has {}",
                                                  rows_.back().fields.size(), names_.size()));
     }
   }
+}
+
+std::vector<std::string_view> CsvTable::fields_of(const TextRow& row) {
+  if (row.text.find('"') == std::string_view::npos) return plain_fields_of(row.text);
+  quoted_.push_back(csv_fields_of(row.text, ',', place(path_, row.number)));
+  return {quoted_.back().begin(), quoted_.back().end()};
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column) const {
@@ -43,8 +60,8 @@ std::size_t CsvTable::column(std::string_view name) const {
 double CsvTable::number(std::size_t row, std::size_t column) const {
   const std::optional<double> value = to_double(text(row, column));
   if (!value || !std::isfinite(*value)) {
-    throw IoError(place_of(row),
-                  fmt::format("{} = '{}', must be a number", names_[column], text(row, column)));
+    throw IoError(place_of(row), fmt::format("{} = '{}', must be a finite number", names_[column],
+                                             text(row, column)));
   }
   return *value;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,7 +10,9 @@
 
 namespace ridgeline::io {
 
-/// A comma-separated table of plain fields (no quotes) with a header, as the program itself writes.
+struct TextRow;
+
+/// A comma-separated table with a header, as the program itself writes.
 class CsvTable {
  public:
   /// Throws IoError for a file that cannot be read or is empty, and for a row with another number
@@ -37,9 +40,11 @@ class CsvTable {
     int number = 0;
     std::vector<std::string_view> fields;
   };
+  std::vector<std::string_view> fields_of(const TextRow& row);
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 
   std::string path_, content_;
+  std::deque<std::vector<std::string>> quoted_;  ///< rows with quotes; the others lie in content_
   std::vector<std::string> names_;
   std::vector<Row> rows_;
 };

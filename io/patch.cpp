@@ -228,6 +228,16 @@ std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image,
   return *ideal - image.window_px;
 }
 
+std::array<ProjectionMatrix, 2> cameras_in_local(const PatchFile& patch, const LocalFrame& frame) {
+  return {image_from_local(patch.images[0].image_from_world, frame.origin_m),
+          image_from_local(patch.images[1].image_from_world, frame.origin_m)};
+}
+
+std::array<double, 2> heights_in_local_m(const PatchFile& patch, const LocalFrame& frame) {
+  return {patch.height_range_m[0] - frame.origin_m.z(),
+          patch.height_range_m[1] - frame.origin_m.z()};
+}
+
 PatchFile read_patch(const std::string& path) { return PatchReader(path).read(); }
 
 }  // namespace ridgeline::io

@@ -3,6 +3,7 @@
 
 #include "io/crs.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/geometry/orientation.h"
 
 #include <Eigen/Core>
@@ -40,6 +41,10 @@ struct PatchFile {
   std::optional<std::string> reference_lines;
   double max_image_mpx = 0.0;  ///< of read_image(); no key of the file, its user says it
 };
+
+/// Cameras of the pair, the first two images, and the range of heights in the local frame.
+std::array<ProjectionMatrix, 2> cameras_in_local(const PatchFile& patch, const LocalFrame& frame);
+std::array<double, 2> heights_in_local_m(const PatchFile& patch, const LocalFrame& frame);
 
 /// Reads a patch file (YAML or JSON). Relative paths in it are relative to the file and come out
 /// resolved. Keys:

@@ -2,9 +2,8 @@
 #include "io/segments_file.h"
 
 #include "io/atomic_file.h"
+#include "io/csv_table.h"
 #include "io/error.h"
-#include "io/input_file.h"
-#include "io/lines/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,59 +93,30 @@ std::string row_of(std::size_t id, const EdgeSegment& segment) {
   return row + '\n';
 }
 
-/// The fields of a row by the names of their columns.
-class Row {
- public:
-  Row(const std::vector<std::string_view>& names, std::string_view text, std::string where)
-      : names_(names), fields_(plain_fields_of(text)), where_(std::move(where)) {
-    if (fields_.size() == names_.size()) return;
-    throw IoError(where_,
-                  fmt::format("{} fields; the first row has {}", fields_.size(), names_.size()));
-  }
-
-  template <typename T>
-  void read(std::string_view column, T& value) const {
-    const auto name = std::find(names_.begin(), names_.end(), column);
-    if (name == names_.end()) throw IoError(where_, fmt::format("no column {}", column));
-    const std::string_view field = fields_[static_cast<std::size_t>(name - names_.begin())];
-    const std::optional<double> number = to_double(field);
-    if (!number || !std::isfinite(*number)) {
-      throw IoError(where_, fmt::format("{} = '{}', must be a finite number", column, field));
-    }
-    value = static_cast<T>(*number);
-  }
-
-  [[nodiscard]] const std::string& where() const { return where_; }
-
- private:
-  const std::vector<std::string_view>& names_;
-  std::vector<std::string_view> fields_;
-  std::string where_;
-};
-
-void check_row(const Row& row, const EdgeSegment& segment) {
-  if (!(length(segment.line.segment) > 0.0)) throw IoError(row.where(), "start and end are one");
+void check_segment(const EdgeSegment& segment, const std::string& where) {
+  if (!(length(segment.line.segment) > 0.0)) throw IoError(where, "start and end are one");
   const auto positive = [&](std::string_view name, double sigma) {
     if (sigma > 0.0) return;
-    throw IoError(row.where(), fmt::format("{} = {}, must be positive", name, sigma));
+    throw IoError(where, fmt::format("{} = {}, must be positive", name, sigma));
   };
   positive("sigma_q_px", segment.line.sigma_q_px);
   positive("sigma_phi_rad", segment.line.sigma_phi_rad);
   positive("sigma_e_px", segment.line.sigma_e_px);
 }
 
-EdgeSegment segment_of(const Row& row, std::size_t expected_id) {
-  double id = 0.0;
-  row.read("id", id);
-  if (id != static_cast<double>(expected_id)) {
-    throw IoError(row.where(),
-                  fmt::format("id = {}, must be {}: ids count from 0", id, expected_id));
+EdgeSegment segment_of(const CsvTable& table, std::size_t row) {
+  const double id = table.number(row, table.column("id"));
+  if (id != static_cast<double>(row)) {
+    throw IoError(table.place_of(row),
+                  fmt::format("id = {}, must be {}: ids count from 0", id, row));
   }
   EdgeSegment segment;
-  const auto read = [&](const auto& column, auto& value) { row.read(column, value); };
+  const auto read = [&]<typename T>(const auto& column, T& value) {
+    value = static_cast<T>(table.number(row, table.column(column)));
+  };
   for_each_geometry_column(segment, read);
   for_each_look_column(segment, read);
-  check_row(row, segment);
+  check_segment(segment, table.place_of(row));
   return segment;
 }
 
@@ -159,14 +129,11 @@ void write_segments(const std::string& path, const std::vector<EdgeSegment>& seg
 }
 
 std::vector<EdgeSegment> read_segments(const std::string& path) {
-  const std::string content = read_input(path);
-  const std::vector<TextRow> rows = rows_of(content);
-  if (rows.empty()) throw IoError(path, "is empty; a header of column names is expected");
-  const std::vector<std::string_view> names = plain_fields_of(rows.front().text);
+  const CsvTable table(path);
   std::vector<EdgeSegment> segments;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Row row(names, rows[i].text, place(path, rows[i].number));
-    segments.push_back(segment_of(row, i - 1));
+  segments.reserve(table.size());
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    segments.push_back(segment_of(table, row));
   }
   return segments;
 }

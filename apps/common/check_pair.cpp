@@ -31,7 +31,7 @@ struct CheckedPair {
 reconstruct::PairGeometry geometry_of(const io::PatchFile& patch) {
   const LocalFrame frame = patch_frame(patch);
   reconstruct::PairGeometry geometry{
-      patch_cameras(patch, frame), patch_heights_m(patch, frame), {}};
+      io::cameras_in_local(patch, frame), io::heights_in_local_m(patch, frame), {}};
   for (std::size_t i = 0; i < 2; ++i) {
     const io::PatchImage& image = patch.images[i];
     if (!image.interior || image.interior->distortion.is_zero()) continue;

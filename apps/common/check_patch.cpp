@@ -114,20 +114,13 @@ void check_image_ids(const io::PatchFile& patch) {
 
 }  // namespace
 
-std::vector<InputFile> input_files(const io::PatchFile& patch) {
-  std::vector<InputFile> files{{"patch", patch.path}};
+std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
+  std::vector<results::InputFile> files{{"patch", patch.path}};
   for (const io::PatchImage& image : patch.images) files.push_back({"image", image.path});
   for (const std::string& file : io::expand_patterns(patch.lidar)) files.push_back({"cloud", file});
   if (patch.reference_matches) files.push_back({"reference", *patch.reference_matches});
   if (patch.reference_lines) files.push_back({"reference", *patch.reference_lines});
   return files;
-}
-
-std::vector<std::string> paths_of(const std::vector<InputFile>& files) {
-  std::vector<std::string> paths;
-  paths.reserve(files.size());
-  for (const InputFile& file : files) paths.push_back(file.path);
-  return paths;
 }
 
 void check_patch(const io::PatchFile& patch) {

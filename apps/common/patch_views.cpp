@@ -43,24 +43,14 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
       image, is_ideal ? reconstruct::PixelMap{} : reconstruct::PixelMap{ideal}, options);
 }
 
-std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame) {
-  return {image_from_local(patch.images[0].image_from_world, frame.origin_m),
-          image_from_local(patch.images[1].image_from_world, frame.origin_m)};
-}
-
-std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFrame& frame) {
-  return {patch.height_range_m[0] - frame.origin_m.z(),
-          patch.height_range_m[1] - frame.origin_m.z()};
-}
-
 reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
                                     const std::array<cv::Mat, 2>& images,
                                     const std::array<std::vector<EdgeSegment>, 2>& segments) {
   const LocalFrame frame = patch_frame(patch);
-  const auto [left, right] = patch_cameras(patch, frame);
+  const auto [left, right] = io::cameras_in_local(patch, frame);
   return {{reconstruct::MatchView{left, images[0], segments[0]},
            reconstruct::MatchView{right, images[1], segments[1]}},
-          patch_heights_m(patch, frame)};
+          io::heights_in_local_m(patch, frame)};
 }
 
 reconstruct::StereoPair load_pair(const io::PatchFile& patch,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/patch.h"
+#include "io/results/run_record.h"
 #include "reconstruct/reconstruct.h"
 
 #include <opencv2/core/mat.hpp>
@@ -15,14 +16,9 @@ namespace ridgeline::apps {
 /// same number of bands; the cameras look at the heights to be searched. Throws IoError.
 void check_patch(const io::PatchFile& patch);
 
-struct InputFile {
-  const char* role;  ///< in run.json
-  std::string path;
-};
 /// The files that a patch is made of, its own first; patterns expanded. Throws IoError for a pattern
 /// that matches none.
-std::vector<InputFile> input_files(const io::PatchFile& patch);
-std::vector<std::string> paths_of(const std::vector<InputFile>& files);
+std::vector<results::InputFile> input_files(const io::PatchFile& patch);
 
 /// Local frame of the patch: the point that the middle of the base image shows at the mean height,
 /// rounded to 100 m.
@@ -39,10 +35,6 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
                                              std::size_t i,
                                              const cv::Mat& image,
                                              const reconstruct::ExtractionOptions& options);
-
-/// Cameras of the pair and the range of heights in the local frame.
-std::array<ProjectionMatrix, 2> patch_cameras(const io::PatchFile& patch, const LocalFrame& frame);
-std::array<double, 2> patch_heights_m(const io::PatchFile& patch, const LocalFrame& frame);
 
 /// The pair of a patch with its segments, ready to be matched.
 reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,

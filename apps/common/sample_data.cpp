@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/sample_data.h"
 
-#include "apps/common/version.h"
 #include "io/error.h"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ std::vector<fs::path> places() {
   if (!error) {
     folders.push_back(program.parent_path().parent_path() / "share/ridgeline/sample_data");
   }
-  folders.emplace_back(kSourceSampleData);
+  folders.emplace_back(RIDGELINE_SOURCE_SAMPLE_DATA);
   return folders;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/result_folder_reader.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
 #include "io/atomic_file.h"
+#include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/core.h>
@@ -24,7 +24,7 @@ struct CompareArguments {
 evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
   std::vector<evaluate::ResultFolder> folders;
   folders.reserve(paths.size());
-  for (const std::string& path : paths) folders.push_back(read_result_folder(path));
+  for (const std::string& path : paths) folders.push_back(results::read_result_folder(path));
   if (folders.size() > 1) return evaluate::compare_folders(folders);
   evaluate::ComparisonReport report;
   report.comparisons = evaluate::compare_methods(folders.front());

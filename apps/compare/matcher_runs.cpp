@@ -3,6 +3,7 @@
 
 #include "io/csv_table.h"
 #include "io/error.h"
+#include "io/results/result_folder_reader.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
 
@@ -14,7 +15,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -33,15 +33,15 @@ struct PatchOfRun {
 
 const nlohmann::json::json_pointer kPropagateHeights("/match/propagate_heights");
 
-/// The options of a run that decide what is matched; nothing if there is no such record.
-std::optional<std::string> matching_of(const std::string& folder) {
+/// The options of a run with matchers; nothing if there is no such record.
+std::optional<nlohmann::json> options_of(const std::string& folder) {
   const fs::path file = fs::path(folder) / "run.json";
   if (!fs::exists(file)) return std::nullopt;
   const auto run = nlohmann::json::parse(io::read_text_file(file.string()), nullptr, false);
   if (!run.is_object() || !run.contains("options")) return std::nullopt;
   const nlohmann::json& options = run["options"];
   if (!options.is_object() || !options.contains("matchers")) return std::nullopt;
-  return options["matchers"].dump() + options.value(kPropagateHeights, nlohmann::json()).dump();
+  return options;
 }
 
 std::set<Pair> pairs_in(const fs::path& file) {
@@ -90,11 +90,9 @@ double number_or_zero(const io::CsvTable& table, std::size_t row, const char* co
 
 /// The last row is of the list that lines were reconstructed from.
 void read_table1(const fs::path& folder, evaluate::MatcherFigures& figures) {
-  for_rows_of(folder / "table1.csv", figures.patch,
-              [&](const io::CsvTable& table, std::size_t row) {
-                figures.counts = {count(table, row, "correct"), count(table, row, "false"),
-                                  count(table, row, "missed")};
-              });
+  for (const evaluate::Table1Row& row : results::read_matching(folder, false).rows) {
+    if (row.patch == figures.patch) figures.counts = row.counts;
+  }
 }
 
 /// Later rows, of later methods, replace earlier ones.
@@ -159,17 +157,15 @@ PatchOfRun read_patch_of_run(const std::string& folder, const std::string& patch
 std::string matcher_name(const std::string& folder) {
   const std::string file = (fs::path(folder) / "run.json").string();
   try {
-    const auto run = nlohmann::json::parse(io::read_text_file(file));
-    const nlohmann::json& options = run.at("options");
+    const nlohmann::json options = options_of(folder).value();
     const auto names = options.at("matchers").get<std::vector<std::string>>();
-    std::string name = names.size() > 1 ? "both" : names.at(0);
-    if (names.front() == "pairwise" && options.value(kPropagateHeights, false))
-      name += ", by height";
-    return name;
+    if (names.empty()) {
+      throw io::IoError(file, "options.matchers is empty; must name one matcher at least");
+    }
+    const bool by_height = names.front() == "pairwise" && options.value(kPropagateHeights, false);
+    return (names.size() > 1 ? "both" : names.front()) + (by_height ? ", by height" : "");
   } catch (const nlohmann::json::exception& error) {
     throw io::IoError(file, std::string("states no matchers: ") + error.what());
-  } catch (const std::out_of_range&) {
-    throw io::IoError(file, "options.matchers is empty; must name one matcher at least");
   }
 }
 
@@ -203,9 +199,10 @@ void count_alone(std::vector<PatchOfRun>& runs) {
 bool have_different_matchers(const std::vector<std::string>& folders) {
   std::set<std::string> settings;
   for (const std::string& folder : folders) {
-    const auto matching = matching_of(folder);
-    if (!matching) return false;
-    settings.insert(*matching);
+    const std::optional<nlohmann::json> options = options_of(folder);
+    if (!options) return false;
+    settings.insert(options->at("matchers").dump() +
+                    options->value(kPropagateHeights, nlohmann::json()).dump());
   }
   return settings.size() > 1;
 }

@@ -3,24 +3,22 @@
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
-#include "apps/common/output_folder.h"
 #include "apps/common/parameters.h"
 #include "apps/common/say.h"
-#include "apps/evaluate/cloud_name.h"
-#include "apps/evaluate/judge_files.h"
-#include "apps/evaluate/judged_map.h"
-#include "apps/evaluate/write_results.h"
+#include "apps/common/schema_option.h"
 #include "apps/report/page_facts.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
-#include "io/error.h"
+#include "io/results/cloud_name.h"
+#include "io/results/judge_files.h"
+#include "io/results/judged_map.h"
+#include "io/results/output_folder.h"
+#include "io/results/write_results.h"
 
-#include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -37,7 +35,7 @@ struct EvaluateArguments {
   std::vector<double> bounds, origin;
   std::string assume_crs;
   std::uint64_t max_points = 0, max_memory_mib = 0;
-  std::uint64_t cloud_memory_mib = JudgeFilesOptions{}.cloud_memory_mib;
+  std::uint64_t cloud_memory_mib = results::JudgeFilesOptions{}.cloud_memory_mib;
   double max_resolution_m = 0.0;
   ParameterArguments parameters;
   evaluate::SummaryOptions summary;
@@ -159,8 +157,8 @@ io::ReadOptions read_options(const EvaluateArguments& a) {
   return options;
 }
 
-JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
-  JudgeFilesOptions options;
+results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
+  results::JudgeFilesOptions options;
   options.line_paths = a.lines;
   options.cloud_paths = a.clouds;
   if (!a.patch.empty()) {
@@ -174,7 +172,7 @@ JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   if (options.cloud_paths.empty()) {
     throw std::invalid_argument("no cloud: give --cloud FILE, or --patch with a lidar key");
   }
-  if (options.patch_name.empty()) options.patch_name = cloud_name(options.cloud_paths);
+  if (options.patch_name.empty()) options.patch_name = results::cloud_name(options.cloud_paths);
   options.cloud = read_options(a);
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.lines.assume_crs.definition = a.assume_crs;
@@ -207,12 +205,9 @@ nlohmann::ordered_json echo_arguments(const EvaluateArguments& a,
   return json;
 }
 
-struct Input {
-  std::string role, path;
-};
-
-std::vector<Input> inputs_of(const EvaluateArguments& a, const JudgeFilesOptions& options) {
-  std::vector<Input> inputs;
+std::vector<results::InputFile> inputs_of(const EvaluateArguments& a,
+                                          const results::JudgeFilesOptions& options) {
+  std::vector<results::InputFile> inputs;
   for (const std::string& path : options.line_paths) inputs.push_back({"lines", path});
   for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
     inputs.push_back({"cloud", path});
@@ -228,41 +223,33 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
   check(a.lines.size() == 1, "--write-points: there are ", a.lines.size(),
         " line files; their planes differ, give one");
   io::require_point_format(a.write_points);
-  (void)output_file(a.write_points, inputs);
-  if (!holds_something(a.write_points) || io::is_own_points_file(a.write_points)) return;
-  throw io::IoError(
-      a.write_points,
-      "is no points file of ridgeline and would be written over; choose another name or "
-      "remove it");
+  (void)results::output_file(a.write_points, inputs);
+  results::check_is_own(a.write_points, io::is_own_points_file, "points file");
 }
 
 int run_evaluate(const EvaluateArguments& arguments) {
-  RunRecord record("evaluate");
-  const JudgeFilesOptions options = judge_files_options(arguments);
+  results::RunRecord record("evaluate");
+  const results::JudgeFilesOptions options = judge_files_options(arguments);
   record.set_options(echo_arguments(arguments, options.judge));
-  const std::vector<Input> inputs = inputs_of(arguments, options);
-  std::vector<std::string> paths;
-  paths.reserve(inputs.size());
-  for (const Input& input : inputs) paths.push_back(input.path);
-  const OutputFolder out(arguments.out, paths);
-  for (const std::string& name : result_names(options.line_paths)) (void)out.path(name);
+  const std::vector<results::InputFile> inputs = inputs_of(arguments, options);
+  const std::vector<std::string> paths = results::paths_of(inputs);
+  const results::OutputFolder out(arguments.out, paths);
+  for (const std::string& name : results::result_names(options.line_paths)) (void)out.path(name);
 
   check_points_file(arguments, paths);
 
-  const JudgedFiles judged = judge_files(options, record);
+  const results::JudgedFiles judged = results::judge_files(options, record);
   for (const std::string& warning : judged.warnings) spdlog::warn("{}", warning);
   record.add_warnings(judged.warnings);
   const std::set<std::string> unread(judged.unread_clouds.begin(), judged.unread_clouds.end());
-  for (const Input& input : inputs) {
+  for (const results::InputFile& input : inputs) {
     if (unread.contains(input.path)) continue;
-    record.add_input(input.role, input.path);
+    record.add_input(input);
   }
   record.end_stage("hash_inputs");
-  write_judged(judged, map_schema_named(arguments.schema), out, "");
-  if (!arguments.write_points.empty()) write_plane_points(arguments.write_points, judged);
-  write_truth(judged.truth, out);
-  write_quality(judged.evaluations, judged.truth, out);
-  write_table2(judged.evaluations, out);
+  results::write_judged(judged, results::map_schema_named(arguments.schema), out, "");
+  if (!arguments.write_points.empty()) results::write_plane_points(arguments.write_points, judged);
+  results::write_tables(judged.evaluations, judged.truth, out);
   if (has_figures(judged.evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
   }
@@ -274,7 +261,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   record.set("page", to_json(arguments.page));
   out.write("run.json", record.to_json());
   for (const evaluate::Evaluation& e : judged.evaluations) {
-    say("Map for QGIS: {}\n", out.path(map_name(e.method)));
+    say("Map for QGIS: {}\n", out.path(results::map_name(e.method)));
   }
   say("Tables: {}\n", out.path("table2.md"));
   write_report_of_run(arguments.out, arguments.report);

@@ -2,7 +2,6 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/output_folder.h"
 #include "apps/common/parameters.h"
 #include "apps/common/say.h"
 #include "apps/extract/segment_overlay.h"
@@ -10,11 +9,10 @@
 #include "io/image.h"
 #include "io/patch.h"
 #include "io/png_writer.h"
+#include "io/results/output_folder.h"
 #include "io/segments_file.h"
 #include "reconstruct/reconstruct.h"
 #include "reconstruct/views/normalised_image.h"
-
-#include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>
@@ -56,10 +54,10 @@ reconstruct::PixelMap pixel_map(const ExtractArguments& a) {
 
 /// Neither an input nor the other output nor anything of a user.
 void check_outputs(const ExtractArguments& a) {
-  (void)output_file(a.out, {a.image, a.patch});
-  check_is_own(a.out, "id,x1_px,y1_px,", "table of segments");
-  if (!a.overlay.empty()) (void)output_file(a.overlay, {a.image, a.patch, a.out});
-  check_is_png("--overlay", a.overlay);
+  (void)results::output_file(a.out, {a.image, a.patch});
+  results::check_is_own(a.out, "id,x1_px,y1_px,", "table of segments");
+  if (!a.overlay.empty()) (void)results::output_file(a.overlay, {a.image, a.patch, a.out});
+  results::check_is_png("--overlay", a.overlay);
 }
 
 int run_extract(const ExtractArguments& a) {

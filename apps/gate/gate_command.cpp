@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/output_folder.h"
-#include "apps/gate/gate_files.h"
-#include "apps/gate/gates_template.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/atomic_file.h"
 #include "io/error.h"
+#include "io/results/gate_files.h"
+#include "io/results/gates_template.h"
+#include "io/results/output_folder.h"
 
 #include <fmt/chrono.h>
 #include <fmt/core.h>
@@ -50,24 +50,24 @@ void check_reports(const GateArguments& a) {
     if (fs::exists(report) && is_result(report)) {
       throw io::IoError(report, "is an input and would be written over; choose another name");
     }
-    others.push_back(output_file(report, others));
+    others.push_back(results::output_file(report, others));
   }
-  check_is_own(a.junit,
-               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ridgeline gate\"",
-               "JUnit report");
-  check_is_own(a.summary, "Accuracy gate: ", "summary of gates");
-  check_is_own(a.json, "{\n  \"passed\": ", "report of gates");
+  results::check_is_own(
+      a.junit, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ridgeline gate\"",
+      "JUnit report");
+  results::check_is_own(a.summary, "Accuracy gate: ", "summary of gates");
+  results::check_is_own(a.json, "{\n  \"passed\": ", "report of gates");
 }
 
 int write_template(const std::string& file) {
   if (file.empty()) {
-    fmt::print("{}", gates_template());
+    fmt::print("{}", results::gates_template());
     return kDone;
   }
   if (fs::exists(fs::symlink_status(file))) {
     throw io::IoError(file, "exists and would be written over; --init writes a new file");
   }
-  io::write_file(file, gates_template());
+  io::write_file(file, results::gates_template());
   return kDone;
 }
 
@@ -83,7 +83,7 @@ int run_gate(const GateArguments& a) {
   if (a.is_init) return write_template(a.init);
   check_given(a);
   check_reports(a);
-  const evaluate::GateReport report = apply_gate_files(a.gates, a.results, a.baseline);
+  const evaluate::GateReport report = results::apply_gate_files(a.gates, a.results, a.baseline);
   const std::string markdown = evaluate::to_markdown(report);
   if (!a.junit.empty()) io::write_file(a.junit, evaluate::to_junit(report, now_utc()));
   if (!a.summary.empty()) io::write_file(a.summary, markdown);

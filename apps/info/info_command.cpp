@@ -7,12 +7,12 @@
 #include "io/image.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
+#include "io/lines/text.h"
 #include "io/patch.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -153,13 +153,6 @@ void print_patch(const std::string& path) {
   print_warnings(missing_files(patch));
 }
 
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 /// A PLY holds a cloud, or lines if its header lists edges or faces.
 bool is_line_ply(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return false;  // for the reader to name
@@ -181,7 +174,7 @@ void print_text_file(const std::string& path, double max_resolution_m) {
 }
 
 void print_facts(const std::string& path, double max_resolution_m) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = io::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".yaml" || extension == ".yml") return print_patch(path);
   if (extension == ".tif" || extension == ".tiff" || extension == ".png" || extension == ".jpg" ||
       extension == ".jpeg") {

@@ -3,7 +3,6 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/output_folder.h"
 #include "apps/common/parameters.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/patch_views.h"
@@ -12,8 +11,7 @@
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/png_writer.h"
-
-#include <fmt/core.h>
+#include "io/results/output_folder.h"
 
 #include <algorithm>
 #include <map>
@@ -63,13 +61,14 @@ void print_processes(const reconstruct::ChioResult& result,
 
 /// Neither inputs nor each other, and all of them can be made.
 void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
-  std::vector<std::string> others = paths_of(input_files(patch));
+  std::vector<std::string> others = results::paths_of(input_files(patch));
   for (const std::string& file : {a.out, a.overlay, a.provenance}) {
-    if (!file.empty()) others.push_back(output_file(file, others));
+    if (!file.empty()) others.push_back(results::output_file(file, others));
   }
-  check_is_own(a.out, "left_id,right_id,score,", "table of matches");
-  check_is_own(a.provenance, "left_id,right_id,linked_right_ids,", "table of lines of chio");
-  check_is_png("--overlay", a.overlay);
+  results::check_is_own(a.out, "left_id,right_id,score,", "table of matches");
+  results::check_is_own(a.provenance, "left_id,right_id,linked_right_ids,",
+                        "table of lines of chio");
+  results::check_is_png("--overlay", a.overlay);
   const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
   check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
                                           reconstruct::Matcher::kChio) != matchers.end(),

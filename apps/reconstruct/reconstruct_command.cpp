@@ -3,7 +3,6 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/output_folder.h"
 #include "apps/common/parameters.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/patch_matching.h"
@@ -14,6 +13,7 @@
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/lines/write_lines.h"
+#include "io/results/output_folder.h"
 #include "io/segments_file.h"
 
 #include <fmt/core.h>
@@ -89,10 +89,10 @@ std::optional<std::string_view> own_beginning(io::LineFormat format) {
 void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
   if (!a.matches.empty()) io::require_regular_file(a.matches);
   inputs.push_back(a.matches);
-  (void)output_file(a.out, inputs);
+  (void)results::output_file(a.out, inputs);
   const std::optional<std::string_view> beginning = own_beginning(*io::line_format(a.format));
-  if (beginning) return check_is_own(a.out, *beginning, "file of lines");
-  if (!holds_something(a.out)) return;
+  if (beginning) return results::check_is_own(a.out, *beginning, "file of lines");
+  if (!results::holds_something(a.out)) return;
   throw io::IoError(a.out,
                     "stands there and would be written over; choose another name or remove it");
 }
@@ -105,7 +105,7 @@ int run_reconstruct(ReconstructArguments a) {
   io::PatchFile patch = io::read_patch(a.patch);
   patch.max_image_mpx = a.max_image_mpx;
   check_patch(patch);
-  check_out(a, paths_of(input_files(patch)));
+  check_out(a, results::paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
   const io::LineSet lines = line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs,
                                         a.options.estimation.lines.method);

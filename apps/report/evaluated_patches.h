@@ -22,10 +22,7 @@ void read_or_note(ReportPatch& patch, const char* what, const Read& read) {
   }
 }
 
-/// The patches and methods of the folder's table2.json in its order, with their lines. Evaluations
-/// that the table does not name are those of earlier runs into the folder and are not read; without
-/// a table all are. Throws IoError for an evaluation that is none, for one that the table names and
-/// that is gone, and if there is none at all.
+/// The patches and methods of results::read_evaluations() in the order of the folder's table2.json, with their lines.
 std::vector<ReportPatch> read_evaluated_patches(const std::filesystem::path& folder,
                                                 const RunInputs& inputs);
 

@@ -66,8 +66,8 @@ constexpr int kThick = 2;
 /// Pixels of the image per metre, along its rows at its middle and at the mean height of the patch.
 double px_per_m(const ReportPatch& patch, std::size_t image) {
   constexpr double kHalf_px = 50.0;
-  const auto [low_m, high_m] = patch_heights_m(*patch.patch, patch.frame);
-  const ProjectionMatrix camera = patch_cameras(*patch.patch, patch.frame)[image];
+  const auto [low_m, high_m] = io::heights_in_local_m(*patch.patch, patch.frame);
+  const ProjectionMatrix camera = io::cameras_in_local(*patch.patch, patch.frame)[image];
   const Plane3 ground(Eigen::Vector3d::UnitZ(), -(low_m + high_m) / 2.0);
   const cv::Mat& pixels = patch.images->images[image];
   const Eigen::Vector2d middle_px(0.5 * pixels.cols, 0.5 * pixels.rows);
@@ -110,7 +110,7 @@ std::vector<LegendEntry> match_legend(bool has_reference) {
 }  // namespace
 
 cv::Mat figure1(const ReportPatch& patch) {
-  const auto [base, other] = patch_cameras(*patch.patch, patch.frame);
+  const auto [base, other] = io::cameras_in_local(*patch.patch, patch.frame);
   SegmentPicture picture(patch.images->images[0]);
   for (const EdgeSegment& segment : patch.images->segments[0]) {
     const double angle_deg =

@@ -2,10 +2,8 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/say.h"
-#include "apps/gate/gate_files.h"
 #include "apps/report/write_report.h"
-
-#include <fmt/core.h>
+#include "io/results/gate_files.h"
 
 #include <memory>
 
@@ -18,7 +16,7 @@ struct ReportArguments {
 
 int run_report(const ReportArguments& a) {
   std::optional<evaluate::GateReport> gates;
-  if (!a.gates.empty()) gates = apply_gate_files(a.gates, a.results, a.baseline);
+  if (!a.gates.empty()) gates = results::apply_gate_files(a.gates, a.results, a.baseline);
   say("Report: {}\n", write_report(a.results, gates));
   return kDone;
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/report_input.h"
 
-#include "apps/common/evaluated_methods.h"
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
-#include "apps/evaluate/judge_files.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
@@ -13,6 +11,8 @@
 #include "io/csv_table.h"
 #include "io/error.h"
 #include "io/lines/read_lines.h"
+#include "io/results/judged_lines.h"
+#include "io/results/result_folder_reader.h"
 #include "io/segments_file.h"
 
 #include <fmt/core.h>
@@ -23,8 +23,6 @@
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
-
-using evaluate::Json;
 
 std::vector<LineMatch> line_matches(const std::vector<FoundMatch>& rows) {
   std::vector<LineMatch> matches;
@@ -65,10 +63,8 @@ std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   constexpr double kRadius_m = 10.0;
   std::vector<Segment2> segments;
   for (const ReportMethod& method : patch.methods) {
-    for (const auto& line : method.lines) {
-      if (!line || !all_finite(line->segment_in_world)) continue;
-      segments.push_back({patch.frame.local_from_world(line->segment_in_world.start).head<2>(),
-                          patch.frame.local_from_world(line->segment_in_world.end).head<2>()});
+    for (const auto& segment : method.segments) {
+      if (segment) segments.push_back(plan(*segment));
     }
   }
   if (segments.empty()) return std::nullopt;
@@ -122,7 +118,7 @@ void read_points(const std::vector<std::string>& files,
 }
 
 void read_true_errors(const RunInputs& inputs, const std::string& reference, ReportPatch& patch) {
-  const auto references = reference_lines_of(
+  const auto references = results::reference_lines_of(
       io::read_lines(inputs.unchanged(reference), inputs.lines_options()), patch.frame);
   for (ReportMethod& method : patch.methods) {
     io::LineSet set;
@@ -132,8 +128,8 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
       set.lines.push_back(*method.lines[i]);
       index.push_back(i);
     }
-    const auto errors_m =
-        evaluate::reference_errors_m(judged_lines_of(set, patch.frame, patch.patch), references);
+    const auto errors_m = evaluate::reference_errors_m(
+        results::judged_lines_of(set, patch.frame, patch.patch), references);
     method.true_errors_m.resize(method.lines.size());
     for (std::size_t k = 0; k < index.size(); ++k) method.true_errors_m[index[k]] = errors_m[k];
   }
@@ -196,14 +192,10 @@ ReportInput read_report_input(const std::string& folder) {
   if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");
   ReportInput input;
   const fs::path path(folder);
-  input.run = fs::exists(path / "run.json") ? read_json_object(path / "run.json") : Json::object();
+  input.run = results::read_run_json(path);
   const RunInputs inputs(input.run, (path / "run.json").string());
   input.input_paths = inputs.all_paths();
-  input.table1 = Json::array();
-  // in the folder of an evaluation of files it is an earlier run's
-  if (!inputs.is_of_files() && fs::exists(path / "table1.json")) {
-    input.table1 = read_json_object(path / "table1.json").value("rows", Json::array());
-  }
+  input.table1 = results::read_matching(path, inputs.is_of_files());
   input.patches = read_evaluated_patches(path, inputs);
   for (ReportPatch& patch : input.patches) read_run_data(path, inputs, patch);
   const PathShortener shortener = path_shortener(folder, inputs, input.patches);

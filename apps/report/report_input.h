@@ -4,7 +4,9 @@
 #include "apps/report/shown_cloud.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/matching/match_scoring.h"
+#include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/summary_json.h"
+#include "evaluate/tables/table1.h"
 #include "io/lines/line_set.h"
 #include "io/matches_file.h"
 #include "io/patch.h"
@@ -15,7 +17,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,13 +25,13 @@
 namespace ridgeline::apps {
 
 /// One method (or line file) on one patch.
-// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct ReportMethod {
-  std::string name;
-  evaluate::Json evaluation;  ///< as evaluation.METHOD.json holds it
+  evaluate::Evaluation evaluation;
   /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
   /// gone.
   std::vector<std::optional<io::Line>> lines;
+  /// Of these in the patch's frame; nothing for coordinates that are not finite, too.
+  std::vector<std::optional<Segment3>> segments;
   std::vector<std::optional<double>> true_errors_m;  ///< of each line; empty without true lines
 };
 
@@ -58,10 +59,10 @@ struct ReportPatch {
 
 /// All that a report shows, as read from a folder of results and, by the paths that run.json
 /// records, from the data of the run.
-// NOLINTNEXTLINE(bugprone-exception-escape): as above
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct ReportInput {
-  evaluate::Json run;     ///< run.json without folders; an empty object if there is none
-  evaluate::Json table1;  ///< rows of Table 1; empty without reference matches
+  evaluate::Json run;       ///< run.json without folders; an empty object if there is none
+  evaluate::Table1 table1;  ///< empty without reference matches
   std::vector<std::string> input_paths;  ///< of the run, never to be written over
   std::vector<ReportPatch> patches;
 };

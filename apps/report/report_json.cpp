@@ -4,13 +4,13 @@
 #include "apps/common/patch_views.h"
 #include "apps/report/base64.h"
 #include "evaluate/gates/gate_report.h"
+#include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
 #include "io/jpeg.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -88,7 +88,7 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
   const io::PatchImage& view = patch.patch->images[i];
   const cv::Mat& image = patch.images->images[i];
   const std::string jpeg = io::jpeg_bytes(display_image(image), kQuality);
-  const std::array<ProjectionMatrix, 2> cameras = patch_cameras(*patch.patch, patch.frame);
+  const std::array<ProjectionMatrix, 2> cameras = io::cameras_in_local(*patch.patch, patch.frame);
   const std::vector<EdgeSegment>& segments = patch.images->segments[i];
   return {{"id", view.id},
           {"file", std::filesystem::path(view.path).filename().string()},
@@ -117,7 +117,7 @@ Json matches_json(const ReportImages& images) {
 
 Json images_json(const ReportPatch& patch) {
   if (!patch.images) return nullptr;
-  const auto cameras = patch_cameras(*patch.patch, patch.frame);
+  const auto cameras = io::cameras_in_local(*patch.patch, patch.frame);
   Json missed = Json::array();
   if (patch.images->score) {
     for (const LineMatch& m : patch.images->score->missed) {
@@ -186,10 +186,10 @@ Json image_segment(const std::optional<Segment2>& s) {
 }
 
 /// What the line file adds to the judgement.
-void add_geometry(const io::Line& line, const LocalFrame& frame, Json& json) {
-  if (all_finite(line.segment_in_world)) {
-    json["start"] = coordinates(frame.local_from_world(line.segment_in_world.start));
-    json["end"] = coordinates(frame.local_from_world(line.segment_in_world.end));
+void add_geometry(const io::Line& line, const std::optional<Segment3>& segment, Json& json) {
+  if (segment) {
+    json["start"] = coordinates(segment->start);
+    json["end"] = coordinates(segment->end);
   }
   json["left"] = segment_index(line.left_id);
   json["right"] = segment_index(line.right_id);
@@ -199,28 +199,28 @@ void add_geometry(const io::Line& line, const LocalFrame& frame, Json& json) {
   if (line.n_points) json["n_points"] = *line.n_points;
 }
 
-Json line_json(const ReportMethod& method, std::size_t i, const LocalFrame& frame) {
-  Json json = method.evaluation.at("lines")[i];
+/// `json`: as evaluation.METHOD.json holds the line.
+Json line_json(const ReportMethod& method, std::size_t i, Json json) {
   for (Json& plane : json.at("planes")) {
     plane.erase("normal");
     plane.erase("d");
   }
-  if (method.lines[i]) add_geometry(*method.lines[i], frame, json);
+  if (method.lines[i]) add_geometry(*method.lines[i], method.segments[i], json);
   if (!method.true_errors_m.empty()) {
     json["true_error_m"] = evaluate::number_json(method.true_errors_m[i]);
   }
   return json;
 }
 
-Json method_json(const ReportPatch& patch, const ReportMethod& method, const ShownPlanes& planes) {
-  Json json{{"name", method.name}};
-  for (const char* key : {"options", "summary", "accuracy", "calibration", "strata"}) {
-    json[key] = method.evaluation.at(key);
+Json method_json(const ReportMethod& method, const ShownPlanes& planes) {
+  Json judged = evaluate::evaluation_json(method.evaluation);
+  Json json{{"name", method.evaluation.method}};
+  for (const char* key : {"options", "summary", "accuracy", "calibration", "strata", "standards"}) {
+    json[key] = std::move(judged.at(key));
   }
-  if (method.evaluation.contains("standards")) json["standards"] = method.evaluation["standards"];
   Json lines = Json::array();
   for (std::size_t i = 0; i < method.lines.size(); ++i) {
-    lines.push_back(line_json(method, i, patch.frame));
+    lines.push_back(line_json(method, i, std::move(judged.at("lines")[i])));
   }
   json["lines"] = std::move(lines);
   json["planes"] = Json::array();
@@ -232,7 +232,7 @@ Json method_json(const ReportPatch& patch, const ReportMethod& method, const Sho
 Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
   Json methods = Json::array();
   for (std::size_t m = 0; m < patch.methods.size(); ++m) {
-    methods.push_back(method_json(patch, patch.methods[m], scene.methods[m]));
+    methods.push_back(method_json(patch.methods[m], scene.methods[m]));
   }
   std::string crs = "unknown";
   if (patch.patch) crs = io::describe(patch.patch->crs).name;
@@ -265,20 +265,18 @@ Json run_json(const Json& run) {
   return json;
 }
 
-/// The rows of Table 2: the summaries of the evaluations.
-Json table2_json(const ReportInput& input) {
-  Json rows = Json::array();
+evaluate::Table2 table2_of(const ReportInput& input) {
+  evaluate::Table2 table;
   for (const ReportPatch& patch : input.patches) {
     for (const ReportMethod& method : patch.methods) {
-      for (const auto& [line_class, summary] : method.evaluation.at("summary").items()) {
-        Json row{{"patch", patch.id}, {"method", method.name}, {"class", line_class}};
-        row.update(summary);
-        rows.push_back(std::move(row));
-      }
+      const evaluate::Evaluation& e = method.evaluation;
+      table.results.push_back({e.patch, e.method, e.classes});
     }
   }
-  return rows;
+  return table;
 }
+
+Json rows_of(const std::string& table) { return Json::parse(table).at("rows"); }
 
 }  // namespace
 
@@ -301,8 +299,8 @@ Json report_json(const ReportInput& input,
           {"note", evaluate::kFixedSentence},
           {"run", run_json(input.run)},
           {"gates", gates ? Json::parse(evaluate::to_json(*gates)) : Json(nullptr)},
-          {"table1", input.table1},
-          {"table2", table2_json(input)},
+          {"table1", rows_of(evaluate::to_json(input.table1))},
+          {"table2", rows_of(evaluate::to_json(table2_of(input)))},
           {"patches", std::move(patches)}};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/run_inputs.h"
 
-#include "apps/evaluate/judge_files.h"
 #include "io/error.h"
+#include "io/results/judge_files.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <fmt/core.h>
@@ -79,7 +79,7 @@ void RunInputs::refuse_changed(const Input& input) {
 
 std::string RunInputs::lines_of(const std::string& method) const {
   for (const evaluate::Json& path : options_.value("lines", evaluate::Json::array())) {
-    if (stem_of(path.get<std::string>()) == method) return path.get<std::string>();
+    if (results::stem_of(path.get<std::string>()) == method) return path.get<std::string>();
   }
   return {};
 }

@@ -38,12 +38,10 @@ std::array<double, 2> range_of(std::vector<double> values, double share_cut) {
   return {at(share_cut), at(1.0 - share_cut)};
 }
 
-std::vector<Segment3> segments_of(const ReportMethod& method, const LocalFrame& frame) {
+std::vector<Segment3> segments_of(const ReportMethod& method) {
   std::vector<Segment3> segments;
-  for (const auto& line : method.lines) {
-    if (!line || !all_finite(line->segment_in_world)) continue;
-    segments.push_back({frame.local_from_world(line->segment_in_world.start),
-                        frame.local_from_world(line->segment_in_world.end)});
+  for (const auto& segment : method.segments) {
+    if (segment) segments.push_back(*segment);
   }
   return segments;
 }
@@ -137,23 +135,20 @@ void draw_line(const Segment3& segment, const cv::Scalar& colour, int width, Sce
 
 cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t method) {
   const ReportMethod& lines = patch.methods[method];
-  SceneCanvas scene(patch.cloud, segments_of(lines, patch.frame));
+  SceneCanvas scene(patch.cloud, segments_of(lines));
   draw_points(patch.cloud, shown.methods[method], scene);
-  const evaluate::Json& judged = lines.evaluation.at("lines");
   for (const bool aligned : {false, true}) {
-    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
-      const auto& line = lines.lines[i];
-      if ((judged[i].value("class", "") == "aligned") != aligned) continue;
-      if (!line || !all_finite(line->segment_in_world)) continue;
-      draw_line({patch.frame.local_from_world(line->segment_in_world.start),
-                 patch.frame.local_from_world(line->segment_in_world.end)},
-                aligned ? colour::kAligned : colour::kBlue, aligned ? 4 : 3, scene);
+    for (std::size_t i = 0; i < lines.segments.size(); ++i) {
+      const bool is_aligned = lines.evaluation.lines[i].line_class == "aligned";
+      if (is_aligned != aligned || !lines.segments[i]) continue;
+      draw_line(*lines.segments[i], aligned ? colour::kAligned : colour::kBlue, aligned ? 4 : 3,
+                scene);
     }
   }
   return framed(
       scene.canvas(),
       {.title = fmt::format("Lines of method {} and LIDAR points, patch {}, from south-west",
-                            lines.name, patch.id),
+                            lines.evaluation.method, patch.id),
        .legend = {{LegendMark::kLine, {colour::kAligned}, "aligned lines"},
                   {LegendMark::kLine, {colour::kBlue}, "lines not aligned"},
                   {LegendMark::kPoints,

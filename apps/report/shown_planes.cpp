@@ -14,24 +14,12 @@
 namespace ridgeline::apps {
 namespace {
 
-using evaluate::Json;
-
-Plane3 plane_in_local(const Json& json, const LocalFrame& frame) {
-  const auto n = json.at("normal").get<std::array<double, 3>>();
-  const Eigen::Vector3d normal(n[0], n[1], n[2]);
-  return {normal, json.at("d").get<double>() + normal.dot(frame.origin_m)};
-}
-
 /// One entry per plane id; indices by id.
-std::vector<ShownPlane> planes_of(const Json& lines, const LocalFrame& frame) {
+std::vector<ShownPlane> planes_of(const std::vector<evaluate::LineEvaluation>& lines) {
   std::map<std::uint64_t, ShownPlane> by_id;
-  for (const Json& line : lines) {
-    for (const Json& json : line.at("planes")) {
-      ShownPlane plane{json.at("id").get<std::uint64_t>(),
-                       plane_in_local(json, frame),
-                       json.at("n_inliers").get<int>(),
-                       json.at("rms_m").get<double>(),
-                       {}};
+  for (const evaluate::LineEvaluation& line : lines) {
+    for (const evaluate::JudgingPlane& p : line.planes) {
+      const ShownPlane plane{p.id, p.plane, p.n_inliers, p.rms_m, {}};
       const auto [entry, is_new] = by_id.try_emplace(plane.id, plane);
       if (!is_new && plane.n_inliers > entry->second.n_inliers) entry->second = plane;
     }
@@ -73,11 +61,10 @@ std::vector<Eigen::Vector3d> outline_of(const Plane3& plane,
 
 ShownPlanes shown_planes(const ReportPatch& patch, const ReportMethod& method) {
   const evaluate::JudgeOptions& widths = patch.judge;
-  const LocalFrame& frame = patch.frame;
   const ShownCloud& points = patch.cloud;
-  const Json& lines = method.evaluation.at("lines");
+  const std::vector<evaluate::LineEvaluation>& lines = method.evaluation.lines;
   ShownPlanes shown;
-  shown.planes = planes_of(lines, frame);
+  shown.planes = planes_of(lines);
   shown.plane_of_point.assign(points.x_in_local.size(), 0);
   std::map<std::uint64_t, std::uint16_t> index;
   for (std::size_t k = 0; k < shown.planes.size(); ++k) {
@@ -87,16 +74,13 @@ ShownPlanes shown_planes(const ReportPatch& patch, const ReportMethod& method) {
                                                [&](std::size_t i) { return points.x_in_local[i]; });
   std::vector<double> nearest_m(points.x_in_local.size(), widths.inlier_distance_m);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!method.lines[i] || !all_finite(method.lines[i]->segment_in_world)) continue;
-    const Segment3& in_world = method.lines[i]->segment_in_world;
-    const Segment3 line{frame.local_from_world(in_world.start),
-                        frame.local_from_world(in_world.end)};
-    for (const Json& json : lines[i].at("planes")) {
-      const Plane3 plane = plane_in_local(json, frame);
-      const std::uint16_t number = index[json.at("id").get<std::uint64_t>()];
-      grid.visit_near(plan(line), widths.fit_half_width_m, [&](const auto& point) {
-        if (distance(plan(line), point.x.template head<2>()) > widths.fit_half_width_m) return;
-        const double distance_m = plane.absDistance(point.x);
+    if (!method.segments[i]) continue;
+    const Segment2 line = plan(*method.segments[i]);
+    for (const evaluate::JudgingPlane& p : lines[i].planes) {
+      const std::uint16_t number = index[p.id];
+      grid.visit_near(line, widths.fit_half_width_m, [&](const auto& point) {
+        if (distance(line, point.x.template head<2>()) > widths.fit_half_width_m) return;
+        const double distance_m = p.plane.absDistance(point.x);
         if (distance_m > nearest_m[point.index]) return;
         nearest_m[point.index] = distance_m;
         shown.plane_of_point[point.index] = number;

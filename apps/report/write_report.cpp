@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/write_report.h"
 
-#include "apps/common/output_folder.h"
 #include "apps/common/say.h"
 #include "apps/report/figures.h"
 #include "apps/report/page.h"
 #include "io/error.h"
 #include "io/png_writer.h"
+#include "io/results/output_folder.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
@@ -35,8 +35,9 @@ std::vector<Figure> figures_of(const ReportPatch& patch, const ShownScene& scene
     }
   }
   for (std::size_t m = 0; m < patch.methods.size(); ++m) {
-    figures.push_back({fmt::format("{}fig8.{}.png", patch.subfolder, patch.methods[m].name),
-                       [&patch, &scene, m] { return figure8(patch, scene, m); }});
+    figures.push_back(
+        {fmt::format("{}fig8.{}.png", patch.subfolder, patch.methods[m].evaluation.method),
+         [&patch, &scene, m] { return figure8(patch, scene, m); }});
   }
   return figures;
 }
@@ -67,7 +68,7 @@ std::string write_report_of(const ReportInput& input,
                             const std::string& folder,
                             const std::optional<evaluate::GateReport>& gates) {
   warn_as_the_page(input, gates);
-  const OutputFolder out(folder, input.input_paths);
+  const results::OutputFolder out(folder, input.input_paths);
   std::vector<ShownScene> scenes(input.patches.size());
   tbb::parallel_for(std::size_t{0}, scenes.size(),
                     [&](std::size_t i) { scenes[i] = shown_scene(input.patches[i]); });

@@ -2,15 +2,14 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/outcome.h"
-#include "apps/evaluate/judge_files.h"
-#include "apps/evaluate/write_results.h"
 #include "apps/run/patch_stages.h"
 #include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/cloud/cloud_files.h"
-#include "io/error.h"
 #include "io/lines/read_lines.h"
+#include "io/results/judge_files.h"
+#include "io/results/write_results.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
 
@@ -31,9 +30,9 @@ class PatchRun {
  public:
   PatchRun(const io::PatchFile& patch,
            const RunOptions& options,
-           const OutputFolder& out,
+           const results::OutputFolder& out,
            Progress& progress,
-           RunRecord& record)
+           results::RunRecord& record)
       : patch_(patch),
         options_(options),
         parameters_(echo(options.parameters)),
@@ -107,19 +106,19 @@ class PatchRun {
   void evaluate() {
     std::vector<std::string> files;
     for (const Method method : options_.methods) {
-      for (const std::string& file : evaluation_names(reconstruct::name(method))) {
+      for (const std::string& file : results::evaluation_names(reconstruct::name(method))) {
         files.push_back(file);
       }
     }
     stage("evaluate", evaluation_key(), files, [&] {
-      write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(),
-                   options_.map_schema, out_, patch_.id + "/");
+      results::write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(),
+                            options_.map_schema, out_, patch_.id + "/");
     });
     for (const Method method : options_.methods) {
       result_.evaluations.push_back(
           evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method)))));
       result_.truth.push_back(
-          compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
+          results::compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
     }
   }
 
@@ -130,7 +129,7 @@ class PatchRun {
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
     parts.push_back(parameters_["judge"].dump());
-    if (options_.map_schema == MapSchema::kFkb) parts.emplace_back("fkb");
+    if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
                                 options_.summary.bootstrap.seed));
@@ -142,8 +141,8 @@ class PatchRun {
     return stage_key(parts);
   }
 
-  JudgedFiles judge_against_lidar() {
-    JudgeFilesOptions options;
+  results::JudgedFiles judge_against_lidar() {
+    results::JudgeFilesOptions options;
     for (const Method method : options_.methods) {
       options.line_paths.push_back(in_folder(PatchStages::line_file(method)));
     }
@@ -154,7 +153,7 @@ class PatchRun {
     options.cloud.assume_crs = options_.assume_crs;
     options.judge = options_.parameters.judge;
     options.summary = options_.summary;
-    JudgedFiles judged = judge_files(options, record_);
+    results::JudgedFiles judged = results::judge_files(options, record_);
     record_.add_warnings(judged.warnings);
     for (std::size_t i = 0; i < options_.methods.size(); ++i) {
       judged.evaluations[i].method = reconstruct::name(options_.methods[i]);
@@ -163,10 +162,10 @@ class PatchRun {
   }
 
   /// Every line gets the status `no_lidar`.
-  [[nodiscard]] JudgedFiles judge_without_lidar() const {
+  [[nodiscard]] results::JudgedFiles judge_without_lidar() const {
     const auto nothing =
         evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
-    JudgedFiles judged;
+    results::JudgedFiles judged;
     judged.cloud_crs = patch_.crs;
     for (const Method method : options_.methods) {
       evaluate::Evaluation evaluation;
@@ -186,21 +185,15 @@ class PatchRun {
   }
 
   [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(Method method) const {
-    return judged_lines_of(io::read_lines(in_folder(PatchStages::line_file(method))),
-                           stages_.frame(), patch_);
+    return results::judged_lines_of(io::read_lines(in_folder(PatchStages::line_file(method))),
+                                    stages_.frame(), patch_);
   }
 
   [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() const {
     const io::LineSet set =
         io::read_lines(*patch_.reference_lines, {.assume_crs = options_.assume_crs});
-    const io::CrsAgreement agreement = io::compare(set.crs, patch_.crs);
-    if (!agreement.compatible) {
-      throw io::IoError(set.path,
-                        fmt::format("reference lines and patch do not match: {}; transform one of "
-                                    "them, or declare the CRS with --assume-crs",
-                                    agreement.reason));
-    }
-    return reference_lines_of(set, stages_.frame());
+    results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch_.crs);
+    return results::reference_lines_of(set, stages_.frame());
   }
 
   [[nodiscard]] std::string in_folder(const std::string& file) const {
@@ -210,9 +203,9 @@ class PatchRun {
   const io::PatchFile& patch_;
   const RunOptions& options_;
   nlohmann::ordered_json parameters_;  ///< by group
-  const OutputFolder& out_;
+  const results::OutputFolder& out_;
   Progress& progress_;
-  RunRecord& record_;
+  results::RunRecord& record_;
   PatchStages stages_;
   StageCache cache_;
   std::string patch_key_, extract_key_, match_key_;
@@ -223,32 +216,29 @@ class PatchRun {
 
 }  // namespace
 
-void check_run(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out) {
+void check_run(const io::PatchFile& patch,
+               const RunOptions& options,
+               const results::OutputFolder& out) {
   PatchStages(patch, options, out).check_outputs();
   for (const Method method : options.methods) {
-    for (const std::string& file : evaluation_names(reconstruct::name(method))) {
+    for (const std::string& file : results::evaluation_names(reconstruct::name(method))) {
       (void)out.path(patch.id + "/" + file);
     }
   }
   if (patch.lidar.empty()) return;
   io::ReadOptions cloud;
   cloud.assume_crs = options.assume_crs;
-  const io::Crs crs = io::CloudFiles(patch.lidar, cloud).crs();
-  const io::CrsAgreement agreement = io::compare(patch.crs, crs);
-  if (agreement.compatible) return;
-  throw io::IoError(patch.path,
-                    fmt::format("patch and cloud do not match: {}; correct one of them, "
-                                "or declare the CRS with --assume-crs",
-                                agreement.reason));
+  results::refuse_mismatch("patch and cloud", patch.path, patch.crs,
+                           io::CloudFiles(patch.lidar, cloud).crs());
 }
 
 std::size_t count_steps(const RunOptions& options) { return 3 + options.methods.size(); }
 
 PatchResult run_patch(const io::PatchFile& patch,
                       const RunOptions& options,
-                      const OutputFolder& out,
+                      const results::OutputFolder& out,
                       Progress& progress,
-                      RunRecord& record) {
+                      results::RunRecord& record) {
   return PatchRun(patch, options, out, progress, record).run();
 }
 

@@ -2,21 +2,20 @@
 #pragma once
 
 #include "apps/common/check_pair.h"
-#include "apps/common/output_folder.h"
 #include "apps/common/parameters.h"
 #include "apps/common/patch_matchers.h"
 #include "apps/common/progress.h"
-#include "apps/common/run_record.h"
-#include "apps/evaluate/judged_lines.h"
-#include "apps/evaluate/judged_map.h"
 #include "apps/report/page_facts.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
 #include "io/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/patch.h"
+#include "io/results/judged_lines.h"
+#include "io/results/judged_map.h"
+#include "io/results/output_folder.h"
+#include "io/results/run_record.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +27,7 @@ struct RunOptions {
   Parameters parameters;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
-  MapSchema map_schema = MapSchema::kPlain;
+  results::MapSchema map_schema = results::MapSchema::kPlain;
   bool local_origin = false;   ///< see io::WriteLinesOptions
   io::Crs assume_crs;          ///< declares or overrides that of patch, cloud and reference lines
   double max_image_mpx = 0.0;  ///< of io::read_image()
@@ -43,7 +42,7 @@ struct RunOptions {
 struct PatchResult {
   std::vector<evaluate::Table1Row> matching;      ///< one per matcher; with reference matches only
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method
-  std::vector<TruthRows> truth;
+  std::vector<results::TruthRows> truth;
   std::vector<std::string> messages;  ///< outcome_messages()
   std::size_t n_skipped_stages = 0;   ///< finished before, by --resume
 };
@@ -53,15 +52,17 @@ std::size_t count_steps(const RunOptions& options);
 
 /// What can be found wrong before the work begins. Throws IoError for outputs that are inputs, a cloud
 /// that cannot be read or is of another CRS than the patch.
-void check_run(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out);
+void check_run(const io::PatchFile& patch,
+               const RunOptions& options,
+               const results::OutputFolder& out);
 
 /// Images -> segments -> matches -> 3D lines by each method -> judged lines (Ok et al. 2011), and
 /// the files of one patch in the folder of its id. A patch without LIDAR gets its lines; their
 /// status is `no_lidar`. Throws IoError for a file's fault.
 PatchResult run_patch(const io::PatchFile& patch,
                       const RunOptions& options,
-                      const OutputFolder& out,
+                      const results::OutputFolder& out,
                       Progress& progress,
-                      RunRecord& record);
+                      results::RunRecord& record);
 
 }  // namespace ridgeline::apps

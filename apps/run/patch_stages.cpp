@@ -4,6 +4,7 @@
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
 #include "apps/common/reconstructed_lines.h"
+#include "evaluate/gates/figure.h"
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/segments_file.h"
@@ -16,6 +17,9 @@
 
 namespace ridgeline::apps {
 namespace {
+
+static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
+              "gates find the combined matches by it");
 
 /// The list that lines are reconstructed from; with two matchers that of both.
 constexpr const char* kMatches = "matches.csv";
@@ -43,7 +47,7 @@ std::string verdicts_csv(const std::vector<LineMatch>& matches,
 
 PatchStages::PatchStages(const io::PatchFile& patch,
                          const RunOptions& options,
-                         const OutputFolder& out)
+                         const results::OutputFolder& out)
     : patch_(patch), options_(options), out_(out), frame_(patch_frame(patch)) {}
 
 void PatchStages::check_outputs() const {
@@ -83,19 +87,24 @@ std::vector<std::string> PatchStages::match_files() const {
   return files;
 }
 
-std::string PatchStages::line_file(reconstruct::Method method) {
-  return fmt::format("lines.{}.geojson", reconstruct::name(method));
+std::string PatchStages::line_file(reconstruct::Method method, std::string_view extension) {
+  return fmt::format("lines.{}{}", reconstruct::name(method), extension);
+}
+
+/// Beside GeoJSON.
+std::vector<io::LineFormatInfo> PatchStages::more_line_formats() const {
+  std::vector<io::LineFormatInfo> formats;
+  for (const io::LineFormatInfo& info : io::line_formats()) {
+    const bool is_wanted = std::ranges::count(options_.line_formats, info.format) > 0;
+    if (is_wanted && info.format != io::LineFormat::kGeoJson) formats.push_back(info);
+  }
+  return formats;
 }
 
 std::vector<std::string> PatchStages::line_files(reconstruct::Method method) const {
   std::vector<std::string> files{line_file(method)};
-  for (const io::LineFormatInfo& info : io::line_formats()) {
-    const auto& wanted = options_.line_formats;
-    if (info.format == io::LineFormat::kGeoJson ||
-        std::find(wanted.begin(), wanted.end(), info.format) == wanted.end()) {
-      continue;
-    }
-    files.push_back(fmt::format("lines.{}{}", reconstruct::name(method), info.extension));
+  for (const io::LineFormatInfo& info : more_line_formats()) {
+    files.push_back(line_file(method, info.extension));
   }
   return files;
 }
@@ -165,15 +174,12 @@ void PatchStages::reconstruct(reconstruct::Method method) {
       reconstruct::estimate(pair(), matches, options, options_.parameters.method.matching.pairwise),
       frame_, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
-  for (const io::LineFormat format : options_.line_formats) {
-    for (const io::LineFormatInfo& info : io::line_formats()) {
-      if (info.format != format || format == io::LineFormat::kGeoJson) continue;
-      const std::string file = fmt::format("lines.{}{}", reconstruct::name(method), info.extension);
-      const std::size_t n_left_out =
-          io::write_lines(path(file), lines, format, {.local_origin = options_.local_origin});
-      if (n_left_out == 0) continue;
-      spdlog::info("{}/{}: {} lines without geometry are left out", patch_.id, file, n_left_out);
-    }
+  for (const io::LineFormatInfo& info : more_line_formats()) {
+    const std::string file = line_file(method, info.extension);
+    const std::size_t n_left_out =
+        io::write_lines(path(file), lines, info.format, {.local_origin = options_.local_origin});
+    if (n_left_out == 0) continue;
+    spdlog::info("{}/{}: {} lines without geometry are left out", patch_.id, file, n_left_out);
   }
 }
 

@@ -10,8 +10,8 @@
 #include <opencv2/core/mat.hpp>
 
 #include <array>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -21,7 +21,9 @@ namespace ridgeline::apps {
 class PatchStages {
  public:
   /// The files are in the subfolder of `out` that is named after the patch's id.
-  PatchStages(const io::PatchFile& patch, const RunOptions& options, const OutputFolder& out);
+  PatchStages(const io::PatchFile& patch,
+              const RunOptions& options,
+              const results::OutputFolder& out);
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
 
@@ -30,7 +32,7 @@ class PatchStages {
 
   [[nodiscard]] std::vector<std::string> segment_files() const;
   [[nodiscard]] std::vector<std::string> match_files() const;
-  static std::string line_file(reconstruct::Method method);  ///< GeoJSON
+  static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
   void extract();
@@ -43,6 +45,7 @@ class PatchStages {
 
  private:
   [[nodiscard]] std::vector<std::string> list_names() const;
+  [[nodiscard]] std::vector<io::LineFormatInfo> more_line_formats() const;
   void remove_match_lists() const;
   /// Throws IoError if the file is an input.
   [[nodiscard]] std::string path(const std::string& file) const;
@@ -52,7 +55,7 @@ class PatchStages {
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
-  const OutputFolder& out_;
+  const results::OutputFolder& out_;
   LocalFrame frame_;
   std::array<cv::Mat, 2> images_;  ///< normalised; read when first needed
 };

@@ -3,6 +3,7 @@
 
 #include "apps/common/image_options.h"
 #include "apps/common/option_flags.h"
+#include "apps/common/schema_option.h"
 #include "apps/report/write_report.h"
 
 #include <fmt/format.h>
@@ -97,7 +98,7 @@ RunOptions run_options(const RunFlags& flags) {
     io::require_writable(*format);
     options.line_formats.push_back(*format);
   }
-  options.map_schema = map_schema_named(flags.schema);
+  options.map_schema = results::map_schema_named(flags.schema);
   validate(options.summary);
   return options;
 }

@@ -5,12 +5,12 @@
 #include "apps/common/parameters.h"
 #include "apps/common/patch_views.h"
 #include "apps/common/say.h"
-#include "apps/evaluate/judged_map.h"
-#include "apps/evaluate/write_results.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
 #include "io/lines/text.h"
+#include "io/results/judged_map.h"
+#include "io/results/write_results.h"
 #include "io/sha256.h"
 
 #include <fmt/core.h>
@@ -43,11 +43,11 @@ std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
   return patches;
 }
 
-std::vector<InputFile> inputs_of(const std::vector<io::PatchFile>& patches,
-                                 const RunOptions& options) {
-  std::vector<InputFile> inputs;
+std::vector<results::InputFile> inputs_of(const std::vector<io::PatchFile>& patches,
+                                          const RunOptions& options) {
+  std::vector<results::InputFile> inputs;
   for (const io::PatchFile& patch : patches) {
-    for (InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
+    for (results::InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
   }
   if (!options.config_path.empty()) inputs.push_back({"config", options.config_path});
   return inputs;
@@ -72,7 +72,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   return json;
 }
 
-void write_table1(const evaluate::Table1& table, const OutputFolder& out) {
+void write_table1(const evaluate::Table1& table, const results::OutputFolder& out) {
   out.write("table1.md", evaluate::to_markdown(table));
   out.write("table1.csv", evaluate::to_csv(table));
   out.write("table1.json", evaluate::to_json(table));
@@ -98,22 +98,22 @@ void run_patches(const std::string& command,
                  const std::vector<std::string>& patch_files,
                  const RunOptions& options,
                  const std::string& folder) {
-  RunRecord record(command);
+  results::RunRecord record(command);
   record.set_options(echo_options(options));
   const std::vector<io::PatchFile> patches = read_patches(patch_files, options);
   warn_of_images(patches);
-  const std::vector<InputFile> inputs = inputs_of(patches, options);
-  const OutputFolder out(folder, paths_of(inputs));
+  const std::vector<results::InputFile> inputs = inputs_of(patches, options);
+  const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);
-  for (const std::string& name : result_names({})) (void)out.path(name);
+  for (const std::string& name : results::result_names({})) (void)out.path(name);
   for (const io::PatchFile& patch : patches) check_run(patch, options, out);
-  for (const InputFile& input : inputs) record.add_input(input.role, input.path);
+  for (const results::InputFile& input : inputs) record.add_input(input);
   record.end_stage("hash_inputs");
 
   Progress progress(patches.size() * count_steps(options));
   evaluate::Table1 table1;
   std::vector<evaluate::Evaluation> evaluations;
-  std::vector<TruthRows> truth;
+  std::vector<results::TruthRows> truth;
   std::vector<std::string> messages;
   std::size_t n_skipped = 0;
   for (const io::PatchFile& patch : patches) {
@@ -130,14 +130,12 @@ void run_patches(const std::string& command,
 
   // always written: an old table beside new ones would mislead
   write_table1(table1, out);
-  write_table2(evaluations, out);
+  results::write_tables(evaluations, truth, out);
   if (!table1.rows.empty()) say("{}\n", evaluate::to_terminal(table1));
   if (has_figures(evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations)));
   }
   for (const std::string& message : messages) say("{}\n", message);
-  write_truth(truth, out);
-  write_quality(evaluations, truth, out);
   record.end_stage("write");
   record.set("messages", messages);
   record.set("page", to_json(options.page));
@@ -147,7 +145,7 @@ void run_patches(const std::string& command,
   const std::string product =
       reconstruct::name(std::ranges::max(options.methods));  // the last is the best
   for (const io::PatchFile& patch : patches) {
-    say("Map for QGIS: {}\n", (results / patch.id / map_name(product)).string());
+    say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }
   write_report_of_run(results.string(), options.report);
 }

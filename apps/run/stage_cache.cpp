@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/stage_cache.h"
 
-#include "apps/common/version.h"
 #include "io/atomic_file.h"
-#include "io/error.h"
+#include "io/results/version.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
 
@@ -56,8 +55,8 @@ std::string stage_key(const std::vector<std::string>& parts) {
     digest.update(std::as_bytes(std::span(text)));
     digest.update(std::as_bytes(std::span("\n", 1)));
   };
-  add(kVersion);
-  add(kGitHash);
+  add(results::kVersion);
+  add(results::kGitHash);
   for (const std::string& part : parts) add(part);
   return digest.hex_digest();
 }

@@ -25,7 +25,7 @@ nlohmann::json recorded_files(const std::string& record) {
 
 }  // namespace
 
-void check_scene_files(const OutputFolder& out, const std::vector<std::string>& names) {
+void check_scene_files(const results::OutputFolder& out, const std::vector<std::string>& names) {
   const nlohmann::json recorded = recorded_files(out.path(kRecord));
   for (const std::string& name : names) {
     const std::string file = out.path(name);
@@ -39,7 +39,7 @@ void check_scene_files(const OutputFolder& out, const std::vector<std::string>& 
   }
 }
 
-void record_scene_files(const OutputFolder& out, const std::vector<std::string>& names) {
+void record_scene_files(const results::OutputFolder& out, const std::vector<std::string>& names) {
   nlohmann::json files = nlohmann::json::object();
   for (const std::string& name : names) files[name] = io::sha256_of_file(out.path(name));
   out.write(kRecord, nlohmann::json{{"files", files}}.dump(2) + "\n");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/output_folder.h"
+#include "io/results/output_folder.h"
 
 #include <string>
 #include <vector>
@@ -10,9 +10,9 @@ namespace ridgeline::apps {
 
 /// Checks that none of these files stands in the folder, unless an earlier scene left it and it is as it was
 /// written: anything else is somebody's. Throws IoError that names the file.
-void check_scene_files(const OutputFolder& out, const std::vector<std::string>& names);
+void check_scene_files(const results::OutputFolder& out, const std::vector<std::string>& names);
 
 /// Records what was written, for the next check, as `simulate.json`: {"files": {NAME: SHA-256}}.
-void record_scene_files(const OutputFolder& out, const std::vector<std::string>& names);
+void record_scene_files(const results::OutputFolder& out, const std::vector<std::string>& names);
 
 }  // namespace ridgeline::apps

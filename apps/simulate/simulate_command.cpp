@@ -2,7 +2,6 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
-#include "apps/common/output_folder.h"
 #include "apps/common/say.h"
 #include "apps/simulate/als.h"
 #include "apps/simulate/degrade.h"
@@ -13,6 +12,7 @@
 #include "io/cloud/las_writer.h"
 #include "io/crs.h"
 #include "io/lines/write_lines.h"
+#include "io/results/output_folder.h"
 
 #include <fmt/core.h>
 
@@ -123,7 +123,9 @@ void add_image_options(CLI::App& app, SimulateArguments& a) {
   add_flags(app, a.stereo.flight, group);
 }
 
-void write_lines_of(const OutputFolder& out, const std::string& name, const io::LineSet& lines) {
+void write_lines_of(const results::OutputFolder& out,
+                    const std::string& name,
+                    const io::LineSet& lines) {
   io::write_lines(out.path(name), lines, io::LineFormat::kGeoJson);
 }
 
@@ -152,7 +154,7 @@ int run_simulate(SimulateArguments a) {
   const io::CrsFacts crs = io::describe({a.village.crs});
   check(!crs.is_geographic, "--crs = ", a.village.crs, " (", crs.name,
         "), its coordinates are degrees; must be a projected one");
-  const OutputFolder out(a.out, {});
+  const results::OutputFolder out(a.out, {});
   const std::vector<std::string> names = file_names(a);
   check_scene_files(out, names);
   const simulate::Scene scene = simulate::make_village(a.village);

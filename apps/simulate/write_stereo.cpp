@@ -19,7 +19,7 @@ std::string image_file(std::size_t i) { return std::string(kImageIds[i]) + ".tif
 void write_patch_file(const simulate::Scene& scene,
                       const std::string& patch_id,
                       const std::array<simulate::AerialView, 2>& views,
-                      const OutputFolder& out) {
+                      const results::OutputFolder& out) {
   io::PatchFile patch;
   patch.id = patch_id;
   patch.crs = scene.crs;
@@ -43,7 +43,7 @@ io::LineSet write_stereo(const simulate::Scene& bare_scene,
                          const std::string& patch_id,
                          const StereoOptions& options,
                          io::LineSet truth,
-                         const OutputFolder& out) {
+                         const results::OutputFolder& out) {
   simulate::Scene scene = bare_scene;
   simulate::add_fittings(scene, options.render.seed);
   const std::array<simulate::AerialView, 2> views = simulate::aerial_pair(scene, options.flight);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/output_folder.h"
 #include "apps/simulate/aerial_pair.h"
 #include "apps/simulate/render.h"
 #include "apps/simulate/sensor.h"
 #include "io/lines/line_set.h"
+#include "io/results/output_folder.h"
 
 #include <string>
 
@@ -24,6 +24,6 @@ io::LineSet write_stereo(const simulate::Scene& bare_scene,
                          const std::string& patch_id,
                          const StereoOptions& options,
                          io::LineSet truth,
-                         const OutputFolder& out);
+                         const results::OutputFolder& out);
 
 }  // namespace ridgeline::apps

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/comparison.h"
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table2.h"
@@ -9,11 +10,6 @@
 namespace ridgeline::evaluate {
 namespace {
 
-std::string interval_text(const std::optional<Interval>& interval) {
-  if (!interval) return std::string(kNoValue);
-  return fmt::format("{} - {}", metres(interval->low), metres(interval->high));
-}
-
 std::string p_text(std::optional<double> p) {
   if (!p) return std::string(kNoValue);
   return *p < 0.001 ? "< 0.001" : fixed(p, 3);
@@ -21,12 +17,11 @@ std::string p_text(std::optional<double> p) {
 
 std::string common_table(const Comparison& c) {
   std::string text =
-      "| class | n | RMS A | RMS B | B / A | 95 % | A - B | 95 % | median A - B | Wilcoxon p | B "
-      "improved | unchanged | worse |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      markdown_head({"class", "n:", "RMS A:", "RMS B:", "B / A:", "95 %:", "A - B:", "95 %:",
+                     "median A - B:", "Wilcoxon p:", "B improved:", "unchanged:", "worse:"});
   for (const PairedSummary& s : c.classes) {
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", s.line_class, s.n,
-        metres(s.rms_a_m), metres(s.rms_b_m), fixed(s.rms_ratio, 3),
+    text += markdown_row(
+        s.line_class, s.n, metres(s.rms_a_m), metres(s.rms_b_m), fixed(s.rms_ratio, 3),
         interval_text(s.rms_ratio_ci95), metres(s.rms_gain_m), interval_text(s.rms_gain_ci95),
         metres(s.median_gain_m), p_text(s.wilcoxon_p), s.n_improved, s.n_unchanged, s.n_worse);
   }
@@ -38,28 +33,22 @@ std::string common_table(const Comparison& c) {
 }
 
 std::string own_table(const Comparison& c) {
-  std::string text = "| class | RMS A (evaluated/all) | RMS B (evaluated/all) |\n|---|--:|--:|\n";
-  const auto cell = [](const Summary* s) {
-    return s == nullptr ? std::string(kNoValue)
-                        : fmt::format("{} ({}/{})", metres(s->rms_m), s->n_evaluated, s->n_lines);
-  };
+  std::string text = markdown_head({"class", "RMS A (evaluated/all):", "RMS B (evaluated/all):"});
   const std::vector<Summary>& longer = c.own_a.size() >= c.own_b.size() ? c.own_a : c.own_b;
   for (const Summary& s : longer) {
-    text += fmt::format("| {} | {} | {} |\n", s.line_class, cell(find_class(c.own_a, s.line_class)),
-                        cell(find_class(c.own_b, s.line_class)));
+    text += markdown_row(s.line_class, rms_text(find_class(c.own_a, s.line_class)),
+                         rms_text(find_class(c.own_b, s.line_class)));
   }
   return text;
 }
 
 std::string worst_table(const Comparison& c) {
   if (c.worst.empty()) return "";
-  std::string text =
-      "\nLines that lost most from A to B:\n\n| id | class | A | B | A - B |\n"
-      "|---|---|--:|--:|--:|\n";
+  std::string text = "\nLines that lost most from A to B:\n\n" +
+                     markdown_head({"id", "class", "A:", "B:", "A - B:"});
   for (const PairedLine& l : c.worst) {
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", escape_markdown(l.id),
-                        escape_markdown(l.line_class), metres(l.a_m), metres(l.b_m),
-                        metres(l.gain_m()));
+    text += markdown_row(escape_markdown(l.id), escape_markdown(l.line_class), metres(l.a_m),
+                         metres(l.b_m), metres(l.gain_m()));
   }
   return text;
 }

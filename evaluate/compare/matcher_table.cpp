@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/matcher_table.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 
@@ -68,21 +69,19 @@ MatcherFigures& MatcherFigures::operator+=(const MatcherFigures& other) {
 
 std::string to_markdown(std::span<const MatcherFigures> rows) {
   std::string text =
-      "| patch | run | matcher | matches | correct | false | missed | correctness % | completeness "
-      "% "
-      "| quality % | alone | alone, false | LIDAR RMS (lines) | true RMS (lines) | gross % | roof "
-      "lines found % |\n"
-      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      markdown_head({"patch", "run", "matcher", "matches:", "correct:", "false:", "missed:",
+                     "correctness %:", "completeness %:", "quality %:", "alone:", "alone, false:",
+                     "LIDAR RMS (lines):", "true RMS (lines):", "gross %:", "roof lines found %:"});
   for (const MatcherFigures& row : with_pooled(rows)) {
     const MatchQuality quality = match_quality(row.counts);
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} ({}/{}) | {} ({}) | {} | "
-        "{} |\n",
+    text += markdown_row(
         escape_markdown(row.patch), escape_markdown(row.run), escape_markdown(row.matcher),
         row.n_matches, row.counts.n_correct, row.counts.n_false, row.counts.n_missed,
         percent(quality.correctness), percent(quality.completeness), percent(quality.quality),
-        row.n_alone, row.n_alone_false, metres(rms(row.sum_squares_m2, row.n_evaluated)),
-        row.n_evaluated, row.n_lines, metres(rms(row.true_sum_squares_m2, row.n_true)), row.n_true,
+        row.n_alone, row.n_alone_false,
+        fmt::format("{} ({}/{})", metres(rms(row.sum_squares_m2, row.n_evaluated)), row.n_evaluated,
+                    row.n_lines),
+        fmt::format("{} ({})", metres(rms(row.true_sum_squares_m2, row.n_true)), row.n_true),
         percent(share(row.n_true_gross, row.n_true)),
         percent(share(static_cast<double>(row.n_roof_lines_found), row.n_roof_lines)));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/gates/gate_report.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 
@@ -36,12 +37,12 @@ std::size_t count_failed(const GateReport& report) {
                     [](const GateResult& r) { return r.verdict != Verdict::kPassed; }));
 }
 
-std::string markdown_row(const GateResult& r) {
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {}{}{} |\n", escape_markdown(r.rule),
-                     escape_markdown(r.patch), escape_markdown(r.method), number(r.value),
-                     number(r.limit), number(r.baseline), r.n, name(r.verdict),
-                     r.explanation.empty() ? "" : ": " + escape_markdown(r.explanation),
-                     r.baseline_can_be_tightened ? "; baseline can be tightened" : "");
+std::string row_of(const GateResult& r) {
+  const std::string verdict = fmt::format(
+      "{}{}{}", name(r.verdict), r.explanation.empty() ? "" : ": " + escape_markdown(r.explanation),
+      r.baseline_can_be_tightened ? "; baseline can be tightened" : "");
+  return markdown_row(escape_markdown(r.rule), escape_markdown(r.patch), escape_markdown(r.method),
+                      number(r.value), number(r.limit), number(r.baseline), r.n, verdict);
 }
 
 /// A part of a JUnit class name: viewers take its dots for levels and build paths of it, so all but
@@ -110,12 +111,12 @@ std::string to_markdown(const GateReport& report, std::size_t max_bytes) {
   constexpr std::size_t kNoteBytes = 128;
   if (tail.size() > kMaxTailBytes) tail = fmt::format("\n{} warnings.\n", report.warnings.size());
 
-  std::string text = fmt::format(
-      "Accuracy gate: **{}**, {} of {} checks failed.\n\n| gate | patch | method | value | limit "
-      "| baseline | n | verdict |\n|---|---|---|--:|--:|--:|--:|---|\n",
-      report.passed() ? "passed" : "failed", count_failed(report), rows.size());
+  std::string text =
+      fmt::format("Accuracy gate: **{}**, {} of {} checks failed.\n\n",
+                  report.passed() ? "passed" : "failed", count_failed(report), rows.size()) +
+      markdown_head({"gate", "patch", "method", "value:", "limit:", "baseline:", "n:", "verdict"});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string row = markdown_row(rows[i]);
+    const std::string row = row_of(rows[i]);
     if (text.size() + row.size() + tail.size() + kNoteBytes > max_bytes) {
       text += fmt::format("\n{} more rows: see the JUnit file of this job.\n", rows.size() - i);
       break;

@@ -6,7 +6,7 @@ set(evaluate_statistics_sources
   statistics/interval.cpp statistics/matching_quality.cpp statistics/parameter_intervals.cpp
   statistics/reference_errors.cpp tables/reference_table.cpp
   statistics/segment_tree.cpp statistics/strata.cpp statistics/summary.cpp statistics/tolerance_measures.cpp
-  tables/accuracy_table.cpp tables/evaluation_json.cpp tables/evaluation_parse.cpp
+  tables/accuracy_table.cpp tables/cells.cpp tables/evaluation_json.cpp tables/evaluation_parse.cpp
   tables/format.cpp tables/line_csv.cpp tables/summary_json.cpp tables/table1.cpp tables/table2.cpp
   statistics/standards.cpp statistics/wireframe.cpp tables/standards_table.cpp tables/terminal_table.cpp tables/tolerance_table.cpp)
 set(evaluate_statistics_headers
@@ -18,4 +18,4 @@ set(evaluate_statistics_headers
   statistics/reference_errors.h tables/reference_table.h
   statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
   tables/accuracy_table.h tables/evaluation_json.h tables/format.h
-  tables/result_folder.h tables/table1.h tables/table2.h statistics/standards.h statistics/wireframe.h tables/standards_table.h tables/terminal_table.h tables/tolerance_table.h)
+  tables/result_folder.h tables/summary_json.h tables/table1.h tables/table2.h statistics/standards.h statistics/wireframe.h tables/standards_table.h tables/terminal_table.h tables/tolerance_table.h)

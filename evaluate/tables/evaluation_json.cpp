@@ -170,24 +170,26 @@ Json total_calibration_json(const Evaluation& evaluation) {
 
 }  // namespace
 
-std::string to_json(const Evaluation& evaluation) {
+Json evaluation_json(const Evaluation& evaluation) {
   Json summary = Json::object();
   for (const Summary& s : evaluation.classes) summary[s.line_class] = summary_json(s);
   Json lines = Json::array();
   for (const LineEvaluation& line : evaluation.lines) {
     lines.push_back(line_json(line, evaluation.origin_m));
   }
-  return dump(Json{{"patch", evaluation.patch},
-                   {"method", evaluation.method},
-                   {"note", kFixedSentence},
-                   {"origin_m", vector_json(evaluation.origin_m)},
-                   {"options", options_json(evaluation.options)},
-                   {"summary", std::move(summary)},
-                   {"accuracy", accuracy_json(evaluation)},
-                   {"standards", standards_json(evaluation)},
-                   {"calibration", total_calibration_json(evaluation)},
-                   {"strata", strata_json(evaluation)},
-                   {"lines", std::move(lines)}});
+  return {{"patch", evaluation.patch},
+          {"method", evaluation.method},
+          {"note", kFixedSentence},
+          {"origin_m", vector_json(evaluation.origin_m)},
+          {"options", options_json(evaluation.options)},
+          {"summary", std::move(summary)},
+          {"accuracy", accuracy_json(evaluation)},
+          {"standards", standards_json(evaluation)},
+          {"calibration", total_calibration_json(evaluation)},
+          {"strata", strata_json(evaluation)},
+          {"lines", std::move(lines)}};
 }
+
+std::string to_json(const Evaluation& evaluation) { return dump(evaluation_json(evaluation)); }
 
 }  // namespace ridgeline::evaluate

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/statistics/evaluation.h"
+#include "evaluate/tables/summary_json.h"
 
 #include <string>
 #include <string_view>
@@ -12,14 +13,12 @@ namespace ridgeline::evaluate {
 /// CRS's coordinates), the summary per class, accuracy statements, strata and calibration, in full
 /// precision. What does not exist is null.
 std::string to_json(const Evaluation& evaluation);
+Json evaluation_json(const Evaluation& evaluation);  ///< the same as a value
 
 /// Reads what to_json() wrote. The figures are computed anew from the lines with the recorded
 /// options, so that they cannot disagree with them.
 /// Throws std::invalid_argument "what: value; rule" for text that is no such file.
 Evaluation parse_evaluation(std::string_view json);
-
-/// The same without the figures of classes: `classes` stays empty.
-Evaluation parse_judged_lines(std::string_view json);
 
 /// One row per line with 4 decimals in metres:
 /// id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers,plane_rms_m,hull_coverage,

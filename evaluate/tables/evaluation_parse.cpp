@@ -185,7 +185,7 @@ Json parse_text(std::string_view text) {
 
 }  // namespace
 
-Evaluation parse_judged_lines(std::string_view json) {
+Evaluation parse_evaluation(std::string_view json) {
   const Json root = parse_text(json);
   Evaluation evaluation;
   evaluation.patch = text(root, "patch");
@@ -200,11 +200,7 @@ Evaluation parse_judged_lines(std::string_view json) {
       throw std::invalid_argument("line " + std::to_string(i) + ": " + error.what());
     }
   }
-  return evaluation;
-}
-
-Evaluation parse_evaluation(std::string_view json) {
-  return with_summaries(parse_judged_lines(json));
+  return with_summaries(std::move(evaluation));
 }
 
 }  // namespace ridgeline::evaluate

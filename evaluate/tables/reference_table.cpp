@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/reference_table.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 
 #include <fmt/core.h>
@@ -71,44 +72,40 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
   std::string text =
       "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
-      "(H) and in height at the "
-      "same place in plan (V).\n\n"
-      "| patch | method | class | lines | on a true line | RMS m | median m | 95 % m | max m | "
-      "gross % | RMSE H m | RMSE V m | mean V m |\n"
-      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "(H) and in height at the same place in plan (V).\n\n" +
+      markdown_head({"patch", "method", "class", "lines:", "on a true line:", "RMS m:", "median m:",
+                     "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:"});
   for (const ReferenceRow& row : rows) {
     for (const ReferenceErrors& e : row.comparison.classes) {
-      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-                          escape_markdown(row.patch), escape_markdown(row.method), e.line_class,
-                          e.n_lines, e.n_on_reference, metres(e.rms_m), metres(e.median_m),
-                          metres(e.q95_m), metres(e.max_m), percent(e.gross_share),
-                          metres(e.rmse_horizontal_m), metres(e.rmse_vertical_m),
-                          metres(e.mean_vertical_m));
+      text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method), e.line_class,
+                           e.n_lines, e.n_on_reference, metres(e.rms_m), metres(e.median_m),
+                           metres(e.q95_m), metres(e.max_m), percent(e.gross_share),
+                           metres(e.rmse_horizontal_m), metres(e.rmse_vertical_m),
+                           metres(e.mean_vertical_m));
     }
   }
   text +=
-      "\nTrue lines that both images show, reconstructed over half of their length to 0.3 m.\n\n"
-      "| patch | method | kind | true lines | reconstructed | % |\n|---|---|---|--:|--:|--:|\n";
+      "\nTrue lines that both images show, reconstructed over half of their length to 0.3 m.\n\n" +
+      markdown_head({"patch", "method", "kind", "true lines:", "reconstructed:", "%:"});
   for (const ReferenceRow& row : rows) {
     for (const ReferenceCompleteness& c : row.comparison.completeness) {
-      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
-                          escape_markdown(row.method), escape_markdown(c.kind), c.n_lines,
-                          c.n_reconstructed, percent(share_of(c)));
+      text +=
+          markdown_row(escape_markdown(row.patch), escape_markdown(row.method),
+                       escape_markdown(c.kind), c.n_lines, c.n_reconstructed, percent(share_of(c)));
     }
   }
   text +=
       "\nThe lines as a wireframe: corners (ends of lines) and edges (both ends) matched one to "
-      "one to true ones.\n\n"
-      "| patch | method | threshold m | edge precision % | recall % | F1 % | corner precision % | "
-      "recall % | F1 % | "
-      "mean corner offset m |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "one to true ones.\n\n" +
+      markdown_head({"patch", "method", "threshold m:", "edge precision %:", "recall %:", "F1 %:",
+                     "corner precision %:", "recall %:", "F1 %:", "mean corner offset m:"});
   for (const ReferenceRow& row : rows) {
     for (const WireframeScore& w : row.wireframe) {
-      text += fmt::format(
-          "| {} | {} | {:g} | {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
-          escape_markdown(row.method), w.threshold_m, percent(w.edges.precision()),
-          percent(w.edges.recall()), percent(w.edges.f1()), percent(w.corners.precision()),
-          percent(w.corners.recall()), percent(w.corners.f1()), metres(w.mean_corner_offset_m));
+      text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method),
+                           fmt::format("{:g}", w.threshold_m), percent(w.edges.precision()),
+                           percent(w.edges.recall()), percent(w.edges.f1()),
+                           percent(w.corners.precision()), percent(w.corners.recall()),
+                           percent(w.corners.f1()), metres(w.mean_corner_offset_m));
     }
   }
   return text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/table1.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 #include "reconstruct/geometry/check.h"
@@ -28,16 +29,15 @@ std::size_t number_of(const Json& row, const char* key) {
 }  // namespace
 
 std::string to_markdown(const Table1& table) {
-  std::string text =
-      "| patch | matcher | correct | false | missed | correctness % | completeness % | quality % "
-      "|\n|---|---|--:|--:|--:|--:|--:|--:|\n";
+  std::string text = markdown_head({"patch", "matcher", "correct:", "false:", "missed:",
+                                    "correctness %:", "completeness %:", "quality %:"});
   for (const Table1Row& row : table.rows) {
     const MatchQuality q = match_quality(row.counts);
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
-                        escape_markdown(row.matcher), row.counts.n_correct, row.counts.n_false,
-                        row.counts.n_missed, share_with_interval(q.correctness, q.correctness_ci95),
-                        share_with_interval(q.completeness, q.completeness_ci95),
-                        share_with_interval(q.quality, q.quality_ci95));
+    text += markdown_row(escape_markdown(row.patch), escape_markdown(row.matcher),
+                         row.counts.n_correct, row.counts.n_false, row.counts.n_missed,
+                         share_with_interval(q.correctness, q.correctness_ci95),
+                         share_with_interval(q.completeness, q.completeness_ci95),
+                         share_with_interval(q.quality, q.quality_ci95));
   }
   text += "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
   for (const Table1Row& row : table.rows) {

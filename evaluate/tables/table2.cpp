@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/table2.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table_layout.h"
@@ -28,18 +29,6 @@ const Summary* find_cell(const Table2& table,
   return nullptr;
 }
 
-/// "0.152 (12/14)": RMS, evaluated lines of all.
-std::string cell_text(const Summary* cell) {
-  if (cell == nullptr) return std::string(kNoValue);
-  return fmt::format("{} ({}/{})", metres(cell->rms_m), cell->n_evaluated, cell->n_lines);
-}
-
-std::string interval_text(const Summary& s) {
-  if (!s.ci95_m) return std::string(kNoValue);
-  return fmt::format("{} - {}{}", metres(s.ci95_m->low), metres(s.ci95_m->high),
-                     s.few_clusters() ? " (too few clusters)" : "");
-}
-
 std::string excluded_text(const Summary& s) {
   std::string text;
   for (std::size_t i = 0; i < s.n_by_status.size(); ++i) {
@@ -52,38 +41,35 @@ std::string excluded_text(const Summary& s) {
 
 std::string published_form_markdown(const Table2& table) {
   const Table2Layout layout = lay_out(table);
-  std::string head = "| patch |";
-  std::string rule = "|---|";
+  std::vector<std::string> columns{"patch"};
   for (const std::string& method : layout.methods) {
     for (const std::string& line_class : layout.classes) {
-      head += fmt::format(" {} {} |", escape_markdown(method), escape_markdown(line_class));
-      rule += "--:|";
+      columns.push_back(
+          fmt::format("{} {}:", escape_markdown(method), escape_markdown(line_class)));
     }
   }
-  std::string text = head + "\n" + rule + "\n";
+  std::string text = markdown_head(columns);
   for (const Table2Layout::Row& row : layout.rows) {
     text += fmt::format("| {} |", escape_markdown(row.patch));
-    for (const Summary* cell : row.cells) text += fmt::format(" {} |", cell_text(cell));
+    for (const Summary* cell : row.cells) text += fmt::format(" {} |", rms_text(cell));
     text += "\n";
   }
   return text;
 }
 
 std::string companions_markdown(const Table2& table) {
-  std::string text =
-      "| patch | method | class | n | evaluated % | RMS | 95 % interval | clusters | bias | std | "
-      "median | NMAD | 68.3 % | 95 % | max | > gross limit % | excluded |\n"
-      "|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+  std::string text = markdown_head(
+      {"patch", "method", "class",
+       "n:", "evaluated %:", "RMS:", "95 % interval:", "clusters:", "bias:", "std:", "median:",
+       "NMAD:", "68.3 %:", "95 %:", "max:", "> gross limit %:", "excluded"});
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
-      text += fmt::format(
-          "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} "
-          "|\n",
-          escape_markdown(result.patch), escape_markdown(result.method),
-          escape_markdown(s.line_class), s.n_evaluated, percent(s.evaluated_share()),
-          metres(s.rms_m), interval_text(s), s.n_clusters, metres(s.mean_m), metres(s.std_m),
-          metres(s.median_m), metres(s.nmad_m), metres(s.q683_m), metres(s.q95_m), metres(s.max_m),
-          percent(s.gross_share), excluded_text(s));
+      text +=
+          markdown_row(escape_markdown(result.patch), escape_markdown(result.method),
+                       escape_markdown(s.line_class), s.n_evaluated, percent(s.evaluated_share()),
+                       metres(s.rms_m), interval_text(s), s.n_clusters, metres(s.mean_m),
+                       metres(s.std_m), metres(s.median_m), metres(s.nmad_m), metres(s.q683_m),
+                       metres(s.q95_m), metres(s.max_m), percent(s.gross_share), excluded_text(s));
     }
   }
   return text;
@@ -95,18 +81,16 @@ std::string parts_markdown(const Table2& table) {
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
       if (s.n_parts == 0) continue;
-      rows += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(result.patch),
-                          escape_markdown(result.method), escape_markdown(s.line_class), s.n_parts,
-                          metres(s.rmse_horizontal_m), metres(s.rmse_vertical_m),
-                          metres(s.mean_vertical_m));
+      rows += markdown_row(escape_markdown(result.patch), escape_markdown(result.method),
+                           escape_markdown(s.line_class), s.n_parts, metres(s.rmse_horizontal_m),
+                           metres(s.rmse_vertical_m), metres(s.mean_vertical_m));
     }
   }
   if (rows.empty()) return "";
   return "Ridges and hips, from both planes: how far across in plan and how far in height. "
-         "Movement along a "
-         "line cannot be seen.\n\n"
-         "| patch | method | class | n | RMSE horizontal | RMSE vertical | mean vertical |\n"
-         "|---|---|---|--:|--:|--:|--:|\n" +
+         "Movement along a line cannot be seen.\n\n" +
+         markdown_head({"patch", "method", "class",
+                        "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"}) +
          rows + "\n";
 }
 
@@ -220,7 +204,7 @@ std::string to_latex(const Table2& table) {
       kFixedSentence, std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
   for (const Table2Layout::Row& row : layout.rows) {
     text += escape_latex(row.patch);
-    for (const Summary* cell : row.cells) text += " & " + cell_text(cell);
+    for (const Summary* cell : row.cells) text += " & " + rms_text(cell);
     text += " \\\\\n";
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

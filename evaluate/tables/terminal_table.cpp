@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/terminal_table.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,11 +39,6 @@ std::string aligned(const std::vector<Row>& rows, std::size_t n_left) {
   return text;
 }
 
-std::string interval(const std::optional<Interval>& interval) {
-  if (!interval) return std::string(kNoValue);
-  return fmt::format("{} - {}", metres(interval->low), metres(interval->high));
-}
-
 }  // namespace
 
 std::string to_terminal(const Table1& table) {
@@ -75,7 +69,7 @@ std::string to_terminal(const Table2& table) {
               std::to_string(s.n_evaluated),
               std::to_string(s.n_lines),
               metres(s.rms_m),
-              interval(s.ci95_m),
+              interval_text(s.ci95_m),
               metres(s.median_m),
               metres(s.q95_m)};
       if (has_ridges) {

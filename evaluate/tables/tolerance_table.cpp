@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/tolerance_table.h"
 
+#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 
 #include <fmt/core.h>
@@ -30,18 +31,16 @@ std::string tolerances_to_csv(const std::vector<ToleranceRow>& rows) {
 }
 
 std::string tolerances_to_markdown(const std::vector<ToleranceRow>& rows) {
-  std::string text =
-      "Length-weighted, in percent; R and P as LIMAP defines them.\n\n"
-      "| patch | method | against | tolerance m | precision | completeness | F | redundancy | R m "
-      "| "
-      "P |\n|---|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+  std::string text = "Length-weighted, in percent; R and P as LIMAP defines them.\n\n" +
+                     markdown_head({"patch", "method", "against", "tolerance m:", "precision:",
+                                    "completeness:", "F:", "redundancy:", "R m:", "P:"});
   for (const ToleranceRow& row : rows) {
     const ToleranceMeasures& m = row.measures;
-    text += fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(row.patch),
-        escape_markdown(row.method), row.reference, fixed(m.tolerance_m, kToleranceDecimals),
-        percent(m.precision), percent(m.completeness), percent(m.f_score),
-        fixed(m.redundancy, kRatioDecimals), metres(m.limap_r_m), fixed(m.limap_p_percent, 1));
+    text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method), row.reference,
+                         fixed(m.tolerance_m, kToleranceDecimals), percent(m.precision),
+                         percent(m.completeness), percent(m.f_score),
+                         fixed(m.redundancy, kRatioDecimals), metres(m.limap_r_m),
+                         fixed(m.limap_p_percent, 1));
   }
   return text;
 }

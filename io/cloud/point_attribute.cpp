@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/point_attribute.h"
 
+#include "io/lines/text.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -46,9 +47,7 @@ std::optional<PointAttribute> attribute_of_column(std::string_view name) {
        {"returnnumber", PointAttribute::kReturnNumber},
        {"number_of_returns", PointAttribute::kNumberOfReturns},
        {"point_source_id", PointAttribute::kSourceId}}};
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string lower = lower_case(name);
   constexpr std::string_view kCloudComparePrefix = "scalar_";
   if (lower.starts_with(kCloudComparePrefix)) lower.erase(0, kCloudComparePrefix.size());
   for (const auto& [known, attribute] : kColumns) {

@@ -2,6 +2,7 @@
 #include "io/cloud/xyz_source.h"
 
 #include "io/cloud/text_table.h"
+#include "io/lines/text.h"
 
 #include <algorithm>
 #include <array>
@@ -41,9 +42,7 @@ bool names_coordinates(const std::vector<TextItem>& items) {
 
 bool has_xyz_name(const std::string& path) {
   constexpr std::array<std::string_view, 5> kEndings{".xyz", ".txt", ".csv", ".asc", ".pts"};
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 

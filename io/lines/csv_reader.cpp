@@ -18,31 +18,6 @@ namespace {
 constexpr std::array<std::string_view, 6> kCoordinates{"x1", "y1", "z1", "x2", "y2", "z2"};
 constexpr std::array<std::string_view, 4> kWktNames{"wkt", "geometry", "geom", "the_geom"};
 
-/// Fields of a row; a field in double quotes may hold the separator, "" is a quote (RFC 4180).
-std::vector<std::string> fields_of(std::string_view row, char separator, const std::string& where) {
-  constexpr std::size_t kMostFields = 10'000;
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const char c = row[i];
-    if (c == '"' && quoted && i + 1 < row.size() && row[i + 1] == '"') {
-      fields.back() += row[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == separator && !quoted) {
-      fields.emplace_back();
-      if (fields.size() > kMostFields) {
-        throw IoError(where, fmt::format("more than {} fields", kMostFields));
-      }
-    } else {
-      fields.back() += c;
-    }
-  }
-  if (quoted) throw IoError(where, "a quoted field is not closed");
-  for (std::string& field : fields) field = std::string(trimmed(field));
-  return fields;
-}
-
 char separator_of(std::string_view first_row) {
   for (const char separator : {';', '\t'}) {
     if (first_row.find(separator) != std::string_view::npos) return separator;
@@ -186,7 +161,7 @@ LineSet read_csv(const std::string& path, std::string_view content) {
   if (rows.empty()) throw IoError(path, "is empty; a header or rows of six numbers are expected");
   const char separator = separator_of(rows.front().text);
   const std::string first_place = place(path, rows.front().number);
-  const std::vector<std::string> first = fields_of(rows.front().text, separator, first_place);
+  const std::vector<std::string> first = csv_fields_of(rows.front().text, separator, first_place);
   const bool bare = is_bare(first);
   const std::vector<std::string> header =
       bare ? std::vector<std::string>(kCoordinates.begin(), kCoordinates.end()) : first;
@@ -195,7 +170,7 @@ LineSet read_csv(const std::string& path, std::string_view content) {
   if (columns.wkt) set.format = "CSV with WKT";
   for (std::size_t i = bare ? 0 : 1; i < rows.size(); ++i) {
     const std::string where = place(path, rows[i].number);
-    const std::vector<std::string> fields = fields_of(rows[i].text, separator, where);
+    const std::vector<std::string> fields = csv_fields_of(rows[i].text, separator, where);
     if (fields.size() != columns.names.size()) {
       throw IoError(where, fmt::format("{} fields; the first row has {}", fields.size(),
                                        columns.names.size()));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/ply_header.h"
 #include "io/error.h"
 #include "io/lines/mesh_edges.h"
 #include "io/lines/readers.h"
@@ -7,90 +8,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <span>
+#include <string_view>
+#include <utility>
 
 namespace ridgeline::io {
 namespace {
 
-enum class Encoding : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
-enum class Type : std::uint8_t { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
-
-struct Property {
-  std::string name;
-  Type type = Type::kFloat;
-  bool is_list = false;
-  Type count_type = Type::kUint8;
-};
-
-struct Element {
-  std::string name;
-  std::size_t count = 0;
-  std::vector<Property> properties;
-};
-
-struct Header {
-  Encoding encoding = Encoding::kAscii;
-  std::vector<Element> elements;
-  std::size_t n_bytes = 0;
-};
-
-Type type_of(std::string_view name, const std::string& where) {
-  struct Name {
-    std::string_view old_name, new_name;
-    Type type;
-  };
-  static constexpr Name kNames[] = {
-      {"char", "int8", Type::kInt8},      {"uchar", "uint8", Type::kUint8},
-      {"short", "int16", Type::kInt16},   {"ushort", "uint16", Type::kUint16},
-      {"int", "int32", Type::kInt32},     {"uint", "uint32", Type::kUint32},
-      {"float", "float32", Type::kFloat}, {"double", "float64", Type::kDouble}};
-  for (const Name& entry : kNames) {
-    if (name == entry.old_name || name == entry.new_name) return entry.type;
-  }
-  throw IoError(where, "'" + std::string(name) + "' is no PLY type");
-}
-
-Property property_of(const std::vector<std::string_view>& words, const std::string& where) {
-  const bool is_list = words.size() == 5 && words[1] == "list";
-  if (!is_list && words.size() != 3) throw IoError(where, "a property is 'property TYPE NAME'");
-  if (!is_list) return {std::string(words[2]), type_of(words[1], where), false, Type::kUint8};
-  return {std::string(words[4]), type_of(words[3], where), true, type_of(words[2], where)};
-}
-
-Encoding encoding_of(const std::vector<std::string_view>& words, const std::string& where) {
-  if (words.size() == 3 && words[1] == "ascii") return Encoding::kAscii;
-  if (words.size() == 3 && words[1] == "binary_little_endian") return Encoding::kLittleEndian;
-  if (words.size() == 3 && words[1] == "binary_big_endian") return Encoding::kBigEndian;
-  throw IoError(where, "format must be ascii, binary_little_endian or binary_big_endian");
-}
-
-Element element_of(const std::vector<std::string_view>& words, const std::string& where) {
-  const std::optional<long> count = words.size() == 3 ? to_integer(words[2]) : std::nullopt;
-  if (!count || *count < 0) throw IoError(where, "an element is 'element NAME COUNT'");
-  return {std::string(words[1]), static_cast<std::size_t>(*count), {}};
-}
-
-Header parse_header(const std::string& path, std::string_view content) {
-  const std::size_t end = content.find("end_header");
-  const std::size_t newline = end == content.npos ? end : content.find('\n', end);
-  if (!content.starts_with("ply") || newline == content.npos) {
-    throw IoError(path, "is no PLY: it must begin with 'ply' and have an 'end_header'");
-  }
-  Header header;
-  header.n_bytes = newline + 1;
-  for (const TextRow& row : rows_of(content.substr(0, end))) {
-    const std::string where = place(path, row.number);
-    const std::vector<std::string_view> words = words_of(row.text);
-    if (words[0] == "format") header.encoding = encoding_of(words, where);
-    if (words[0] == "element") header.elements.push_back(element_of(words, where));
-    if (words[0] != "property") continue;
-    if (header.elements.empty()) throw IoError(where, "a property before any element");
-    header.elements.back().properties.push_back(property_of(words, where));
-  }
-  for (const Element& element : header.elements) {
+PlyHeader header_of(const std::string& path, std::string_view content) {
+  PlyHeader header = read_ply_header(std::as_bytes(std::span(content)), path);
+  for (const PlyElement& element : header.elements) {
+    // its rows, of no bytes, would never end
     if (element.properties.empty()) throw IoError(path, element.name + " has no properties");
   }
   return header;
@@ -99,30 +29,16 @@ Header parse_header(const std::string& path, std::string_view content) {
 /// The numbers of the body one after another, whatever their encoding.
 class Body {
  public:
-  Body(const std::string& path, std::string_view bytes, Encoding encoding)
+  Body(const std::string& path, std::string_view bytes, PlyEncoding encoding)
       : path_(path), rest_(bytes), encoding_(encoding) {}
 
-  double next(Type type) {
-    if (encoding_ == Encoding::kAscii) return next_word();
-    switch (type) {
-      case Type::kInt8:
-        return next_binary<std::int8_t>();
-      case Type::kUint8:
-        return next_binary<std::uint8_t>();
-      case Type::kInt16:
-        return next_binary<std::int16_t>();
-      case Type::kUint16:
-        return next_binary<std::uint16_t>();
-      case Type::kInt32:
-        return next_binary<std::int32_t>();
-      case Type::kUint32:
-        return next_binary<std::uint32_t>();
-      case Type::kFloat:
-        return static_cast<double>(next_binary<float>());
-      case Type::kDouble:
-        return next_binary<double>();
-    }
-    return 0.0;
+  double next(ScalarType type) {
+    if (encoding_ == PlyEncoding::kAscii) return next_word();
+    const std::string_view bytes = rest_.substr(0, size_of(type));
+    if (bytes.size() < size_of(type)) fail_truncated();
+    rest_.remove_prefix(bytes.size());
+    return load_scalar(std::as_bytes(std::span(bytes)).data(), type,
+                       encoding_ == PlyEncoding::kBigEndian);
   }
 
  private:
@@ -139,22 +55,9 @@ class Body {
     return to_doubles({word}, path_).front();
   }
 
-  template <typename T>
-  T next_binary() {
-    if (rest_.size() < sizeof(T)) fail_truncated();
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, rest_.data(), sizeof(T));
-    rest_.remove_prefix(sizeof(T));
-    const bool is_big = std::endian::native == std::endian::big;
-    if ((encoding_ == Encoding::kBigEndian) != is_big) std::reverse(bytes, bytes + sizeof(T));
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return value;
-  }
-
   std::string path_;
   std::string_view rest_;
-  Encoding encoding_;
+  PlyEncoding encoding_;
 };
 
 class PlyReader {
@@ -162,12 +65,12 @@ class PlyReader {
   PlyReader(const std::string& path, std::string_view content)
       : path_(path),
         set_(lines_for_file(path, "PLY", content.size())),
-        header_(parse_header(path, content)),
-        body_(path, content.substr(header_.n_bytes), header_.encoding) {}
+        header_(header_of(path, content)),
+        body_(path, content.substr(header_.data_offset), header_.encoding) {}
 
   LineSet read() {
-    for (const Element& element : header_.elements) {
-      for (std::size_t i = 0; i < element.count; ++i) read_item(element);
+    for (const PlyElement& element : header_.elements) {
+      for (std::uint64_t i = 0; i < element.count; ++i) read_item(element);
     }
     if (edges_.empty() && !faces_.empty()) set_.format = "PLY, edges of faces";
     check_indices(edges_);
@@ -180,32 +83,33 @@ class PlyReader {
   }
 
  private:
-  void read_item(const Element& element) {
+  void read_item(const PlyElement& element) {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     IndexList edge(2);
     IndexList polygon;
-    for (const Property& property : element.properties) {
-      if (property.is_list) {
-        const IndexList list = read_list(property);
-        if (property.name == "vertex_indices" || property.name == "vertex_index") polygon = list;
+    for (const PlyProperty& property : element.properties) {
+      const std::string_view name = property.name;
+      if (property.list_count_type) {
+        IndexList list = read_list(property);
+        if (name == "vertex_indices" || name == "vertex_index") polygon = std::move(list);
         continue;
       }
       const double value = body_.next(property.type);
-      if (property.name == "x") position.x() = value;
-      if (property.name == "y") position.y() = value;
-      if (property.name == "z") position.z() = value;
-      if (property.name == "vertex1") edge[0] = index_of(value);
-      if (property.name == "vertex2") edge[1] = index_of(value);
+      if (name == "x") position.x() = value;
+      if (name == "y") position.y() = value;
+      if (name == "z") position.z() = value;
+      if (name == "vertex1") edge[0] = index_of(value);
+      if (name == "vertex2") edge[1] = index_of(value);
     }
     if (element.name == "vertex") vertices_.push_back(position);
     if (element.name == "edge") edges_.push_back(edge);
     refuse_more_lines(set_, edges_.size());
-    if (element.name == "face") faces_.push_back(polygon);
+    if (element.name == "face") faces_.push_back(std::move(polygon));
   }
 
-  IndexList read_list(const Property& property) {
+  IndexList read_list(const PlyProperty& property) {
     IndexList list;
-    const std::size_t count = index_of(body_.next(property.count_type));
+    const std::size_t count = index_of(body_.next(*property.list_count_type));
     for (std::size_t i = 0; i < count; ++i) list.push_back(index_of(body_.next(property.type)));
     return list;
   }
@@ -228,7 +132,7 @@ class PlyReader {
 
   std::string path_;
   LineSet set_;
-  Header header_;
+  PlyHeader header_;
   Body body_;
   Vertices vertices_;
   std::vector<IndexList> edges_;

@@ -3,6 +3,8 @@
 
 #include "io/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -43,14 +45,30 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-std::vector<std::string_view> plain_fields_of(std::string_view row) {
-  std::vector<std::string_view> fields;
-  while (true) {
-    const std::size_t comma = row.find(',');
-    fields.push_back(trimmed(row.substr(0, comma)));
-    if (comma == std::string_view::npos) return fields;
-    row.remove_prefix(comma + 1);
+std::vector<std::string> csv_fields_of(std::string_view row,
+                                       char separator,
+                                       const std::string& where) {
+  constexpr std::size_t kMostFields = 10'000;
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const char c = row[i];
+    if (c == '"' && quoted && i + 1 < row.size() && row[i + 1] == '"') {
+      fields.back() += row[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == separator && !quoted) {
+      fields.emplace_back();
+      if (fields.size() > kMostFields) {
+        throw IoError(where, fmt::format("more than {} fields", kMostFields));
+      }
+    } else {
+      fields.back() += c;
+    }
   }
+  if (quoted) throw IoError(where, "a quoted field is not closed");
+  for (std::string& field : fields) field = std::string(trimmed(field));
+  return fields;
 }
 
 std::string lower_case(std::string_view text) {

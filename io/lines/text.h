@@ -23,8 +23,11 @@ std::string place(const std::string& path, int row_number);
 std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 
-/// Fields between commas, trimmed, without quotes.
-std::vector<std::string_view> plain_fields_of(std::string_view row);
+/// The trimmed fields of a row of CSV. A field in double quotes may hold the separator; "" in it is a quote (RFC 4180).
+/// Throws IoError naming the place for a quote that is not closed and for more than 10,000 fields.
+std::vector<std::string> csv_fields_of(std::string_view row,
+                                       char separator,
+                                       const std::string& where);
 
 /// Words between runs of blanks and tabs.
 std::vector<std::string_view> words_of(std::string_view text);

@@ -262,10 +262,25 @@ TEST_F(Report, RefusesResultsOfTheWrongTypes) {
   bad["lines"][0]["planes"][0]["id"] = {1, 2};
   write(path(file), bad.dump());
   EXPECT_REFUSED(run({"report", "out"}), HasSubstr("lines.good.json: line 0: id: [1,2]"));
-  bad = good;
-  bad["summary"]["total"] = 7;
-  write(path(file), bad.dump());
+  write(path(file), good.dump());
+  nlohmann::json record = read_json(path("out/run.json"));
+  record["options"]["patch"] = 7;
+  write(path("out/run.json"), record.dump());
   EXPECT_REFUSED(run({"report", "out"}), HasSubstr("out: a file of its results is damaged"));
+}
+
+TEST_F(Report, FiguresAreThoseOfTheLines) {
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "out", {"--no-report"}).exit_code, 0);
+  const std::string file = "out/evaluation.lines.good.json";
+  const nlohmann::json good = read_json(path(file));
+  nlohmann::json changed = good;
+  changed["summary"]["total"] = 7;
+  write(path(file), changed.dump());
+  ASSERT_EQ(run({"report", "out"}).exit_code, 0);
+  const nlohmann::json method = data_of("out/report.html")["patches"].at(0)["methods"].at(0);
+  for (const char* key : {"summary", "accuracy", "standards", "calibration", "strata"}) {
+    EXPECT_EQ(method[key], good[key]) << key;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // Two images in memory -> 3D lines -> lines judged against laser points: what an outside program writes.
 #include "evaluate/judge/line_to_plane_evaluation.h"
 #include "io/lines/write_lines.h"
+#include "io/results/judge_files.h"
+#include "io/results/write_results.h"
 #include "reconstruct/reconstruct.h"
 
 #include <opencv2/imgproc.hpp>
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -66,6 +69,24 @@ Cloud::Ptr laser_points() {
   return cloud;
 }
 
+/// The same from files: what `ridgeline evaluate --lines lines.geojson --cloud cloud.xyz --out judged` does.
+std::size_t judge_from_files(const Cloud& cloud) {
+  std::ofstream points("cloud.xyz");
+  for (const pcl::PointXYZ& p : cloud) points << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  points.close();
+  ridgeline::results::JudgeFilesOptions options;
+  options.line_paths = {"lines.geojson"};
+  options.cloud_paths = {"cloud.xyz"};
+  options.patch_name = "house";
+  ridgeline::results::RunRecord record("consumer");
+  const auto judged = ridgeline::results::judge_files(options, record);
+  const ridgeline::results::OutputFolder out("judged", options.line_paths);
+  write_judged(judged, ridgeline::results::MapSchema::kPlain, out, "");
+  write_tables(judged.evaluations, judged.truth, out);
+  out.write("run.json", record.to_json());
+  return judged.evaluations.front().lines.size();
+}
+
 }  // namespace
 
 int main() {
@@ -92,6 +113,7 @@ int main() {
                   ridgeline::evaluate::name(judged.status), judged.mean_distance_m);
       if (judged.mean_distance_m < 0.05) ++n_right;
     }
+    if (judge_from_files(*laser_points()) != lines.size()) return 1;
     constexpr int kLinesAcrossTheBase = 3;  // the ridge and both eaves
     return n_right >= kLinesAcrossTheBase ? 0 : 1;
   } catch (const std::exception& error) {

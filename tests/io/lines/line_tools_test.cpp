@@ -147,13 +147,13 @@ TEST(ReadPly, SaysWhatIsWrong) {
   std::string ply = binary_ply(false);
   ply.resize(ply.size() - 3);
   EXPECT_THAT(error_of("a.ply", ply), HasSubstr("ends before the elements"));
-  EXPECT_THAT(error_of("a.ply", "obj\n"), HasSubstr("is no PLY"));
+  EXPECT_THAT(error_of("a.ply", "obj\n"), HasSubstr("a.ply: line 1: must be \"ply\""));
   const std::string head = "ply\nformat ascii 1.0\nelement edge 1\nproperty int vertex1\n";
   EXPECT_THAT(error_of("a.ply", head + "property int vertex2\nend_header\n0 7\n"),
               HasSubstr("names a vertex beyond the 0 vertices"));
   EXPECT_THAT(error_of("a.ply", head + "property quad vertex2\nend_header\n0 7\n"),
-              HasSubstr("a.ply:5: 'quad' is no PLY type"));
-  EXPECT_THAT(error_of("a.ply", "ply\nelement edge 99999999999\nend_header\n"),
+              HasSubstr("a.ply: line 5: \"quad\" is no PLY type"));
+  EXPECT_THAT(error_of("a.ply", "ply\nformat ascii 1.0\nelement edge 99999999999\nend_header\n"),
               HasSubstr("edge has no properties"));
 }
 

@@ -49,11 +49,12 @@ TEST(ReadMatches, ReadsWhatWasWritten) {
 
 TEST(ReadMatches, TakesOtherToolsColumnsInAnyOrder) {
   const TempFolder folder;
-  (void)folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n");
+  (void)folder.write("m.csv", "right_id, note ,left_id\r\n8,x,1\r\n9,\"a, \"\"b\"\"\",2\r\n");
   const std::vector<FoundMatch> rows = read_matches(folder.file("m.csv"));
-  ASSERT_EQ(rows.size(), 1U);
+  ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].scored.match.left, 1);
   EXPECT_EQ(rows[0].scored.match.right, 8);
+  EXPECT_EQ(rows[1].scored.match.left, 2);
 }
 
 TEST(ReadMatches, NamesRowAndRuleOfWhatIsWrong) {

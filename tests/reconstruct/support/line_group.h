@@ -52,7 +52,7 @@ inline Segment3 make_neighbour(const StereoScene& scene,
   const Eigen::Vector3d far =
       scene.at_height(x + (spec.gap_px + length_px) * direction, meeting.z() + spec.rise_m);
   const double near = spec.gap_px / (spec.gap_px + length_px);
-  return {point_at({meeting, far}, near), far};
+  return {point_at(Segment3{meeting, far}, near), far};
 }
 
 /// Adds the images of the true lines, without error for noise zero; the stated precision is that of

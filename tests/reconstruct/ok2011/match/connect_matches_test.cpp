@@ -11,7 +11,7 @@ namespace {
 /// Matched lines as both images show them.
 class ConnectMatches : public ::testing::Test {
  protected:
-  ConnectMatches() { look_from({}); }
+  ConnectMatches() { look_from(test::StereoPair()); }
 
   void look_from(const test::StereoPair& cameras) {
     pair_ = {{MatchView{cameras.left, {}, {}}, MatchView{cameras.right, {}, {}}},

@@ -168,7 +168,7 @@ export interface Method {
   accuracy: Record<string, Accuracy>;
   calibration: Calibration;
   strata: Record<string, Stratum[]>;
-  /** By class; absent in the results of earlier versions. */
+  /** By class. */
   standards?: Record<string, Standards>;
   lines: Line[];
   planes: Plane[];

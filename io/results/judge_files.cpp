@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judge_files.h"
+#include "io/results/judge_files.h"
 
-#include "apps/evaluate/judge_batches.h"
-#include "apps/evaluate/judged_lines.h"
 #include "evaluate/statistics/frame_check.h"
 #include "io/error.h"
+#include "io/results/judge_batches.h"
+#include "io/results/judged_lines.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <set>
 #include <string_view>
 #include <utility>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::Evaluation;
@@ -38,21 +37,6 @@ std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
     sets.push_back(io::read_lines(path, options.lines));
   }
   return sets;
-}
-
-/// `what`: "lines" or "patch", which `path` holds.
-void refuse_mismatch(std::string_view what,
-                     const std::string& path,
-                     const io::Crs& crs,
-                     const io::Crs& cloud_crs,
-                     std::vector<std::string>& warnings) {
-  const io::CrsAgreement agreement = io::compare(crs, cloud_crs);
-  if (!agreement.compatible) {
-    throw io::IoError(path, fmt::format("{} and cloud do not match: {}; transform one of them, or "
-                                        "declare the CRS with --assume-crs",
-                                        what, agreement.reason));
-  }
-  if (!agreement.warning.empty()) warnings.push_back(path + ": " + agreement.warning);
 }
 
 /// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
@@ -174,6 +158,22 @@ Evaluation evaluation_of(const io::LineSet& set,
 
 }  // namespace
 
+void refuse_mismatch(std::string_view what,
+                     const std::string& path,
+                     const io::Crs& crs,
+                     const io::Crs& other,
+                     std::vector<std::string>* warnings) {
+  const io::CrsAgreement agreement = io::compare(crs, other);
+  if (!agreement.compatible) {
+    throw io::IoError(path, fmt::format("{} do not match: {}; transform one of them, or declare "
+                                        "the CRS with --assume-crs",
+                                        what, agreement.reason));
+  }
+  if (warnings != nullptr && !agreement.warning.empty()) {
+    warnings->push_back(path + ": " + agreement.warning);
+  }
+}
+
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
@@ -182,12 +182,13 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   io::CloudFiles cloud(options.cloud_paths, options.cloud);
   judged.frame = cloud.frame();
   if (options.patch && options.patch->crs.known()) {
-    refuse_mismatch("patch", options.patch->path, options.patch->crs, cloud.crs(), judged.warnings);
+    const io::PatchFile& patch = *options.patch;
+    refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
   }
   LineSets lines;
   for (io::LineSet& set : judged.line_sets) {
     take_unit_of(cloud, set);
-    refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
+    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
     lines.push_back(judged_lines_of(set, judged.frame, options.patch));
   }
   record.end_stage("read_lines");
@@ -210,7 +211,7 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   if (options.reference_lines) {
     io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
     take_unit_of(cloud, set);
-    refuse_mismatch("lines", set.path, set.crs, cloud.crs(), judged.warnings);
+    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
     references = reference_lines_of(set, judged.frame);
   }
   judged.cloud_crs = cloud.crs();
@@ -229,4 +230,4 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   return judged;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

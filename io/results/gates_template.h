@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// A gates file to start from: every key and every metric explained, limits proposed.
 std::string gates_template();
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

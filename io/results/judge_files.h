@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/run_record.h"
-#include "apps/evaluate/judged_lines.h"
 #include "evaluate/judge/judged_planes.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
 #include "io/patch.h"
+#include "io/results/judged_lines.h"
+#include "io/results/run_record.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 struct JudgeFilesOptions {
   std::vector<std::string> line_paths;
@@ -49,7 +50,15 @@ struct JudgedFiles {
 /// that are not in the frame of the cloud.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
 
+/// Throws IoError for the file at `path`, naming both reference systems, if its own and the other do not agree.
+/// `what`: both, "lines and cloud". What one of them leaves open becomes a warning.
+void refuse_mismatch(std::string_view what,
+                     const std::string& path,
+                     const io::Crs& crs,
+                     const io::Crs& other,
+                     std::vector<std::string>* warnings = nullptr);
+
 /// A file's name without folder and extension.
 std::string stem_of(const std::string& path);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

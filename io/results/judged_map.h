@@ -5,13 +5,11 @@
 #include "evaluate/statistics/evaluation.h"
 #include "io/lines/line_set.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// "judged.STEM.gpkg".
 std::string map_name(const std::string& method);
@@ -22,8 +20,7 @@ enum class MapSchema : std::uint8_t {
   kFkb,  ///< objtype, nøyaktighet, nøyaktighetHøyde (cm) of the Norwegian FKB-Bygning
 };
 
-/// `--schema`.
-void add_schema_option(CLI::App& app, std::string& schema);
+/// "plain" | "fkb".
 MapSchema map_schema_named(const std::string& name);
 
 /// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
@@ -40,4 +37,4 @@ void write_judged_map(const std::string& path,
                       const std::vector<evaluate::JudgedPlane>& planes,
                       MapSchema schema);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

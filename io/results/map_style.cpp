@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/map_style.h"
+#include "io/results/map_style.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 /// Lines up to a distance. The report has the same steps (colours.ts).
@@ -179,4 +178,4 @@ io::MapStyle vectors_style() {
           sld("vectors", sld_line_rule("line to plane", "", kVector, 1.0))};
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// The folder of a run's results. Every file is written whole or not at all, and none of the
 /// inputs is ever written over. Nobody else writes results there meanwhile.
@@ -41,8 +41,12 @@ std::string output_file(const std::string& file, const std::vector<std::string>&
 /// Whether a file with content stands there. A link does not count: it is replaced, and what it names stays.
 bool holds_something(const std::string& file);
 
-/// Checks an output file named by an option: what stands there is replaced only if it begins as the program's own
-/// files of that kind do. `kind` is for the message. Throws IoError if it does not.
+/// Checks an output file named by an option: what stands there is replaced only if it is one of the program's own.
+/// `kind` is for the message. Throws IoError if it is not.
+void check_is_own(const std::string& file,
+                  bool (*is_own)(const std::string& file),
+                  std::string_view kind);
+/// The same of files that begin as the program's own of that kind do.
 void check_is_own(const std::string& file, std::string_view beginning, std::string_view kind);
 
 /// Checks an option that names a picture to be written; empty is none. Throws std::invalid_argument
@@ -50,4 +54,4 @@ void check_is_own(const std::string& file, std::string_view beginning, std::stri
 /// that the program did not write.
 void check_is_png(const std::string& option, const std::string& file);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// The gates of a file applied to a folder of results, against those of a baseline unless that is
 /// empty. Throws IoError for a file's fault and for a gate that cannot decide, with its line, and
@@ -14,4 +14,4 @@ evaluate::GateReport apply_gate_files(const std::string& gates,
                                       const std::string& results,
                                       const std::string& baseline);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

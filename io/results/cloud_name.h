@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// What to call the patch of a cloud that no patch file names: one file by its name without
 /// extension; several files, or a pattern, by the deepest folder that holds them all, without the
@@ -12,4 +12,4 @@ namespace ridgeline::apps {
 /// `cloud` where only the root of the file system holds all.
 std::string cloud_name(const std::vector<std::string>& paths_or_patterns);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -3,7 +3,7 @@
 
 #include "io/geopackage_writer.h"
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 // How the layers of a map of judged lines look when it is opened, as QML and SLD.
 
@@ -14,4 +14,4 @@ io::MapStyle planes_style();
 /// Thin dark lines.
 io::MapStyle vectors_style();
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

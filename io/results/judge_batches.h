@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 using LineSets = std::vector<std::vector<evaluate::JudgedLine>>;
 
@@ -37,4 +37,4 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

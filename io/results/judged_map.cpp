@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judged_map.h"
+#include "io/results/judged_map.h"
 
-#include "apps/evaluate/judged_lines.h"
-#include "apps/evaluate/map_style.h"
 #include "evaluate/judge/roof_kind.h"
 #include "io/geopackage_writer.h"
+#include "io/results/judged_lines.h"
+#include "io/results/map_style.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include <set>
 #include <utility>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedPlane;
@@ -257,13 +257,6 @@ io::SparseRow input_values(const io::LineSet& set, const io::Line& line, std::si
   return values;
 }
 
-Segment3 segment_in_local(const io::Line& line,
-                          const Eigen::Vector3d& unit_m,
-                          const Eigen::Vector3d& origin_m) {
-  return {line.segment_in_world.start.cwiseProduct(unit_m) - origin_m,
-          line.segment_in_world.end.cwiseProduct(unit_m) - origin_m};
-}
-
 io::MapLayer lines_layer(const io::LineSet& set,
                          const evaluate::Evaluation& evaluation,
                          const std::vector<JudgedPlane>& planes,
@@ -291,7 +284,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
     feature.values = input_values(set, line, first);
     const MapLine judged{
         e, line,
-        evaluate::roof_kind(e, segment_in_local(line, unit_m, evaluation.origin_m), by_id)};
+        evaluate::roof_kind(e, segment_in_local(line, unit_m, {evaluation.origin_m}), by_id)};
     add_values(fields, first, feature.values, judged);
     layer.features.push_back(std::move(feature));
   }
@@ -342,14 +335,6 @@ io::MapLayer vectors_layer(const io::LineSet& set,
 
 std::string map_name(const std::string& method) { return fmt::format("judged.{}.gpkg", method); }
 
-void add_schema_option(CLI::App& app, std::string& schema) {
-  app.add_option(
-         "--schema", schema,
-         "of the map's lines; fkb: with objtype and accuracies in cm as FKB-Bygning names them")
-      ->check(CLI::IsMember({"plain", "fkb"}))
-      ->capture_default_str();
-}
-
 MapSchema map_schema_named(const std::string& name) {
   return name == "fkb" ? MapSchema::kFkb : MapSchema::kPlain;
 }
@@ -367,4 +352,4 @@ void write_judged_map(const std::string& path,
                         vectors_layer(set, evaluation, unit_m, to_map)});
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

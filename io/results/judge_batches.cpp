@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judge_batches.h"
+#include "io/results/judge_batches.h"
 
 #include "evaluate/judge/batch_judge.h"
 #include "evaluate/judge/image_evidence.h"
@@ -7,13 +7,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedLine;
@@ -197,4 +196,4 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
   return judge.take();
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/run_record.h"
+#include "io/results/run_record.h"
 
-#include "apps/common/version.h"
 #include "evaluate/tables/summary_json.h"
 #include "io/library_versions.h"
+#include "io/results/version.h"
 #include "io/sha256.h"
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 double peak_memory_mib() {
@@ -50,6 +50,13 @@ nlohmann::ordered_json versions() {
   return json;
 }
 
+std::vector<std::string> paths_of(const std::vector<InputFile>& files) {
+  std::vector<std::string> paths;
+  paths.reserve(files.size());
+  for (const InputFile& file : files) paths.push_back(file.path);
+  return paths;
+}
+
 RunRecord::RunRecord(std::string command)
     : command_(std::move(command)), start_(Clock::now()), stage_start_(start_) {
   inputs_ = nlohmann::ordered_json::array();
@@ -57,15 +64,15 @@ RunRecord::RunRecord(std::string command)
   warnings_ = nlohmann::ordered_json::array();
 }
 
-void RunRecord::add_input(const std::string& role, const std::string& path) {
-  if (std::filesystem::is_directory(path)) {
-    for (const std::string& file : files_in(path)) add_input(role, file);
+void RunRecord::add_input(const InputFile& file) {
+  if (std::filesystem::is_directory(file.path)) {
+    for (const std::string& path : files_in(file.path)) add_input({file.role, path});
     return;
   }
-  inputs_.push_back({{"role", role},
-                     {"path", path},
-                     {"bytes", std::filesystem::file_size(path)},
-                     {"sha256", io::sha256_of_file(path)}});
+  inputs_.push_back({{"role", file.role},
+                     {"path", file.path},
+                     {"bytes", std::filesystem::file_size(file.path)},
+                     {"sha256", io::sha256_of_file(file.path)}});
 }
 
 void RunRecord::add_warnings(const std::vector<std::string>& warnings) {
@@ -93,4 +100,4 @@ std::string RunRecord::to_json() const {
   return evaluate::dump(json);
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/cloud_name.h"
+#include "io/results/cloud_name.h"
 
-#include "apps/evaluate/judge_files.h"
+#include "io/results/judge_files.h"
 
-#include <algorithm>
 #include <filesystem>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace fs = std::filesystem;
 namespace {
 
@@ -49,4 +48,4 @@ std::string cloud_name(const std::vector<std::string>& paths_or_patterns) {
   return name.empty() ? "cloud" : name;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/gate/gate_files.h"
+#include "io/results/gate_files.h"
 
-#include "apps/common/patch_matchers.h"
-#include "apps/common/result_folder_reader.h"
 #include "evaluate/gates/figure.h"
 #include "io/error.h"
 #include "io/gates_file.h"
+#include "io/results/result_folder_reader.h"
 
 #include <fmt/core.h>
 
 #include <stdexcept>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
-
-static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
-              "gates find the combined matches by it");
 
 evaluate::Gate gate_of(const io::GateEntry& entry) {
   evaluate::Gate gate;
@@ -63,4 +59,4 @@ evaluate::GateReport apply_gate_files(const std::string& gates_file,
   return evaluate::apply_gates(gates, results, &baseline);
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -7,10 +7,17 @@
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Versions of this program and of the libraries it runs with.
 nlohmann::ordered_json versions();
+
+/// A file that a run reads.
+struct InputFile {
+  std::string role;  ///< see RunRecord::add_input()
+  std::string path;
+};
+std::vector<std::string> paths_of(const std::vector<InputFile>& files);
 
 /// run.json: what was run on what, with which options, how long and with how much memory. Only its
 /// times and memory differ between two equal runs.
@@ -24,7 +31,7 @@ class RunRecord {
   /// `reference` are the data that two runs must share to be compared; `lines` are what is judged.
   /// Of a folder (LIMAP's tracks): each of its files.
   /// Throws IoError if it cannot be read.
-  void add_input(const std::string& role, const std::string& path);
+  void add_input(const InputFile& file);
   void add_warnings(const std::vector<std::string>& warnings);
   [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
   /// Ends the stage that runs now: its wall time since the last one, and the peak memory so far.
@@ -39,4 +46,4 @@ class RunRecord {
   nlohmann::ordered_json options_, facts_, inputs_, stages_, warnings_;
 };
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/output_folder.h"
+#include "io/results/output_folder.h"
 
 #include "io/atomic_file.h"
 #include "io/error.h"
@@ -11,8 +11,17 @@
 #include <fstream>
 #include <system_error>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void refuse_foreign(const std::string& file, std::string_view kind) {
+  throw io::IoError(file, fmt::format("is no {} of ridgeline and would be written over; choose "
+                                      "another name or remove it",
+                                      kind));
+}
+
+}  // namespace
 
 OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& inputs)
     : folder_(std::move(folder)), made_(folder_), lock_(io::FolderLock::of(folder_)) {
@@ -43,24 +52,24 @@ bool holds_something(const std::string& file) {
   return fs::is_regular_file(fs::symlink_status(file)) && fs::file_size(file) > 0;
 }
 
+void check_is_own(const std::string& file,
+                  bool (*is_own)(const std::string& file),
+                  std::string_view kind) {
+  if (holds_something(file) && !is_own(file)) refuse_foreign(file, kind);
+}
+
 void check_is_own(const std::string& file, std::string_view beginning, std::string_view kind) {
   if (!holds_something(file)) return;
   std::ifstream stream(file, std::ios::binary);
   std::string start(beginning.size(), '\0');
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  if (stream && start == beginning) return;
-  throw io::IoError(file, fmt::format("is no {} of ridgeline and would be written over; choose "
-                                      "another name or remove it",
-                                      kind));
+  if (!stream || start != beginning) refuse_foreign(file, kind);
 }
 
 void check_is_png(const std::string& option, const std::string& file) {
   check(file.empty() || fs::path(file).extension() == ".png", option, " = ", file,
         ", must end in .png: PNG is what is written");
-  if (!holds_something(file) || io::is_own_png(file)) return;
-  throw io::IoError(file,
-                    "is no picture of ridgeline and would be written over; choose another "
-                    "name or remove it");
+  check_is_own(file, io::is_own_png, "picture");
 }
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {
@@ -69,4 +78,4 @@ void OutputFolder::write(std::string_view name, std::string_view content) const 
 
 void OutputFolder::remove(std::string_view name) const { fs::remove(path(name)); }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

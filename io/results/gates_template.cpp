@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/gate/gates_template.h"
+#include "io/results/gates_template.h"
 
 #include "evaluate/gates/metric.h"
 
@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 constexpr std::string_view kKeys =
@@ -79,4 +79,4 @@ std::string gates_template() {
                      kGates);
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/write_results.h"
+#include "io/results/write_results.h"
 
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/strata.h"
@@ -18,7 +18,7 @@
 #include <map>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::Evaluation;
@@ -42,69 +42,6 @@ bool has_several_methods(std::span<const Evaluation> evaluations) {
     if (evaluations[i].patch == evaluations[i - 1].patch) return true;
   }
   return false;
-}
-
-}  // namespace
-
-std::vector<std::string> evaluation_names(const std::string& method) {
-  return {fmt::format("evaluation.{}.json", method), fmt::format("evaluation.{}.csv", method),
-          fmt::format("accuracy.{}.md", method), map_name(method)};
-}
-
-std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
-  std::vector<std::string> names{
-      "table2.md",    "table2.csv",           "table2.json",
-      "table2.tex",   "table2.common.md",     "table2.common.csv",
-      "run.json",     "tolerances.csv",       "tolerances.md",
-      "reference.md", "reference_errors.csv", "reference_completeness.csv",
-      "parts.csv"};
-  for (const std::string& path : line_paths) {
-    for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
-  }
-  return names;
-}
-
-void write_judged(const JudgedFiles& judged,
-                  MapSchema schema,
-                  const OutputFolder& out,
-                  const std::string& subfolder) {
-  for (std::size_t i = 0; i < judged.evaluations.size(); ++i) {
-    const Evaluation& e = judged.evaluations[i];
-    const std::vector<std::string> names = evaluation_names(e.method);
-    out.write(subfolder + names[0], evaluate::to_json(e));
-    out.write(subfolder + names[1], evaluate::to_line_csv(e));
-    out.write(subfolder + names[2],
-              evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
-                  evaluate::to_markdown(evaluate::stratify(e)) +
-                  evaluate::standards_to_markdown(evaluate::standards_blocks(e)));
-    write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
-                     judged.planes[i], schema);
-  }
-}
-
-void write_plane_points(const std::string& path, const JudgedFiles& judged) {
-  // the largest plane, mostly the ground, is grey; the report has the same colours (colours.ts)
-  using Rgb = std::array<std::uint8_t, 3>;
-  constexpr std::array<Rgb, 8> kColours{
-      Rgb{0xb9, 0xb1, 0xa7}, Rgb{0xc3, 0xd3, 0xe3}, Rgb{0xe0, 0xcf, 0xae}, Rgb{0xc5, 0xd6, 0xb8},
-      Rgb{0xdf, 0xdc, 0xb4}, Rgb{0xbf, 0xc6, 0xdc}, Rgb{0xe0, 0xc4, 0xbd}, Rgb{0xd9, 0xc6, 0xd2}};
-  std::vector<evaluate::JudgedPlane> planes = judged.planes.front();
-  std::ranges::stable_sort(planes, std::greater<>(), &evaluate::JudgedPlane::n_inliers);
-  std::map<std::uint64_t, Rgb> colours;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    colours[planes[i].id] = kColours[i % kColours.size()];
-  }
-  io::LabelledPoints points{.frame = judged.frame,
-                            .crs = judged.cloud_crs,
-                            .unit_m = judged.cloud_unit_m,
-                            .x_in_local = {},
-                            .labels = {}};
-  for (const evaluate::PlanePoint& point : judged.points) {
-    points.x_in_local.push_back(point.x);
-    points.labels.push_back({colours.at(point.plane_id), static_cast<std::uint32_t>(point.plane_id),
-                             static_cast<float>(point.distance_m)});
-  }
-  io::write_labelled_points(path, points);
 }
 
 void write_quality(std::span<const Evaluation> evaluations,
@@ -164,4 +101,76 @@ void write_table2(std::span<const Evaluation> evaluations, const OutputFolder& o
   }
 }
 
-}  // namespace ridgeline::apps
+}  // namespace
+
+std::vector<std::string> evaluation_names(const std::string& method) {
+  return {fmt::format("evaluation.{}.json", method), fmt::format("evaluation.{}.csv", method),
+          fmt::format("accuracy.{}.md", method), map_name(method)};
+}
+
+std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
+  std::vector<std::string> names{
+      "table2.md",    "table2.csv",           "table2.json",
+      "table2.tex",   "table2.common.md",     "table2.common.csv",
+      "run.json",     "tolerances.csv",       "tolerances.md",
+      "reference.md", "reference_errors.csv", "reference_completeness.csv",
+      "parts.csv",    "wireframe.csv",        "quality.csv",
+      "quality.xml"};
+  for (const std::string& path : line_paths) {
+    for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+void write_judged(const JudgedFiles& judged,
+                  MapSchema schema,
+                  const OutputFolder& out,
+                  const std::string& subfolder) {
+  for (std::size_t i = 0; i < judged.evaluations.size(); ++i) {
+    const Evaluation& e = judged.evaluations[i];
+    const std::vector<std::string> names = evaluation_names(e.method);
+    out.write(subfolder + names[0], evaluate::to_json(e));
+    out.write(subfolder + names[1], evaluate::to_line_csv(e));
+    out.write(subfolder + names[2],
+              evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
+                  evaluate::to_markdown(evaluate::stratify(e)) +
+                  evaluate::standards_to_markdown(evaluate::standards_blocks(e)));
+    write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
+                     judged.planes[i], schema);
+  }
+}
+
+void write_plane_points(const std::string& path, const JudgedFiles& judged) {
+  // the largest plane, mostly the ground, is grey; the report has the same colours (colours.ts)
+  using Rgb = std::array<std::uint8_t, 3>;
+  constexpr std::array<Rgb, 8> kColours{
+      Rgb{0xb9, 0xb1, 0xa7}, Rgb{0xc3, 0xd3, 0xe3}, Rgb{0xe0, 0xcf, 0xae}, Rgb{0xc5, 0xd6, 0xb8},
+      Rgb{0xdf, 0xdc, 0xb4}, Rgb{0xbf, 0xc6, 0xdc}, Rgb{0xe0, 0xc4, 0xbd}, Rgb{0xd9, 0xc6, 0xd2}};
+  std::vector<evaluate::JudgedPlane> planes = judged.planes.front();
+  std::ranges::stable_sort(planes, std::greater<>(), &evaluate::JudgedPlane::n_inliers);
+  std::map<std::uint64_t, Rgb> colours;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    colours[planes[i].id] = kColours[i % kColours.size()];
+  }
+  io::LabelledPoints points{.frame = judged.frame,
+                            .crs = judged.cloud_crs,
+                            .unit_m = judged.cloud_unit_m,
+                            .x_in_local = {},
+                            .labels = {}};
+  for (const evaluate::PlanePoint& point : judged.points) {
+    points.x_in_local.push_back(point.x);
+    points.labels.push_back({colours.at(point.plane_id), static_cast<std::uint32_t>(point.plane_id),
+                             static_cast<float>(point.distance_m)});
+  }
+  io::write_labelled_points(path, points);
+}
+
+void write_tables(std::span<const Evaluation> evaluations,
+                  const std::vector<TruthRows>& truth,
+                  const OutputFolder& out) {
+  write_table2(evaluations, out);
+  write_truth(truth, out);
+  write_quality(evaluations, truth, out);
+}
+
+}  // namespace ridgeline::results

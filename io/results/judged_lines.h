@@ -13,10 +13,15 @@
 #include <optional>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Metres per coordinate unit by axis: of the CRS, else as set, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
+
+/// A line of a file in metres of the local frame; `unit_m`: of the file.
+Segment3 segment_in_local(const io::Line& line,
+                          const Eigen::Vector3d& unit_m,
+                          const LocalFrame& frame);
 
 /// The lines with their coordinates in metres; without CRS and unit, which have been applied.
 io::LineSet in_metres(io::LineSet set);
@@ -42,4 +47,4 @@ TruthRows compare_with_truth(const evaluate::Evaluation& evaluation,
                              const std::vector<evaluate::JudgedLine>& lines,
                              const std::optional<std::vector<evaluate::ReferenceLine>>& references);
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

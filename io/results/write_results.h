@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/output_folder.h"
-#include "apps/evaluate/judge_files.h"
-#include "apps/evaluate/judged_lines.h"
-#include "apps/evaluate/judged_map.h"
 #include "evaluate/statistics/evaluation.h"
+#include "io/results/judge_files.h"
+#include "io/results/judged_lines.h"
+#include "io/results/judged_map.h"
+#include "io/results/output_folder.h"
 
 #include <span>
 #include <string>
 #include <vector>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 
 /// Names of the files that an evaluation of the line files can write before its report, to be
 /// checked before it.
@@ -30,17 +30,14 @@ void write_judged(const JudgedFiles& judged,
 /// Writes the points of the planes, coloured by plane as in the report; see io::write_labelled_points().
 void write_plane_points(const std::string& path, const JudgedFiles& judged);
 
-/// Writes quality.csv and quality.xml: the measures of ISO 19157. `truth`: one for each evaluation.
-void write_quality(std::span<const evaluate::Evaluation> evaluations,
-                   const std::vector<TruthRows>& truth,
-                   const OutputFolder& out);
+/// Writes the tables of all evaluations. `truth`: one for each.
+///   table2.{md,csv,json,tex}, parts.csv; where a patch has several methods table2.common.{md,csv}: the same on the
+///     lines that all of them have evaluated
+///   tolerances.{csv,md}: precision and completeness at tolerances
+///   reference_errors.csv, reference_completeness.csv, wireframe.csv, reference.md: where there are reference lines
+///   quality.{csv,xml}: the measures of ISO 19157
+void write_tables(std::span<const evaluate::Evaluation> evaluations,
+                  const std::vector<TruthRows>& truth,
+                  const OutputFolder& out);
 
-/// Writes tolerances.{csv,md}: precision and completeness at tolerances; and, where there are
-/// reference lines, reference_errors.csv, reference_completeness.csv and reference.md.
-void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out);
-
-/// Writes table2.{md,csv,json,tex} of all evaluations and parts.csv. Where a patch has
-/// several methods: also table2.common.{md,csv} on the lines that all of them have evaluated.
-void write_table2(std::span<const evaluate::Evaluation> evaluations, const OutputFolder& out);
-
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/evaluate/judged_lines.h"
+#include "io/results/judged_lines.h"
 
 #include "io/error.h"
 #include "reconstruct/geometry/epipolar.h"
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace ridgeline::apps {
+namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedLine;
@@ -31,13 +31,9 @@ std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::PatchFile>& patch) {
   if (!patch || !line.left_px || !line.right_px) return std::nullopt;
-  const auto camera = [&](std::size_t i) {
-    return image_from_local(patch->images[i].image_from_world, frame.origin_m);
-  };
-  return evaluate::ImageEvidence{.image_from_local = {camera(0), camera(1)},
+  return evaluate::ImageEvidence{.image_from_local = io::cameras_in_local(*patch, frame),
                                  .segments_px = {*line.left_px, *line.right_px},
-                                 .height_range_m = {patch->height_range_m[0] - frame.origin_m.z(),
-                                                    patch->height_range_m[1] - frame.origin_m.z()}};
+                                 .height_range_m = io::heights_in_local_m(*patch, frame)};
 }
 
 JudgedLine judged_line(const io::Line& line,
@@ -45,11 +41,9 @@ JudgedLine judged_line(const io::Line& line,
                        const LocalFrame& frame,
                        const std::optional<io::PatchFile>& patch,
                        const std::vector<ProjectionMatrix>& cameras) {
-  const Segment3 segment_in_world = metric_segment(line, unit_m);
   JudgedLine judged;
   judged.id = line.id;
-  judged.segment = {frame.local_from_world(segment_in_world.start),
-                    frame.local_from_world(segment_in_world.end)};
+  judged.segment = segment_in_local(line, unit_m, frame);
   judged.building = line.building;
   judged.covariance_m2 = line.covariance_m2;
   judged.images = evidence_of(line, frame, patch);
@@ -58,7 +52,7 @@ JudgedLine judged_line(const io::Line& line,
   judged.epipolar_angle_deg = line.epipolar_angle_deg;
   if (!judged.epipolar_angle_deg && cameras.size() >= 2 && evaluate::in_range(judged.segment)) {
     judged.epipolar_angle_deg =
-        epipolar_angle_rad(cameras, segment_in_world) * 180.0 / std::numbers::pi;
+        epipolar_angle_rad(cameras, metric_segment(line, unit_m)) * 180.0 / std::numbers::pi;
   }
   judged.line_class = class_of(line, judged.epipolar_angle_deg);
   return judged;
@@ -94,6 +88,13 @@ Eigen::Vector3d unit_m_of(const io::LineSet& set) {
   return {crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m};
 }
 
+Segment3 segment_in_local(const io::Line& line,
+                          const Eigen::Vector3d& unit_m,
+                          const LocalFrame& frame) {
+  const Segment3 in_world = metric_segment(line, unit_m);
+  return {frame.local_from_world(in_world.start), frame.local_from_world(in_world.end)};
+}
+
 io::LineSet in_metres(io::LineSet set) {
   const Eigen::Vector3d unit_m = unit_m_of(set);
   for (io::Line& line : set.lines) line.segment_in_world = metric_segment(line, unit_m);
@@ -120,10 +121,8 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
   const Eigen::Vector3d unit_m = unit_m_of(set);
   std::vector<evaluate::ReferenceLine> references;
   for (const io::Line& line : set.lines) {
-    const Segment3 in_world = metric_segment(line, unit_m);
-    if (!all_finite(in_world)) continue;
-    const Segment3 in_local{frame.local_from_world(in_world.start),
-                            frame.local_from_world(in_world.end)};
+    const Segment3 in_local = segment_in_local(line, unit_m, frame);
+    if (!all_finite(in_local)) continue;
     if (!evaluate::in_range(in_local)) {
       throw io::IoError(set.path, fmt::format("reference line {} has a coordinate more than 10,000 "
                                               "km from the cloud; correct it or leave it out",
@@ -157,4 +156,4 @@ TruthRows compare_with_truth(
   return rows;
 }
 
-}  // namespace ridgeline::apps
+}  // namespace ridgeline::results

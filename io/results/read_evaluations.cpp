@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/read_evaluations.h"
+
+#include "evaluate/tables/evaluation_json.h"
+#include "io/error.h"
+#include "io/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace ridgeline::results {
+namespace fs = std::filesystem;
+namespace {
+
+using evaluate::Evaluation;
+using evaluate::Json;
+
+/// METHOD of evaluation.METHOD.json, as JSON holds a name that is not UTF-8.
+std::string method_in_name(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return Json::parse(evaluate::dump(Json(stem.substr(stem.find('.') + 1)))).get<std::string>();
+}
+
+/// Patches and methods of a table2.json.
+class TableOfRun {
+ public:
+  /// Throws IoError for a file that is no such table.
+  TableOfRun(fs::path file, bool of_files)
+      : file_(std::move(file)), of_files_(of_files), exists_(fs::exists(file_)) {
+    if (!exists_) return;
+    try {
+      const Json table = read_json_object(file_);
+      for (const Json& row : table.at("rows")) {
+        rank_.try_emplace({row.at("patch").get<std::string>(), row.at("method").get<std::string>()},
+                          rank_.size());
+      }
+    } catch (const Json::exception& error) {
+      throw io::IoError(file_.string(), std::string("is no Table 2: ") + error.what());
+    }
+  }
+
+  /// By where the file lies and what it is called.
+  [[nodiscard]] bool may_name(const FoundEvaluation& file) const {
+    if (!exists_) return true;
+    if (of_files_ && !file.subfolder.empty()) return false;
+    const std::string method = method_in_name(file.path);
+    return std::ranges::any_of(rank_, [&](const auto& entry) {
+      const auto& [named_patch, named_method] = entry.first;
+      return named_method == method &&
+             (file.subfolder.empty() || named_patch + "/" == file.subfolder);
+    });
+  }
+
+  /// Nothing for an evaluation that the table does not name.
+  [[nodiscard]] std::optional<std::size_t> rank_of(const Evaluation& evaluation) const {
+    if (!exists_) return 0;
+    const auto entry = rank_.find({evaluation.patch, evaluation.method});
+    return entry == rank_.end() ? std::nullopt : std::optional(entry->second);
+  }
+
+  void check_all_found(const std::vector<FoundEvaluation>& found) const {
+    for (const auto& [name, rank] : rank_) {
+      const auto is_it = [&rank = rank](const FoundEvaluation& one) { return one.rank == rank; };
+      if (std::ranges::any_of(found, is_it)) continue;
+      throw io::IoError(file_.string(),
+                        fmt::format("names method {} of patch {}, but its evaluation.{}.json is "
+                                    "gone; run it again",
+                                    name.second, name.first, name.second));
+    }
+  }
+
+ private:
+  fs::path file_;
+  bool of_files_, exists_;
+  std::map<std::pair<std::string, std::string>, std::size_t> rank_;
+};
+
+/// By name, sorted by path; not yet read.
+std::vector<FoundEvaluation> evaluation_files(const fs::path& folder) {
+  std::vector<FoundEvaluation> files;
+  constexpr int kDeepest = 1;  // DIR/PATCH/evaluation.METHOD.json
+  for (auto it = fs::recursive_directory_iterator(folder); it != fs::end(it); ++it) {
+    if (it.depth() >= kDeepest) it.disable_recursion_pending();
+    const std::string name = it->path().filename().string();
+    if (!name.starts_with("evaluation.") || !name.ends_with(".json")) continue;
+    FoundEvaluation& file = files.emplace_back();
+    file.path = it->path();
+    if (it.depth() > 0) file.subfolder = it->path().parent_path().filename() / "";
+  }
+  std::ranges::sort(files, {}, &FoundEvaluation::path);
+  return files;
+}
+
+Evaluation read_evaluation(const fs::path& file) {
+  try {
+    return evaluate::parse_evaluation(io::read_text_file(file.string()));
+  } catch (const std::invalid_argument& error) {
+    throw io::IoError(file.string(), error.what());
+  }
+}
+
+}  // namespace
+
+Json read_json_object(const fs::path& file) {
+  Json json = Json::parse(io::read_text_file(file.string()), nullptr, false);
+  if (!json.is_object()) throw io::IoError(file.string(), "is no JSON object");
+  return json;
+}
+
+std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool of_files) {
+  const TableOfRun table(folder / "table2.json", of_files);
+  std::vector<FoundEvaluation> found;
+  for (FoundEvaluation& file : evaluation_files(folder)) {
+    if (!table.may_name(file)) continue;
+    file.evaluation = read_evaluation(file.path);
+    const std::optional<std::size_t> rank = table.rank_of(file.evaluation);
+    if (!rank) continue;
+    file.rank = *rank;
+    found.push_back(std::move(file));
+  }
+  if (found.empty()) {
+    throw io::IoError(folder.string(),
+                      "holds no evaluation.*.json; must be the --out of run, demo or evaluate");
+  }
+  table.check_all_found(found);
+  return found;
+}
+
+}  // namespace ridgeline::results

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/result_folder_reader.h"
+
+#include "io/error.h"
+#include "io/results/read_evaluations.h"
+#include "io/text_file.h"
+
+#include <stdexcept>
+
+namespace ridgeline::results {
+namespace fs = std::filesystem;
+namespace {
+
+using evaluate::Json;
+
+/// The data that two runs must share, by file name: everything but the judged lines.
+void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFolder& results) {
+  try {
+    for (const auto& input : json.at("inputs")) {
+      if (input.at("role") == "lines") continue;
+      const fs::path path = input.at("path").get<std::string>();
+      results.input_hashes.emplace(path.filename().string(), input.at("sha256").get<std::string>());
+    }
+    results.duration_s = json.at("seconds").get<double>();
+  } catch (const Json::exception& error) {
+    throw io::IoError(file.string(), std::string("is no run's record: ") + error.what());
+  }
+}
+
+}  // namespace
+
+Json read_run_json(const fs::path& folder) {
+  const fs::path file = folder / "run.json";
+  return fs::exists(file) ? read_json_object(file) : Json::object();
+}
+
+evaluate::Table1 read_matching(const fs::path& folder, bool of_files) {
+  const fs::path file = folder / "table1.json";
+  if (of_files || !fs::exists(file)) return {};
+  try {
+    return evaluate::parse_table1(io::read_text_file(file.string()));
+  } catch (const std::invalid_argument& error) {
+    throw io::IoError(file.string(), error.what());
+  }
+}
+
+evaluate::ResultFolder read_result_folder(const std::string& folder) {
+  if (!fs::is_directory(folder)) {
+    throw io::IoError(folder,
+                      "is no folder of results; must be the --out of run, demo or evaluate");
+  }
+  evaluate::ResultFolder results;
+  results.name = fs::path(folder).lexically_normal().string();
+  const Json run = read_run_json(folder);
+  const bool of_files = run.contains("command") && run["command"] == "evaluate";
+  results.is_of_line_files = of_files;
+  results.matching = read_matching(folder, of_files);
+  for (FoundEvaluation& found : read_evaluations(folder, of_files)) {
+    results.evaluations.push_back(std::move(found.evaluation));
+  }
+  const fs::path record = fs::path(folder) / "run.json";
+  if (fs::exists(record)) read_run_record(run, record, results);
+  return results;
+}
+
+}  // namespace ridgeline::results

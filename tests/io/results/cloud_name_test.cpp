@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/cloud_name.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace ridgeline::results {
+namespace {
+
+const std::string kSamples = std::filesystem::path(RIDGELINE_SOURCE_DIR) / "sample_data";
+
+TEST(CloudName, OfOneFileIsItsNameWithoutExtension) {
+  EXPECT_EQ(cloud_name({kSamples + "/1/lidar.las"}), "lidar");
+}
+
+TEST(CloudName, OfSeveralIsTheDeepestFolderThatHoldsThem) {
+  EXPECT_EQ(cloud_name({kSamples + "/1/lidar.las", kSamples + "/2/lidar.las"}), "sample_data");
+}
+
+TEST(CloudName, OfAPatternLeavesOutTheFoldersThatItLeavesOpen) {
+  EXPECT_EQ(cloud_name({kSamples + "/1/*.las"}), "1");
+  EXPECT_EQ(cloud_name({kSamples + "/*/lidar.las"}), "sample_data");
+}
+
+TEST(CloudName, OfFilesThatTheRootAloneHoldsIsCloud) {
+  EXPECT_EQ(cloud_name({"/a/x.las", "/b/x.las"}), "cloud");
+}
+
+}  // namespace
+}  // namespace ridgeline::results
