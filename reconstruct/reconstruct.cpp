@@ -3,10 +3,8 @@
 
 #include "reconstruct/beyond/combined_matchers/combine_matches.h"
 #include "reconstruct/beyond/depth_consensus/sample_flanks.h"
-#include "reconstruct/beyond/edge_refinement.h"
-#include "reconstruct/beyond/estimate_extensions.h"
+#include "reconstruct/beyond/extensions.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
-#include "reconstruct/beyond/match_extensions.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/ok2011/match/connect_matches.h"

@@ -92,26 +92,12 @@ struct EstimateExtensionOptions {
   bool consensus = true;
   /// The consensus hears how the strips beside the line correlate at each depth. See FlankCorrelation.
   bool flanks = true;
-  double sigma_flank_px = 0.5;   ///< of points of the line found so, along the line
-  double max_point_prior = 0.7;  ///< that two lines which cross in both images meet, at W = 1
-  double end_prior = 0.75;       ///< that the ends of both segments show the same point
-  double sigma_end_px = 1.0;     ///< along the line, if they do
-  /// Lines that rest on their ends alone are at least this long: false matches of short segments have
-  /// ends that agree as well.
-  double min_ends_length_px = 15.0;
-  double sigma_meeting_m = 0.1;     ///< distance of lines that meet
-  double max_miss_m = 2.5;          ///< of lines that only seem to meet
-  double doubt_above = 0.1;         ///< that a point above the line is none: less than below it
-  double horizontal_share = 0.8;    ///< of the aligned lines, before anything is known
-  double sigma_slope = 0.01;        ///< of lines that are built horizontal
-  double nearby_px = 100.0;         ///< from the line, in the base image, heights are compared
-  double sigma_height_m = 0.2;      ///< of lines at the same height
-  double max_nearby_sigma_m = 0.4;  ///< of the height of a line that others are compared with
-  /// Most that agreement with the line raises the odds of evidence by.
-  double agreement_gain = 4.0;
+  double sigma_end_px = 1.0;       ///< along the line, if they do
+  double sigma_meeting_m = 0.1;    ///< distance of lines that meet
+  double max_miss_m = 2.5;         ///< of lines that only seem to meet
+  double sigma_slope = 0.01;       ///< of lines that are built horizontal
   double gable_share = 0.8;        ///< of gables among what has the shape of one
   double step_share = 0.07;        ///< of places where one crosses: steps of a row
-  double min_cut_weight = 0.3;     ///< W of the point where a match is cut
   double min_cut_length_px = 7.0;  ///< of each part
   /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
   double min_depth_margin = 2.5;
@@ -132,40 +118,18 @@ struct EstimateExtensionOptions {
               "use points that agree on the depth of their line; off: as published"},
         Field{"flanks", &O::flanks, false, true,
               "consensus: compare the strips beside the line in both images"},
-        Field{"sigma_flank_px", &O::sigma_flank_px, 1e-3, 1e3,
-              "consensus: scatter of points found by that along the line"},
-        Field{"max_point_prior", &O::max_point_prior, 0.01, 0.99,
-              "consensus: prior probability of the best point"},
-        Field{"end_prior", &O::end_prior, 0.01, 0.99,
-              "consensus: prior probability that segment ends correspond"},
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
               "consensus: scatter of corresponding segment ends along the line"},
-        Field{"min_ends_length_px", &O::min_ends_length_px, 0.0, 1e4,
-              "consensus: shorter lines that no point supports are ambiguous"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
               "consensus, network: distance of lines that meet"},
         Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
               "network: distance of lines that only seem to meet"},
-        Field{"doubt_above", &O::doubt_above, 0.0, 1.0,
-              "consensus: doubt about a point above the line, where below it is 1"},
-        Field{"horizontal_share", &O::horizontal_share, 0.0, 0.999,
-              "consensus: prior share of horizontal lines"},
         Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
               "consensus: scatter of the slope of horizontal lines"},
-        Field{"nearby_px", &O::nearby_px, 0.0, 1e4,
-              "consensus: heights of lines up to this distance are likely ones"},
-        Field{"sigma_height_m", &O::sigma_height_m, 1e-3, 1e3,
-              "consensus: scatter of lines at the same height"},
-        Field{"max_nearby_sigma_m", &O::max_nearby_sigma_m, 0.0, 1e3,
-              "consensus: sigma of the height of a line that others are compared with"},
-        Field{"agreement_gain", &O::agreement_gain, 1e-3, 1e6,
-              "consensus: most that agreement raises the odds of a point by"},
         Field{"gable_share", &O::gable_share, 0.0, 1.0,
               "consensus: prior share of gables among what has the shape of one"},
         Field{"step_share", &O::step_share, 0.0, 1.0,
               "consensus: prior share of crossings where a row of lines has a step"},
-        Field{"min_cut_weight", &O::min_cut_weight, 0.0, 1.0,
-              "consensus: weight of a point that a match is cut at"},
         Field{"min_cut_length_px", &O::min_cut_length_px, 1.0, 1e6,
               "consensus: shortest part of a match that is cut"},
         Field{"min_depth_margin", &O::min_depth_margin, 0.0, 1e3,

@@ -16,7 +16,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 /// Two segments that meet.
-struct Meeting {
+struct Crossing {
   Eigen::Vector2d x;
   int first = 0, second = 0;
   double gap_px = 0.0;  ///< sum of their distances from x
@@ -26,11 +26,11 @@ double end_distance(const Segment2& s, const Eigen::Vector2d& x) {
   return std::min((s.start - x).norm(), (s.end - x).norm());
 }
 
-std::vector<Meeting> meetings_of(std::span<const Segment2> segments, const ChioOptions& options) {
+std::vector<Crossing> crossings_of(std::span<const Segment2> segments, const ChioOptions& options) {
   const SegmentIndex index(segments);
   const double radius = options.junction_radius_px;
   std::set<std::pair<int, int>> seen;
-  std::vector<Meeting> meetings;
+  std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     for (const Eigen::Vector2d& end : {segments[i].start, segments[i].end}) {
       for (const int k : index.near({end, end}, 2.0 * radius)) {
@@ -42,32 +42,32 @@ std::vector<Meeting> meetings_of(std::span<const Segment2> segments, const ChioO
         const double gap_px = end_distance(segments[i], *x) + distance(segments[k], *x);
         if (distance(segments[k], *x) > radius) continue;
         if (!seen.insert(std::minmax(id, k)).second) continue;
-        meetings.push_back({*x, std::min(id, k), std::max(id, k), gap_px});
+        crossings.push_back({*x, std::min(id, k), std::max(id, k), gap_px});
       }
     }
   }
-  std::stable_sort(meetings.begin(), meetings.end(),
-                   [](const Meeting& a, const Meeting& b) { return a.gap_px < b.gap_px; });
-  return meetings;
+  std::stable_sort(crossings.begin(), crossings.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.gap_px < b.gap_px; });
+  return crossings;
 }
 
-/// Meetings grouped around the most precise ones: by group the first and all its meetings.
-std::vector<std::vector<Meeting>> grouped(const std::vector<Meeting>& meetings, double radius) {
+/// Crossings grouped around the most precise ones: by group the first and all its crossings.
+std::vector<std::vector<Crossing>> grouped(const std::vector<Crossing>& crossings, double radius) {
   std::map<std::pair<int, int>, std::vector<std::size_t>> groups_in_cell;
   const auto cell_of = [&](const Eigen::Vector2d& x) {
     return std::pair(static_cast<int>(std::floor(x.x() / radius)),
                      static_cast<int>(std::floor(x.y() / radius)));
   };
-  std::vector<std::vector<Meeting>> groups;
-  for (const Meeting& meeting : meetings) {
-    const auto [column, row] = cell_of(meeting.x);
+  std::vector<std::vector<Crossing>> groups;
+  for (const Crossing& crossing : crossings) {
+    const auto [column, row] = cell_of(crossing.x);
     std::size_t nearest = groups.size();
     double nearest_px = radius;
     for (int cell = 0; cell < 9; ++cell) {
       const auto found = groups_in_cell.find({column + cell % 3 - 1, row + cell / 3 - 1});
       if (found == groups_in_cell.end()) continue;
       for (const std::size_t g : found->second) {
-        const double apart_px = (groups[g].front().x - meeting.x).norm();
+        const double apart_px = (groups[g].front().x - crossing.x).norm();
         if (apart_px > nearest_px) continue;
         nearest = g;
         nearest_px = apart_px;
@@ -77,16 +77,16 @@ std::vector<std::vector<Meeting>> grouped(const std::vector<Meeting>& meetings, 
       groups_in_cell[{column, row}].push_back(groups.size());
       groups.emplace_back();
     }
-    groups[nearest].push_back(meeting);
+    groups[nearest].push_back(crossing);
   }
   return groups;
 }
 
-Structure structure_of(const std::vector<Meeting>& meetings, std::span<const Segment2> segments) {
+Structure structure_of(const std::vector<Crossing>& crossings, std::span<const Segment2> segments) {
   Structure structure;
-  structure.junction_px = meetings.front().x;
+  structure.junction_px = crossings.front().x;
   std::set<int> members;
-  for (const Meeting& meeting : meetings) members.insert({meeting.first, meeting.second});
+  for (const Crossing& crossing : crossings) members.insert({crossing.first, crossing.second});
   structure.members.assign(members.begin(), members.end());
   for (const int m : structure.members) {
     structure.length_px += length(segments[m]);
@@ -101,8 +101,8 @@ Structure structure_of(const std::vector<Meeting>& meetings, std::span<const Seg
 std::vector<Structure> linear_structures(std::span<const Segment2> segments,
                                          const ChioOptions& options) {
   std::vector<Structure> structures;
-  for (const std::vector<Meeting>& group :
-       grouped(meetings_of(segments, options), options.junction_radius_px)) {
+  for (const std::vector<Crossing>& group :
+       grouped(crossings_of(segments, options), options.junction_radius_px)) {
     structures.push_back(structure_of(group, segments));
   }
   const auto rank = [](const Structure& s) {

@@ -3,7 +3,6 @@
 
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/geometry/segment_index.h"
 
 #include <Eigen/LU>
 
@@ -13,45 +12,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The ends of lines of known height, by their place in the left image.
-class KnownEnds {
- public:
-  KnownEnds(const StereoLines& lines,
-            std::span<const ReconstructedLine> results,
-            double max_sigma_m) {
-    for (const ReconstructedLine& line : results) {
-      if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
-      if (*line.direct_sigma_z_m > max_sigma_m) continue;
-      add(lines.stereo, line.segment_in_local->start);
-      add(lines.stereo, line.segment_in_local->end);
-    }
-    index_ = SegmentIndex(ends_px_);
-  }
-
-  /// Heights of the ends near an image line, in the conditioned object frame.
-  [[nodiscard]] std::vector<double> heights_near(const Segment2& seen_px, double radius_px) const {
-    std::vector<double> heights;
-    for (const int i : index_.near(seen_px, radius_px)) {
-      const auto end = static_cast<std::size_t>(i);
-      if (distance(seen_px, ends_px_[end].start) <= radius_px) heights.push_back(heights_[end]);
-    }
-    return heights;
-  }
-
- private:
-  /// The line may end where the right segment does: its place in the left image is the end's own.
-  void add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local) {
-    const Eigen::Vector3d x = stereo.object.conditioned_from_local(end_in_local);
-    const Eigen::Vector2d x_px =
-        stereo.views[0].image.image_from_conditioned(project(stereo.views[0].image_from_object, x));
-    ends_px_.push_back({x_px, x_px});
-    heights_.push_back(x.z());
-  }
-
-  std::vector<Segment2> ends_px_;  ///< of no length
-  std::vector<double> heights_;
-  SegmentIndex index_{{}};
-};
+constexpr double kMostPointPrior =
+    0.7;                            ///< that two lines which cross in both images meet, at W = 1
+constexpr double kEndPrior = 0.75;  ///< that the ends of both segments show the same point
+constexpr double kLeastCutWeight = 0.3;  ///< W of the point where a match is cut
+/// Of lines that rest on their ends alone: false matches of short segments have ends that agree as well.
+constexpr double kShortestWithEnds_px = 15.0;
 
 /// A segment's end: uncertain along the line by sigma_end, across as the line is there.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
@@ -122,11 +88,8 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
 }
 
 /// Whether a segment is long enough for its ends to tell a depth.
-bool has_telling_ends(const StereoLines& lines,
-                      const ObservedPair& line,
-                      const EstimateExtensionOptions& options) {
-  return lines.stereo.views[0].image.scale_px * length(line[0].segment) >=
-         options.min_ends_length_px;
+bool has_telling_ends(const StereoLines& lines, const ObservedPair& line) {
+  return lines.stereo.views[0].image.scale_px * length(line[0].segment) >= kShortestWithEnds_px;
 }
 
 /// Whether the points are far enough apart, as a share of the segment.
@@ -144,7 +107,7 @@ bool may_cut(const StereoLines& lines,
              const ObservedPair& line,
              const CandidatePoint& at,
              const EstimateExtensionOptions& options) {
-  if (at.ranked.weight < options.min_cut_weight) return false;
+  if (at.ranked.weight < kLeastCutWeight) return false;
   const auto x = crossing(line, lines.lines[static_cast<std::size_t>(at.ranked.neighbour)]);
   for (std::size_t j = 0; j < 2; ++j) {
     const double shortest = options.min_cut_length_px / lines.stereo.views[j].image.scale_px;
@@ -181,8 +144,8 @@ MatchEvidence evidence_of(const StereoLines& lines,
   for (const CandidatePoint& c : candidate_points(lines, line, neighbours, published)) {
     if (!(c.ranked.weight > published.min_weight)) continue;
     evidence.points.push_back(c);
-    DepthEvidence e = evidence_of(c.estimated.point, c.ranked.parameter,
-                                  beyond.max_point_prior * c.ranked.weight);
+    DepthEvidence e =
+        evidence_of(c.estimated.point, c.ranked.parameter, kMostPointPrior * c.ranked.weight);
     e.meeting = c.ranked.weight;
     e.may_cut = may_cut(lines, line, c, beyond);
     evidence.on_depth.push_back(e);
@@ -193,7 +156,7 @@ MatchEvidence evidence_of(const StereoLines& lines,
                                          beyond.sigma_end_px, published)) {
       evidence.ends.push_back(*end);
       evidence.which_ends.push_back(which);
-      evidence.on_depth.push_back(evidence_of(*end, which, beyond.end_prior));
+      evidence.on_depth.push_back(evidence_of(*end, which, kEndPrior));
     }
   }
   return evidence;
@@ -216,28 +179,8 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
   return seen;
 }
 
-/// Takes points of the line that the strips beside it show in both images; false if they show none.
-bool add_flank_points(const MatchEvidence& evidence,
-                      const FlankCorrelation& flanks,
-                      const DepthPart& part,
-                      const EstimationOptions& options,
-                      LineSupport& support) {
-  const auto found = flanks.homologous(part.line, part.horizontal);
-  if (!found) return false;
-  for (const FlankCorrelation::Homologous& x : *found) {
-    if (const auto point = point_in_object(evidence.lines, evidence.line, x,
-                                           options.beyond.sigma_flank_px, options.lines)) {
-      support.ends.push_back(*point);
-      support.ends_in_images.push_back(x);
-    }
-  }
-  support.has_flanks = !support.ends.empty();
-  return support.has_flanks;
-}
-
 LineSupport support_of(const MatchEvidence& evidence,
                        const DepthPart& part,
-                       const FlankCorrelation* flanks,
                        const EstimationOptions& options) {
   LineSupport support;
   support.seen = seen_part(evidence, part);
@@ -253,8 +196,6 @@ LineSupport support_of(const MatchEvidence& evidence,
   support.points = best_of_regions(agreeing, options.lines);
   if (part.horizontal) support.sigma_slope = options.beyond.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (flanks != nullptr && add_flank_points(evidence, *flanks, part, options, support))
-    return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
     if (i < evidence.points.size()) continue;
@@ -265,8 +206,8 @@ LineSupport support_of(const MatchEvidence& evidence,
   }
   const bool is_cut = part.from || part.to;
   if (support.points.empty()) {
-    support.ambiguous = is_cut || support.ends.empty() ||
-                        !has_telling_ends(evidence.lines, evidence.line, options.beyond);
+    support.ambiguous =
+        is_cut || support.ends.empty() || !has_telling_ends(evidence.lines, evidence.line);
   } else {
     support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
   }
@@ -276,23 +217,21 @@ LineSupport support_of(const MatchEvidence& evidence,
 std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
                                             const ObservedPair& line,
                                             std::span<const int> neighbours,
-                                            std::span<const double> heights_nearby,
                                             const FlankStrips* strips,
                                             const EstimationOptions& options) {
   const MatchEvidence evidence = evidence_of(lines, line, neighbours, strips, options);
   std::optional<FlankCorrelation> flanks;
   if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
-  const auto consensus = agree_on_depth({lines, line, evidence.on_depth, heights_nearby,
-                                         options.beyond, flanks ? &*flanks : nullptr});
+  const auto consensus =
+      agree_on_depth({lines, line, evidence.on_depth, options.beyond, flanks ? &*flanks : nullptr});
   if (!consensus) {
     LineSupport nothing;
     nothing.seen = line;
     return {nothing};
   }
   std::vector<LineSupport> all;
-  const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {
-    all.push_back(support_of(evidence, part, flanks && is_whole ? &*flanks : nullptr, options));
+    all.push_back(support_of(evidence, part, options));
     if (consensus->margin < options.beyond.min_depth_margin) all.back().ambiguous = true;
   }
   return all;
@@ -301,20 +240,16 @@ std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
 }  // namespace
 
 SupportOfMatch consensus_support(const StereoLines& lines,
-                                 std::span<const ReconstructedLine> direct,
                                  std::span<const FlankStrips> strips,
                                  const EstimationOptions& options) {
-  check(strips.empty() || strips.size() == direct.size(),
-        "consensus_support: strips = ", strips.size(), ", must be one per match, ", direct.size(),
-        ", or none");
-  return
-      [&lines, strips, options, ends = KnownEnds(lines, direct, options.beyond.max_nearby_sigma_m)](
-          std::size_t match, const ObservedPair& line, const Segment2& seen_px,
-          std::span<const int> neighbours) {
-        return lines_by_consensus(lines, line, neighbours,
-                                  ends.heights_near(seen_px, options.beyond.nearby_px),
-                                  strips.empty() ? nullptr : &strips[match], options);
-      };
+  check(strips.empty() || strips.size() == lines.lines.size(),
+        "consensus_support: strips = ", strips.size(), ", must be one per match, ",
+        lines.lines.size(), ", or none");
+  return [&lines, strips, options](std::size_t match, const ObservedPair& line,
+                                   std::span<const int> neighbours) {
+    return lines_by_consensus(lines, line, neighbours, strips.empty() ? nullptr : &strips[match],
+                              options);
+  };
 }
 
 }  // namespace ridgeline::reconstruct

@@ -21,7 +21,7 @@ double sloping(double slope) {
 }
 
 double log_straight_prior(double slope, const EstimateExtensionOptions& options) {
-  const double p = options.horizontal_share;
+  constexpr double p = 0.8;  // of aligned lines that are built horizontal
   return std::log(p * bell(slope / options.sigma_slope) + (1.0 - p) * sloping(slope));
 }
 
@@ -82,8 +82,6 @@ Step best_step(const DepthQuestion& question,
         step.score += scorer.score(other, step.line);
       }
     }
-    if (!from) step.score += scorer.score_of_end(0, step.line);
-    if (!to) step.score += scorer.score_of_end(1, step.line);
     if (step.score > best.score) best = step;
   }
   return best;
@@ -136,9 +134,6 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
       if (std::abs(evidence[a].parameter - evidence[b].parameter) < kSmallestBase) continue;
       add(evidence[a].x, scorer.in_plane(evidence[b].x - evidence[a].x));
     }
-  }
-  if (question.flanks != nullptr) {
-    for (const DepthLine& line : question.flanks->likely_lines()) add(line.through, line.direction);
   }
   return all;
 }

@@ -15,6 +15,10 @@ namespace {
 constexpr double kSupportSigma = 3.0;
 /// Lines that end on one another are seen to do so within this.
 constexpr double kCutReachPx = 6.0;
+/// Most that agreement with the line raises the odds of evidence by.
+constexpr double kAgreementGain = 4.0;
+/// That a point above the line is none: less than below it.
+constexpr double kDoubtAbove = 0.1;
 
 }  // namespace
 
@@ -95,18 +99,16 @@ double DepthScorer::difference_of_ends_m(const DepthProfile& profile) const {
 }
 
 double DepthScorer::score(const DepthEvidence& e, const DepthLine& line) const {
-  const EstimateExtensionOptions& o = question_.options;
   const Misfit m = misfit(e, line);
   const double agreement = bell(m.distance_m / m.sigma_m);
   const bool is_above = m.distance_m * normal_.cross(line.direction).z() > 0.0;
-  const double doubt = is_above ? 1.0 - (1.0 - o.doubt_above) * e.meeting * (1.0 - agreement) : 1.0;
-  return std::log(doubt * (1.0 - e.prior) + e.prior * o.agreement_gain * agreement);
+  const double doubt = is_above ? 1.0 - (1.0 - kDoubtAbove) * e.meeting * (1.0 - agreement) : 1.0;
+  return std::log(doubt * (1.0 - e.prior) + e.prior * kAgreementGain * agreement);
 }
 
 double DepthScorer::score_near_cut(const DepthEvidence& e, const DepthLine& line) const {
   const Misfit m = misfit(e, line);
-  return std::log1p(e.prior * std::max(0.0, question_.options.agreement_gain - 1.0) *
-                    bell(m.distance_m / m.sigma_m));
+  return std::log1p(e.prior * (kAgreementGain - 1.0) * bell(m.distance_m / m.sigma_m));
 }
 
 double DepthScorer::score_of_cut(std::size_t cut,
@@ -118,19 +120,7 @@ double DepthScorer::score_of_cut(std::size_t cut,
     const Misfit m = misfit(e, line);
     agreement = std::max(agreement, bell(m.distance_m / m.sigma_m));
   }
-  return std::log(1.0 - e.prior + e.prior * question_.options.agreement_gain * agreement);
-}
-
-double DepthScorer::score_of_end(int which, const DepthLine& line) const {
-  constexpr double kElsewhere = 0.3;  // of ends that are at the height of no line nearby
-  if (question_.heights_nearby.empty()) return 0.0;
-  const double z = height(line, which);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const double other : question_.heights_nearby) {
-    nearest = std::min(nearest, std::abs(other - z));
-  }
-  return std::log(kElsewhere +
-                  (1.0 - kElsewhere) * bell(unit_m_ * nearest / question_.options.sigma_height_m));
+  return std::log(1.0 - e.prior + e.prior * kAgreementGain * agreement);
 }
 
 /// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
@@ -152,7 +142,6 @@ double DepthScorer::other_misclosure(const DepthLine& h) const {
 
 double DepthScorer::score(const DepthProfile& profile) const {
   double sum = profile.log_prior;
-  sum += score_of_end(0, profile.lines.front()) + score_of_end(1, profile.lines.back());
   for (std::size_t i = 0; i < profile.cuts.size(); ++i) {
     sum += score_of_cut(profile.cuts[i], profile.lines[i], profile.lines[i + 1]);
   }

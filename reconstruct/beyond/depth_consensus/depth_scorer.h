@@ -18,7 +18,6 @@ struct DepthQuestion {
   const StereoLines& lines;
   const ObservedPair& line;
   std::span<const DepthEvidence> evidence;
-  std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
   const EstimateExtensionOptions& options;
   const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
 };
@@ -69,7 +68,6 @@ class DepthScorer {
   [[nodiscard]] double score_of_cut(std::size_t cut,
                                     const DepthLine& before,
                                     const DepthLine& after) const;
-  [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
 
  private:
   struct Misfit {

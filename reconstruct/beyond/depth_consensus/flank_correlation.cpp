@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 
-#include "reconstruct/geometry/vertex.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -22,7 +20,6 @@ constexpr double kOutlier = 0.02;
 /// Of places: finer than the strips correlate.
 constexpr double kStep = 1.0 / FlankStrip::kRightStep_px;
 constexpr double kSteepest = 1.2;
-constexpr double kApart = 2.0 * kStep;  // lines that are others
 
 /// Of the sides, with the best of each below.
 double score_of(const std::array<double, 2>& here, const std::array<double, 2>& below) {
@@ -39,26 +36,6 @@ Eigen::Vector3d intersection(const Eigen::Vector4d& a,
   Eigen::Matrix3d normals;
   normals << a.head<3>().transpose(), b.head<3>().transpose(), c.head<3>().transpose();
   return normals.inverse() * -Eigen::Vector3d(a.w(), b.w(), c.w());
-}
-
-struct Candidate {
-  double score, start, end;  ///< offsets of the places
-};
-
-/// The best few that are not the same.
-std::vector<Candidate> distinct(std::vector<Candidate> candidates) {
-  constexpr std::size_t kMost = 3;
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-  std::vector<Candidate> best;
-  for (const Candidate& c : candidates) {
-    if (best.size() == kMost) break;
-    const bool is_other = std::none_of(best.begin(), best.end(), [&](const Candidate& b) {
-      return std::abs(b.start - c.start) <= kApart && std::abs(b.end - c.end) <= kApart;
-    });
-    if (is_other && c.score > 0.0) best.push_back(c);
-  }
-  return best;
 }
 
 }  // namespace
@@ -135,22 +112,6 @@ double FlankCorrelation::place(const Eigen::Vector3d& x) const {
   return (n_right_ - 1) * parameter_along(right_axis_, project(right_from_object_, x));
 }
 
-Eigen::Vector3d FlankCorrelation::seen_at(const Sample& sample, double place) const {
-  const Eigen::Vector2d along = right_axis_.end - right_axis_.start;
-  return intersection(line_[0].plane.mean, sample.across,
-                      plane_across(right_from_object_, on_right_axis(place), along));
-}
-
-Eigen::Vector2d FlankCorrelation::on_right_axis(double place) const {
-  return right_axis_.start + place / (n_right_ - 1) * (right_axis_.end - right_axis_.start);
-}
-
-DepthLine FlankCorrelation::line_through(const Places& places) const {
-  const Eigen::Vector3d first = seen_at(samples_.front(), places.front());
-  const Eigen::Vector3d last = seen_at(samples_.back(), places.back());
-  return {first, (last - first).normalized()};
-}
-
 FlankCorrelation::Places FlankCorrelation::places_of(const LineAt& profile) const {
   Places places;
   places.reserve(samples_.size());
@@ -198,11 +159,10 @@ std::array<double, 2> FlankCorrelation::gains_below(double rise_at_start,
   return {below_[0][last], below_[1][last]};
 }
 
-/// The best profiles that are straight in the places, over the whole strip.
+/// The score of the best profile that is straight in the places, over the whole strip.
 void FlankCorrelation::search(double most_slope) {
-  std::array<std::vector<Candidate>, 2> candidates;  // horizontal, sloping
-  constexpr double kSlopeSpacing =
-      2.0 * kStep;  // a pixel at either end: no farther than score() looks
+  // a pixel at either end: no farther than score() looks
+  constexpr double kSlopeSpacing = 2.0 * kStep;
   const int n_slopes = static_cast<int>(most_slope / kSlopeSpacing);
   for (int slope = -n_slopes; slope <= n_slopes; ++slope) {
     const double rise = slope * kSlopeSpacing;
@@ -213,14 +173,7 @@ void FlankCorrelation::search(double most_slope) {
         const Places places = raised(level_, at_start, at_start + rise);
         gains = {gain(strips_->level(0, places)), gain(strips_->level(1, places))};
       }
-      const double score = score_of(gains, gains_below(at_start, at_start + rise));
-      candidates[slope == 0 ? 0 : 1].push_back({score, at_start, at_start + rise});
-      max_score_ = std::max(max_score_, score);
-    }
-  }
-  for (std::vector<Candidate>& all : candidates) {
-    for (const Candidate& c : distinct(std::move(all))) {
-      likely_lines_.push_back(line_through(raised(level_, c.start, c.end)));
+      max_score_ = std::max(max_score_, score_of(gains, gains_below(at_start, at_start + rise)));
     }
   }
 }
@@ -244,82 +197,6 @@ double FlankCorrelation::log_likelihood(const LineAt& profile) const {
   if (max_score_ <= 0.0) return std::log(kOutlier);
   const double below_best = std::min(0.0, score(places_of(profile)) - max_score_);
   return std::log(kOutlier + (1.0 - kOutlier) * std::exp(below_best));
-}
-
-/// How far to raise a profile at both ends for a side of a given slope to correlate best.
-FlankCorrelation::Refined FlankCorrelation::refined(const Places& places,
-                                                    bool horizontal,
-                                                    std::size_t side,
-                                                    std::size_t slope) const {
-  constexpr int kReach = 4;
-  const auto rho = [&](double at_start, double at_end) {
-    return strips_->at_slope(side, slope, raised(places, at_start, at_end));
-  };
-  Refined best;
-  for (int i = -kReach; i <= kReach; ++i) {
-    for (int k = horizontal ? i : -kReach; k <= (horizontal ? i : kReach); ++k) {
-      const double here = rho(i, k);
-      if (here > best.rho) best = {here, static_cast<double>(i), static_cast<double>(k)};
-    }
-  }
-  const auto [middle, start, end] = best;
-  if (horizontal) {
-    best.start += vertex(rho(start - 1.0, end - 1.0), middle, rho(start + 1.0, end + 1.0));
-    best.end = best.start;
-  } else {
-    best.start += vertex(rho(start - 1.0, end), middle, rho(start + 1.0, end));
-    best.end += vertex(rho(start, end - 1.0), middle, rho(start, end + 1.0));
-  }
-  best.rho = std::max(middle, rho(best.start, best.end));
-  return best;
-}
-
-/// The same for the better side. Few rows hardly tell its slope, which moves the line with it: the
-/// mean over the slopes, by their likelihood.
-FlankCorrelation::Refined FlankCorrelation::refined(const Places& places, bool horizontal) const {
-  std::array<std::array<Refined, StripCorrelation::kSlopes>, 2> all;
-  Refined best;
-  std::size_t better = 0;
-  for (const std::size_t side : {0U, 1U}) {
-    for (std::size_t k = 0; k < StripCorrelation::kSlopes; ++k) {
-      all[side][k] = refined(places, horizontal, side, k);
-      if (all[side][k].rho <= best.rho) continue;
-      best = all[side][k];
-      better = side;
-    }
-  }
-  Refined mean{best.rho, 0.0, 0.0};
-  double sum = 0.0;
-  for (const Refined& r : all[better]) {
-    const double likelihood = std::exp(gain(r.rho) - gain(best.rho));
-    sum += likelihood;
-    mean.start += likelihood * r.start;
-    mean.end += likelihood * r.end;
-  }
-  mean.start /= sum;
-  mean.end /= sum;
-  return mean;
-}
-
-std::optional<std::array<FlankCorrelation::Homologous, 2>> FlankCorrelation::homologous(
-    const DepthLine& line, bool horizontal) const {
-  constexpr double kClearly = 1.0;
-  constexpr double kLeastCorrelation = 0.7;
-  constexpr double kInset = 0.1;  // of the points, from either end
-  if (max_score_ <= 0.0) return std::nullopt;
-  const Places places = places_of([&](double) -> const DepthLine& { return line; });
-  if (score(places) < max_score_ - kClearly) return std::nullopt;
-  const Refined found = refined(places, horizontal);
-  if (found.rho < kLeastCorrelation) return std::nullopt;
-  const Places best = raised(places, found.start, found.end);
-  const auto point = [&](double share) {
-    const auto last = static_cast<double>(samples_.size() - 1);
-    const auto s = static_cast<std::size_t>(std::lround(share * last));
-    const Segment2& left = line_[0].segment;
-    return Homologous{left.start + samples_[s].parameter * (left.end - left.start),
-                      on_right_axis(best[s])};
-  };
-  return std::array{point(kInset), point(1.0 - kInset)};
 }
 
 }  // namespace ridgeline::reconstruct

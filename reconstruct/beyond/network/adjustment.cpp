@@ -186,12 +186,6 @@ bool NetworkAdjustment::invert() {
   return inverse_.has_value();
 }
 
-double NetworkAdjustment::miss(std::size_t m) const {
-  return signed_distance(estimates_[static_cast<std::size_t>(meetings_[m].first)],
-                         estimates_[static_cast<std::size_t>(meetings_[m].second)]) /
-         sigma_of(m);
-}
-
 NetworkAdjustment::Prediction NetworkAdjustment::predicted_at_start(std::size_t m) const {
   const NetworkLine& first = *lines_[static_cast<std::size_t>(meetings_[m].first)];
   const NetworkLine& second = *lines_[static_cast<std::size_t>(meetings_[m].second)];

@@ -36,8 +36,6 @@ class NetworkAdjustment {
   /// Computes what covariance() and predicted() give; false if the equations are singular.
   bool invert();
 
-  /// Distance of the adjusted lines over its standard deviation.
-  [[nodiscard]] double miss(std::size_t meeting) const;
   /// The miss of a meeting as everything else predicts it, in standard deviations of a meeting.
   struct Prediction {
     double miss = 0.0;

@@ -3,7 +3,6 @@
 
 #include "reconstruct/beyond/network/adjustment.h"
 
-#include <Eigen/Eigenvalues>
 #include <boost/pending/disjoint_sets.hpp>
 #include <tbb/parallel_for.h>
 
@@ -95,104 +94,6 @@ bool decide_meetings(NetworkAdjustment& adjustment, const EstimateExtensionOptio
   return adjustment.minimise(kConverged, kMostPasses);
 }
 
-/// |w| of each accepted meeting, Baarda's normalised residual: its predicted miss over the standard
-/// deviation of that and of a meeting. 0 where the others hardly control it.
-std::vector<double> residual_tests(const NetworkAdjustment& adjustment) {
-  constexpr double kLeastRedundancy = 0.1;
-  std::vector<double> w(adjustment.weights.size(), 0.0);
-  for (std::size_t m = 0; m < w.size(); ++m) {
-    if (adjustment.weights[m] == 0.0) continue;
-    const NetworkAdjustment::Prediction predicted = adjustment.predicted(m);
-    const double variance = 1.0 + squared(predicted.sigma);
-    if (1.0 / variance >= kLeastRedundancy) w[m] = std::abs(predicted.miss) / std::sqrt(variance);
-  }
-  return w;
-}
-
-/// Rejects meetings beyond chance, in each round those with the largest residual of both lines: a
-/// false one spoils the others of its lines.
-bool reject_false_meetings(NetworkAdjustment& adjustment) {
-  constexpr double kLimit = 3.29;  // 0.1 %
-  constexpr int kMostRounds = 20;
-  for (int round = 0; round < kMostRounds; ++round) {
-    if (!adjustment.invert()) return false;
-    const std::vector<double> w = residual_tests(adjustment);
-    std::vector<double> largest(adjustment.n_lines(), 0.0);
-    for (std::size_t m = 0; m < w.size(); ++m) {
-      for (const int line : {adjustment.meetings()[m].first, adjustment.meetings()[m].second}) {
-        largest[line] = std::max(largest[line], w[m]);
-      }
-    }
-    bool rejected = false;
-    for (std::size_t m = 0; m < w.size(); ++m) {
-      const Meeting& meeting = adjustment.meetings()[m];
-      if (w[m] <= kLimit || w[m] < largest[meeting.first] || w[m] < largest[meeting.second])
-        continue;
-      adjustment.weights[m] = 0.0;
-      rejected = true;
-    }
-    if (!rejected) return true;
-    if (!adjustment.minimise(kConverged, kMostPasses)) return false;
-  }
-  return true;
-}
-
-/// Whether a line has moved farther from the intersection of its projection planes than chance allows:
-/// T = d' (cov_images - cov)^+ d of the shift d, in the directions in which the meetings say anything.
-bool contradicts_images(const NetworkLine& line, const Vector6d& estimate, const Matrix6d& cov) {
-  constexpr double kSmallest = 1e-6;  // eigenvalue, of the largest of the covariance by the images
-  constexpr std::array<double, 5> kChiSquare999{0.0, 10.83, 13.82, 16.27, 18.47};
-  const auto by_images = intersection(line.seen[0].plane, line.seen[1].plane);
-  if (!by_images) return false;
-  const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(by_images->mean);
-  const double sign = by_images->mean.dot(estimate) < 0.0 ? -1.0 : 1.0;
-  const Eigen::Vector4d shift = basis.transpose() * (sign * estimate - by_images->mean);
-  const Eigen::Matrix4d cov_images = basis.transpose() * by_images->cov * basis;
-  const Eigen::Matrix4d cov_shift = cov_images - basis.transpose() * cov * basis;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(cov_shift);
-  const double least =
-      kSmallest * Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(cov_images).eigenvalues()(3);
-  double t = 0.0;
-  std::size_t rank = 0;
-  for (int i = 0; i < 4; ++i) {
-    if (eigen.eigenvalues()(i) <= least) continue;
-    t += squared(eigen.eigenvectors().col(i).dot(shift)) / eigen.eigenvalues()(i);
-    ++rank;
-  }
-  return t > kChiSquare999.at(rank);
-}
-
-/// Drops the worst meeting of each guarded line that contradicts its images, until none does.
-/// `has_dropped`: lines that have lost one at least.
-bool guard(NetworkAdjustment& adjustment, std::vector<bool>& has_dropped) {
-  const std::size_t n = adjustment.n_lines();
-  while (true) {
-    if (!adjustment.invert()) return false;
-    std::vector<double> worst(n, -1.0);
-    std::vector<std::size_t> meeting(n, 0);
-    for (std::size_t m = 0; m < adjustment.weights.size(); ++m) {
-      if (adjustment.weights[m] == 0.0) continue;
-      const double miss = std::abs(adjustment.miss(m));
-      for (const int line : {adjustment.meetings()[m].first, adjustment.meetings()[m].second}) {
-        if (miss <= worst[line]) continue;
-        worst[line] = miss;
-        meeting[line] = m;
-      }
-    }
-    bool dropped = false;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!adjustment.line(i).is_guarded || worst[i] < 0.0) continue;
-      if (!contradicts_images(adjustment.line(i), adjustment.estimate(i), adjustment.covariance(i)))
-        continue;
-      adjustment.weights[meeting[i]] = 0.0;
-      has_dropped[i] = true;
-      dropped = true;
-    }
-    if (!dropped) return true;
-    if (!adjustment.minimise(kConverged, kMostPasses)) return false;
-  }
-}
-
 void adjust_group(const StereoViews& stereo,
                   std::span<const NetworkLine> lines,
                   const Group& group,
@@ -202,9 +103,7 @@ void adjust_group(const StereoViews& stereo,
   std::vector<const NetworkLine*> members;
   for (const int line : group.lines) members.push_back(&lines[line]);
   NetworkAdjustment adjustment(stereo, members, group.meetings, heights_m, options.sigma_slope);
-  std::vector<bool> has_dropped(members.size(), false);
-  if (!decide_meetings(adjustment, options) || !reject_false_meetings(adjustment) ||
-      !guard(adjustment, has_dropped) || !adjustment.converged()) {
+  if (!decide_meetings(adjustment, options) || !adjustment.converged() || !adjustment.invert()) {
     return;
   }
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -217,10 +116,6 @@ void adjust_group(const StereoViews& stereo,
     if (adjustment.weights[m] == 0.0) continue;
     ++results[group.lines[group.meetings[m].first]].n_meetings;
     ++results[group.lines[group.meetings[m].second]].n_meetings;
-  }
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    AdjustedInNetwork& result = results[group.lines[i]];
-    result.guard_reverted = has_dropped[i] && result.n_meetings == 0;
   }
 }
 

@@ -26,8 +26,6 @@ struct NetworkLine {
   /// Ends of the left and the right segment that are taken to show the same point.
   std::vector<std::array<Eigen::Vector2d, 2>> ends;
   double sigma_ends_px = 1.0;  ///< of each of them along the line
-  /// Determined by its images alone; meetings that contradict them are dropped.
-  bool is_guarded = false;
 };
 
 /// Two lines that meet in both images.
@@ -37,11 +35,10 @@ struct Meeting {
 };
 
 struct AdjustedInNetwork {
-  UncertainLine3 line;          ///< unit vector on the Pluecker quadric
-  int n_meetings = 0;           ///< accepted
-  double omega = 0.0;           ///< of its image conditions, squared normalised deviations
-  bool guard_reverted = false;  ///< all its meetings contradicted its images
-  bool adjusted = false;        ///< false: no meeting offered, equations singular or not converged
+  UncertainLine3 line;    ///< unit vector on the Pluecker quadric
+  int n_meetings = 0;     ///< accepted
+  double omega = 0.0;     ///< of its image conditions, squared normalised deviations
+  bool adjusted = false;  ///< false: no meeting offered, equations singular or not converged
 };
 
 /// All lines in one adjustment by their images, the accepted meetings, horizontality and
@@ -51,9 +48,6 @@ struct AdjustedInNetwork {
 ///
 /// Meetings are inliers of the standard deviation of their junction or outliers of a constant density
 /// over max_miss_m: expectation maximisation, then a hard decision at the posterior probability 0.5.
-/// Then the meeting whose normalised residual is the largest of its two lines' is rejected while it
-/// exceeds 3.29 (Baarda's data snooping, 0.1 %), and a guarded line loses meetings until its shift from
-/// what its images alone give is within chance (chi-square, 99.9 %).
 ///
 /// There are no alternative starts, no conditions between lines and planes or of parallel and
 /// perpendicular lines, and no heights that are carried on within the adjustment.

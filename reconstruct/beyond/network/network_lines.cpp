@@ -44,8 +44,7 @@ NetworkLine network_line(const StereoLines& lines,
   start_from(joint.line, lines.stereo.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
-  line.sigma_ends_px = joint.support.has_flanks ? options.sigma_flank_px : options.sigma_end_px;
-  line.is_guarded = joint.line.line_class == LineClass::kNotAligned;
+  line.sigma_ends_px = options.sigma_end_px;
   return line;
 }
 
@@ -136,7 +135,6 @@ void adjust_together(const StereoLines& lines,
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
-    if (adjusted[i].guard_reverted) joint.status = Status::kGuardReverted;
     // with fewer meetings than the points that `joint` rests on, that is the better determined
     if (adjusted[i].n_meetings < std::max(1, static_cast<int>(joint.points.size()))) continue;
     ReconstructedLine line = joint;

@@ -3,7 +3,6 @@
 
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/geometry/vertex.h"
 #include "reconstruct/views/epipolar_overlap.h"
 #include "reconstruct/views/strip_look.h"
 
@@ -44,8 +43,9 @@ double registered_shift_px(std::span<const Colour> left, std::span<const Colour>
   const auto best = std::max_element(at.begin(), at.end());
   if (best == at.begin() || best == at.end() - 1) return 0.0;
   if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return 0.0;
-  return kStep_px *
-         (static_cast<double>(best - at.begin()) - kFarthest + vertex(best[-1], *best, best[1]));
+  const double curvature = best[-1] - 2.0 * *best + best[1];
+  const double vertex = curvature < 0.0 ? 0.5 * (best[-1] - best[1]) / curvature : 0.0;
+  return kStep_px * (static_cast<double>(best - at.begin()) - kFarthest + vertex);
 }
 
 double shift_of_match(const StereoSearch& search,

@@ -66,9 +66,8 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
 Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
-  if (support.has_flanks && !support.points_fix_direction) return Status::kFlanks;
   if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
-  if (!support.ends.empty() && !support.has_flanks) return Status::kSegmentEnds;
+  if (!support.ends.empty()) return Status::kSegmentEnds;
   return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
 
@@ -122,6 +121,21 @@ std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
   return results;
 }
 
+std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
+                                            std::span<const ObservedPair> observed,
+                                            std::span<const LineMatch> matches,
+                                            const ReconstructOptions& options,
+                                            double max_end_sigma_m) {
+  std::vector<ReconstructedLine> results(matches.size());
+  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    ReconstructedLine& result = results[i];
+    result.match = matches[i];
+    classify(lines, i, options, result);
+    reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
+  });
+  return results;
+}
+
 std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_match) {
   std::vector<ReconstructedLine> all;
   for (const std::vector<JointLine>& lines : by_match) {
@@ -142,26 +156,11 @@ const char* name(LineClass line_class) {
 }
 
 const char* name(Status status) {
-  constexpr std::array kNames{
-      "direct",          "joint",     "one_point",      "flanks",        "segment_ends",
-      "horizontal",      "no_points", "rank_deficient", "not_converged", "ambiguous_depth",
-      "no_intersection", "network",   "guard_reverted"};
+  constexpr std::array kNames{"direct",          "joint",         "one_point",
+                              "segment_ends",    "horizontal",    "no_points",
+                              "rank_deficient",  "not_converged", "ambiguous_depth",
+                              "no_intersection", "network"};
   return kNames.at(static_cast<std::size_t>(status));
-}
-
-std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
-                                            std::span<const ObservedPair> observed,
-                                            std::span<const LineMatch> matches,
-                                            const ReconstructOptions& options,
-                                            double max_end_sigma_m) {
-  std::vector<ReconstructedLine> results(matches.size());
-  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    ReconstructedLine& result = results[i];
-    result.match = matches[i];
-    classify(lines, i, options, result);
-    reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
-  });
-  return results;
 }
 
 std::vector<ReconstructedLine> reconstruct_lines(
@@ -198,14 +197,10 @@ std::vector<ReconstructedLine> reconstruct_lines(
       direct_lines(lines, observed, matches, options, beyond.max_end_sigma_m);
   if (options.method == Method::kDirect) return results;
 
-  SupportOfMatch support = [&](std::size_t, const ObservedPair& line, const Segment2&,
-                               std::span<const int> mates) {
+  SupportOfMatch support = [&](std::size_t, const ObservedPair& line, std::span<const int> mates) {
     return std::vector{published_support(lines, line, mates, options)};
   };
-  if (beyond.support) {
-    support = beyond.support(
-        lines, direct_lines(lines, lines.lines, matches, options, beyond.max_end_sigma_m));
-  }
+  if (beyond.support) support = beyond.support(lines);
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     if (results[i].line_class != LineClass::kAligned) {
@@ -214,8 +209,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
       by_match[i] = {{results[i], images_alone}};
       return;
     }
-    const std::vector<LineSupport> parts =
-        support(i, observed[i], results[i].seen_px[0], neighbours[i]);
+    const std::vector<LineSupport> parts = support(i, observed[i], neighbours[i]);
     by_match[i] = reconstruct_aligned(lines, parts, beyond.max_end_sigma_m, results[i]);
   });
   if (options.method == Method::kNetwork) {

@@ -31,7 +31,6 @@ enum class Status : std::uint8_t {
   kDirect,          ///< intersection of the projection planes
   kJoint,           ///< planes and two or three points; horizontality too where these agree on it
   kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
-  kFlanks,          ///< points fix no direction; the strips beside the line do
   kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
   kHorizontal,      ///< points fix no direction; the line taken as horizontal
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`
@@ -40,7 +39,6 @@ enum class Status : std::uint8_t {
   kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
   kNetwork,         ///< adjusted with all lines that it meets
-  kGuardReverted,   ///< `network`: what it meets contradicts its images; identical to `direct`
 };
 const char* name(Status status);  ///< "direct", "one_point", ... as in the files
 
@@ -85,32 +83,22 @@ struct JointLine {
   LineSupport support;
 };
 
-/// The lines of an aligned match, mostly one, and what each rests on. `seen_px`: the line in the left image.
-using SupportOfMatch = std::function<std::vector<LineSupport>(std::size_t match,
-                                                              const ObservedPair& line,
-                                                              const Segment2& seen_px,
-                                                              std::span<const int> neighbours)>;
+/// The lines of an aligned match, mostly one, and what each rests on.
+using SupportOfMatch = std::function<std::vector<LineSupport>(
+    std::size_t match, const ObservedPair& line, std::span<const int> neighbours)>;
 
 /// Where what goes beyond the paper enters the estimation. Each may be empty.
 struct EstimateExtensions {
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right segment.
   double max_end_sigma_m = std::numeric_limits<double>::infinity();
-  /// What aligned lines rest on in place of published_support(), given all lines and those by `direct`.
-  std::function<SupportOfMatch(const StereoLines& lines, std::span<const ReconstructedLine> direct)>
-      support;
+  /// What aligned lines rest on in place of published_support(), given all lines.
+  std::function<SupportOfMatch(const StereoLines& lines)> support;
   /// Method::kNetwork: adjusts the lines of `joint`, by match, together. `lines` have covariances of the centroid form.
   std::function<void(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      std::vector<std::vector<JointLine>>& by_match)>
       network;
 };
-
-/// The lines by intersection of their planes, in the order of the matches, of the given views of them.
-std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
-                                            std::span<const ObservedPair> observed,
-                                            std::span<const LineMatch> matches,
-                                            const ReconstructOptions& options,
-                                            double max_end_sigma_m);
 
 /// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order
 /// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with

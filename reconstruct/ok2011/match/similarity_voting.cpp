@@ -30,31 +30,31 @@ struct Link {
 };
 
 /// A segment nearby whose height should agree where the two come closest.
-struct Neighbour {
+struct NearSegment {
   int segment;
   double distance_px;
   double own_t, t;  ///< of the closest points: on the segment itself, on the neighbour
 };
 
-struct Network {
+struct VoteGraph {
   std::vector<int> first;  ///< per left segment: its first flat candidate; one more at the end
   std::vector<const Candidate*> candidates;
-  std::vector<int> left;                           ///< left segment, per candidate
-  std::vector<std::vector<Flat>> rivals;           ///< per candidate
-  std::vector<std::vector<Link>> links;            ///< per candidate, by partner
-  std::vector<std::vector<Neighbour>> neighbours;  ///< per left segment
+  std::vector<int> left;                             ///< left segment, per candidate
+  std::vector<std::vector<Flat>> rivals;             ///< per candidate
+  std::vector<std::vector<Link>> links;              ///< per candidate, by partner
+  std::vector<std::vector<NearSegment>> neighbours;  ///< per left segment
   double gsd_m = 0.0;
   double same_height_m = 0.0;  ///< lines that meet in the image are this close in height
 };
 
 /// The closest points of two segments as parameters of each.
-Neighbour closest(const Segment2& own, int other, const Segment2& segment) {
+NearSegment closest(const Segment2& own, int other, const Segment2& segment) {
   if (const auto x = intersection(own, segment, 0.0)) {
     const double own_t = closest_parameter(own, *x);
     const double t = closest_parameter(segment, *x);
     if (own_t > 0.0 && own_t < 1.0 && t > 0.0 && t < 1.0) return {other, 0.0, own_t, t};
   }
-  Neighbour best{other, std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  NearSegment best{other, std::numeric_limits<double>::infinity(), 0.0, 0.0};
   const auto offer = [&](double own_t, double t) {
     const double apart_px = (point_at(own, own_t) - point_at(segment, t)).norm();
     if (apart_px < best.distance_px) best = {other, apart_px, own_t, t};
@@ -66,123 +66,123 @@ Neighbour closest(const Segment2& own, int other, const Segment2& segment) {
   return best;
 }
 
-void add_row_rivals(Network& network, const MatchView& right) {
-  for (std::size_t i = 0; i + 1 < network.first.size(); ++i) {
-    for (Flat a = network.first[i]; a < network.first[i + 1]; ++a) {
-      for (Flat b = network.first[i]; b < network.first[i + 1]; ++b) {
+void add_row_rivals(VoteGraph& graph, const MatchView& right) {
+  for (std::size_t i = 0; i + 1 < graph.first.size(); ++i) {
+    for (Flat a = graph.first[i]; a < graph.first[i + 1]; ++a) {
+      for (Flat b = graph.first[i]; b < graph.first[i + 1]; ++b) {
         if (a == b) continue;
-        const Segment2& own = right.segments[network.candidates[a]->right].line.segment;
-        const Segment2& other = right.segments[network.candidates[b]->right].line.segment;
-        if (!are_fragments(own, other)) network.rivals[a].push_back(b);
+        const Segment2& own = right.segments[graph.candidates[a]->right].line.segment;
+        const Segment2& other = right.segments[graph.candidates[b]->right].line.segment;
+        if (!are_fragments(own, other)) graph.rivals[a].push_back(b);
       }
     }
   }
 }
 
-void add_column_rivals(Network& network, const MatchView& left, std::size_t n_right) {
+void add_column_rivals(VoteGraph& graph, const MatchView& left, std::size_t n_right) {
   std::vector<std::vector<Flat>> of_right(n_right);
-  for (Flat c = 0; c < static_cast<Flat>(network.candidates.size()); ++c) {
-    of_right[network.candidates[c]->right].push_back(c);
+  for (Flat c = 0; c < static_cast<Flat>(graph.candidates.size()); ++c) {
+    of_right[graph.candidates[c]->right].push_back(c);
   }
   for (const std::vector<Flat>& column : of_right) {
     for (const Flat a : column) {
       for (const Flat b : column) {
         if (a == b) continue;
-        if (!may_share_mate(
-                left.segments[network.left[a]].line.segment, network.candidates[a]->overlap,
-                left.segments[network.left[b]].line.segment, network.candidates[b]->overlap)) {
-          network.rivals[a].push_back(b);
+        if (!may_share_mate(left.segments[graph.left[a]].line.segment, graph.candidates[a]->overlap,
+                            left.segments[graph.left[b]].line.segment,
+                            graph.candidates[b]->overlap)) {
+          graph.rivals[a].push_back(b);
         }
       }
     }
   }
 }
 
-void add_links(Network& network, std::span<const PairMatch> pairs) {
+void add_links(VoteGraph& graph, std::span<const PairMatch> pairs) {
   for (const PairMatch& match : pairs) {
-    const Flat a = network.first[match.pair.first] + match.first_candidate;
-    const Flat b = network.first[match.pair.second] + match.second_candidate;
+    const Flat a = graph.first[match.pair.first] + match.first_candidate;
+    const Flat b = graph.first[match.pair.second] + match.second_candidate;
     const double vote = vote_of(match.similarity);
-    network.links[a].push_back({match.pair.second, b, vote});
-    network.links[b].push_back({match.pair.first, a, vote});
+    graph.links[a].push_back({match.pair.second, b, vote});
+    graph.links[b].push_back({match.pair.first, a, vote});
   }
-  for (std::vector<Link>& links : network.links) {
+  for (std::vector<Link>& links : graph.links) {
     std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
       return a.partner != b.partner ? a.partner < b.partner : a.candidate < b.candidate;
     });
   }
 }
 
-std::vector<Neighbour> neighbours_of(int segment,
-                                     std::span<const Segment2> segments,
-                                     const SegmentIndex& index) {
+std::vector<NearSegment> neighbours_of(int segment,
+                                       std::span<const Segment2> segments,
+                                       const SegmentIndex& index) {
   constexpr double kReach_px = 60.0;
   constexpr std::size_t kMost = 12;
   const Segment2& own = segments[segment];
-  std::vector<Neighbour> neighbours;
+  std::vector<NearSegment> neighbours;
   for (const int other : index.near(own, kReach_px)) {
     if (other == segment) continue;
-    const Neighbour neighbour = closest(own, other, segments[other]);
+    const NearSegment neighbour = closest(own, other, segments[other]);
     if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
   }
   std::stable_sort(
       neighbours.begin(), neighbours.end(),
-      [](const Neighbour& a, const Neighbour& b) { return a.distance_px < b.distance_px; });
+      [](const NearSegment& a, const NearSegment& b) { return a.distance_px < b.distance_px; });
   if (neighbours.size() > kMost) neighbours.resize(kMost);
   return neighbours;
 }
 
-void add_neighbours(Network& network, const MatchView& left) {
+void add_neighbours(VoteGraph& graph, const MatchView& left) {
   std::vector<Segment2> segments;
   for (const EdgeSegment& edge : left.segments) segments.push_back(edge.line.segment);
   const SegmentIndex index(segments);
-  network.neighbours.resize(segments.size());
+  graph.neighbours.resize(segments.size());
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
-    network.neighbours[i] = neighbours_of(static_cast<int>(i), segments, index);
+    graph.neighbours[i] = neighbours_of(static_cast<int>(i), segments, index);
   });
 }
 
-Network build_network(const MatchView& left,
+VoteGraph build_graph(const MatchView& left,
                       const MatchView& right,
                       const std::vector<std::vector<Candidate>>& candidates,
                       std::span<const PairMatch> pairs,
                       const LocalTransfer& transfer) {
   constexpr double kGutters_m = 0.6;  // and other things between edges that meet
   constexpr double kNoise_px = 2.0;   // of parallax
-  Network network;
-  network.gsd_m = transfer.gsd_m;
-  network.same_height_m = std::max(kGutters_m, kNoise_px / transfer.per_height.norm());
-  network.first.push_back(0);
+  VoteGraph graph;
+  graph.gsd_m = transfer.gsd_m;
+  graph.same_height_m = std::max(kGutters_m, kNoise_px / transfer.per_height.norm());
+  graph.first.push_back(0);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (const Candidate& candidate : candidates[i]) {
-      network.candidates.push_back(&candidate);
-      network.left.push_back(static_cast<int>(i));
+      graph.candidates.push_back(&candidate);
+      graph.left.push_back(static_cast<int>(i));
     }
-    network.first.push_back(static_cast<int>(network.candidates.size()));
+    graph.first.push_back(static_cast<int>(graph.candidates.size()));
   }
-  network.rivals.resize(network.candidates.size());
-  network.links.resize(network.candidates.size());
-  add_row_rivals(network, right);
-  add_column_rivals(network, left, right.segments.size());
-  add_links(network, pairs);
-  add_neighbours(network, left);
-  return network;
+  graph.rivals.resize(graph.candidates.size());
+  graph.links.resize(graph.candidates.size());
+  add_row_rivals(graph, right);
+  add_column_rivals(graph, left, right.segments.size());
+  add_links(graph, pairs);
+  add_neighbours(graph, left);
+  return graph;
 }
 
-double best_probability(const Network& network, std::span<const double> probability, int segment) {
+double best_probability(const VoteGraph& graph, std::span<const double> probability, int segment) {
   double best = 0.0;
-  for (Flat c = network.first[segment]; c < network.first[segment + 1]; ++c) {
+  for (Flat c = graph.first[segment]; c < graph.first[segment + 1]; ++c) {
     best = std::max(best, probability[c]);
   }
   return best;
 }
 
-void add_votes(const Network& network,
+void add_votes(const VoteGraph& graph,
                std::span<const double> probability,
                Flat candidate,
                Support& support) {
   constexpr double kSupporting = 0.25;  // a vote from here on counts as a pair
-  const std::vector<Link>& links = network.links[candidate];
+  const std::vector<Link>& links = graph.links[candidate];
   double possible = 0.0;
   for (std::size_t begin = 0; begin < links.size();) {
     double best = 0.0;
@@ -190,7 +190,7 @@ void add_votes(const Network& network,
     for (; end < links.size() && links[end].partner == links[begin].partner; ++end) {
       best = std::max(best, links[end].vote * probability[links[end].candidate]);
     }
-    possible += best_probability(network, probability, links[begin].partner);
+    possible += best_probability(graph, probability, links[begin].partner);
     support.votes += best;
     if (best >= kSupporting) ++support.n_pairs;
     begin = end;
@@ -198,20 +198,20 @@ void add_votes(const Network& network,
   support.vote_share = (support.votes + kLittle * kUndecided) / (possible + kLittle);
 }
 
-double height_support(const Network& network, std::span<const double> probability, Flat candidate) {
+double height_support(const VoteGraph& graph, std::span<const double> probability, Flat candidate) {
   constexpr double kNear_px = 12.0;
   constexpr double kSlope = 0.7;
-  const EpipolarOverlap& own = network.candidates[candidate]->overlap;
+  const EpipolarOverlap& own = graph.candidates[candidate]->overlap;
   if (own.aligned) return kUndecided;  // its height is what nobody knows yet
   double all = kLittle;
   double agreeing = kLittle * kUndecided;
-  for (const Neighbour& neighbour : network.neighbours[network.left[candidate]]) {
+  for (const NearSegment& neighbour : graph.neighbours[graph.left[candidate]]) {
     const double z = own.height_at(neighbour.own_t);
     const double weight = std::exp(-neighbour.distance_px / kNear_px);
-    const double spread_m = network.same_height_m + kSlope * network.gsd_m * neighbour.distance_px;
-    for (Flat c = network.first[neighbour.segment]; c < network.first[neighbour.segment + 1]; ++c) {
-      if (network.candidates[c]->overlap.aligned) continue;
-      const double apart = (network.candidates[c]->overlap.height_at(neighbour.t) - z) / spread_m;
+    const double spread_m = graph.same_height_m + kSlope * graph.gsd_m * neighbour.distance_px;
+    for (Flat c = graph.first[neighbour.segment]; c < graph.first[neighbour.segment + 1]; ++c) {
+      if (graph.candidates[c]->overlap.aligned) continue;
+      const double apart = (graph.candidates[c]->overlap.height_at(neighbour.t) - z) / spread_m;
       agreeing += weight * probability[c] * std::exp(-0.5 * apart * apart);
       all += weight * probability[c];
     }
@@ -237,24 +237,24 @@ Supports similarity_votes(const MatchView& left,
                           const std::vector<std::vector<Candidate>>& candidates,
                           std::span<const PairMatch> pairs,
                           const LocalTransfer& transfer) {
-  const Network network = build_network(left, right, candidates, pairs, transfer);
-  const std::size_t n = network.candidates.size();
+  const VoteGraph graph = build_graph(left, right, candidates, pairs, transfer);
+  const std::size_t n = graph.candidates.size();
   std::vector<Support> supports(n);
   std::vector<double> probability(n);
   std::vector<double> strengths(n);
-  for (std::size_t c = 0; c < n; ++c) probability[c] = network.candidates[c]->similarity;
+  for (std::size_t c = 0; c < n; ++c) probability[c] = graph.candidates[c]->similarity;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
       Support support;
-      add_votes(network, probability, static_cast<Flat>(c), support);
-      support.height = height_support(network, probability, static_cast<Flat>(c));
-      strengths[c] = strength(*network.candidates[c], support);
+      add_votes(graph, probability, static_cast<Flat>(c), support);
+      support.height = height_support(graph, probability, static_cast<Flat>(c));
+      strengths[c] = strength(*graph.candidates[c], support);
       supports[c] = support;
     });
     double change = 0.0;
     for (std::size_t c = 0; c < n; ++c) {
       double rivals = 0.0;
-      for (const Flat rival : network.rivals[c]) rivals += strengths[rival];
+      for (const Flat rival : graph.rivals[c]) rivals += strengths[rival];
       const double next = strengths[c] / (1.0 + strengths[c] + rivals);
       change = std::max(change, std::abs(next - probability[c]));
       probability[c] = next;
@@ -264,8 +264,7 @@ Supports similarity_votes(const MatchView& left,
   }
   Supports by_segment(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    by_segment[i].assign(supports.begin() + network.first[i],
-                         supports.begin() + network.first[i + 1]);
+    by_segment[i].assign(supports.begin() + graph.first[i], supports.begin() + graph.first[i + 1]);
   }
   return by_segment;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/close_edges/separate_edges.h"
 
-#include "reconstruct/beyond/edge_refinement.h"
+#include "reconstruct/beyond/extensions.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "tests/reconstruct/ok2011/extract/blurred_strip.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/faint_edges/faint_edges.h"
 
-#include "reconstruct/beyond/edge_refinement.h"
+#include "reconstruct/beyond/extensions.h"
 #include "reconstruct/views/normalised_image.h"
 #include "tests/reconstruct/ok2011/extract/blurred_scene.h"
 

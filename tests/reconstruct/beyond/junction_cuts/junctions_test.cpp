@@ -2,7 +2,7 @@
 // Edges along x and others that end on them.
 #include "reconstruct/beyond/junction_cuts/junctions.h"
 
-#include "reconstruct/beyond/edge_refinement.h"
+#include "reconstruct/beyond/extensions.h"
 #include "reconstruct/views/normalised_image.h"
 #include "tests/reconstruct/ok2011/extract/blurred_scene.h"
 #include "tests/support/random.h"

@@ -333,7 +333,6 @@ TEST(Names, AreThoseOfTheFiles) {
   EXPECT_STREQ(name(Status::kNotConverged), "not_converged");
   EXPECT_STREQ(name(Status::kNoIntersection), "no_intersection");
   EXPECT_STREQ(name(Status::kNetwork), "network");
-  EXPECT_STREQ(name(Status::kGuardReverted), "guard_reverted");
 }
 
 }  // namespace

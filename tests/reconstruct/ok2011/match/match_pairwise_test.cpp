@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/match_pairwise.h"
 
-#include "reconstruct/beyond/match_extensions.h"
+#include "reconstruct/beyond/extensions.h"
 #include "tests/reconstruct/ok2011/match/painted_pair.h"
 
 #include <gmock/gmock.h>

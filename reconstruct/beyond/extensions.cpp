@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/extensions.h"
+
+#include "reconstruct/beyond/close_edges/close_lines.h"
+#include "reconstruct/beyond/close_edges/separate_edges.h"
+#include "reconstruct/beyond/depth_consensus/consensus_support.h"
+#include "reconstruct/beyond/faint_edges/faint_edges.h"
+#include "reconstruct/beyond/hidden_walls/hidden_strips.h"
+#include "reconstruct/beyond/hidden_walls/side_past_wall.h"
+#include "reconstruct/beyond/junction_cuts/junctions.h"
+#include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
+#include "reconstruct/beyond/network/network_lines.h"
+
+#include <utility>
+
+namespace ridgeline::reconstruct {
+
+EdgeRefinement edge_refinement(const ExtractionOptions& options) {
+  return [options](std::vector<EdgeTrace> edges, const cv::Mat& image) {
+    if (options.beyond.faint_edges) edges = with_faint_edges(std::move(edges), image, options);
+    if (options.beyond.junction_cuts) edges = cut_at_junctions(std::move(edges), options);
+    if (options.beyond.separate_edges) edges = separate_edges(std::move(edges), image);
+    return edges;
+  };
+}
+
+MatchExtensions match_extensions(const MatchExtensionOptions& options,
+                                 const CandidateOptions& candidates) {
+  MatchExtensions beyond;
+  if (options.hidden_walls) beyond.look = look_past_wall;
+  if (options.matched_radiometry) {
+    beyond.radiometry = [candidates, look = beyond.look](const SearchedPair& pair,
+                                                         const Radiometry& first) {
+      return matched_radiometry(pair, first, candidates, look);
+    };
+  }
+  if (!options.close_lines && !options.hidden_walls) return beyond;
+  beyond.candidates = [options](const SearchedPair& pair, const Radiometry& radiometry,
+                                std::vector<std::vector<Candidate>>& found) {
+    const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.left)),
+                                          close_lines(ideal_segments(pair.right))};
+    if (options.close_lines) keep_order_of_close_lines(pair, close, found);
+    if (options.hidden_walls) compare_across_hidden_strips(pair, radiometry, close, found);
+  };
+  return beyond;
+}
+
+EstimateExtensions estimate_extensions(const EstimationOptions& options,
+                                       std::span<const FlankStrips> strips) {
+  EstimateExtensions beyond;
+  beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;
+  if (options.beyond.consensus) {
+    beyond.support = [options, strips](const StereoLines& lines) {
+      return consensus_support(lines, strips, options);
+    };
+  }
+  beyond.network = [options](const StereoLines& lines, std::span<const PairConnection> connections,
+                             std::vector<std::vector<JointLine>>& by_match) {
+    adjust_together(lines, connections, options, by_match);
+  };
+  return beyond;
+}
+
+}  // namespace ridgeline::reconstruct
