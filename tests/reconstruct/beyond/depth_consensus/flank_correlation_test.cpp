@@ -129,22 +129,6 @@ TEST(FlankCorrelation, AnEndThatTheBorderOfAnImageCutsShowsNoPoint) {
   }
 }
 
-TEST(FlankCorrelation, ALineThatOnlyAChanceAgreementSpeaksForIsAmbiguous) {
-  const FlankedLine eave = flanked();
-  const LineGroup group = group_of(eave);
-  std::vector<FlankStrips> strips{eave.strips()};
-  test::Random random(12);
-  for (std::vector<float>& side : strips[0].right.sides) {
-    for (float& value : side) value = static_cast<float>(random.uniform(0.3, 0.7));
-  }
-  strips[0].left.is_cut = {true, true};  // ends that show no point
-  EstimationOptions options;
-  options.beyond.min_depth_margin = 0.0;
-  const ReconstructedLine line = group.reconstruct(options, strips)[0];
-  EXPECT_EQ(line.status, Status::kAmbiguousDepth);
-  EXPECT_FALSE(line.segment_in_local);
-}
-
 TEST(FlankCorrelation, SaysNothingWithoutStrips) {
   Asked asked(flanked());
   const FlankCorrelation none(asked.lines, asked.lines.lines[0], FlankStrips{}, false);
