@@ -50,8 +50,9 @@ EstimateExtensions estimate_extensions(const EstimationOptions& options,
   EstimateExtensions beyond;
   beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;
   if (options.beyond.consensus) {
-    beyond.support = [options, strips](const StereoLines& lines) {
-      return consensus_support(lines, strips, options);
+    beyond.support = [options, strips](const StereoLines& lines,
+                                       std::span<const ReconstructedLine> direct) {
+      return consensus_support(lines, direct, strips, options);
     };
   }
   beyond.network = [options](const StereoLines& lines, std::span<const PairConnection> connections,

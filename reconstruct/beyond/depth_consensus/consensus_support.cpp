@@ -3,6 +3,7 @@
 
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/segment_index.h"
 
 #include <Eigen/LU>
 
@@ -18,6 +19,48 @@ constexpr double kEndPrior = 0.75;  ///< that the ends of both segments show the
 constexpr double kLeastCutWeight = 0.3;  ///< W of the point where a match is cut
 /// Of lines that rest on their ends alone: false matches of short segments have ends that agree as well.
 constexpr double kShortestWithEnds_px = 15.0;
+
+/// The ends of lines of known height, by their place in the left image.
+class KnownEnds {
+  static constexpr double kNearby_px = 100.0;  // from the line, in the base image
+  static constexpr double kLargestSigma_m =
+      0.4;  // of the height of a line that others are compared with
+
+ public:
+  KnownEnds(const StereoLines& lines, std::span<const ReconstructedLine> results) {
+    for (const ReconstructedLine& line : results) {
+      if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
+      if (*line.direct_sigma_z_m > kLargestSigma_m) continue;
+      add(lines.stereo, line.segment_in_local->start);
+      add(lines.stereo, line.segment_in_local->end);
+    }
+    index_ = SegmentIndex(ends_px_);
+  }
+
+  /// Heights of the ends near an image line, in the conditioned object frame.
+  [[nodiscard]] std::vector<double> heights_near(const Segment2& seen_px) const {
+    std::vector<double> heights;
+    for (const int i : index_.near(seen_px, kNearby_px)) {
+      const auto end = static_cast<std::size_t>(i);
+      if (distance(seen_px, ends_px_[end].start) <= kNearby_px) heights.push_back(heights_[end]);
+    }
+    return heights;
+  }
+
+ private:
+  /// The line may end where the right segment does: its place in the left image is the end's own.
+  void add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local) {
+    const Eigen::Vector3d x = stereo.object.conditioned_from_local(end_in_local);
+    const Eigen::Vector2d x_px =
+        stereo.views[0].image.image_from_conditioned(project(stereo.views[0].image_from_object, x));
+    ends_px_.push_back({x_px, x_px});
+    heights_.push_back(x.z());
+  }
+
+  std::vector<Segment2> ends_px_;  ///< of no length
+  std::vector<double> heights_;
+  SegmentIndex index_{{}};
+};
 
 /// A segment's end: uncertain along the line by sigma_end, across as the line is there.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
@@ -217,13 +260,14 @@ LineSupport support_of(const MatchEvidence& evidence,
 std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
                                             const ObservedPair& line,
                                             std::span<const int> neighbours,
+                                            std::span<const double> heights_nearby,
                                             const FlankStrips* strips,
                                             const EstimationOptions& options) {
   const MatchEvidence evidence = evidence_of(lines, line, neighbours, strips, options);
   std::optional<FlankCorrelation> flanks;
   if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
-  const auto consensus =
-      agree_on_depth({lines, line, evidence.on_depth, options.beyond, flanks ? &*flanks : nullptr});
+  const auto consensus = agree_on_depth({lines, line, evidence.on_depth, heights_nearby,
+                                         options.beyond, flanks ? &*flanks : nullptr});
   if (!consensus) {
     LineSupport nothing;
     nothing.seen = line;
@@ -240,15 +284,19 @@ std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
 }  // namespace
 
 SupportOfMatch consensus_support(const StereoLines& lines,
+                                 std::span<const ReconstructedLine> direct,
                                  std::span<const FlankStrips> strips,
                                  const EstimationOptions& options) {
-  check(strips.empty() || strips.size() == lines.lines.size(),
-        "consensus_support: strips = ", strips.size(), ", must be one per match, ",
-        lines.lines.size(), ", or none");
-  return [&lines, strips, options](std::size_t match, const ObservedPair& line,
-                                   std::span<const int> neighbours) {
-    return lines_by_consensus(lines, line, neighbours, strips.empty() ? nullptr : &strips[match],
-                              options);
+  check(strips.empty() || strips.size() == direct.size(),
+        "consensus_support: strips = ", strips.size(), ", must be one per match, ", direct.size(),
+        ", or none");
+  return [&lines, strips, options, ends = KnownEnds(lines, direct)](
+             std::size_t match, const ObservedPair& line, std::span<const int> neighbours) {
+    const ImageConditioning& image = lines.stereo.views[0].image;
+    const Segment2 seen_px{image.image_from_conditioned(line[0].segment.start),
+                           image.image_from_conditioned(line[0].segment.end)};
+    return lines_by_consensus(lines, line, neighbours, ends.heights_near(seen_px),
+                              strips.empty() ? nullptr : &strips[match], options);
   };
 }
 

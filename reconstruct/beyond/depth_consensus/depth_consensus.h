@@ -35,6 +35,7 @@ struct DepthConsensus {
 /// row_profile(), each with its prior; to its logarithm their score adds
 ///
 ///     log(d (1 - prior) + prior * gain * b(distance / its sigma))     per evidence,
+///     log(0.3 + 0.7 max_k b((Z - Z_k) / 0.2 m))                       for the height Z of each end,
 ///     -2.5 log(1 + chi^2 / 3)                                         of the other image's misclosure
 ///     FlankCorrelation::log_likelihood()                              of the strips beside the line
 ///
@@ -45,7 +46,8 @@ struct DepthConsensus {
 /// of it adds log(1 + prior * (gain - 1) * b) of the better one, which is never below 0.
 ///
 /// The gain is limited, so that it is not the number of points that decides: false ones agree as well,
-/// those of an eave with the ground lines that it hides are all on the ground.
+/// those of an eave with the ground lines that it hides are all on the ground. Z_k are the heights of the
+/// lines nearby: eaves, ridges and streets come at few heights.
 ///
 /// Empty without evidence. Ties go to the earlier hypothesis.
 std::optional<DepthConsensus> agree_on_depth(const DepthQuestion& question);

@@ -82,6 +82,8 @@ Step best_step(const DepthQuestion& question,
         step.score += scorer.score(other, step.line);
       }
     }
+    if (!from) step.score += scorer.score_of_end(0, step.line);
+    if (!to) step.score += scorer.score_of_end(1, step.line);
     if (step.score > best.score) best = step;
   }
   return best;

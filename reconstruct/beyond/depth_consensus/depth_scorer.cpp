@@ -123,6 +123,18 @@ double DepthScorer::score_of_cut(std::size_t cut,
   return std::log(1.0 - e.prior + e.prior * kAgreementGain * agreement);
 }
 
+double DepthScorer::score_of_end(int which, const DepthLine& line) const {
+  constexpr double kSigmaHeight_m = 0.2;  // of lines at the same height
+  constexpr double kElsewhere = 0.3;      // of ends that are at the height of no line nearby
+  if (question_.heights_nearby.empty()) return 0.0;
+  const double z = height(line, which);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const double other : question_.heights_nearby) {
+    nearest = std::min(nearest, std::abs(other - z));
+  }
+  return std::log(kElsewhere + (1.0 - kElsewhere) * bell(unit_m_ * nearest / kSigmaHeight_m));
+}
+
 /// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
 /// degrees of freedom, as that of Student's distribution: what adjoins an edge, a shadow or a gutter,
 /// displaces it by more than its covariance tells, and no single match decides against all points.
@@ -142,6 +154,7 @@ double DepthScorer::other_misclosure(const DepthLine& h) const {
 
 double DepthScorer::score(const DepthProfile& profile) const {
   double sum = profile.log_prior;
+  sum += score_of_end(0, profile.lines.front()) + score_of_end(1, profile.lines.back());
   for (std::size_t i = 0; i < profile.cuts.size(); ++i) {
     sum += score_of_cut(profile.cuts[i], profile.lines[i], profile.lines[i + 1]);
   }

@@ -18,6 +18,7 @@ struct DepthQuestion {
   const StereoLines& lines;
   const ObservedPair& line;
   std::span<const DepthEvidence> evidence;
+  std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
   const EstimateExtensionOptions& options;
   const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
 };
@@ -65,6 +66,7 @@ class DepthScorer {
   /// The same for evidence so near to a cut that it speaks for a line beside it but not against one.
   [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
   /// Of the evidence at the cut itself, which belongs to either line.
+  [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
   [[nodiscard]] double score_of_cut(std::size_t cut,
                                     const DepthLine& before,
                                     const DepthLine& after) const;

@@ -200,7 +200,10 @@ std::vector<ReconstructedLine> reconstruct_lines(
   SupportOfMatch support = [&](std::size_t, const ObservedPair& line, std::span<const int> mates) {
     return std::vector{published_support(lines, line, mates, options)};
   };
-  if (beyond.support) support = beyond.support(lines);
+  if (beyond.support) {
+    support = beyond.support(
+        lines, direct_lines(lines, lines.lines, matches, options, beyond.max_end_sigma_m));
+  }
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     if (results[i].line_class != LineClass::kAligned) {

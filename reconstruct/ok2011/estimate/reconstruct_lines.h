@@ -91,8 +91,9 @@ using SupportOfMatch = std::function<std::vector<LineSupport>(
 struct EstimateExtensions {
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right segment.
   double max_end_sigma_m = std::numeric_limits<double>::infinity();
-  /// What aligned lines rest on in place of published_support(), given all lines.
-  std::function<SupportOfMatch(const StereoLines& lines)> support;
+  /// What aligned lines rest on in place of published_support(), given all lines and those by `direct`.
+  std::function<SupportOfMatch(const StereoLines& lines, std::span<const ReconstructedLine> direct)>
+      support;
   /// Method::kNetwork: adjusts the lines of `joint`, by match, together. `lines` have covariances of the centroid form.
   std::function<void(const StereoLines& lines,
                      std::span<const PairConnection> connections,

@@ -166,8 +166,9 @@ struct LoneLine {
     }
   }
 
-  [[nodiscard]] std::optional<DepthConsensus> consensus(std::span<const DepthEvidence> evidence) const {
-    return agree_on_depth({lines, lines.lines[0], evidence, EstimateExtensionOptions{}});
+  [[nodiscard]] std::optional<DepthConsensus> consensus(std::span<const DepthEvidence> evidence,
+                                                        std::span<const double> nearby = {}) const {
+    return agree_on_depth({lines, lines.lines[0], evidence, nearby, EstimateExtensionOptions{}});
   }
 
   /// A point seen at a parameter of the left segment, at this height.
@@ -179,6 +180,21 @@ struct LoneLine {
             sigma * sigma * Eigen::Matrix3d::Identity(), parameter, 0.5};
   }
 };
+
+TEST(AgreeOnDepth, PrefersTheHeightsOfLinesNearby) {
+  const LoneLine line;
+  const std::vector<DepthEvidence> evidence{line.evidence_at(0.1, kHeightM),
+                                            line.evidence_at(0.2, 0.0)};
+  for (const std::size_t right : {0U, 1U}) {
+    const std::vector<double> nearby{evidence[right].x.z()};
+    const auto consensus = line.consensus(evidence, nearby);
+    ASSERT_TRUE(consensus);
+    ASSERT_EQ(consensus->parts.size(), 1U);
+    EXPECT_TRUE(consensus->parts[0].horizontal);
+    EXPECT_THAT(consensus->parts[0].supports, testing::ElementsAre(right));
+  }
+  EXPECT_FALSE(line.consensus({}));
+}
 
 TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   const LoneLine line;
@@ -200,11 +216,85 @@ TEST(RowProfile, IsNoneWithoutRoomForASecondStep) {
     std::vector<DepthEvidence> evidence{line.evidence_at(0.0, kHeightM),
                                         line.evidence_at(parameter, kHeightM)};
     evidence[1].may_cut = true;
-    const DepthQuestion question{line.lines, line.lines.lines[0], evidence, options};
+    const DepthQuestion question{line.lines, line.lines.lines[0], evidence, {}, options};
     return row_profile(question, DepthScorer(question)).has_value();
   };
   EXPECT_TRUE(has_row_cut_at(0.5));
   EXPECT_FALSE(has_row_cut_at(0.1));  // 10 px
+}
+
+TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
+  constexpr double kOtherM = 3.0;  // height that the ends of both images would show
+  const LineGroup group = with_ends_that_disagree(kOtherM);
+  for (const double height_m : {kHeightM, kOtherM}) {
+    LineGroup with = group;
+    const Eigen::Vector2d beside = kScene.left_centre() + Eigen::Vector2d(0.0, 40.0);
+    const Segment3 nearby{kScene.at_height(beside, height_m),
+                          kScene.at_height(beside + Eigen::Vector2d(0.0, 60.0), height_m)};
+    const std::array<Segment2, 2> images = kScene.images(nearby);
+    for (std::size_t j = 0; j < 2; ++j) with.segments[j].push_back(test::exact(images[j], {}));
+    with.matches.push_back({1, 1});  // not connected: it meets nothing
+    EstimationOptions options;
+    options.beyond.min_depth_margin = 0.0;  // a weak reason alone
+    const ReconstructedLine line = with.reconstruct(options)[0];
+    ASSERT_TRUE(line.segment_in_local) << height_m;
+    EXPECT_NEAR(line.segment_in_local->start.z(), height_m, 0.1) << height_m;
+    EXPECT_NEAR(line.segment_in_local->end.z(), height_m, 0.1) << height_m;
+  }
+}
+
+/// Part of a line across the first one, by the distance beside the middle of it, px.
+using Stretch = std::array<double, 2>;
+
+/// Adds a rising line whose left segment is longer than the right one, which shows a part of a given
+/// height. Not connected: it meets nothing.
+void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, double height_m) {
+  constexpr double kRiseM = 0.005;  // per pixel
+  const Eigen::Vector2d across =
+      Eigen::Rotation2Dd(90.0 * kDegree) * kScene.epipolar_direction(kScene.left_centre());
+  const auto line = [&](const Stretch& s) {
+    const auto at = [&](double beside_px) {
+      const double z_m = height_m + kRiseM * (beside_px - 0.5 * (right[0] + right[1]));
+      return kScene.at_height(kScene.left_centre() + beside_px * across, z_m);
+    };
+    return Segment3{at(s[0]), at(s[1])};
+  };
+  const auto i = static_cast<int>(group.matches.size());
+  const test::Noise noise;  // of 100 px; that of a direction goes with the length to the -1.5
+  const double shorter = (right[1] - right[0]) / 100.0;
+  group.segments[0].push_back(test::exact(kScene.images(line(left))[0], noise));
+  group.segments[1].push_back(
+      test::exact(kScene.images(line(right))[1],
+                  {noise.q_px, noise.phi_rad / std::pow(shorter, 1.5), noise.e_px}));
+  group.matches.push_back({i, i});
+}
+
+/// Heights of both ends of the first line, beside one with a short mate at a height.
+std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_m) {
+  LineGroup group = with_ends_that_disagree(3.0);
+  add_line_with_short_mate(group, left, right, height_m);
+  EstimationOptions options;
+  options.beyond.min_depth_margin = 0.0;  // a weak reason alone
+  const std::vector<ReconstructedLine> lines = group.reconstruct(options);
+  EXPECT_TRUE(lines[1].between_right_ends);
+  EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m: known well enough to be compared with
+  return {lines[0].segment_in_local->start.z(), lines[0].segment_in_local->end.z()};
+}
+
+TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
+  // 100 px are near: both ends of the left segment are not, those of its mate are
+  const Stretch whole{-120.0, 200.0};
+  for (const double height_m : {kHeightM, 3.0}) {
+    EXPECT_THAT(heights_beside(whole, {25.0, 55.0}, height_m),
+                testing::Each(testing::DoubleNear(height_m, 0.1)));
+  }
+}
+
+TEST(DepthConsensus, HeightsNearbyAreNotThoseOfWhatIsFarAway) {
+  // an end of the left segment is near, that of its mate whose height is known is not
+  const Stretch whole{40.0, 360.0};
+  EXPECT_EQ(heights_beside(whole, {200.0, 230.0}, kHeightM)[0] > 4.5,
+            heights_beside(whole, {200.0, 230.0}, 3.0)[0] > 4.5);
 }
 
 TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
