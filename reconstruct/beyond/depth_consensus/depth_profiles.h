@@ -8,7 +8,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// One line: through any two pieces of evidence, and the horizontal one through each. Prior
+/// One line: through any two pieces of evidence, the horizontal one through each, and those that the
+/// strips beside the match speak for. Prior
 ///     log(h * b(slope / sigma_slope) + (1 - h) * r(slope))      h the share of horizontal lines,
 /// with r the slopes of roofs, and of streets.
 std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,

@@ -20,6 +20,7 @@ constexpr double kOutlier = 0.02;
 /// Of places: finer than the strips correlate.
 constexpr double kStep = 1.0 / FlankStrip::kRightStep_px;
 constexpr double kSteepest = 1.2;
+constexpr double kApart = 2.0 * kStep;  // lines that are others
 
 /// Of the sides, with the best of each below.
 double score_of(const std::array<double, 2>& here, const std::array<double, 2>& below) {
@@ -36,6 +37,26 @@ Eigen::Vector3d intersection(const Eigen::Vector4d& a,
   Eigen::Matrix3d normals;
   normals << a.head<3>().transpose(), b.head<3>().transpose(), c.head<3>().transpose();
   return normals.inverse() * -Eigen::Vector3d(a.w(), b.w(), c.w());
+}
+
+struct Candidate {
+  double score, start, end;  ///< offsets of the places
+};
+
+/// The best few that are not the same.
+std::vector<Candidate> distinct(std::vector<Candidate> candidates) {
+  constexpr std::size_t kMost = 3;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::vector<Candidate> best;
+  for (const Candidate& c : candidates) {
+    if (best.size() == kMost) break;
+    const bool is_other = std::none_of(best.begin(), best.end(), [&](const Candidate& b) {
+      return std::abs(b.start - c.start) <= kApart && std::abs(b.end - c.end) <= kApart;
+    });
+    if (is_other && c.score > 0.0) best.push_back(c);
+  }
+  return best;
 }
 
 }  // namespace
@@ -112,6 +133,19 @@ double FlankCorrelation::place(const Eigen::Vector3d& x) const {
   return (n_right_ - 1) * parameter_along(right_axis_, project(right_from_object_, x));
 }
 
+Eigen::Vector3d FlankCorrelation::seen_at(const Sample& sample, double place) const {
+  const Eigen::Vector2d along = right_axis_.end - right_axis_.start;
+  return intersection(
+      line_[0].plane.mean, sample.across,
+      plane_across(right_from_object_, point_at(right_axis_, place / (n_right_ - 1)), along));
+}
+
+DepthLine FlankCorrelation::line_through(const Places& places) const {
+  const Eigen::Vector3d first = seen_at(samples_.front(), places.front());
+  const Eigen::Vector3d last = seen_at(samples_.back(), places.back());
+  return {first, (last - first).normalized()};
+}
+
 FlankCorrelation::Places FlankCorrelation::places_of(const LineAt& profile) const {
   Places places;
   places.reserve(samples_.size());
@@ -159,10 +193,11 @@ std::array<double, 2> FlankCorrelation::gains_below(double rise_at_start,
   return {below_[0][last], below_[1][last]};
 }
 
-/// The score of the best profile that is straight in the places, over the whole strip.
+/// The best profiles that are straight in the places, over the whole strip.
 void FlankCorrelation::search(double most_slope) {
-  // a pixel at either end: no farther than score() looks
-  constexpr double kSlopeSpacing = 2.0 * kStep;
+  std::array<std::vector<Candidate>, 2> candidates;  // horizontal, sloping
+  constexpr double kSlopeSpacing =
+      2.0 * kStep;  // a pixel at either end: no farther than score() looks
   const int n_slopes = static_cast<int>(most_slope / kSlopeSpacing);
   for (int slope = -n_slopes; slope <= n_slopes; ++slope) {
     const double rise = slope * kSlopeSpacing;
@@ -173,7 +208,14 @@ void FlankCorrelation::search(double most_slope) {
         const Places places = raised(level_, at_start, at_start + rise);
         gains = {gain(strips_->level(0, places)), gain(strips_->level(1, places))};
       }
-      max_score_ = std::max(max_score_, score_of(gains, gains_below(at_start, at_start + rise)));
+      const double score = score_of(gains, gains_below(at_start, at_start + rise));
+      candidates[slope == 0 ? 0 : 1].push_back({score, at_start, at_start + rise});
+      max_score_ = std::max(max_score_, score);
+    }
+  }
+  for (std::vector<Candidate>& all : candidates) {
+    for (const Candidate& c : distinct(std::move(all))) {
+      likely_lines_.push_back(line_through(raised(level_, c.start, c.end)));
     }
   }
 }

@@ -45,6 +45,9 @@ class FlankCorrelation {
   /// strips, or none of 20 px, or without texture, or the heights are not to be told apart.
   [[nodiscard]] double log_likelihood(const LineAt& profile) const;
 
+  /// The lines that the strips speak for most, horizontal and sloping ones, three each at most.
+  [[nodiscard]] const std::vector<DepthLine>& likely_lines() const { return likely_lines_; }
+
  private:
   /// A pixel of the left strip.
   struct Sample {
@@ -61,6 +64,8 @@ class FlankCorrelation {
   [[nodiscard]] Eigen::Vector3d at(const DepthLine& line, const Sample& sample) const;
   [[nodiscard]] Eigen::Vector3d at_height(const Sample& sample, double z) const;
   [[nodiscard]] double place(const Eigen::Vector3d& x) const;
+  [[nodiscard]] Eigen::Vector3d seen_at(const Sample& sample, double place) const;
+  [[nodiscard]] DepthLine line_through(const Places& places) const;
   [[nodiscard]] Places places_of(const LineAt& profile) const;
   [[nodiscard]] double gain(double rho) const;
   [[nodiscard]] Places raised(const Places& places, double at_start, double at_end) const;
@@ -79,6 +84,7 @@ class FlankCorrelation {
   std::array<std::vector<double>, 2> below_;       ///< the largest so far
   double gain_ = 0.0;                              ///< factor of g
   double max_score_ = 0.0;
+  std::vector<DepthLine> likely_lines_;
 };
 
 }  // namespace ridgeline::reconstruct

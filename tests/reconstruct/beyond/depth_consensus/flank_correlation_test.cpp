@@ -115,6 +115,22 @@ TEST(FlankCorrelation, FollowsALineThatRises) {
   EXPECT_LT(asked.log_likelihood(6.0, 6.0), -2.0);
 }
 
+TEST(FlankCorrelation, HasTheLineAmongItsLikelyOnes) {
+  for (const double end_z_m : {6.0, 9.0}) {
+    const Asked asked(flanked(6.0, end_z_m));
+    const auto worst_m = [&](const DepthLine& line) {
+      const ObjectConditioning& object = asked.lines.stereo.object;
+      const Segment3 far{object.local_from_conditioned(line.through),
+                         object.local_from_conditioned(line.through + line.direction)};
+      return std::abs(
+          test::height_error_m(asked.group.scene, far, point_at(asked.group.truth[0], 0.5)));
+    };
+    constexpr double kStepM = 0.35;  // one pixel of parallax
+    EXPECT_THAT(asked.flanks->likely_lines(),
+                testing::Contains(testing::ResultOf(worst_m, testing::Lt(kStepM))));
+  }
+}
+
 TEST(FlankCorrelation, AnEndThatTheBorderOfAnImageCutsShowsNoPoint) {
   for (const bool runs_back : {false, true}) {
     FlankedLine eave = flanked();
@@ -129,9 +145,26 @@ TEST(FlankCorrelation, AnEndThatTheBorderOfAnImageCutsShowsNoPoint) {
   }
 }
 
+TEST(FlankCorrelation, ALineThatOnlyAChanceAgreementSpeaksForIsAmbiguous) {
+  const FlankedLine eave = flanked();
+  const LineGroup group = group_of(eave);
+  std::vector<FlankStrips> strips{eave.strips()};
+  test::Random random(12);
+  for (std::vector<float>& side : strips[0].right.sides) {
+    for (float& value : side) value = static_cast<float>(random.uniform(0.3, 0.7));
+  }
+  strips[0].left.is_cut = {true, true};  // ends that show no point
+  EstimationOptions options;
+  options.beyond.min_depth_margin = 0.0;
+  const ReconstructedLine line = group.reconstruct(options, strips)[0];
+  EXPECT_EQ(line.status, Status::kAmbiguousDepth);
+  EXPECT_FALSE(line.segment_in_local);
+}
+
 TEST(FlankCorrelation, SaysNothingWithoutStrips) {
   Asked asked(flanked());
   const FlankCorrelation none(asked.lines, asked.lines.lines[0], FlankStrips{}, false);
+  EXPECT_TRUE(none.likely_lines().empty());
   const DepthLine line;
   EXPECT_EQ(none.log_likelihood([&](double) -> const DepthLine& { return line; }),
             std::log(kOutlier));
