@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/judge/segment_plane.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
-#include "reconstruct/geometry/segment_plane.h"
 
 #include <Eigen/Core>
 

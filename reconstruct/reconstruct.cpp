@@ -2,7 +2,7 @@
 #include "reconstruct/reconstruct.h"
 
 #include "reconstruct/beyond/combined_matchers/combine_matches.h"
-#include "reconstruct/beyond/depth_consensus/sample_flanks.h"
+#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 #include "reconstruct/beyond/extensions.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"

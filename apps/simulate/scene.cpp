@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/scene.h"
 
+#include "evaluate/judge/segment_plane.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/geometry/segment_plane.h"
 
 #include <Eigen/Geometry>
 

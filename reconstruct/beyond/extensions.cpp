@@ -36,7 +36,7 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
   }
   if (!options.close_lines && !options.hidden_walls) return beyond;
   beyond.candidates = [options](const SearchedPair& pair, const Radiometry& radiometry,
-                                std::vector<std::vector<Candidate>>& found) {
+                                Candidates& found) {
     const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.left)),
                                           close_lines(ideal_segments(pair.right))};
     if (options.close_lines) keep_order_of_close_lines(pair, close, found);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 #include "reconstruct/beyond/options.h"
-#include "reconstruct/geometry/flank_strips.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"

@@ -47,7 +47,7 @@ bool Acquisition::is_free(int left, const CoreCandidate& candidate) const {
   return std::all_of(takers.begin(), takers.end(), [&](int other) {
     const Segment2& taker = left_.segments[other].line.segment;
     const CoreCandidate* taken = candidate_of(candidates_[other], candidate.right);
-    return taken ? may_share_mate(segment, candidate.overlap, taker, taken->overlap)
+    return taken ? may_share_mate({segment, candidate.overlap}, {taker, taken->overlap})
                  : are_fragments(segment, taker);
   });
 }
@@ -68,8 +68,8 @@ bool Acquisition::is_wanted_more(int left, const CoreCandidate& best) const {
     if (other == left || !is_open(other)) return false;
     const CoreCandidate* theirs = candidate_of(candidates_[other], best.right);
     return best.similarity < options_.max_similarity_ratio * theirs->similarity &&
-           !may_share_mate(left_.segments[left].line.segment, best.overlap,
-                           left_.segments[other].line.segment, theirs->overlap);
+           !may_share_mate({left_.segments[left].line.segment, best.overlap},
+                           {left_.segments[other].line.segment, theirs->overlap});
   });
 }
 

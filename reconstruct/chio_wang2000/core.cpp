@@ -49,17 +49,14 @@ double mean_of(const Colour& colour, int n_bands) {
 }
 
 /// Of the flank that agrees better: an eave hides what is beside it in one of the views.
-double flank_difference(const Scene& scene,
-                        const EdgeSegment& left,
-                        const EdgeSegment& right,
-                        bool reversed) {
+double flank_difference(const Scene& scene, const EdgePair& edges) {
   const int n_bands = scene.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {
     return mean_of(scene.radiometry.left_from_right(flank.colour), n_bands);
   };
-  const auto [mate_of_left, mate_of_right] = mate_flanks(right, reversed);
-  return std::min(std::abs(mean_of(left.left.colour, n_bands) - grey(*mate_of_left)),
-                  std::abs(mean_of(left.right.colour, n_bands) - grey(*mate_of_right)));
+  const auto [mate_of_left, mate_of_right] = mate_flanks(edges.right, edges.overlap.reversed());
+  return std::min(std::abs(mean_of(edges.left.left.colour, n_bands) - grey(*mate_of_left)),
+                  std::abs(mean_of(edges.left.right.colour, n_bands) - grey(*mate_of_right)));
 }
 
 ChioOutcome screening(const Scene& scene,
@@ -75,7 +72,7 @@ ChioOutcome screening(const Scene& scene,
       azimuth_limit_rad(screened.transfer, options)) {
     return ChioOutcome::kAzimuth;
   }
-  if (flank_difference(scene, screened.left, right, candidate.overlap.reversed()) >
+  if (flank_difference(scene, {screened.left, right, candidate.overlap}) >
       options.max_flank_difference) {
     return ChioOutcome::kFlank;
   }
@@ -147,8 +144,7 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
   CandidateOptions wide = candidate_options;
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
   if (options.paper) wide.max_candidates = kAllCandidates;
-  const std::vector<std::vector<Candidate>> found =
-      match_candidates(pair, radiometry, wide, change_look);
+  const Candidates found = match_candidates(pair, radiometry, wide, change_look);
   const Scene scene{pair, radiometry, options};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {

@@ -60,7 +60,7 @@ std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
        aligned_overlaps(searched, right.line.segment, search.pair.search.height_range_m,
                         options.epipolar_tolerance_px, kParallaxStep_px)) {
     const double ncc =
-        sum_of_ncc(edge_look(search.images, left, right, overlap, transfer, kCoarseGrid));
+        sum_of_ncc(edge_look(search.images, {left, right, overlap}, transfer, kCoarseGrid));
     if (best && ncc <= best_ncc) continue;
     best = overlap;
     best_ncc = ncc;
@@ -104,17 +104,18 @@ std::optional<Candidate> candidate(const Search& search,
       !admissible(*overlap, searched, transfer.gsd_m, search.pair.search.height_range_m, options)) {
     return std::nullopt;
   }
-  EdgeLook look = edge_look(search.images, left, right, *overlap, transfer);
+  const EdgePair edges{left, right, *overlap};
+  EdgeLook look = edge_look(search.images, edges, transfer);
   if (search.change_look && !aligned) {
     const double lowest_m = std::min(overlap->height_m[0], overlap->height_m[1]);
-    search.change_look(search.images, left, right, *overlap, transfer,
+    search.change_look(search.images, edges, transfer,
                        lowest_m - search.pair.search.height_range_m[0], look);
   }
   Candidate found;
   found.look = look;
   found.right = right_id;
   found.overlap = *overlap;
-  found.measures = line_measures(left, right, *overlap, look, search.images.radiometry);
+  found.measures = line_measures(edges, look, search.images.radiometry);
   found.similarity = line_similarity(found.measures);
   return found;
 }
@@ -144,10 +145,10 @@ std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& le
 
 }  // namespace
 
-std::vector<std::vector<Candidate>> match_candidates(const SearchedPair& pair,
-                                                     const Radiometry& radiometry,
-                                                     const CandidateOptions& options,
-                                                     const CandidateLook& change_look) {
+Candidates match_candidates(const SearchedPair& pair,
+                            const Radiometry& radiometry,
+                            const CandidateOptions& options,
+                            const CandidateLook& change_look) {
   validate(options);
   std::vector<Segment2> right_segments = ideal_segments(pair.right);
   const SegmentIndex index(right_segments);
@@ -158,7 +159,7 @@ std::vector<std::vector<Candidate>> match_candidates(const SearchedPair& pair,
                    std::move(right_segments),
                    index};
   const std::vector<EdgeSegment>& left = pair.left.segments;
-  std::vector<std::vector<Candidate>> candidates(left.size());
+  Candidates candidates(left.size());
   tbb::parallel_for(std::size_t{0}, left.size(),
                     [&](std::size_t i) { candidates[i] = candidates_of(all, left[i]); });
   return candidates;

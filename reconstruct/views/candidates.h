@@ -49,12 +49,13 @@ struct Candidate {
   double similarity = 0.0;  ///< of the single lines, in [0, 1]
 };
 
+/// By left segment, best first.
+using Candidates = std::vector<std::vector<Candidate>>;
+
 /// Changes the look of a match that is not near-aligned: where what goes beyond the paper enters. May be empty.
 /// `most_drop_m`: from the lower end of the line to the lowest height.
 using CandidateLook = std::function<void(const ImagePair& images,
-                                         const EdgeSegment& left,
-                                         const EdgeSegment& right,
-                                         const EpipolarOverlap& overlap,
+                                         const EdgePair& edges,
                                          const LocalTransfer& transfer,
                                          double most_drop_m,
                                          EdgeLook& look)>;
@@ -62,9 +63,9 @@ using CandidateLook = std::function<void(const ImagePair& images,
 /// The candidates of each left segment: right segments that overlap its epipolar band for the range
 /// of heights, at a direction and a height that can be; the best `max_candidates` by the look of
 /// the single line, best first. Throws std::invalid_argument for options out of range.
-std::vector<std::vector<Candidate>> match_candidates(const SearchedPair& pair,
-                                                     const Radiometry& radiometry,
-                                                     const CandidateOptions& options,
-                                                     const CandidateLook& change_look = {});
+Candidates match_candidates(const SearchedPair& pair,
+                            const Radiometry& radiometry,
+                            const CandidateOptions& options,
+                            const CandidateLook& change_look = {});
 
 }  // namespace ridgeline::reconstruct

@@ -72,12 +72,10 @@ Radiometry relative_radiometry(std::span<const EdgeSegment> left,
 }
 
 EdgeLook edge_look(const ImagePair& images,
-                   const EdgeSegment& left,
-                   const EdgeSegment& right,
-                   const EpipolarOverlap& overlap,
+                   const EdgePair& edges,
                    const LocalTransfer& transfer,
                    const StripGrid& grid) {
-  StripFrame frame = strip_frame(left, right, overlap, grid.most_along);
+  StripFrame frame = strip_frame(edges, grid.most_along);
   EdgeLook look;
   for (const int side : {0, 1}) {
     const double sign = side == 0 ? -1.0 : 1.0;

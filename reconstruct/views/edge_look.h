@@ -30,9 +30,7 @@ struct EdgeLook {
 /// other one is occluded, which is the rule at eaves.
 /// @param transfer  of the left image to the right one, near the segment
 EdgeLook edge_look(const ImagePair& images,
-                   const EdgeSegment& left,
-                   const EdgeSegment& right,
-                   const EpipolarOverlap& overlap,
+                   const EdgePair& edges,
                    const LocalTransfer& transfer,
                    const StripGrid& grid = {});
 

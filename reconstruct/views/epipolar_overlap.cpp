@@ -153,21 +153,16 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
   return overlaps;
 }
 
-bool may_share_mate(const Segment2& a,
-                    const EpipolarOverlap& a_overlap,
-                    const Segment2& b,
-                    const EpipolarOverlap& b_overlap) {
-  return are_fragments(a, b) && disjoint(a_overlap.on_right, b_overlap.on_right);
+bool may_share_mate(const OverlappedSegment& a, const OverlappedSegment& b) {
+  return are_fragments(a.segment, b.segment) && disjoint(a.overlap.on_right, b.overlap.on_right);
 }
 
-bool may_be_mates_of_one(const Segment2& a,
-                         const EpipolarOverlap& a_overlap,
-                         const Segment2& b,
-                         const EpipolarOverlap& b_overlap) {
+bool may_be_mates_of_one(const OverlappedSegment& a, const OverlappedSegment& b) {
   // windows run along the eave above them, in a wall of a few pixels
   constexpr double kTolerance_px = 1.0;
-  return !a_overlap.aligned && !b_overlap.aligned && are_fragments(a, b, kTolerance_px) &&
-         disjoint(a_overlap.on_left, b_overlap.on_left);
+  return !a.overlap.aligned && !b.overlap.aligned &&
+         are_fragments(a.segment, b.segment, kTolerance_px) &&
+         disjoint(a.overlap.on_left, b.overlap.on_left);
 }
 
 }  // namespace ridgeline::reconstruct

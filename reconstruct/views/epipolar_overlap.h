@@ -59,19 +59,19 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
                                               double tolerance_px,
                                               double step_px);
 
+/// A segment and its overlap with a segment of the other image.
+struct OverlappedSegment {
+  const Segment2& segment;
+  const EpipolarOverlap& overlap;
+};
+
 /// Whether two left segments may have the same mate: fragments of one edge, each with a part of the
 /// mate of its own.
-bool may_share_mate(const Segment2& a,
-                    const EpipolarOverlap& a_overlap,
-                    const Segment2& b,
-                    const EpipolarOverlap& b_overlap);
+bool may_share_mate(const OverlappedSegment& a, const OverlappedSegment& b);
 
 /// Whether two right segments may be mates of the same left one: fragments of one edge to a pixel,
 /// each with a part of the left segment of its own. Never of near-aligned segments: the parts of these are guessed
 /// from their look.
-bool may_be_mates_of_one(const Segment2& a,
-                         const EpipolarOverlap& a_overlap,
-                         const Segment2& b,
-                         const EpipolarOverlap& b_overlap);
+bool may_be_mates_of_one(const OverlappedSegment& a, const OverlappedSegment& b);
 
 }  // namespace ridgeline::reconstruct

@@ -11,9 +11,8 @@ constexpr double kColourScale = 0.08;  // of the range of grey values
 constexpr double kEndScale_px = 3.0;   // end points along a line are this uncertain
 
 /// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
-double ends_agreement(const EdgeSegment& left,
-                      const EdgeSegment& right,
-                      const EpipolarOverlap& overlap) {
+double ends_agreement(const EdgePair& edges) {
+  const auto& [left, right, overlap] = edges;
   const double left_px = length(left.line.segment);
   const double right_px = length(right.line.segment);
   const auto gap_px = [&](double of_left, double of_right) {
@@ -43,39 +42,31 @@ double norm(const Colour& c) {
 struct Sides {
   Colour left, right;
 };
-Sides mapped_sides(const EdgeSegment& right, bool reversed, const Radiometry& radiometry) {
-  const auto [on_left, on_right] = mate_flanks(right, reversed);
+Sides mapped_sides(const EdgePair& edges, const Radiometry& radiometry) {
+  const auto [on_left, on_right] = mate_flanks(edges.right, edges.overlap.reversed());
   return {radiometry.left_from_right(on_left->colour),
           radiometry.left_from_right(on_right->colour)};
 }
 
 }  // namespace
 
-std::optional<double> colour_similarity(const EdgeSegment& left,
-                                        const EdgeSegment& right,
-                                        bool reversed,
-                                        const Radiometry& radiometry) {
-  const Sides mate = mapped_sides(right, reversed, radiometry);
-  const double smallest = std::min(norm(difference(left.left.colour, mate.left)),
-                                   norm(difference(left.right.colour, mate.right)));
+std::optional<double> colour_similarity(const EdgePair& edges, const Radiometry& radiometry) {
+  const Sides mate = mapped_sides(edges, radiometry);
+  const double smallest = std::min(norm(difference(edges.left.left.colour, mate.left)),
+                                   norm(difference(edges.left.right.colour, mate.right)));
   return std::exp(-0.5 * (smallest / kColourScale) * (smallest / kColourScale));
 }
 
-std::optional<double> contrast_similarity(const EdgeSegment& left,
-                                          const EdgeSegment& right,
-                                          bool reversed,
-                                          const Radiometry& radiometry) {
-  const Sides mate = mapped_sides(right, reversed, radiometry);
-  const Colour step = difference(left.right.colour, left.left.colour);
+std::optional<double> contrast_similarity(const EdgePair& edges, const Radiometry& radiometry) {
+  const Sides mate = mapped_sides(edges, radiometry);
+  const Colour step = difference(edges.left.right.colour, edges.left.left.colour);
   const Colour mate_step = difference(mate.right, mate.left);
   const double both = norm(step) + norm(mate_step);
   if (!(both > 0.0)) return std::nullopt;
   return 1.0 - norm(difference(step, mate_step)) / both;
 }
 
-LineMeasures line_measures(const EdgeSegment& left,
-                           const EdgeSegment& right,
-                           const EpipolarOverlap& overlap,
+LineMeasures line_measures(const EdgePair& edges,
                            const EdgeLook& look,
                            const Radiometry& radiometry) {
   constexpr double kUndecided = 0.5;
@@ -91,11 +82,11 @@ LineMeasures line_measures(const EdgeSegment& left,
   m.values[LineMeasures::kOtherSide] = std::min(ncc[0], ncc[1]);
   m.values[LineMeasures::kBetterColour] = std::max(colour[0], colour[1]);
   m.values[LineMeasures::kOtherColour] = std::min(colour[0], colour[1]);
-  m.values[LineMeasures::kContrast] =
-      contrast_similarity(left, right, overlap.reversed(), radiometry).value_or(kUndecided);
+  m.values[LineMeasures::kContrast] = contrast_similarity(edges, radiometry).value_or(kUndecided);
   m.values[LineMeasures::kProfile] = std::max(0.0, look.profile_ncc.value_or(kUndecided));
-  m.values[LineMeasures::kOverlap] = std::max(overlap.share_of_left(), overlap.share_of_right());
-  m.values[LineMeasures::kEnds] = ends_agreement(left, right, overlap);
+  m.values[LineMeasures::kOverlap] =
+      std::max(edges.overlap.share_of_left(), edges.overlap.share_of_right());
+  m.values[LineMeasures::kEnds] = ends_agreement(edges);
   return m;
 }
 

@@ -11,18 +11,11 @@
 namespace ridgeline::reconstruct {
 
 /// How alike the colours beside a line are: of the side that changes less, since occlusion changes the other.
-/// `reversed`: the right segment runs against the left one, so that its flanks change sides.
-std::optional<double> colour_similarity(const EdgeSegment& left,
-                                        const EdgeSegment& right,
-                                        bool reversed,
-                                        const Radiometry& radiometry);
+std::optional<double> colour_similarity(const EdgePair& edges, const Radiometry& radiometry);
 
 /// How alike the colour step across one line, direction and size: 1 - |c - c'| / (|c| + |c'|). Absent
 /// without a step in both images.
-std::optional<double> contrast_similarity(const EdgeSegment& left,
-                                          const EdgeSegment& right,
-                                          bool reversed,
-                                          const Radiometry& radiometry);
+std::optional<double> contrast_similarity(const EdgePair& edges, const Radiometry& radiometry);
 
 /// What speaks for a match of two single lines, each in [0, 1] with 1 as the best.
 struct LineMeasures {
@@ -40,9 +33,7 @@ struct LineMeasures {
   std::array<double, kCount> values{};
 };
 
-LineMeasures line_measures(const EdgeSegment& left,
-                           const EdgeSegment& right,
-                           const EpipolarOverlap& overlap,
+LineMeasures line_measures(const EdgePair& edges,
                            const EdgeLook& look,
                            const Radiometry& radiometry);
 

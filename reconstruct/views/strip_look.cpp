@@ -57,10 +57,8 @@ SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int
   return {correlation(seen, n_samples, kNoiseVariance), std::sqrt(squared_difference / n_bands)};
 }
 
-StripFrame strip_frame(const EdgeSegment& left,
-                       const EdgeSegment& right,
-                       const EpipolarOverlap& overlap,
-                       int most_along) {
+StripFrame strip_frame(const EdgePair& edges, int most_along) {
+  const auto& [left, right, overlap] = edges;
   const Segment2& segment = left.line.segment;
   const double length_px = overlap.share_of_left() * length(segment);
   const int n = std::clamp(static_cast<int>(length_px / kAlongStep_px), kFewestAlong, most_along);

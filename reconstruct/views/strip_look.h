@@ -60,12 +60,16 @@ struct StripFrame {
   Eigen::Vector2d side_in_left, side_in_right;
 };
 
+/// A left and a right segment that may show one edge, and what corresponds along them.
+struct EdgePair {
+  const EdgeSegment& left;
+  const EdgeSegment& right;
+  const EpipolarOverlap& overlap;
+};
+
 /// The rows of the strips along the epipolar overlap of two segments, every 1.5 px, but at least 4 and at
 /// most `most_along`; the side in the right image remains to be set.
-StripFrame strip_frame(const EdgeSegment& left,
-                       const EdgeSegment& right,
-                       const EpipolarOverlap& overlap,
-                       int most_along);
+StripFrame strip_frame(const EdgePair& edges, int most_along);
 
 /// Colours beside a line, row by row along it; those outside of the image are none.
 struct Strip {

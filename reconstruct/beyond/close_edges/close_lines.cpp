@@ -83,7 +83,7 @@ CloseLines close_lines(std::span<const Segment2> segments) {
 
 void keep_order_of_close_lines(const SearchedPair& pair,
                                const std::array<CloseLines, 2>& close,
-                               std::vector<std::vector<Candidate>>& candidates) {
+                               Candidates& candidates) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (close[0][i].size() != 1) continue;
     std::erase_if(candidates[i], [&](const Candidate& c) {

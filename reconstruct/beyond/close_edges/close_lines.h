@@ -27,6 +27,6 @@ CloseLines close_lines(std::span<const Segment2> segments);
 /// marking are seen in the same order from above.
 void keep_order_of_close_lines(const SearchedPair& pair,
                                const std::array<CloseLines, 2>& close,
-                               std::vector<std::vector<Candidate>>& candidates);
+                               Candidates& candidates);
 
 }  // namespace ridgeline::reconstruct

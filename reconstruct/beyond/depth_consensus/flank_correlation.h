@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
+#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 #include "reconstruct/beyond/depth_consensus/strip_correlation.h"
-#include "reconstruct/geometry/flank_strips.h"
 #include "reconstruct/ok2011/estimate/candidate_points.h"
 
 #include <Eigen/Core>

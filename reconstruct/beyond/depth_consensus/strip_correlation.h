@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/flank_strips.h"
+#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 
 #include <array>
 #include <optional>

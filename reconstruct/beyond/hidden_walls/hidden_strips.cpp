@@ -81,7 +81,7 @@ void add_strips(const Pair& pair,
                 int image,
                 int left,
                 const Candidate& lower,
-                const std::vector<std::vector<Candidate>>& candidates,
+                const Candidates& candidates,
                 std::vector<HiddenStrip>& strips) {
   const Ids ids{left, lower.right};
   if (pair.beside(image, ids[image]).empty()) return;
@@ -133,13 +133,12 @@ Candidate across(const HiddenStrip& strip, const Pair& pair) {
   flank(upper, side_of(upper, down)) = flank(lower, side_of(lower, down));
   Candidate candidate = *strip.upper_candidate;
   candidate.look = look;
-  candidate.measures = line_measures(seen[0], seen[1], candidate.overlap, look, pair.radiometry);
+  candidate.measures = line_measures({seen[0], seen[1], candidate.overlap}, look, pair.radiometry);
   candidate.similarity = line_similarity(candidate.measures);
   return candidate;
 }
 
-std::vector<HiddenStrip> hidden_strips(const Pair& pair,
-                                       const std::vector<std::vector<Candidate>>& candidates) {
+std::vector<HiddenStrip> hidden_strips(const Pair& pair, const Candidates& candidates) {
   std::vector<HiddenStrip> strips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     for (const Candidate& candidate : candidates[i]) {
@@ -157,10 +156,10 @@ std::vector<HiddenStrip> hidden_strips(const Pair& pair,
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,
-                                  std::vector<std::vector<Candidate>>& candidates) {
+                                  Candidates& candidates) {
   constexpr double kSmallestRatio = 0.8;  // of the similarities of the upper and the lower edge
   const Pair pair{views, radiometry, close};
-  std::vector<std::vector<Candidate>> changed = candidates;
+  Candidates changed = candidates;
   for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {
     const Candidate whole = across(strip, pair);
     if (whole.similarity < kSmallestRatio * strip.lower_candidate->similarity) continue;

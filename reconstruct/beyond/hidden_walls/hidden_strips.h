@@ -24,6 +24,6 @@ namespace ridgeline::reconstruct {
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,
-                                  std::vector<std::vector<Candidate>>& candidates);
+                                  Candidates& candidates);
 
 }  // namespace ridgeline::reconstruct

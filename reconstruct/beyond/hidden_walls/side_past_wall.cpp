@@ -26,9 +26,7 @@ std::vector<Eigen::Vector2d> shifted(std::vector<Eigen::Vector2d> points,
 }  // namespace
 
 void look_past_wall(const ImagePair& images,
-                    const EdgeSegment& left,
-                    const EdgeSegment& right,
-                    const EpipolarOverlap& overlap,
+                    const EdgePair& edges,
                     const LocalTransfer& transfer,
                     double most_drop_m,
                     EdgeLook& look) {
@@ -42,7 +40,7 @@ void look_past_wall(const ImagePair& images,
   const int worse = look.sides[0]->agreement() < look.sides[1]->agreement() ? 0 : 1;
   if (look.sides[worse]->agreement() > kMostSimilar) return;
   const double sign = worse == 0 ? -1.0 : 1.0;
-  StripFrame frame = strip_frame(left, right, overlap, kGrid.most_along);
+  StripFrame frame = strip_frame(edges, kGrid.most_along);
   frame.side_in_right = transfer.jacobian * frame.side_in_left;
   const double px_per_m = px_per_m_of_drop(frame, sign, transfer);
   const double parallax_px_per_m = transfer.per_height.norm();

@@ -15,9 +15,7 @@ namespace ridgeline::reconstruct {
 /// @param transfer  of the left image to the right one, near the segment
 /// @param most_drop_m  below the line that the surface may lie
 void look_past_wall(const ImagePair& images,
-                    const EdgeSegment& left,
-                    const EdgeSegment& right,
-                    const EpipolarOverlap& overlap,
+                    const EdgePair& edges,
                     const LocalTransfer& transfer,
                     double most_drop_m,
                     EdgeLook& look);

@@ -97,7 +97,7 @@ Radiometry matched_radiometry(const SearchedPair& pair,
                               const CandidateLook& change_look) {
   constexpr std::size_t kFewest = 20;
   const MatchView longest = longest_of(pair.left);
-  const std::vector<std::vector<Candidate>> candidates =
+  const Candidates candidates =
       match_candidates({longest, pair.right, pair.search}, first, options, change_look);
   std::vector<ColourPair> pairs;
   for (std::size_t i = 0; i < candidates.size(); ++i) {

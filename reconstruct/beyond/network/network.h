@@ -44,7 +44,7 @@ struct AdjustedInNetwork {
 /// All lines in one adjustment by their images, the accepted meetings, horizontality and
 /// corresponding ends where they rest on these, and the range of heights as a weak prior of the heights
 /// of both ends. Unlike in adjust_line() every segment enters once, so that what lines have in common is
-/// accounted for, and every meeting is tested.
+/// accounted for.
 ///
 /// Meetings are inliers of the standard deviation of their junction or outliers of a constant density
 /// over max_miss_m: expectation maximisation, then a hard decision at the posterior probability 0.5.

@@ -56,7 +56,7 @@ double shift_of_match(const StereoSearch& search,
   if (!searched) return 0.0;
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return 0.0;
-  const StripFrame frame = strip_frame(left, right, *overlap, kMostAlong);
+  const StripFrame frame = strip_frame({left, right, *overlap}, kMostAlong);
   // the sides of the left segment, whichever way the right one runs
   const double sign = overlap->reversed() ? -1.0 : 1.0;
   const Eigen::Vector2d side_in_right = sign * normal(right.line.segment);

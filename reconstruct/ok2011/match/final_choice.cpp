@@ -34,15 +34,14 @@ std::size_t best_of(const std::vector<Support>& supports) {
 }
 
 /// Probability of the next mate over that of the best, fragments of the best one's edge left out.
-double distance_ratio(const MatchView& right,
-                      const std::vector<Candidate>& candidates,
-                      const std::vector<Support>& supports) {
+double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports& of_all) {
+  const std::vector<Candidate>& candidates = choices.candidates[i];
+  const std::vector<Support>& supports = of_all[i];
   const std::size_t best = best_of(supports);
-  const Segment2& mate = right.segments[candidates[best].right].line.segment;
+  const Segment2& mate = choices.mate(candidates[best]);
   double next = 0.0;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (c == best || are_fragments(mate, right.segments[candidates[c].right].line.segment))
-      continue;
+    if (c == best || are_fragments(mate, choices.mate(candidates[c]))) continue;
     next = std::max(next, supports[c].probability);
   }
   return next / std::max(supports[best].probability, 1e-12);
@@ -64,9 +63,7 @@ double least_probability(const Segment2& left, const Segment2& right, const Matc
 }
 
 /// By left segment: how many of its partners have a mate that can be trusted, and could vote.
-std::vector<int> voters(const MatchView& left,
-                        const MatchView& right,
-                        const std::vector<std::vector<Candidate>>& candidates,
+std::vector<int> voters(const MatchChoices& choices,
                         std::span<const BasePair> pairs,
                         const Supports& supports,
                         const MatchOptions& options) {
@@ -74,8 +71,8 @@ std::vector<int> voters(const MatchView& left,
     if (supports[i].empty()) return false;
     const std::size_t best = best_of(supports[i]);
     return supports[i][best].probability >=
-           least_probability(left.segments[i].line.segment,
-                             right.segments[candidates[i][best].right].line.segment, options);
+           least_probability(choices.left_line(i), choices.mate(choices.candidates[i][best]),
+                             options);
   };
   std::vector<int> count(supports.size(), 0);
   for (const BasePair& pair : pairs) {
@@ -94,26 +91,26 @@ bool lacks_votes(const Support& support, int n_voters, const MatchOptions& optio
 }
 
 /// What becomes of a left segment before the others are asked.
-MatchOutcome prospect(const Segment2& left,
-                      const MatchView& right,
-                      const std::vector<Candidate>& candidates,
-                      const std::vector<Support>& supports,
+MatchOutcome prospect(const MatchChoices& choices,
+                      std::size_t i,
+                      const Supports& of_all,
                       int n_voters,
                       const MatchOptions& options) {
   constexpr double kWeak = 0.2;  // of two equally weak candidates neither is right
+  const std::vector<Candidate>& candidates = choices.candidates[i];
+  const std::vector<Support>& supports = of_all[i];
   if (candidates.empty()) return MatchOutcome::kNoCandidate;
   const std::size_t first = best_of(supports);
   const Support& best = supports[first];
-  const Segment2& mate = right.segments[candidates[first].right].line.segment;
-  if (best.probability > kWeak &&
-      distance_ratio(right, candidates, supports) > options.max_distance_ratio) {
+  const Segment2& mate = choices.mate(candidates[first]);
+  if (best.probability > kWeak && distance_ratio(choices, i, of_all) > options.max_distance_ratio) {
     return MatchOutcome::kAmbiguous;
   }
   if (lacks_votes(best, n_voters, options)) return MatchOutcome::kNoPair;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    const Segment2& fragment = right.segments[candidates[c].right].line.segment;
+    const Segment2& fragment = choices.mate(candidates[c]);
     if ((c == first || are_fragments(mate, fragment)) &&
-        supports[c].probability >= least_probability(left, fragment, options)) {
+        supports[c].probability >= least_probability(choices.left_line(i), fragment, options)) {
       return MatchOutcome::kLostVote;
     }
   }
@@ -123,10 +120,7 @@ MatchOutcome prospect(const Segment2& left,
 /// The choices made, by the segments of both images.
 class Taken {
  public:
-  Taken(const MatchView& left,
-        const MatchView& right,
-        const std::vector<std::vector<Candidate>>& candidates)
-      : left_(left), right_(right), candidates_(candidates) {}
+  explicit Taken(const MatchChoices& choices) : choices_(choices) {}
 
   void add(const Choice& choice) {
     of_left_[choice.left].push_back(choice);
@@ -137,12 +131,11 @@ class Taken {
   [[nodiscard]] bool allow(const Choice& choice) const {
     const Candidate& own = candidate(choice);
     const auto shares = [&](const Choice& other) {
-      return may_share_mate(left_line(choice), own.overlap, left_line(other),
-                            candidate(other).overlap);
+      return may_share_mate(choices_.on_left(choice.left, own),
+                            choices_.on_left(other.left, candidate(other)));
     };
     const auto adds = [&](const Choice& other) {
-      return may_be_mates_of_one(right_line(choice), own.overlap, right_line(other),
-                                 candidate(other).overlap);
+      return may_be_mates_of_one(choices_.on_right(own), choices_.on_right(candidate(other)));
     };
     const auto takers = of_right_.find(own.right);
     const auto mates = of_left_.find(choice.left);
@@ -154,18 +147,10 @@ class Taken {
 
  private:
   [[nodiscard]] const Candidate& candidate(const Choice& choice) const {
-    return candidates_[choice.left][choice.candidate];
-  }
-  [[nodiscard]] const Segment2& left_line(const Choice& choice) const {
-    return left_.segments[choice.left].line.segment;
-  }
-  [[nodiscard]] const Segment2& right_line(const Choice& choice) const {
-    return right_.segments[candidate(choice).right].line.segment;
+    return choices_.candidates[choice.left][choice.candidate];
   }
 
-  const MatchView& left_;
-  const MatchView& right_;
-  const std::vector<std::vector<Candidate>>& candidates_;
+  const MatchChoices& choices_;
   std::map<int, std::vector<Choice>> of_left_, of_right_;
 };
 
@@ -177,31 +162,28 @@ const char* name(MatchOutcome outcome) {
   return kNames.at(static_cast<std::size_t>(outcome));
 }
 
-MatchResult final_choice(const MatchView& left,
-                         const MatchView& right,
-                         const std::vector<std::vector<Candidate>>& candidates,
+MatchResult final_choice(const MatchChoices& choices,
                          const Supports& supports,
                          std::span<const BasePair> pairs,
                          const MatchOptions& options) {
   // a fragment has no rivals among the others, which makes it look more certain than it is
   constexpr double kFurtherMate = 0.7;
-  const std::vector<int> n_voters = voters(left, right, candidates, pairs, supports, options);
+  const std::vector<int> n_voters = voters(choices, pairs, supports, options);
   MatchResult result;
-  result.outcomes.resize(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    result.outcomes[i] = prospect(left.segments[i].line.segment, right, candidates[i], supports[i],
-                                  n_voters[i], options);
+  result.outcomes.resize(choices.candidates.size());
+  for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+    result.outcomes[i] = prospect(choices, i, supports, n_voters[i], options);
   }
-  Taken taken(left, right, candidates);
+  Taken taken(choices);
   for (const Choice& choice : by_probability(supports)) {
     const Support& support = supports[choice.left][choice.candidate];
     MatchOutcome& outcome = result.outcomes[choice.left];
     if (support.probability < options.min_probability) break;
     if (outcome != MatchOutcome::kLostVote && outcome != MatchOutcome::kMatched) continue;
     if (lacks_votes(support, n_voters[choice.left], options)) continue;
-    const int mate = candidates[choice.left][choice.candidate].right;
-    if (support.probability < least_probability(left.segments[choice.left].line.segment,
-                                                right.segments[mate].line.segment, options)) {
+    const Candidate& mate = choices.candidates[choice.left][choice.candidate];
+    if (support.probability <
+        least_probability(choices.left_line(choice.left), choices.mate(mate), options)) {
       continue;
     }
     const bool is_further = outcome == MatchOutcome::kMatched;
@@ -209,7 +191,7 @@ MatchResult final_choice(const MatchView& left,
     if (!taken.allow(choice)) continue;
     outcome = MatchOutcome::kMatched;
     taken.add(choice);
-    result.matches.push_back({{choice.left, mate}, support.probability, support.votes});
+    result.matches.push_back({{choice.left, mate.right}, support.probability, support.votes});
   }
   std::sort(
       result.matches.begin(), result.matches.end(), [](const ScoredMatch& a, const ScoredMatch& b) {

@@ -20,9 +20,7 @@ namespace ridgeline::reconstruct {
 /// shortest segments, below 12 px, take one from 0.9 on, those below three quarters of their mate's length
 /// from 0.6 on. A line whose partners in the base pairs are
 /// matched needs min_votes of them; an isolated one its look alone.
-MatchResult final_choice(const MatchView& left,
-                         const MatchView& right,
-                         const std::vector<std::vector<Candidate>>& candidates,
+MatchResult final_choice(const MatchChoices& choices,
                          const Supports& supports,
                          std::span<const BasePair> pairs,
                          const MatchOptions& options);

@@ -31,8 +31,7 @@ MatchResult match_pairwise(const StereoPair& pair,
   const auto& [left, right, search] = views;
   Radiometry radiometry = relative_radiometry(left.segments, right.segments);
   if (beyond.radiometry) radiometry = beyond.radiometry(views, radiometry);
-  std::vector<std::vector<Candidate>> candidates =
-      match_candidates(views, radiometry, candidate_options, beyond.look);
+  Candidates candidates = match_candidates(views, radiometry, candidate_options, beyond.look);
   if (beyond.candidates) beyond.candidates(views, radiometry, candidates);
   const LocalTransfer transfer =
       local_transfer(search, {0.5 * left.image.cols, 0.5 * left.image.rows});
@@ -43,8 +42,9 @@ MatchResult match_pairwise(const StereoPair& pair,
                         options,
                         relief_spread(transfer)};
   const std::vector<PairMatch> pair_matches = all_pair_matches(scene, pairs);
-  const Supports supports = similarity_votes(left, right, candidates, pair_matches, transfer);
-  return final_choice(left, right, candidates, supports, pairs, options);
+  const MatchChoices choices{left, right, candidates};
+  const Supports supports = similarity_votes(choices, pair_matches, transfer);
+  return final_choice(choices, supports, pairs, options);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -19,9 +19,8 @@ struct MatchExtensions {
   std::function<Radiometry(const SearchedPair& pair, const Radiometry& first)> radiometry;
   CandidateLook look;
   /// Changes the candidates, best first, once all of them are known.
-  std::function<void(const SearchedPair& pair,
-                     const Radiometry& radiometry,
-                     std::vector<std::vector<Candidate>>& candidates)>
+  std::function<void(
+      const SearchedPair& pair, const Radiometry& radiometry, Candidates& candidates)>
       candidates;
 };
 

@@ -14,13 +14,6 @@ constexpr std::size_t kMostPerPair = 5;
 /// Longest side of the patch that a pair spans: near the corner the surface is a plane.
 constexpr double kLongestSide_px = 32.0;
 
-/// A line match inside a pair.
-struct Member {
-  const EdgeSegment& left;
-  const EdgeSegment& right;
-  const EpipolarOverlap& overlap;
-};
-
 Segment2 clipped(const Segment2& s, const std::array<double, 2>& range) {
   return {point_at(s, range[0]), point_at(s, range[1])};
 }
@@ -29,7 +22,7 @@ Segment2 clipped(const Segment2& s, const std::array<double, 2>& range) {
 struct Clipped {
   std::array<Segment2, 2> left, right;
 };
-Clipped clip(const Member& a, const Member& b, bool in_file) {
+Clipped clip(const EdgePair& a, const EdgePair& b, bool in_file) {
   const auto segment = [&](const EdgeSegment& edge) -> const Segment2& {
     return in_file ? edge.in_image : edge.line.segment;
   };
@@ -64,8 +57,8 @@ PatchSides patch_sides(const Segment2& left,
 }
 
 void add_patch_constraints(const PairScene& scene,
-                           const Member& a,
-                           const Member& b,
+                           const EdgePair& a,
+                           const EdgePair& b,
                            Constraints& constraints) {
   constexpr double kShortestSide_px = 4.0;
   const Clipped pair = clip(a, b, true);
@@ -98,8 +91,8 @@ struct EpipolarMisfit {
   double distance_px, sigma_px;
 };
 EpipolarMisfit epipolar_misfit(const PairScene& scene,
-                               const Member& a,
-                               const Member& b,
+                               const EdgePair& a,
+                               const EdgePair& b,
                                const Eigen::Vector2d& x_left,
                                const Eigen::Vector2d& x_right) {
   const Eigen::Matrix3d& right_from_left = scene.views.search.right_from_left.fundamental();
@@ -114,8 +107,8 @@ EpipolarMisfit epipolar_misfit(const PairScene& scene,
 
 /// All constraints of a pair of line matches; nothing if it fails a gate.
 std::optional<Constraints> constraints_of(const PairScene& scene,
-                                          const Member& a,
-                                          const Member& b) {
+                                          const EdgePair& a,
+                                          const EdgePair& b) {
   const MatchOptions& options = scene.options;
   const double min_angle_rad = options.min_pair_angle_deg * kRadPerDeg;
   const auto x_left = intersection(a.left.line.segment, b.left.line.segment, min_angle_rad);
@@ -137,10 +130,8 @@ std::optional<Constraints> constraints_of(const PairScene& scene,
   found[1] = angle_similarity(left, right, scene.spread);
   found[2] = direction_similarity(left, right, scene.spread);
   found[3] = extent_similarity(left, right, scene.spread);
-  found[4] = mean(colour_similarity(a.left, a.right, a.overlap.reversed(), radiometry),
-                  colour_similarity(b.left, b.right, b.overlap.reversed(), radiometry));
-  found[5] = mean(contrast_similarity(a.left, a.right, a.overlap.reversed(), radiometry),
-                  contrast_similarity(b.left, b.right, b.overlap.reversed(), radiometry));
+  found[4] = mean(colour_similarity(a, radiometry), colour_similarity(b, radiometry));
+  found[5] = mean(contrast_similarity(a, radiometry), contrast_similarity(b, radiometry));
   add_patch_constraints(scene, a, b, found);
   return found;
 }
@@ -179,8 +170,8 @@ std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair
     for (std::size_t s = 0; s < seconds.size(); ++s) {
       if (firsts[f].right == seconds[s].right) continue;
       const auto member = [&](int left, const Candidate& c) {
-        return Member{scene.views.left.segments[left], scene.views.right.segments[c.right],
-                      c.overlap};
+        return EdgePair{scene.views.left.segments[left], scene.views.right.segments[c.right],
+                        c.overlap};
       };
       const auto found =
           constraints_of(scene, member(pair.first, firsts[f]), member(pair.second, seconds[s]));

@@ -35,7 +35,7 @@ struct PairMatch {
 struct PairScene {
   const SearchedPair& views;
   ImagePair images;
-  const std::vector<std::vector<Candidate>>& candidates;
+  const Candidates& candidates;
   const MatchOptions& options;
   double spread =
       1.0;  ///< multiplies the spreads of the geometric constraints and the largest turn

@@ -66,33 +66,30 @@ NearSegment closest(const Segment2& own, int other, const Segment2& segment) {
   return best;
 }
 
-void add_row_rivals(VoteGraph& graph, const MatchView& right) {
+void add_row_rivals(VoteGraph& graph, const MatchChoices& choices) {
   for (std::size_t i = 0; i + 1 < graph.first.size(); ++i) {
     for (Flat a = graph.first[i]; a < graph.first[i + 1]; ++a) {
       for (Flat b = graph.first[i]; b < graph.first[i + 1]; ++b) {
         if (a == b) continue;
-        const Segment2& own = right.segments[graph.candidates[a]->right].line.segment;
-        const Segment2& other = right.segments[graph.candidates[b]->right].line.segment;
-        if (!are_fragments(own, other)) graph.rivals[a].push_back(b);
+        if (!are_fragments(choices.mate(*graph.candidates[a]),
+                           choices.mate(*graph.candidates[b]))) {
+          graph.rivals[a].push_back(b);
+        }
       }
     }
   }
 }
 
-void add_column_rivals(VoteGraph& graph, const MatchView& left, std::size_t n_right) {
-  std::vector<std::vector<Flat>> of_right(n_right);
+void add_column_rivals(VoteGraph& graph, const MatchChoices& choices) {
+  const auto part = [&](Flat c) { return choices.on_left(graph.left[c], *graph.candidates[c]); };
+  std::vector<std::vector<Flat>> of_right(choices.right.segments.size());
   for (Flat c = 0; c < static_cast<Flat>(graph.candidates.size()); ++c) {
     of_right[graph.candidates[c]->right].push_back(c);
   }
   for (const std::vector<Flat>& column : of_right) {
     for (const Flat a : column) {
       for (const Flat b : column) {
-        if (a == b) continue;
-        if (!may_share_mate(left.segments[graph.left[a]].line.segment, graph.candidates[a]->overlap,
-                            left.segments[graph.left[b]].line.segment,
-                            graph.candidates[b]->overlap)) {
-          graph.rivals[a].push_back(b);
-        }
+        if (a != b && !may_share_mate(part(a), part(b))) graph.rivals[a].push_back(b);
       }
     }
   }
@@ -133,8 +130,7 @@ std::vector<NearSegment> neighbours_of(int segment,
 }
 
 void add_neighbours(VoteGraph& graph, const MatchView& left) {
-  std::vector<Segment2> segments;
-  for (const EdgeSegment& edge : left.segments) segments.push_back(edge.line.segment);
+  const std::vector<Segment2> segments = ideal_segments(left);
   const SegmentIndex index(segments);
   graph.neighbours.resize(segments.size());
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
@@ -142,9 +138,7 @@ void add_neighbours(VoteGraph& graph, const MatchView& left) {
   });
 }
 
-VoteGraph build_graph(const MatchView& left,
-                      const MatchView& right,
-                      const std::vector<std::vector<Candidate>>& candidates,
+VoteGraph build_graph(const MatchChoices& choices,
                       std::span<const PairMatch> pairs,
                       const LocalTransfer& transfer) {
   constexpr double kGutters_m = 0.6;  // and other things between edges that meet
@@ -153,8 +147,8 @@ VoteGraph build_graph(const MatchView& left,
   graph.gsd_m = transfer.gsd_m;
   graph.same_height_m = std::max(kGutters_m, kNoise_px / transfer.per_height.norm());
   graph.first.push_back(0);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    for (const Candidate& candidate : candidates[i]) {
+  for (std::size_t i = 0; i < choices.candidates.size(); ++i) {
+    for (const Candidate& candidate : choices.candidates[i]) {
       graph.candidates.push_back(&candidate);
       graph.left.push_back(static_cast<int>(i));
     }
@@ -162,10 +156,10 @@ VoteGraph build_graph(const MatchView& left,
   }
   graph.rivals.resize(graph.candidates.size());
   graph.links.resize(graph.candidates.size());
-  add_row_rivals(graph, right);
-  add_column_rivals(graph, left, right.segments.size());
+  add_row_rivals(graph, choices);
+  add_column_rivals(graph, choices);
   add_links(graph, pairs);
-  add_neighbours(graph, left);
+  add_neighbours(graph, choices.left);
   return graph;
 }
 
@@ -232,12 +226,10 @@ double strength(const Candidate& candidate, const Support& support) {
 
 }  // namespace
 
-Supports similarity_votes(const MatchView& left,
-                          const MatchView& right,
-                          const std::vector<std::vector<Candidate>>& candidates,
+Supports similarity_votes(const MatchChoices& choices,
                           std::span<const PairMatch> pairs,
                           const LocalTransfer& transfer) {
-  const VoteGraph graph = build_graph(left, right, candidates, pairs, transfer);
+  const VoteGraph graph = build_graph(choices, pairs, transfer);
   const std::size_t n = graph.candidates.size();
   std::vector<Support> supports(n);
   std::vector<double> probability(n);
@@ -262,8 +254,8 @@ Supports similarity_votes(const MatchView& left,
     }
     if (change < kFixedPoint) break;
   }
-  Supports by_segment(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
+  Supports by_segment(choices.candidates.size());
+  for (std::size_t i = 0; i < by_segment.size(); ++i) {
     by_segment[i].assign(supports.begin() + graph.first[i], supports.begin() + graph.first[i + 1]);
   }
   return by_segment;

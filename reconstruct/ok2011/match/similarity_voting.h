@@ -9,6 +9,26 @@
 
 namespace ridgeline::reconstruct {
 
+/// The segments of two views with the candidates of the left ones.
+struct MatchChoices {
+  const MatchView& left;
+  const MatchView& right;
+  const Candidates& candidates;
+
+  [[nodiscard]] const Segment2& left_line(std::size_t i) const {
+    return left.segments[i].line.segment;
+  }
+  [[nodiscard]] const Segment2& mate(const Candidate& candidate) const {
+    return right.segments[candidate.right].line.segment;
+  }
+  [[nodiscard]] OverlappedSegment on_left(std::size_t i, const Candidate& candidate) const {
+    return {left_line(i), candidate.overlap};
+  }
+  [[nodiscard]] OverlappedSegment on_right(const Candidate& candidate) const {
+    return {mate(candidate), candidate.overlap};
+  }
+};
+
 /// What speaks for a candidate besides its own look.
 struct Support {
   double votes = 0.0;  ///< similarities of the pairs that contain it, by the trust in the partner
@@ -32,9 +52,7 @@ using Supports = std::vector<std::vector<Support>>;
 /// matching in them. Repeated to a fixed point, at most 20 passes. The same for any number of threads.
 /// @param transfer  of the left image to the right one, anywhere in it: what a pixel is on the ground
 ///                  and a pixel of parallax in height
-Supports similarity_votes(const MatchView& left,
-                          const MatchView& right,
-                          const std::vector<std::vector<Candidate>>& candidates,
+Supports similarity_votes(const MatchChoices& choices,
                           std::span<const PairMatch> pairs,
                           const LocalTransfer& transfer);
 

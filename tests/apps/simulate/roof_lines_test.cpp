@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/houses.h"
-#include "reconstruct/geometry/segment_plane.h"
+#include "evaluate/judge/segment_plane.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>

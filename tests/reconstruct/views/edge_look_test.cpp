@@ -27,7 +27,7 @@ class EdgeLookOfARoof : public ::testing::Test {
     const auto searched = searched_segment(search, left);
     const auto overlap = epipolar_overlap(*searched, right.line.segment);
     return edge_look({ImageSampler(pair_.views[0].image), ImageSampler(pair_.views[1].image), {}},
-                     pair_.views[0].segments[0], right, *overlap,
+                     {pair_.views[0].segments[0], right, *overlap},
                      local_transfer(search.right_from_left, midpoint(left), 10.0));
   }
 
@@ -92,7 +92,7 @@ TEST(LineMeasures, RewardSegmentsWhoseEndsCorrespond) {
   EpipolarOverlap half = whole;
   half.on_right = {0.25, 0.75};
   const auto ends = [&](const EpipolarOverlap& overlap) {
-    return line_measures(left, right, overlap, {}, {}).values[LineMeasures::kEnds];
+    return line_measures({left, right, overlap}, {}, {}).values[LineMeasures::kEnds];
   };
   EXPECT_EQ(ends(whole), 1.0);
   EXPECT_NEAR(ends(half), std::exp(-10.0 / 3.0), 1e-12);  // the right one is 10 px longer each side

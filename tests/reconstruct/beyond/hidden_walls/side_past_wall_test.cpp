@@ -26,8 +26,7 @@ class SidePastAWall : public ::testing::TestWithParam<bool> {
     overlap_ =
         *epipolar_overlap(*searched_segment(search, left), pair_.views[1].segments[0].line.segment);
     transfer_ = local_transfer(search.right_from_left, midpoint(left), kEaves_m);
-    look_ = edge_look(images(), pair_.views[0].segments[0], pair_.views[1].segments[0], overlap_,
-                      transfer_);
+    look_ = edge_look(images(), edges(), transfer_);
     worse_ = look_.sides[0]->agreement() < look_.sides[1]->agreement() ? 0 : 1;
   }
 
@@ -35,10 +34,13 @@ class SidePastAWall : public ::testing::TestWithParam<bool> {
     return {ImageSampler(pair_.views[0].image), ImageSampler(pair_.views[1].image), {}};
   }
 
+  [[nodiscard]] EdgePair edges() const {
+    return {pair_.views[0].segments[0], pair_.views[1].segments[0], overlap_};
+  }
+
   [[nodiscard]] EdgeLook past_wall(double most_drop_m) const {
     EdgeLook look = look_;
-    look_past_wall(images(), pair_.views[0].segments[0], pair_.views[1].segments[0], overlap_,
-                   transfer_, most_drop_m, look);
+    look_past_wall(images(), edges(), transfer_, most_drop_m, look);
     return look;
   }
 

@@ -111,6 +111,9 @@ TEST(GeometricConstraints, AreAbsentForNearAlignedMembersExceptTheAngle) {
   EXPECT_FALSE(extent_similarity(open, corner()).has_value());
 }
 
+const EpipolarOverlap kSame{.on_left = {0.0, 1.0}, .on_right = {0.0, 1.0}};
+const EpipolarOverlap kReversed{.on_left = {0.0, 1.0}, .on_right = {1.0, 0.0}};
+
 EdgeSegment coloured(float left, float right) {
   EdgeSegment segment = test::edge({{0.0, 0.0}, {10.0, 0.0}});
   segment.left.colour.fill(left);
@@ -120,27 +123,27 @@ EdgeSegment coloured(float left, float right) {
 
 TEST(ColourSimilarity, TakesTheBetterSide) {
   const Radiometry same;
-  EXPECT_NEAR(*colour_similarity(coloured(0.2F, 0.8F), coloured(0.2F, 0.1F), false, same), 1.0,
+  EXPECT_NEAR(*colour_similarity({coloured(0.2F, 0.8F), coloured(0.2F, 0.1F), kSame}, same), 1.0,
               kFloat);
-  EXPECT_LT(*colour_similarity(coloured(0.2F, 0.8F), coloured(0.5F, 0.5F), false, same), 0.01);
+  EXPECT_LT(*colour_similarity({coloured(0.2F, 0.8F), coloured(0.5F, 0.5F), kSame}, same), 0.01);
 }
 
 TEST(ColourSimilarity, ExchangesTheFlanksOfAReversedSegment) {
   const Radiometry same;
-  EXPECT_NEAR(*colour_similarity(coloured(0.2F, 0.8F), coloured(0.8F, 0.2F), true, same), 1.0,
-              kFloat);
+  EXPECT_NEAR(*colour_similarity({coloured(0.2F, 0.8F), coloured(0.8F, 0.2F), kReversed}, same),
+              1.0, kFloat);
 }
 
 TEST(ContrastSimilarity, IsOneForTheSameStepAndZeroForItsOpposite) {
   const Radiometry same;
-  EXPECT_NEAR(*contrast_similarity(coloured(0.2F, 0.8F), coloured(0.3F, 0.9F), false, same), 1.0,
+  EXPECT_NEAR(*contrast_similarity({coloured(0.2F, 0.8F), coloured(0.3F, 0.9F), kSame}, same), 1.0,
               kFloat);
-  EXPECT_NEAR(*contrast_similarity(coloured(0.2F, 0.8F), coloured(0.8F, 0.2F), false, same), 0.0,
+  EXPECT_NEAR(*contrast_similarity({coloured(0.2F, 0.8F), coloured(0.8F, 0.2F), kSame}, same), 0.0,
               kFloat);
-  EXPECT_NEAR(*contrast_similarity(coloured(0.2F, 0.8F), coloured(0.8F, 0.2F), true, same), 1.0,
-              kFloat);
+  EXPECT_NEAR(*contrast_similarity({coloured(0.2F, 0.8F), coloured(0.8F, 0.2F), kReversed}, same),
+              1.0, kFloat);
   EXPECT_FALSE(
-      contrast_similarity(coloured(0.4F, 0.4F), coloured(0.5F, 0.5F), false, same).has_value());
+      contrast_similarity({coloured(0.4F, 0.4F), coloured(0.5F, 0.5F), kSame}, same).has_value());
 }
 
 PairPatch random_patch(std::uint64_t seed) {

@@ -32,7 +32,7 @@ class SimilarityVotes : public ::testing::Test {
     LocalTransfer transfer;
     transfer.gsd_m = kGsd_m;
     transfer.per_height = {px_per_m_, 0.0};
-    return similarity_votes(left_, right_, candidates_, pairs, transfer);
+    return similarity_votes({left_, right_, candidates_}, pairs, transfer);
   }
 
   static int add(MatchView& view, const Segment2& s) {
@@ -131,16 +131,16 @@ TEST(MayBeMatesOfOne, TakesFragmentsWithPartsOfTheirOwn) {
   const Segment2 a{{0, 0}, {40, 0}};
   const Segment2 b{{50, 0}, {90, 0}};
   const EpipolarOverlap first = overlap_on_left(0.0, 0.45);
-  EXPECT_TRUE(may_be_mates_of_one(a, first, b, overlap_on_left(0.55, 1.0)));
-  EXPECT_FALSE(may_be_mates_of_one(a, first, b, overlap_on_left(0.2, 0.6)));
-  EXPECT_FALSE(may_be_mates_of_one(a, first, {{50, 9}, {90, 9}}, overlap_on_left(0.55, 1.0)));
+  EXPECT_TRUE(may_be_mates_of_one({a, first}, {b, overlap_on_left(0.55, 1.0)}));
+  EXPECT_FALSE(may_be_mates_of_one({a, first}, {b, overlap_on_left(0.2, 0.6)}));
+  EXPECT_FALSE(may_be_mates_of_one({a, first}, {{{50, 9}, {90, 9}}, overlap_on_left(0.55, 1.0)}));
 }
 
 TEST(MayBeMatesOfOne, TakesNoneAlongTheEpipolarLineWhereTheirPartsAreAGuess) {
   EpipolarOverlap first = overlap_on_left(0.0, 0.45);
   first.aligned = true;
-  EXPECT_FALSE(may_be_mates_of_one({{0, 0}, {40, 0}}, first, {{50, 0}, {90, 0}},
-                                   overlap_on_left(0.55, 1.0)));
+  EXPECT_FALSE(may_be_mates_of_one({{{0, 0}, {40, 0}}, first},
+                                   {{{50, 0}, {90, 0}}, overlap_on_left(0.55, 1.0)}));
 }
 
 TEST(AreFragments, TakesCollinearSegmentsOnly) {
@@ -163,7 +163,7 @@ TEST_F(SimilarityVotes, FinalChoiceGivesAMateToTheMoreProbableEdgeAndSaysWhyToTh
   supports[0][0].probability = 0.6;
   supports[1][0].probability = 0.7;
   for (std::vector<Support>& of_line : supports) of_line[0].votes = 1.0;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   ASSERT_EQ(result.matches.size(), 1U);
   EXPECT_EQ(result.matches[0].match.left, 1);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kLostVote);
@@ -183,7 +183,7 @@ TEST_F(SimilarityVotes, FinalChoiceTellsWeakFromAmbiguousCandidates) {
   supports[1][0].probability = 0.01;
   supports[1][0].n_pairs = 1;
   for (std::vector<Support>& of_line : supports) of_line[0].votes = 1.0;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   EXPECT_TRUE(result.matches.empty());
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kAmbiguous);
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kLowScore);
@@ -204,7 +204,7 @@ TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfTheShortestSegments) {
     supports[i][0].probability = 0.8;
   }
   supports[2][0].probability = 0.95;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kLowScore);
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kMatched);
   EXPECT_EQ(result.outcomes[2], MatchOutcome::kMatched);
@@ -223,7 +223,7 @@ TEST_F(SimilarityVotes, FinalChoiceAsksMoreOfSegmentsOfUnlikeLengths) {
     supports[i][0].probability = 0.5;
   }
   supports[2][0].probability = 0.65;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kLowScore);
   EXPECT_EQ(result.outcomes[1], MatchOutcome::kMatched);
   EXPECT_EQ(result.outcomes[2], MatchOutcome::kMatched);
@@ -242,7 +242,7 @@ TEST_F(SimilarityVotes, FinalChoiceTakesTheLongerFragmentWhereTheShortestIsTheMo
   }
   supports[0][0].probability = 0.8;
   supports[0][1].probability = 0.75;
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, {}, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, {}, {});
   ASSERT_EQ(result.matches.size(), 1U);
   EXPECT_EQ(result.matches[0].match.right, 1);
 }
@@ -258,7 +258,7 @@ TEST_F(SimilarityVotes, FinalChoiceTakesALineAsIsolatedWhosePartnersAreTooShortT
   supports[0][0].probability = 0.99;  // without votes
   supports[1][0].probability = supports[2][0].probability = 0.6;
   const std::vector<BasePair> pairs{{0, 1}, {0, 2}};
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, pairs, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, pairs, {});
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kMatched);
 }
 
@@ -275,13 +275,13 @@ TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor)
   supports[1][0].votes = 1.0;
   supports[2][0].votes = 1.0;
   const std::vector<BasePair> pairs{{0, 1}, {0, 2}, {1, 2}};
-  const MatchResult result = final_choice(left_, right_, candidates_, supports, pairs, {});
+  const MatchResult result = final_choice({left_, right_, candidates_}, supports, pairs, {});
   EXPECT_EQ(result.matches.size(), 2U);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kNoPair);
   // without partners its look decides, and has to be better
-  EXPECT_EQ(final_choice(left_, right_, candidates_, supports, {}, {}).matches.size(), 2U);
+  EXPECT_EQ(final_choice({left_, right_, candidates_}, supports, {}, {}).matches.size(), 2U);
   supports[0][0].probability = 0.99;
-  EXPECT_EQ(final_choice(left_, right_, candidates_, supports, {}, {}).matches.size(), 3U);
+  EXPECT_EQ(final_choice({left_, right_, candidates_}, supports, {}, {}).matches.size(), 3U);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/ok2011/estimate/endpoints.h"
+#include "reconstruct/ok2011/estimate/line_geometry.h"
 
 #include "tests/reconstruct/support/conditioned_scene.h"
 #include "tests/reconstruct/support/finite_difference.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/geometry/segment_plane.h"
+#include "evaluate/judge/segment_plane.h"
 
 #include "tests/support/random.h"
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/line_match.h"
+#include "reconstruct/views/match_view.h"
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -36,5 +38,11 @@ struct FlankStrip {
 struct FlankStrips {
   FlankStrip left, right;
 };
+
+/// The strips beside the matches up to `max_angle_deg` to the epipolar line, by match; empty ones
+/// beside the others.
+std::vector<FlankStrips> sample_flanks(const StereoPair& pair,
+                                       std::span<const LineMatch> matches,
+                                       double max_angle_deg);
 
 }  // namespace ridgeline::reconstruct

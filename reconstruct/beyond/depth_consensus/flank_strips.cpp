@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/beyond/depth_consensus/sample_flanks.h"
+#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/views/image_sampler.h"

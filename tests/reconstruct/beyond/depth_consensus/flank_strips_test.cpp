@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/beyond/depth_consensus/sample_flanks.h"
+#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 
 #include "reconstruct/views/epipolar_overlap.h"
 #include "tests/reconstruct/support/stereo_scene.h"
