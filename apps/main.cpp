@@ -169,7 +169,7 @@ std::string footer_of(const Command& command, bool writes) {
                      command.examples);
 }
 
-/// Of --help and --version.
+/// Answers --help and --version.
 int print_answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int code = app.exit(error, text, std::cerr);

@@ -10,7 +10,7 @@
 
 namespace ridgeline::io {
 
-/// Of the columns of a vector file. Dates and times are held as text, "2026/11/24 10:00:00+00".
+/// Types of the columns of a vector file. Dates and times are held as text, "2026/11/24 10:00:00+00".
 enum class ColumnType : std::uint8_t {
   kBoolean,
   kInteger,  ///< 32 bits

@@ -6,8 +6,8 @@
 
 namespace ridgeline::io {
 
-/// Of `known`, which must not be empty, the name that the fewest letters put in, left out, replaced
-/// or swapped with their neighbour make of `name`; the first of several. Throws
+/// The name in `known` that becomes `name` by the fewest letters put in, left out, replaced or swapped
+/// with their neighbour; the first of several. Throws
 /// std::invalid_argument for no known name.
 std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 

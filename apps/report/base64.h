@@ -12,7 +12,7 @@ namespace ridgeline::apps {
 /// RFC 4648, padded, no line breaks.
 std::string base64(std::span<const std::byte> bytes);
 
-/// Of the values as they lie in memory: little endian on every platform that is built for.
+/// Encodes the values as they lie in memory: little endian on every platform that is built for.
 template <typename T>
 std::string base64(const std::vector<T>& values) {
   static_assert(std::is_arithmetic_v<T>);

@@ -47,7 +47,7 @@ class SegmentPicture {
   }
 
   [[nodiscard]] const cv::Mat& canvas() const { return canvas_; }
-  /// Of the canvas for one of the image.
+  /// Pixels of the canvas for one of the image.
   [[nodiscard]] double scale() const { return scale_ * canvas_scale_; }
 
  private:

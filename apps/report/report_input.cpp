@@ -58,7 +58,7 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
   patch.images = std::move(shown);
 }
 
-/// Of a cloud that may cover a town: what is near the lines. Nothing where there are no lines.
+/// The part near the lines of a cloud that may cover a town. Nothing where there are no lines.
 std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   constexpr double kRadius_m = 10.0;
   std::vector<Segment2> segments;
@@ -168,7 +168,7 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
   }
 }
 
-/// Of all that a text of the report may name.
+/// Knows all paths that a text of the report may name.
 PathShortener path_shortener(const std::string& folder,
                              const RunInputs& inputs,
                              const std::vector<ReportPatch>& patches) {

@@ -30,7 +30,7 @@ struct ReportMethod {
   /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
   /// gone.
   std::vector<std::optional<io::Line>> lines;
-  /// Of these in the patch's frame; nothing for coordinates that are not finite, too.
+  /// The same lines in the patch's frame; nothing for coordinates that are not finite, too.
   std::vector<std::optional<Segment3>> segments;
   std::vector<std::optional<double>> true_errors_m;  ///< of each line; empty without true lines
 };

@@ -70,7 +70,7 @@ cv::Mat display_image(const cv::Mat& normalised) {
   return picture;
 }
 
-/// Of each segment to its epipolar line: what makes it aligned.
+/// Angle of each segment to its epipolar line: what makes it aligned.
 std::string angles_base64(const std::vector<EdgeSegment>& segments,
                           const std::array<ProjectionMatrix, 2>& cameras,
                           std::size_t i) {

@@ -57,7 +57,7 @@ class RunInputs {
   std::vector<Input> inputs_;
   evaluate::Json options_;
   bool is_of_files_ = false;
-  /// Of `evaluate`, whose lines without CRS are in the units of its cloud.
+  /// Unit of the cloud of `evaluate`: its lines without CRS are in this unit.
   Eigen::Vector3d cloud_unit_m_ = Eigen::Vector3d::Ones();
 };
 

@@ -26,7 +26,7 @@ struct Density {
   double points_per_m2 = 0.0, no_data_share = 0.0;
 };
 
-/// Of points of which only a share is there: in cells so much larger that as many of them have one.
+/// If only a share of the points is there: in cells so much larger that as many of them have one.
 Density density_of(const std::vector<io::CloudPoint>& points, double share) {
   constexpr double kMostCells = 1e7;
   const auto [low, high] = box_of(points);

@@ -21,7 +21,7 @@ struct ShownCloud {
   std::uint64_t n_read = 0;    ///< records in the files
   std::size_t n_all = 0;       ///< points kept of them
   double points_per_m2 = 0.0;  ///< where there are any
-  /// Of the square metres of the points' box those without any; nothing if only the surroundings
+  /// Share of the square metres of the points' box without any point; nothing if only the surroundings
   /// of lines were read.
   std::optional<double> no_data_share;
   std::vector<Eigen::Vector3d> x_in_local;

@@ -23,7 +23,7 @@ struct ShownPlane {
 /// The planes of a method's lines and the shown points that lie on them.
 struct ShownPlanes {
   std::vector<ShownPlane> planes;  ///< by descending number of inliers
-  /// Of each shown point: index in `planes` + 1, 0 for none.
+  /// Index in `planes` + 1 of each shown point, 0 for none.
   std::vector<std::uint16_t> plane_of_point;
 };
 

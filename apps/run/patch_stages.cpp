@@ -24,7 +24,7 @@ static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
 /// The list that lines are reconstructed from; with two matchers that of both.
 constexpr const char* kMatches = "matches.csv";
 
-/// Of one of several matchers.
+/// The file of one of several matchers.
 std::string list_file(const char* stem, const std::string& matcher) {
   return fmt::format("{}.{}.csv", stem, matcher);
 }
@@ -66,7 +66,7 @@ std::vector<std::string> PatchStages::segment_files() const {
           fmt::format("segments.{}.csv", patch_.images[1].id)};
 }
 
-/// Of the lists of matches.
+/// The names of the lists of matches.
 std::vector<std::string> PatchStages::list_names() const {
   std::vector<std::string> names;
   for (const reconstruct::Matcher matcher : options_.parameters.method.matching.matchers)

@@ -19,7 +19,7 @@ struct FlightOptions {
   double base_to_height = 0.26;     ///< base along x
   double attitude_sigma_deg = 0.4;  ///< of omega, phi and kappa of each view
   double position_sigma_m = 2.0;    ///< of each projection centre, per axis
-  /// Of the image around the plan. Negative: the border of the plan, where the world ends, is cut
+  /// Margin of the image around the plan. Negative: the border of the plan, where the world ends, is cut
   /// off; its straight edge is none that a landscape has.
   double margin_m = -2.0;
   /// Columns and rows of the images around the middle of the plan, instead of all that shows it;

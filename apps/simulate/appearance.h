@@ -25,7 +25,7 @@ class Appearance {
                                      const Eigen::Vector3d& x_in_local,
                                      float footprint_m) const;
 
-  /// Of the ground where it goes on beyond the mesh.
+  /// Colour of the ground where it goes on beyond the mesh.
   [[nodiscard]] Spectrum lawn(const Eigen::Vector3d& x_in_local, float footprint_m) const;
 
   /// Unit normal for shading, outwards: that of the triangle; of a leaf, bent to that of its crown.

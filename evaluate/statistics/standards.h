@@ -19,10 +19,10 @@ struct UncertaintyBudget {
   double laser_systematic_m = 0.0;  ///< SummaryOptions::sigma_sys_m
   double plane_fit_m =
       0.0;  ///< what plane_sigma_m() adds: neighbours that err together, few points
-  /// Of the RMS of the class, not of a line: the standard error of the clustered bootstrap.
+  /// Uncertainty of the RMS of the class, not of a line: the standard error of the clustered bootstrap.
   std::optional<double> sampling_m;
 
-  /// Of the distance of one line: laser and plane.
+  /// Uncertainty of the distance of one line: laser and plane.
   [[nodiscard]] double combined_m() const;
   [[nodiscard]] double expanded_m() const { return 2.0 * combined_m(); }  ///< k = 2
 };

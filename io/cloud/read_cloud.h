@@ -23,14 +23,14 @@ struct ReadOptions {
   std::optional<PlanMask> near;     ///< keep only points in the mask; needs `frame`
   std::optional<LocalFrame> frame;  ///< unset: suggest_frame() of the first file with points
   Crs assume_crs;                   ///< declares or overrides the CRS of every file
-  /// Of the points, the share to keep, chosen by their coordinates: evenly, and the same in any order.
+  /// Share of the points to keep, chosen by their coordinates: evenly, and the same in any order.
   double share = 1.0;
   std::uint64_t max_points = 0;        ///< kept points allowed; 0: no limit
   std::uint64_t max_memory_bytes = 0;  ///< for kept points, 32 bytes each; 0: no limit
   /// Refuses what is otherwise warned of: coordinates already damaged by float32.
   bool strict = false;
   bool salvage = false;  ///< read the records that are there when a file is cut short
-  /// Of a COPC file only the levels of its octree down to this distance between points are read;
+  /// Only the levels of a COPC octree down to this distance between points are read;
   /// 0: all. Other files are read whole.
   double max_resolution_m = 0.0;
   /// Coarsest tolerable step of stored coordinates: a quarter of the 0.1 m plane tolerance.

@@ -32,14 +32,14 @@ struct Line {
   /// own right ones may be moved across (registered_shifts_px()).
   std::optional<Segment2> left_px, right_px;
   std::optional<double> epipolar_angle_deg;
-  /// Of a true line: share of its length that the base and the other image show, 0..1.
+  /// Share of the length of a true line that the base and the other image show, 0..1.
   std::optional<double> visible_left, visible_right;
   std::optional<int> n_points;  ///< artificial points used
   std::optional<int> n_images;  ///< supporting images (Line3D++, LIMAP)
   /// Covariance of (start, end) in world axes, m^2.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
   std::vector<int> plane_ids;  ///< of true lines: the planes they bound
-  /// Of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place from 0.
+  /// Id of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place from 0.
   std::int64_t source_fid = 0;
   int part = 0;         ///< place in its feature, from 0
   std::size_t row = 0;  ///< of its feature in LineSet::features

@@ -42,7 +42,7 @@ struct TruthRows {
   std::vector<evaluate::ReferenceRow> references;  ///< none without reference lines
 };
 
-/// Of the lines that `evaluation` judged.
+/// True errors of the lines that `evaluation` judged.
 TruthRows compare_with_truth(const evaluate::Evaluation& evaluation,
                              const std::vector<evaluate::JudgedLine>& lines,
                              const std::optional<std::vector<evaluate::ReferenceLine>>& references);

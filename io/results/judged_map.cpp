@@ -142,7 +142,7 @@ std::string fkb_type(const MapLine& m) {
   return m.kind == "eave" || m.kind == "verge" ? "Takkant" : "M\xC3\xB8nelinje";
 }
 
-/// Of the Norwegian specification FKB-Bygning.
+/// Attributes of the Norwegian specification FKB-Bygning.
 const std::vector<LineField>& fkb_fields() {
   static const std::vector<LineField> fields{
       {"objtype", ColumnType::kText, [](const auto& m) { return text(fkb_type(m)); }},

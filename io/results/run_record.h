@@ -29,7 +29,7 @@ class RunRecord {
   void set(const std::string& key, nlohmann::ordered_json value) { facts_[key] = std::move(value); }
   /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `image` and
   /// `reference` are the data that two runs must share to be compared; `lines` are what is judged.
-  /// Of a folder (LIMAP's tracks): each of its files.
+  /// Each file of a folder (LIMAP's tracks).
   /// Throws IoError if it cannot be read.
   void add_input(const InputFile& file);
   void add_warnings(const std::vector<std::string>& warnings);

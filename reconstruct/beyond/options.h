@@ -40,7 +40,7 @@ struct EdgeExtensionOptions {
   }
 };
 
-/// Of the extraction: what the paper says, and what goes beyond it.
+/// The extraction: what the paper says, and what goes beyond it.
 struct ExtractionOptions {
   ExtractOptions edges;
   EdgeExtensionOptions beyond;
@@ -137,7 +137,7 @@ struct EstimateExtensionOptions {
   }
 };
 
-/// Of the estimation: what the paper says, and what goes beyond it.
+/// The estimation: what the paper says, and what goes beyond it.
 struct EstimationOptions {
   ReconstructOptions lines;
   EstimateExtensionOptions beyond;

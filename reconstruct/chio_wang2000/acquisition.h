@@ -37,7 +37,7 @@ class Acquisition {
   /// With a mate that Core knows.
   [[nodiscard]] bool is_matched(int left) const { return acquired_[left].has_value(); }
   [[nodiscard]] bool is_open(int left) const { return outcomes_[left] != ChioOutcome::kMatched; }
-  /// Of a matched segment.
+  /// The candidate that a matched segment took.
   [[nodiscard]] const CoreCandidate& mate(int left) const;
   [[nodiscard]] const std::vector<std::optional<Acquired>>& acquired() const { return acquired_; }
   [[nodiscard]] const std::vector<ChioOutcome>& outcomes() const { return outcomes_; }

@@ -48,7 +48,7 @@ double mean_of(const Colour& colour, int n_bands) {
   return sum / n_bands;
 }
 
-/// Of the flank that agrees better: an eave hides what is beside it in one of the views.
+/// Grey difference of the flank that agrees better: an eave hides what is beside it in one of the views.
 double flank_difference(const Scene& scene, const EdgePair& edges) {
   const int n_bands = scene.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {

@@ -63,7 +63,7 @@ struct StepEquations {
   [[nodiscard]] double gain(Eigen::Index i) const;
   /// How much the steps at two offsets take; 0 where the bins do not tell them apart.
   [[nodiscard]] double gain(Eigen::Index i, Eigen::Index j) const;
-  /// Of the best single step.
+  /// What the best single step takes from the squares.
   [[nodiscard]] double best_gain() const;
 };
 

@@ -39,7 +39,7 @@ struct ObservedLine {
   UncertainPlane3 plane;  ///< projection plane, spherically normalised
 };
 
-/// Of a match: left (base), right.
+/// The two images of a match: left (base), right.
 using ObservedPair = std::array<ObservedLine, 2>;
 
 /// Throws std::invalid_argument for a segment that uncertain_line() rejects.

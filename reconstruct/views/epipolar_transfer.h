@@ -72,7 +72,7 @@ struct StereoSearch {
                const std::array<double, 2>& height_range_in_local_m);
 };
 
-/// Of the left image to the right one, in the middle of the heights.
+/// Transfer of the left image to the right one, in the middle of the heights.
 LocalTransfer local_transfer(const StereoSearch& search, const Eigen::Vector2d& x_left);
 
 /// Distance of y from the epipolar line of x (F x) in the image of y.

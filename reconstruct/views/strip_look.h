@@ -39,7 +39,7 @@ struct SideLook {
 
   /// 1 for equal colours, 1/e at a twentieth of the range of grey values.
   [[nodiscard]] double colour_agreement() const;
-  /// Of texture and colour, 0..2.
+  /// How well texture and colour agree together, 0..2.
   [[nodiscard]] double agreement() const { return std::max(0.0, ncc) + colour_agreement(); }
 };
 
@@ -107,11 +107,11 @@ struct BandSums {
 /// Normalised cross correlation of all bands together; `noise_variance` of a band damps it where there is little texture.
 /// 0 where a side has no variance at all.
 double correlation(std::span<const BandSums> bands, int n_samples, double noise_variance = 0.0);
-/// Of profiles of one length.
+/// The same for two profiles of one length.
 double correlation(std::span<const Colour> a,
                    std::span<const Colour> b,
                    double noise_variance = 0.0);
-/// Of n > 0 samples.
+/// The look of a side with n > 0 samples.
 SideLook side_look(const std::array<BandSums, kMaxBands>& sums, int n_bands, int n_samples);
 
 }  // namespace ridgeline::reconstruct

@@ -17,7 +17,7 @@ constexpr double kMostPointPrior =
     0.7;                            ///< that two lines which cross in both images meet, at W = 1
 constexpr double kEndPrior = 0.75;  ///< that the ends of both segments show the same point
 constexpr double kLeastCutWeight = 0.3;  ///< W of the point where a match is cut
-/// Of lines that rest on their ends alone: false matches of short segments have ends that agree as well.
+/// Lines that rest on their ends alone are at least this long: false matches of short segments have ends that agree as well.
 constexpr double kShortestWithEnds_px = 15.0;
 
 /// The ends of lines of known height, by their place in the left image.

@@ -13,7 +13,7 @@ constexpr double kUnreached = -std::numeric_limits<double>::infinity();
 
 double squared(double x) { return x * x; }
 
-/// Of lines that are not built horizontal: roofs of 20 to 50 degrees mostly, and streets.
+/// Density of the slope of lines that are not built horizontal: roofs of 20 to 50 degrees mostly, and streets.
 double sloping(double slope) {
   constexpr double kRoof = 0.7, kRoofScatter = 0.3, kRoofShare = 0.9, kStreet = 0.6;
   return kRoofShare * bell((slope - kRoof) / kRoofScatter) +
@@ -25,13 +25,13 @@ double log_straight_prior(double slope, const EstimateExtensionOptions& options)
   return std::log(p * bell(slope / options.sigma_slope) + (1.0 - p) * sloping(slope));
 }
 
-/// Of a cut between two steps of a row: a row that has one step often has more.
+/// Prior of a cut between two steps of a row: a row that has one step often has more.
 double log_step_prior(bool is_first, const EstimateExtensionOptions& options) {
   constexpr double kNextShare = 0.3;
   return std::log(is_first ? options.step_share : kNextShare);
 }
 
-/// Of the height of a step: houses of a row follow the street, an eave is not cut by the ground below.
+/// Prior of the height of a step: houses of a row follow the street, an eave is not cut by the ground below.
 double log_rise_prior(double rise_m) {
   constexpr double kRise_m = 1.0;
   return -0.5 * squared(rise_m / kRise_m);

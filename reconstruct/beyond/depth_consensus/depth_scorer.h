@@ -65,7 +65,7 @@ class DepthScorer {
   [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
   /// The same for evidence so near to a cut that it speaks for a line beside it but not against one.
   [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Of the evidence at the cut itself, which belongs to either line.
+  /// Score of the evidence at the cut itself, which belongs to either line.
   [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
   [[nodiscard]] double score_of_cut(std::size_t cut,
                                     const DepthLine& before,

@@ -17,12 +17,12 @@ constexpr double kFullLength_px = 30.0;  // short strips correlate by chance
 constexpr double kBelow = 3.0;           // what a depth of its own costs the lower side
 constexpr double kMostSquared = 0.95;
 constexpr double kOutlier = 0.02;
-/// Of places: finer than the strips correlate.
+/// Step between places: finer than the strips correlate.
 constexpr double kStep = 1.0 / FlankStrip::kRightStep_px;
 constexpr double kSteepest = 1.2;
 constexpr double kApart = 2.0 * kStep;  // lines that are others
 
-/// Of the sides, with the best of each below.
+/// Score of the two sides, with the best of each below.
 double score_of(const std::array<double, 2>& here, const std::array<double, 2>& below) {
   const auto with_upper = [&](std::size_t upper) {
     const std::size_t lower = 1 - upper;
@@ -220,7 +220,7 @@ void FlankCorrelation::search(double most_slope) {
   }
 }
 
-/// Of the best profile within a step at both ends.
+/// Score of the best profile within a step at both ends.
 double FlankCorrelation::score(const Places& places) const {
   const std::array<double, 2> below =
       gains_below(up_ * (places.front() - level_.front()), up_ * (places.back() - level_.back()));

@@ -33,7 +33,7 @@ struct FlankStrip {
   }
 };
 
-/// Of a match. The left strip is as long as its segment, the right one reaches as far beyond its own
+/// The strips of a match. The left strip is as long as its segment, the right one reaches as far beyond its own
 /// as the left one may be seen.
 struct FlankStrips {
   FlankStrip left, right;

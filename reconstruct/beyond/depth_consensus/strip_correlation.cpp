@@ -12,7 +12,7 @@ constexpr int kRows = FlankStrip::kRows;
 constexpr double kSlopeStep = 0.8;                // of the sides
 constexpr double kNoiseVariance = 0.008 * 0.008;  // of a band
 
-/// Of one row and band; samples outside of the image take the mean of the others.
+/// Values of one row and band; samples outside of the image take the mean of the others.
 std::vector<float> without_gaps(const float* row, int n) {
   std::vector<float> filled(row, row + n);
   double sum = 0.0;

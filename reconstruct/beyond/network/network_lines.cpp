@@ -71,7 +71,7 @@ Members members_of(const StereoLines& lines,
   return members;
 }
 
-/// Of the parts of a match the one closest to a segment of the left image; none for a match without.
+/// The part of a match that is closest to a segment of the left image; none for a match without parts.
 std::optional<int> closest_part(const Members& members, std::size_t match, const Segment2& to) {
   std::optional<int> closest;
   double least = 0.0;

@@ -14,7 +14,7 @@ namespace ridgeline::reconstruct {
 /// time of the factorisation (Takahashi et al. 1973), where the whole inverse is dense.
 class SparseInverse {
  public:
-  /// Of the lower triangle. Empty if the matrix is not positive definite.
+  /// From the lower triangle of the matrix. Empty if the matrix is not positive definite.
   static std::optional<SparseInverse> of(const Eigen::SparseMatrix<double>& lower);
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;

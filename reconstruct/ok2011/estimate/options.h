@@ -18,7 +18,7 @@ const char* name(Method method);  ///< "direct" | "joint" | "network"
 /// The method of Ok et al. 2011, section 3. Method::kNetwork is ours.
 struct ReconstructOptions {
   Method method = Method::kJoint;
-  /// Of `direct` and `joint` alike, so that both treat a not_aligned line identically.
+  /// `direct` and `joint` share it, so that both treat a not_aligned line identically.
   LineCovariance line_covariance = LineCovariance::kEq1;
 
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< up to here a line is `aligned`

@@ -62,14 +62,14 @@ void sum_bands(const float* dx, const float* dy, int n_bands, TensorRow& row) {
   }
 }
 
-/// Of each tensor the principal axis with length sqrt(lambda_1), on the side of the grey gradient.
+/// The principal axis of each tensor with length sqrt(lambda_1), on the side of the grey gradient.
 void principal_axes(const TensorRow& row, float* axes) {
   for (std::size_t i = 0; i < row.xx.size(); ++i) {
     const float xy = row.xy[i];
     const float half_difference = 0.5F * (row.xx[i] - row.yy[i]);
     const float root = std::sqrt(half_difference * half_difference + xy * xy);
     const float strength = std::sqrt(0.5F * (row.xx[i] + row.yy[i]) + root);
-    // Of the two rows of G - lambda I, the one that is not cancelled.
+    // The row of G - lambda I that is not cancelled.
     const bool is_first = half_difference >= 0.0F;
     const float x = is_first ? half_difference + root : xy;
     const float y = is_first ? xy : root - half_difference;

@@ -88,7 +88,7 @@ namespace {
 constexpr std::size_t kMinForStatistics = 30;
 constexpr int kMaxLag = 4;
 constexpr double kShrinkage = 10.0;
-/// Of a point. Edges of a drawing may fit their lines exactly; no line is known exactly.
+/// Least noise of a point. Edges of a drawing may fit their lines exactly; no line is known exactly.
 constexpr double kExact_px = 1e-3;
 constexpr double kSigmaAlong_px = 1.0;
 

@@ -22,7 +22,7 @@ struct PrincipalAxes {
   double lambda_min = 0.0;    ///< variance across, dividing by n
   double max_distance = 0.0;  ///< of a point from the axis
 };
-/// Of at least one point; identical points have the x axis.
+/// Takes at least one point; identical points have the x axis.
 PrincipalAxes principal_axes(std::span<const Eigen::Vector2d> points);
 
 /// Cuts an ordered curve into straight pieces: a run is straight if the points' variance across

@@ -20,7 +20,7 @@ struct MatchOptions {
   double max_pair_epipolar_px = 5.0;
 
   double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best mate
-  /// Of a match against its rivals, to be kept; 0.9 if a segment is shorter than 12 px, 0.6 if it is
+  /// Least probability of a match against its rivals; 0.9 if a segment is shorter than 12 px, 0.6 if it is
   /// shorter than three quarters of its mate.
   double min_probability = 0.4;
   double min_votes = 0.3;                  ///< of its pairs, if its partners are matched
