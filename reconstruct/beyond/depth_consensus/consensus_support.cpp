@@ -222,8 +222,28 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
   return seen;
 }
 
+/// Takes points of the line that the strips beside it show in both images; false if they show none.
+bool add_flank_points(const MatchEvidence& evidence,
+                      const FlankCorrelation& flanks,
+                      const DepthPart& part,
+                      const EstimationOptions& options,
+                      LineSupport& support) {
+  const auto found = flanks.homologous(part.line, part.horizontal);
+  if (!found) return false;
+  for (const FlankCorrelation::Homologous& x : *found) {
+    if (const auto point = point_in_object(evidence.lines, evidence.line, x,
+                                           FlankCorrelation::kSigma_px, options.lines)) {
+      support.ends.push_back(*point);
+      support.ends_in_images.push_back(x);
+    }
+  }
+  support.has_flanks = !support.ends.empty();
+  return support.has_flanks;
+}
+
 LineSupport support_of(const MatchEvidence& evidence,
                        const DepthPart& part,
+                       const FlankCorrelation* flanks,
                        const EstimationOptions& options) {
   LineSupport support;
   support.seen = seen_part(evidence, part);
@@ -239,6 +259,8 @@ LineSupport support_of(const MatchEvidence& evidence,
   support.points = best_of_regions(agreeing, options.lines);
   if (part.horizontal) support.sigma_slope = options.beyond.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
+  if (flanks != nullptr && add_flank_points(evidence, *flanks, part, options, support))
+    return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
     if (i < evidence.points.size()) continue;
@@ -274,8 +296,9 @@ std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
     return {nothing};
   }
   std::vector<LineSupport> all;
+  const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {
-    all.push_back(support_of(evidence, part, options));
+    all.push_back(support_of(evidence, part, flanks && is_whole ? &*flanks : nullptr, options));
     if (consensus->margin < options.beyond.min_depth_margin) all.back().ambiguous = true;
   }
   return all;

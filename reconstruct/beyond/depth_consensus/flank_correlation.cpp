@@ -22,6 +22,13 @@ constexpr double kStep = 1.0 / FlankStrip::kRightStep_px;
 constexpr double kSteepest = 1.2;
 constexpr double kApart = 2.0 * kStep;  // lines that are others
 
+/// Offset of the vertex of a parabola through three values at -1, 0 and 1; 0 unless the middle one is the largest.
+double vertex(double before, double middle, double after) {
+  const double curvature = before - 2.0 * middle + after;
+  if (!(curvature < 0.0) || before > middle || after > middle) return 0.0;
+  return 0.5 * (before - after) / curvature;
+}
+
 /// Score of the two sides, with the best of each below.
 double score_of(const std::array<double, 2>& here, const std::array<double, 2>& below) {
   const auto with_upper = [&](std::size_t upper) {
@@ -239,6 +246,82 @@ double FlankCorrelation::log_likelihood(const LineAt& profile) const {
   if (max_score_ <= 0.0) return std::log(kOutlier);
   const double below_best = std::min(0.0, score(places_of(profile)) - max_score_);
   return std::log(kOutlier + (1.0 - kOutlier) * std::exp(below_best));
+}
+
+/// How far to raise a profile at both ends for a side of a given slope to correlate best.
+FlankCorrelation::Refined FlankCorrelation::refined(const Places& places,
+                                                    bool horizontal,
+                                                    std::size_t side,
+                                                    std::size_t slope) const {
+  constexpr int kReach = 4;
+  const auto rho = [&](double at_start, double at_end) {
+    return strips_->at_slope(side, slope, raised(places, at_start, at_end));
+  };
+  Refined best;
+  for (int i = -kReach; i <= kReach; ++i) {
+    for (int k = horizontal ? i : -kReach; k <= (horizontal ? i : kReach); ++k) {
+      const double here = rho(i, k);
+      if (here > best.rho) best = {here, static_cast<double>(i), static_cast<double>(k)};
+    }
+  }
+  const auto [middle, start, end] = best;
+  if (horizontal) {
+    best.start += vertex(rho(start - 1.0, end - 1.0), middle, rho(start + 1.0, end + 1.0));
+    best.end = best.start;
+  } else {
+    best.start += vertex(rho(start - 1.0, end), middle, rho(start + 1.0, end));
+    best.end += vertex(rho(start, end - 1.0), middle, rho(start, end + 1.0));
+  }
+  best.rho = std::max(middle, rho(best.start, best.end));
+  return best;
+}
+
+/// The same for the better side. Few rows hardly tell its slope, which moves the line with it: the
+/// mean over the slopes, by their likelihood.
+FlankCorrelation::Refined FlankCorrelation::refined(const Places& places, bool horizontal) const {
+  std::array<std::array<Refined, StripCorrelation::kSlopes>, 2> all;
+  Refined best;
+  std::size_t better = 0;
+  for (const std::size_t side : {0U, 1U}) {
+    for (std::size_t k = 0; k < StripCorrelation::kSlopes; ++k) {
+      all[side][k] = refined(places, horizontal, side, k);
+      if (all[side][k].rho <= best.rho) continue;
+      best = all[side][k];
+      better = side;
+    }
+  }
+  Refined mean{best.rho, 0.0, 0.0};
+  double sum = 0.0;
+  for (const Refined& r : all[better]) {
+    const double likelihood = std::exp(gain(r.rho) - gain(best.rho));
+    sum += likelihood;
+    mean.start += likelihood * r.start;
+    mean.end += likelihood * r.end;
+  }
+  mean.start /= sum;
+  mean.end /= sum;
+  return mean;
+}
+
+std::optional<std::array<FlankCorrelation::Homologous, 2>> FlankCorrelation::homologous(
+    const DepthLine& line, bool horizontal) const {
+  constexpr double kClearly = 1.0;
+  constexpr double kLeastCorrelation = 0.7;
+  constexpr double kInset = 0.1;  // of the points, from either end
+  if (max_score_ <= 0.0) return std::nullopt;
+  const Places places = places_of([&](double) -> const DepthLine& { return line; });
+  if (score(places) < max_score_ - kClearly) return std::nullopt;
+  const Refined found = refined(places, horizontal);
+  if (found.rho < kLeastCorrelation) return std::nullopt;
+  const Places best = raised(places, found.start, found.end);
+  const auto point = [&](double share) {
+    const auto last = static_cast<double>(samples_.size() - 1);
+    const auto s = static_cast<std::size_t>(std::lround(share * last));
+    const Segment2& left = line_[0].segment;
+    return Homologous{point_at(left, samples_[s].parameter),
+                      point_at(right_axis_, best[s] / (n_right_ - 1))};
+  };
+  return std::array{point(kInset), point(1.0 - kInset)};
 }
 
 }  // namespace ridgeline::reconstruct

@@ -48,6 +48,15 @@ class FlankCorrelation {
   /// The lines that the strips speak for most, horizontal and sloping ones, three each at most.
   [[nodiscard]] const std::vector<DepthLine>& likely_lines() const { return likely_lines_; }
 
+  static constexpr double kSigma_px = 0.5;  ///< of homologous() along the line
+  /// A point in the left and the right image, conditioned frames.
+  using Homologous = std::array<Eigen::Vector2d, 2>;
+  /// Two points, near both ends, of the line close to the given one along which a side correlates best,
+  /// to a fraction of a pixel. Horizontal lines are only shifted. Empty where none correlates to 0.7,
+  /// or another line does clearly better.
+  [[nodiscard]] std::optional<std::array<Homologous, 2>> homologous(const DepthLine& line,
+                                                                    bool horizontal) const;
+
  private:
   /// A pixel of the left strip.
   struct Sample {
@@ -71,6 +80,17 @@ class FlankCorrelation {
   [[nodiscard]] Places raised(const Places& places, double at_start, double at_end) const;
   [[nodiscard]] std::array<double, 2> gains_below(double rise_at_start, double rise_at_end) const;
   [[nodiscard]] double score(const Places& places) const;
+
+  /// Where a side correlates best: how much above a profile at both ends, in places.
+  struct Refined {
+    double rho = -1.0, start = 0.0, end = 0.0;
+  };
+  [[nodiscard]] Refined refined(const Places& places,
+                                bool horizontal,
+                                std::size_t side,
+                                std::size_t slope) const;
+  [[nodiscard]] Refined refined(const Places& places, bool horizontal) const;
+
   ObservedPair line_;
   ProjectionMatrix left_from_object_, right_from_object_;
   Segment2 right_axis_;  ///< conditioned

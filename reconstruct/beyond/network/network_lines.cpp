@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/network/network_lines.h"
 
+#include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 #include "reconstruct/beyond/network/junction.h"
 #include "reconstruct/beyond/network/network.h"
 #include "reconstruct/ok2011/estimate/line_geometry.h"
@@ -44,7 +45,8 @@ NetworkLine network_line(const StereoLines& lines,
   start_from(joint.line, lines.stereo.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
-  line.sigma_ends_px = options.sigma_end_px;
+  line.sigma_ends_px =
+      joint.support.has_flanks ? FlankCorrelation::kSigma_px : options.sigma_end_px;
   return line;
 }
 

@@ -66,8 +66,9 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
 Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
+  if (support.has_flanks && !support.points_fix_direction) return Status::kFlanks;
   if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
-  if (!support.ends.empty()) return Status::kSegmentEnds;
+  if (!support.ends.empty() && !support.has_flanks) return Status::kSegmentEnds;
   return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
 
@@ -156,10 +157,10 @@ const char* name(LineClass line_class) {
 }
 
 const char* name(Status status) {
-  constexpr std::array kNames{"direct",          "joint",         "one_point",
-                              "segment_ends",    "horizontal",    "no_points",
-                              "rank_deficient",  "not_converged", "ambiguous_depth",
-                              "no_intersection", "network"};
+  constexpr std::array kNames{"direct",          "joint",           "one_point",
+                              "flanks",          "segment_ends",    "horizontal",
+                              "no_points",       "rank_deficient",  "not_converged",
+                              "ambiguous_depth", "no_intersection", "network"};
   return kNames.at(static_cast<std::size_t>(status));
 }
 

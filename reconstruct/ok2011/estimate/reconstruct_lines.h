@@ -31,6 +31,7 @@ enum class Status : std::uint8_t {
   kDirect,          ///< intersection of the projection planes
   kJoint,           ///< planes and two or three points; horizontality too where these agree on it
   kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
+  kFlanks,          ///< points fix no direction; the strips beside the line do
   kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
   kHorizontal,      ///< points fix no direction; the line taken as horizontal
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`

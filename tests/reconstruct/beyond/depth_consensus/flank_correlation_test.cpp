@@ -16,6 +16,8 @@ using test::kDegree;
 using test::LineGroup;
 
 constexpr double kHeightM = 6.0;
+/// Half a pixel of parallax: the slope of the surface beside the line is not known.
+constexpr double kFoundM = 0.15;
 constexpr double kOutlier = 0.02;
 
 /// A line of 100 px parallel to the epipolar line.
@@ -35,6 +37,75 @@ LineGroup group_of(const FlankedLine& flanked) {
   if (flanked.right_runs_back)
     std::swap(group.segments[1][0].segment.start, group.segments[1][0].segment.end);
   return group;
+}
+
+/// The joint line with the strips; segment ends that tell another depth than the line's.
+ReconstructedLine reconstructed(const FlankedLine& flanked,
+                                bool with_strips,
+                                double shorter_px = 12.0) {
+  LineGroup group = group_of(flanked);
+  Segment2& left = group.segments[0][0].segment;
+  left.end -= shorter_px * (left.end - left.start).normalized();
+  const std::vector<FlankStrips> strips{flanked.strips()};
+  return group.reconstruct(EstimationOptions{},
+                           with_strips ? std::span(strips) : std::span<const FlankStrips>{})[0];
+}
+
+double worst_height_error_m(const FlankedLine& flanked, const ReconstructedLine& line) {
+  double worst = 0.0;
+  for (const double t : {0.1, 0.5, 0.8}) {
+    worst = std::max(worst, std::abs(test::height_error_m(flanked.scene, *line.segment_in_local,
+                                                          point_at(flanked.line, t))));
+  }
+  return worst;
+}
+
+TEST(FlankCorrelation, TellsTheHeightOfALineThatNothingMeets) {
+  const FlankedLine eave = flanked();
+  const ReconstructedLine without = reconstructed(eave, false);
+  EXPECT_TRUE(without.status == Status::kAmbiguousDepth ||
+              worst_height_error_m(eave, without) > 0.5);
+  const ReconstructedLine line = reconstructed(eave, true);
+  ASSERT_EQ(line.status, Status::kFlanks);
+  EXPECT_LT(worst_height_error_m(eave, line), kFoundM);
+}
+
+TEST(FlankCorrelation, FollowsALineThatRises) {
+  const FlankedLine verge = flanked(4.0, 8.0);
+  const ReconstructedLine line = reconstructed(verge, true, 0.0);
+  ASSERT_EQ(line.status, Status::kFlanks);
+  EXPECT_LT(worst_height_error_m(verge, line), kFoundM);
+}
+
+TEST(FlankCorrelation, FollowsARoofThatFallsAwayFromTheLine) {
+  FlankedLine eave = flanked();
+  eave.roof_slope = -0.8;
+  const ReconstructedLine line = reconstructed(eave, true);
+  ASSERT_EQ(line.status, Status::kFlanks);
+  EXPECT_LT(worst_height_error_m(eave, line), 0.3);  // a pixel
+}
+
+TEST(FlankCorrelation, SeesTheSameWhicheverWayTheRightSegmentRuns) {
+  FlankedLine eave = flanked();
+  eave.right_runs_back = true;
+  const ReconstructedLine line = reconstructed(eave, true);
+  ASSERT_EQ(line.status, Status::kFlanks);
+  EXPECT_LT(worst_height_error_m(eave, line), kFoundM);
+}
+
+TEST(FlankCorrelation, SeesTheSameWhereTheImageEndsBesideTheLine) {
+  FlankedLine eave = flanked();
+  const Segment2 right = project(eave.scene.cameras[1], eave.line);
+  eave.last_seen_x_px = std::max(right.start.x(), right.end.x()) - 25.0;
+  const ReconstructedLine line = reconstructed(eave, true);
+  ASSERT_EQ(line.status, Status::kFlanks);
+  EXPECT_LT(worst_height_error_m(eave, line), kFoundM);
+}
+
+TEST(FlankCorrelation, SeesTheSameInAnImageOfAnotherGain) {
+  FlankedLine eave = flanked();
+  eave.gain_right = 0.6;
+  EXPECT_LT(worst_height_error_m(eave, reconstructed(eave, true)), kFoundM);
 }
 
 /// The depth of the line in the conditioned frame of its match, and what the strips say of lines.
@@ -109,7 +180,7 @@ TEST(FlankCorrelation, IsTheSameForARoofThatFallsAwayTheOtherDirectionTheBorderA
   }
 }
 
-TEST(FlankCorrelation, FollowsALineThatRises) {
+TEST(FlankCorrelation, HasItsMaximumAtALineThatRises) {
   const Asked asked(flanked(4.0, 8.0));
   EXPECT_NEAR(asked.log_likelihood(4.0, 8.0), 0.0, 0.05);
   EXPECT_LT(asked.log_likelihood(6.0, 6.0), -2.0);
