@@ -101,9 +101,9 @@ std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid) {
     Colour& sum = profile[i % profile.size()];
     for (std::size_t band = 0; band < sum.size(); ++band) sum[band] += strip.colours[i][band];
   }
-  const auto n = static_cast<float>(strip.colours.size() / profile.size());
+  const std::size_t n = strip.colours.size() / profile.size();
   for (Colour& sum : profile) {
-    for (float& value : sum) value /= n;
+    for (float& value : sum) value /= static_cast<float>(n);
   }
   return profile;
 }

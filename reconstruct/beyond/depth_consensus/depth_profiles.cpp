@@ -21,8 +21,9 @@ double sloping(double slope) {
 }
 
 double log_straight_prior(double slope, const EstimateExtensionOptions& options) {
-  constexpr double p = 0.8;  // of aligned lines that are built horizontal
-  return std::log(p * bell(slope / options.sigma_slope) + (1.0 - p) * sloping(slope));
+  constexpr double kHorizontal = 0.8;  // share of aligned lines that are built so
+  return std::log(kHorizontal * bell(slope / options.sigma_slope) +
+                  (1.0 - kHorizontal) * sloping(slope));
 }
 
 /// Prior of a cut between two steps of a row: a row that has one step often has more.
