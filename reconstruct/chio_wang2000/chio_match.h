@@ -3,7 +3,7 @@
 
 #include "reconstruct/chio_wang2000/acquisition.h"
 #include "reconstruct/chio_wang2000/core.h"
-#include "reconstruct/chio_wang2000/fitted_line.h"
+#include "reconstruct/chio_wang2000/linked_line.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/views/match_view.h"
