@@ -7,6 +7,7 @@
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
 #include "reconstruct/views/normalised_image.h"
@@ -24,31 +25,19 @@ constexpr const char* kByHeight = "pairwise_height";
 
 template <typename Outcome>
 std::vector<std::string> reasons_of(const std::vector<Outcome>& outcomes) {
-  std::vector<std::string> reasons;
-  reasons.reserve(outcomes.size());
-  for (const Outcome outcome : outcomes) reasons.emplace_back(name(outcome));
-  return reasons;
+  return transformed(outcomes, [](Outcome outcome) { return std::string(name(outcome)); });
 }
 
 std::vector<FoundMatch> found_by(Matcher matcher, const std::vector<ScoredMatch>& matches) {
-  std::vector<FoundMatch> found;
-  found.reserve(matches.size());
-  for (const ScoredMatch& scored : matches) found.push_back({scored, name(matcher)});
-  return found;
-}
-
-std::vector<ScoredMatch> scored_matches(const MatchList& list) {
-  std::vector<ScoredMatch> matches;
-  matches.reserve(list.matches.size());
-  for (const FoundMatch& found : list.matches) matches.push_back(found.scored);
-  return matches;
+  return transformed(matches, [&](const ScoredMatch& m) { return FoundMatch{m, name(matcher)}; });
 }
 
 /// Beyond the papers: lines that the height of matched ones makes possible join the list.
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
   const CandidateLook look = match_extensions(options.beyond, options.candidates).look;
-  for (const ScoredMatch& scored : propagate_heights(pair, scored_matches(list), options.chio,
-                                                     options.candidates, options.beyond, look)) {
+  for (const ScoredMatch& scored :
+       propagate_heights(pair, transformed(list.matches, &FoundMatch::scored), options.chio,
+                         options.candidates, options.beyond, look)) {
     list.matches.push_back({scored, kByHeight});
     list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
   }
@@ -78,14 +67,6 @@ MatchList combined(const std::vector<EdgeSegment>& left,
     both.reasons[static_cast<std::size_t>(found.scored.match.left)] = "matched";
   }
   return both;
-}
-
-/// All of the segments that an estimation needs.
-std::vector<UncertainSegment2> geometry_of(const std::vector<EdgeSegment>& segments) {
-  std::vector<UncertainSegment2> geometry;
-  geometry.reserve(segments.size());
-  for (const EdgeSegment& segment : segments) geometry.push_back(segment.line);
-  return geometry;
 }
 
 void check_views(std::span<const View> views, std::span<const ViewPair> pairs) {
@@ -192,17 +173,14 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
   EstimationOptions within_heights = options;
   within_heights.lines.lowest_height_m = pair.height_range_in_local_m[0];
   within_heights.lines.highest_height_m = pair.height_range_in_local_m[1];
-  const std::array geometry{geometry_of(pair.views[0].segments),
-                            geometry_of(pair.views[1].segments)};
+  const std::array geometry{transformed(pair.views[0].segments, &EdgeSegment::line),
+                            transformed(pair.views[1].segments, &EdgeSegment::line)};
   return reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
                            right_shifts_px, estimate_extensions(within_heights, strips));
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {
-  std::vector<LineMatch> matches;
-  matches.reserve(list.matches.size());
-  for (const FoundMatch& found : list.matches) matches.push_back(found.scored.match);
-  return matches;
+  return transformed(list.matches, [](const FoundMatch& found) { return found.scored.match; });
 }
 
 Options published() {

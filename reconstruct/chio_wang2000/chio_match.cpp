@@ -3,6 +3,7 @@
 
 #include "reconstruct/chio_wang2000/four_processes.h"
 #include "reconstruct/chio_wang2000/linked_line.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <tbb/parallel_for.h>
 
@@ -57,10 +58,7 @@ ChioResult chio_match(const StereoPair& pair,
 }
 
 std::vector<ScoredMatch> matches_of(const ChioResult& result) {
-  std::vector<ScoredMatch> matches;
-  matches.reserve(result.lines.size());
-  for (const ChioLine& line : result.lines) matches.push_back(line.scored);
-  return matches;
+  return transformed(result.lines, &ChioLine::scored);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -2,6 +2,7 @@
 #include "reconstruct/chio_wang2000/linked_line.h"
 
 #include "reconstruct/chio_wang2000/edge_chain.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -99,10 +100,8 @@ std::optional<FittedLine> line_through_links(int left_id,
   // fragments are linked in any order; the line runs the way of the left segment
   std::stable_sort(on_line.begin(), on_line.end(),
                    [](const ChainPoint& a, const ChainPoint& b) { return a.step < b.step; });
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(on_line.size());
-  for (const ChainPoint& p : on_line) points.push_back(p.x_in_local);
-  std::optional<FittedLine> line = fit_line(points, kCorrelation);
+  std::optional<FittedLine> line =
+      fit_line(transformed(on_line, &ChainPoint::x_in_local), kCorrelation);
   if (!line) return line;
   const UncertainSegment2& mate = pair.right.segments[right_ids.front()].line;
   const Eigen::Matrix<double, 6, 2> jacobian = by_right_line(line->segment, pair, mate);

@@ -2,6 +2,7 @@
 #include "reconstruct/pair_check/pair_fit.h"
 
 #include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Geometry>
 
@@ -119,9 +120,8 @@ std::vector<PairReading> fitting_readings(std::span<const PointMatch> points,
   std::vector<PairReading> readings = readings_to_try();
   std::vector<double> shares;
   for (const PairReading& reading : readings) {
-    std::vector<PointMatch> seen;
-    seen.reserve(points.size());
-    for (const PointMatch& match : points) seen.push_back(as_seen(match, sizes_px, reading));
+    const std::vector<PointMatch> seen = transformed(
+        points, [&](const PointMatch& match) { return as_seen(match, sizes_px, reading); });
     shares.push_back(fit_of_pair(seen, geometry, limit_px).share_that_fits);
   }
   const double least =

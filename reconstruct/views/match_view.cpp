@@ -2,6 +2,7 @@
 #include "reconstruct/views/match_view.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/views/image_sampler.h"
 
 namespace ridgeline::reconstruct {
@@ -22,10 +23,7 @@ SearchedPair searched(const StereoPair& pair) {
 }
 
 std::vector<Segment2> ideal_segments(const MatchView& view) {
-  std::vector<Segment2> segments;
-  segments.reserve(view.segments.size());
-  for (const EdgeSegment& edge : view.segments) segments.push_back(edge.line.segment);
-  return segments;
+  return transformed(view.segments, [](const EdgeSegment& edge) { return edge.line.segment; });
 }
 
 }  // namespace ridgeline::reconstruct

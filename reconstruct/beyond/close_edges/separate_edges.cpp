@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/close_edges/separate_edges.h"
 
 #include "reconstruct/beyond/close_edges/close_edges.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/extract/edge_blur.h"
 #include "reconstruct/ok2011/extract/regression_line.h"
 
@@ -100,10 +101,7 @@ std::vector<bool> repeated(const std::vector<Part>& parts) {
 }  // namespace
 
 std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Mat& image) {
-  std::vector<Segment2> lines;
-  lines.reserve(edges.size());
-  for (const EdgeTrace& edge : edges) lines.push_back(line_through(edge));
-  const CloseEdgeFinder finder(edge_blur_px(image, lines));
+  const CloseEdgeFinder finder(edge_blur_px(image, transformed(edges, line_through)));
   std::vector<std::vector<Part>> found(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     found[i] = parts_of(std::move(edges[i]), image, finder);

@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 
 #include "reconstruct/beyond/depth_consensus/depth_profiles.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <iterator>
@@ -48,9 +49,8 @@ std::optional<DepthConsensus> agree_on_depth(const DepthQuestion& question) {
   const DepthScorer scorer(question);
   const std::vector<DepthProfile> all = hypotheses(question, scorer);
   if (all.empty()) return std::nullopt;
-  std::vector<double> scores;
-  scores.reserve(all.size());
-  for (const DepthProfile& profile : all) scores.push_back(scorer.score(profile));
+  const std::vector<double> scores =
+      transformed(all, [&](const DepthProfile& profile) { return scorer.score(profile); });
   const auto at = std::max_element(scores.begin(), scores.end()) - scores.begin();
   const DepthProfile& best = all[static_cast<std::size_t>(at)];
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -154,12 +156,8 @@ DepthLine FlankCorrelation::line_through(const Places& places) const {
 }
 
 FlankCorrelation::Places FlankCorrelation::places_of(const LineAt& profile) const {
-  Places places;
-  places.reserve(samples_.size());
-  for (const Sample& sample : samples_) {
-    places.push_back(place(at(profile(sample.parameter), sample)));
-  }
-  return places;
+  return transformed(
+      samples_, [&](const Sample& sample) { return place(at(profile(sample.parameter), sample)); });
 }
 
 double FlankCorrelation::gain(double rho) const {

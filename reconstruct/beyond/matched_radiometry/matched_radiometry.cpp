@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
 
 #include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/views/candidates.h"
 
 #include <algorithm>
@@ -58,12 +59,9 @@ void add_colours(const EdgeSegment& left,
 }
 
 double median_misclosure(std::span<const ColourPair> pairs, int band, double gain, double offset) {
-  std::vector<double> all;
-  all.reserve(pairs.size());
-  for (const ColourPair& pair : pairs) {
-    all.push_back(std::abs(pair.left[band] - gain * pair.right[band] - offset));
-  }
-  return median(std::move(all));
+  return median(transformed(pairs, [&](const ColourPair& pair) {
+    return std::abs(pair.left[band] - gain * pair.right[band] - offset);
+  }));
 }
 
 /// Least squares, reweighted for Cauchy's distribution of the misclosures.

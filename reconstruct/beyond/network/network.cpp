@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/network/network.h"
 
 #include "reconstruct/beyond/network/adjustment.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 #include <tbb/parallel_for.h>
@@ -100,8 +101,7 @@ void adjust_group(const StereoViews& stereo,
                   const std::array<double, 2>& heights_m,
                   const EstimateExtensionOptions& options,
                   std::vector<AdjustedInNetwork>& results) {
-  std::vector<const NetworkLine*> members;
-  for (const int line : group.lines) members.push_back(&lines[line]);
+  const auto members = transformed(group.lines, [&](int line) { return &lines[line]; });
   NetworkAdjustment adjustment(stereo, members, group.meetings, heights_m, options.sigma_slope);
   if (!decide_meetings(adjustment, options) || !adjustment.converged() || !adjustment.invert()) {
     return;

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/estimate/line_support.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 namespace ridgeline::reconstruct {
 
 std::vector<CandidatePoint> best_of_regions(std::span<const CandidatePoint> candidates,
                                             const ReconstructOptions& options) {
-  std::vector<RankedPoint> ranked;
-  ranked.reserve(candidates.size());
-  for (const CandidatePoint& candidate : candidates) ranked.push_back(candidate.ranked);
-  std::vector<CandidatePoint> selected;
-  for (const std::size_t i : select_points(ranked, options)) selected.push_back(candidates[i]);
-  return selected;
+  const std::vector<RankedPoint> ranked = transformed(candidates, &CandidatePoint::ranked);
+  return transformed(select_points(ranked, options), [&](std::size_t i) { return candidates[i]; });
 }
 
 LineSupport published_support(const StereoLines& lines,

@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/extract/extract_segments.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/extract/bends.h"
 #include "reconstruct/ok2011/extract/edge_chains.h"
 #include "reconstruct/ok2011/extract/edge_detection.h"
@@ -36,9 +37,8 @@ std::vector<Points> detected_pieces(const cv::Mat& image,
   std::vector<Points> all;
   for (const Chain& chain : linked_chains(pixels, index)) {
     if (!has_strong_pixel(chain, pixels, noise, options.high_noise_factor)) continue;
-    Points points;
-    points.reserve(chain.size());
-    for (const int i : chain) points.push_back(pixels[i].position_px.cast<double>());
+    const Points points = transformed(
+        chain, [&](int i) { return Eigen::Vector2d(pixels[i].position_px.cast<double>()); });
     for (const Piece& piece : straight_pieces(points, options)) {
       all.emplace_back(points.begin() + piece.first, points.begin() + piece.last);
     }

@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/extract/line_tracer.h"
 
 #include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
 #include <opencv2/core.hpp>
@@ -17,18 +18,13 @@ constexpr double kRefitGrowth = 1.2;
 constexpr double kMinRelativeStrength = 0.3;  ///< of the median of the trace
 
 double median_strength(const EdgeTrace& trace) {
-  std::vector<double> strengths;
-  for (const EdgeSample& sample : trace) strengths.push_back(sample.strength);
-  return median(std::move(strengths));
+  return median(transformed(trace, &EdgeSample::strength));
 }
 
 }  // namespace
 
 std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
-  std::vector<Eigen::Vector2d> points;
-  points.reserve(trace.size());
-  for (const EdgeSample& sample : trace) points.push_back(sample.position_px);
-  return points;
+  return transformed(trace, &EdgeSample::position_px);
 }
 
 /// A line as a function of a row or of a column.
