@@ -84,9 +84,9 @@ TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
     NetworkAdjustment without(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
     without.weights[m] = 0.0;
     ASSERT_TRUE(without.minimise(1e-9, 50) && without.invert());
-    const double miss = signed_distance(without.estimate(meetings[m].first),
-                                        without.estimate(meetings[m].second)) *
-                        scene.stereo.object.scale_m / meetings[m].junction.sigma_m;
+    const double miss =
+        signed_distance(without.estimate(meetings[m].first), without.estimate(meetings[m].second)) *
+        scene.stereo.object.scale_m / meetings[m].junction.sigma_m;
     EXPECT_NEAR(all.predicted(m).miss, miss, kSecondOrder * (1 + std::abs(miss)));
     EXPECT_NEAR(without.predicted(m).miss, miss, 1e-9);
     EXPECT_NEAR(all.predicted(m).sigma, without.predicted(m).sigma,
