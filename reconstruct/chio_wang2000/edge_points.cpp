@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/edge_points.h"
 
+#include "reconstruct/geometry/parabola.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,9 +52,8 @@ std::optional<double> edge_offset_px(const ImageSampler& image,
   if (!(before > 0.0 && after > 0.0 && std::max(before, after) < strength[best])) {
     return std::nullopt;
   }
-  const double fall_before = std::log(strength[best] / before);
-  const double fall_after = std::log(strength[best] / after);
-  const double peak = 0.5 * (fall_before - fall_after) / (fall_before + fall_after);
+  const double peak =
+      vertex_of_parabola(std::log(before), std::log(strength[best]), std::log(after));
   return (best - kHalfGradients + kHalfBase * peak) * kStep_px;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 
+#include "reconstruct/geometry/parabola.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Geometry>
@@ -23,13 +24,6 @@ constexpr double kOutlier = 0.02;
 constexpr double kStep = 1.0 / FlankStrip::kRightStep_px;
 constexpr double kSteepest = 1.2;
 constexpr double kApart = 2.0 * kStep;  // lines that are others
-
-/// Offset of the vertex of a parabola through three values at -1, 0 and 1; 0 unless the middle one is the largest.
-double vertex(double before, double middle, double after) {
-  const double curvature = before - 2.0 * middle + after;
-  if (!(curvature < 0.0) || before > middle || after > middle) return 0.0;
-  return 0.5 * (before - after) / curvature;
-}
 
 /// Score of the two sides, with the best of each below.
 double score_of(const std::array<double, 2>& here, const std::array<double, 2>& below) {
@@ -264,11 +258,12 @@ FlankCorrelation::Refined FlankCorrelation::refined(const Places& places,
   }
   const auto [middle, start, end] = best;
   if (horizontal) {
-    best.start += vertex(rho(start - 1.0, end - 1.0), middle, rho(start + 1.0, end + 1.0));
+    best.start +=
+        vertex_of_parabola(rho(start - 1.0, end - 1.0), middle, rho(start + 1.0, end + 1.0));
     best.end = best.start;
   } else {
-    best.start += vertex(rho(start - 1.0, end), middle, rho(start + 1.0, end));
-    best.end += vertex(rho(start, end - 1.0), middle, rho(start, end + 1.0));
+    best.start += vertex_of_parabola(rho(start - 1.0, end), middle, rho(start + 1.0, end));
+    best.end += vertex_of_parabola(rho(start, end - 1.0), middle, rho(start, end + 1.0));
   }
   best.rho = std::max(middle, rho(best.start, best.end));
   return best;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/network/adjustment.h"
 
+#include "reconstruct/geometry/halved_step.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -140,30 +142,14 @@ std::vector<Vector6d> NetworkAdjustment::moved(const Eigen::VectorXd& step, doub
   return lines;
 }
 
-bool NetworkAdjustment::take_step(const Eigen::VectorXd& step, double& sum) {
-  constexpr int kMostHalvings = 10;
-  constexpr double kRounding = 1e-9;  // of a sum whose unit is one standard deviation squared
-  double factor = 1.0;
-  for (int halving = 0; halving <= kMostHalvings; ++halving, factor *= 0.5) {
-    const std::vector<Vector6d> next = moved(step, factor);
-    const double next_sum = sum_of_squares(next);
-    if (!(next_sum <= sum * (1.0 + kRounding) + kRounding)) continue;
-    sum = next_sum;
-    estimates_ = next;
-    for (std::size_t i = 0; i < lines_.size(); ++i) bases_[i] = line_tangent_basis(next[i]);
-    return true;
-  }
-  return false;
-}
-
 bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
   converged_ = false;
-  double current = sum_of_squares(estimates_);
   for (int pass = 0; pass < most_passes; ++pass) {
+    const double sum = sum_of_squares(estimates_);
     Eigen::VectorXd right;
     const Eigen::SparseMatrix<double> matrix = normal_matrix(right);
     const auto factors = SparseInverse::of(matrix);
-    if (!factors || !std::isfinite(current)) return false;
+    if (!factors || !std::isfinite(sum)) return false;
     const Eigen::VectorXd step = factors->solve(right);
     double largest = 0.0;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -172,9 +158,13 @@ bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
       const Eigen::Vector4d own = step.segment<4>(at);
       largest = std::max(largest, own.dot(lower.selfadjointView<Eigen::Lower>() * own));
     }
-    const bool is_taken = take_step(step, current);
+    const auto next = halved_step(
+        sum, [&](double share) { return moved(step, share); },
+        [&](const std::vector<Vector6d>& lines) { return sum_of_squares(lines); });
     converged_ = std::sqrt(largest) < tolerance_sigma;
-    if (converged_ || !is_taken) break;
+    if (next) estimates_ = *next;
+    for (std::size_t i = 0; i < lines_.size(); ++i) bases_[i] = line_tangent_basis(estimates_[i]);
+    if (converged_ || !next) break;
   }
   return true;
 }

@@ -65,9 +65,6 @@ class NetworkAdjustment {
   [[nodiscard]] Eigen::SparseMatrix<double> normal_matrix(Eigen::VectorXd& right) const;
   /// The lines after a share of a step.
   [[nodiscard]] std::vector<Vector6d> moved(const Eigen::VectorXd& step, double factor) const;
-  /// Halves the step until the sum of squares does not grow; false, and nothing moves, if it always
-  /// does.
-  bool take_step(const Eigen::VectorXd& step, double& sum);
   [[nodiscard]] Eigen::Matrix4d covariance_block(std::size_t row, std::size_t column) const;
 
   const StereoViews& stereo_;

@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/parabola.h"
 #include "reconstruct/views/epipolar_overlap.h"
 #include "reconstruct/views/strip_look.h"
 
@@ -43,9 +44,8 @@ double registered_shift_px(std::span<const Colour> left, std::span<const Colour>
   const auto best = std::max_element(at.begin(), at.end());
   if (best == at.begin() || best == at.end() - 1) return 0.0;
   if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return 0.0;
-  const double curvature = best[-1] - 2.0 * *best + best[1];
-  const double vertex = curvature < 0.0 ? 0.5 * (best[-1] - best[1]) / curvature : 0.0;
-  return kStep_px * (static_cast<double>(best - at.begin()) - kFarthest + vertex);
+  return kStep_px * (static_cast<double>(best - at.begin()) - kFarthest +
+                     vertex_of_parabola(best[-1], *best, best[1]));
 }
 
 double shift_of_match(const StereoSearch& search,

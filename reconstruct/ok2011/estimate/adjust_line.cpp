@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/estimate/adjust_line.h"
 
+#include "reconstruct/geometry/halved_step.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -146,20 +148,6 @@ Linearised linearise(const LineConditions& conditions,
   return {line, dominant, line_equations(conditions, line, dominant)};
 }
 
-/// The step, halved until it does not increase omega: for nearly coincident planes the linear range
-/// is smaller than the standard deviation of the direction within them.
-Linearised descend(const LineConditions& conditions, const Linearised& from, const Vector6d& step) {
-  constexpr int kMaxHalvings = 10;
-  constexpr double kRounding = 1e-9;  // of omega, whose unit is one standard deviation squared
-  double factor = 1.0;
-  for (int i = 0; i < kMaxHalvings; ++i, factor *= 0.5) {
-    Linearised to = linearise(conditions, project_to_pluecker_quadric(from.line + factor * step),
-                              from.dominant);
-    if (to.normal.omega <= from.normal.omega * (1.0 + kRounding) + kRounding) return to;
-  }
-  return from;
-}
-
 }  // namespace
 
 std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
@@ -176,7 +164,13 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
   AdjustedLine result;
   while (result.passes < kMaxPasses && !result.converged) {
     const Increment increment = solve(current.normal, current.line);
-    current = descend(conditions, current, increment.step);
+    const auto after = [&](double share) {
+      return linearise(conditions,
+                       project_to_pluecker_quadric(current.line + share * increment.step),
+                       current.dominant);
+    };
+    const auto omega = [](const Linearised& l) { return l.normal.omega; };
+    if (const auto next = halved_step(omega(current), after, omega)) current = *next;
     result.line.cov = increment.cov;
     result.full_rank = increment.full_rank;
     result.converged = increment.largest_in_sigma < kConvergedSigma;

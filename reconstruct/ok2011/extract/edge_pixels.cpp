@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/extract/edge_pixels.h"
 
+#include "reconstruct/geometry/parabola.h"
+
 #include <opencv2/core.hpp>
 
 namespace ridgeline::reconstruct {
@@ -11,13 +13,9 @@ float strength(const cv::Vec2f& gradient) { return std::sqrt(gradient.dot(gradie
 }  // namespace
 
 float peak_offset_px(float before, float middle, float after) {
-  constexpr float kFloor = 1e-12F;  // an exactly flat neighbour has no logarithm
-  const float a = std::log(std::max(before, kFloor));
-  const float b = std::log(std::max(middle, kFloor));
-  const float c = std::log(std::max(after, kFloor));
-  const float curvature = 2.0F * b - a - c;
-  if (curvature <= 0.0F) return 0.0F;
-  return std::clamp(0.5F * (c - a) / curvature, -0.5F, 0.5F);
+  static constexpr float kFloor = 1e-12F;  // an exactly flat neighbour has no logarithm
+  const auto log = [](float value) { return std::log(std::max(value, kFloor)); };
+  return vertex_of_parabola(log(before), log(middle), log(after));
 }
 
 std::optional<EdgePixel> edge_pixel_at(const cv::Mat& gradient, int x, int y, float min_strength) {
