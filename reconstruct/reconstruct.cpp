@@ -123,7 +123,7 @@ Reconstruction reconstruct(std::span<const View> views,
 
   const auto matched_view = [&](std::size_t v) -> MatchView {
     return {image_from_local(views[v].image_from_world, result.frame.origin_m), images[v],
-            result.segments[v]};
+            result.segments[v], views[v].ideal_from_image};
   };
   const double origin_m = result.frame.origin_m.z();
   for (const ViewPair& views_of_pair : pairs) {

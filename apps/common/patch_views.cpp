@@ -11,6 +11,15 @@
 #include <utility>
 
 namespace ridgeline::apps {
+namespace {
+
+/// Empty for a lens without distortion.
+PixelMap ideal_from_image(const io::PatchImage& view) {
+  if (!view.interior || view.interior->distortion.is_zero()) return {};
+  return [view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };
+}
+
+}  // namespace
 
 LocalFrame patch_frame(const io::PatchFile& patch) {
   const io::PatchImage& base = patch.images[0];
@@ -34,23 +43,18 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
                                              std::size_t i,
                                              const cv::Mat& image,
                                              const reconstruct::ExtractionOptions& options) {
-  const io::PatchImage& view = patch.images.at(i);
-  const auto ideal = [&view](const Eigen::Vector2d& x_px) {
-    return io::undistorted_px(view, x_px);
-  };
-  const bool is_ideal = !view.interior || view.interior->distortion.is_zero();
-  return reconstruct::extract(
-      image, is_ideal ? reconstruct::PixelMap{} : reconstruct::PixelMap{ideal}, options);
+  return reconstruct::extract(image, ideal_from_image(patch.images.at(i)), options);
 }
 
 reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
                                     const std::array<cv::Mat, 2>& images,
                                     const std::array<std::vector<EdgeSegment>, 2>& segments) {
   const LocalFrame frame = patch_frame(patch);
-  const auto [left, right] = io::cameras_in_local(patch, frame);
-  return {{reconstruct::MatchView{left, images[0], segments[0]},
-           reconstruct::MatchView{right, images[1], segments[1]}},
-          io::heights_in_local_m(patch, frame)};
+  const std::array<ProjectionMatrix, 2> cameras = io::cameras_in_local(patch, frame);
+  const auto view = [&](std::size_t i) -> reconstruct::MatchView {
+    return {cameras[i], images[i], segments[i], ideal_from_image(patch.images[i])};
+  };
+  return {{view(0), view(1)}, io::heights_in_local_m(patch, frame)};
 }
 
 reconstruct::StereoPair load_pair(const io::PatchFile& patch,

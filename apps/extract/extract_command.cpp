@@ -40,7 +40,7 @@ io::PatchImage camera_of(const ExtractArguments& a) {
                                  : "has no image of id " + a.image_id);
 }
 
-reconstruct::PixelMap pixel_map(const ExtractArguments& a) {
+PixelMap pixel_map(const ExtractArguments& a) {
   if (a.patch.empty()) {
     check(a.image_id.empty(), "--image-id = ", a.image_id, ", needs --patch");
     return {};
@@ -63,7 +63,7 @@ void check_outputs(const ExtractArguments& a) {
 int run_extract(const ExtractArguments& a) {
   const reconstruct::ExtractionOptions options = read_parameters(a.parameters).method.extraction;
   check_outputs(a);
-  const reconstruct::PixelMap ideal_from_image = pixel_map(a);
+  const PixelMap ideal_from_image = pixel_map(a);
   const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
   const std::vector<EdgeSegment> segments = reconstruct::extract(image, ideal_from_image, options);
   io::write_segments(a.out, segments);

@@ -37,11 +37,6 @@ double azimuth_limit_rad(const LocalTransfer& transfer, const ChioOptions& optio
   return options.max_azimuth_deg * kRadPerDeg + turn_rad;
 }
 
-double azimuth_difference_rad(const LocalTransfer& transfer, const Segment2& a, const Segment2& b) {
-  return acute_angle_rad(Eigen::Vector2d(transfer.jacobian * (a.end - a.start)),
-                         Eigen::Vector2d(b.end - b.start));
-}
-
 double mean_of(const Colour& colour, int n_bands) {
   double sum = 0.0;
   for (int band = 0; band < n_bands; ++band) sum += static_cast<double>(colour[band]);
@@ -68,7 +63,7 @@ ChioOutcome screening(const Scene& scene,
   const EdgeSegment& right = scene.pair.right.segments[candidate.right];
   const double noise = options.paper ? 0.0 : kNoiseFactor;
   if (chain.n_reliable < options.min_pieces) return ChioOutcome::kFewPieces;
-  if (azimuth_difference_rad(screened.transfer, screened.left.line.segment, right.line.segment) >
+  if (screened.transfer.turn_rad(screened.left.line.segment, right.line.segment) >
       azimuth_limit_rad(screened.transfer, options)) {
     return ChioOutcome::kAzimuth;
   }
@@ -85,16 +80,6 @@ ChioOutcome screening(const Scene& scene,
     return ChioOutcome::kUneven;
   }
   return ChioOutcome::kMatched;
-}
-
-void sort_by_preference(std::vector<CoreCandidate>& list, const ChioOptions& options) {
-  const auto rank = [&](const CoreCandidate& c) {
-    return options.paper ? std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma)
-                         : std::tuple(!c.may_begin, 0, -c.similarity);
-  };
-  std::stable_sort(list.begin(), list.end(), [&](const CoreCandidate& a, const CoreCandidate& b) {
-    return rank(a) < rank(b);
-  });
 }
 
 CoreCandidates candidates_of(const Scene& scene,
@@ -122,7 +107,10 @@ CoreCandidates candidates_of(const Scene& scene,
           {candidate.right, candidate.overlap, chain, candidate.similarity, may_begin});
     }
   }
-  sort_by_preference(result.list, scene.options);
+  std::ranges::stable_sort(result.list, {}, [&](const CoreCandidate& c) {
+    return scene.options.paper ? std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma)
+                               : std::tuple(!c.may_begin, 0, -c.similarity);
+  });
   return result;
 }
 

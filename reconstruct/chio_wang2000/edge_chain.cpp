@@ -95,8 +95,8 @@ void summarise_heights(const EpipolarTransfer& right_from_left,
 
   const RightLine line(right.segment);
   const int middle = chain.points[chain.points.size() / 2].step;
-  const auto point = std::find_if(left_points.begin(), left_points.end(),
-                                  [&](const SearchedPoint& p) { return p.point.step == middle; });
+  const auto point =
+      std::ranges::find(left_points, middle, [](const SearchedPoint& p) { return p.point.step; });
   const Eigen::Vector2d x = point->point.x_px;
   const double z_m = point->stretch.height_on(line.normal, line.c);
   const double moved_m =

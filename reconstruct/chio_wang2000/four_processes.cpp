@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -151,22 +153,18 @@ class Iteration {
       by_member[member] = strength(*best);
       found.strength += strength(*best);
     }
-    std::stable_sort(found.members.begin(), found.members.end(),
-                     [&](int a, int b) { return by_member[a] > by_member[b]; });
+    std::ranges::stable_sort(found.members, std::greater{}, [&](int m) { return by_member[m]; });
     return found;
   }
 
   /// The right junctions on the epipolar line of a left one that two members at least agree on.
   [[nodiscard]] std::vector<Correspondence> correspondences(const Structure& structure) const {
-    std::vector<int> right;
+    std::set<int> right;
     for (const int member : structure.members) {
       for (const CoreCandidate& c : candidates_[member].list) {
-        const std::vector<int>& of_mate = right_of_segment_[c.right];
-        right.insert(right.end(), of_mate.begin(), of_mate.end());
+        right.insert(right_of_segment_[c.right].begin(), right_of_segment_[c.right].end());
       }
     }
-    std::sort(right.begin(), right.end());
-    right.erase(std::unique(right.begin(), right.end()), right.end());
     std::vector<Correspondence> found;
     for (const int r : right) {
       if (epipolar_distance_px(search_.right_from_left.fundamental(), structure.junction_px,
@@ -176,10 +174,9 @@ class Iteration {
       found.push_back(correspondence(structure, r));
     }
     std::erase_if(found, [](const Correspondence& c) { return c.members.size() < 2; });
-    std::stable_sort(
-        found.begin(), found.end(), [](const Correspondence& a, const Correspondence& b) {
-          return std::pair(b.members.size(), b.strength) < std::pair(a.members.size(), a.strength);
-        });
+    std::ranges::stable_sort(found, std::greater{}, [](const Correspondence& c) {
+      return std::pair(c.members.size(), c.strength);
+    });
     return found;
   }
 
@@ -194,8 +191,7 @@ class Iteration {
     if (found.empty() || is_ambiguous(found)) return;
     const Structure& right = right_structures_[found.front().structure];
     const std::vector<int>& members = found.front().members;
-    auto first = std::find_if(members.begin(), members.end(),
-                              [&](int m) { return acquisition_.is_matched(m); });
+    auto first = std::ranges::find_if(members, [&](int m) { return acquisition_.is_matched(m); });
     for (auto m = members.begin(); first == members.end() && m != members.end(); ++m) {
       const auto choice = acquisition_.choose(
           *m, [&](const CoreCandidate& c) { return has_member(right, c.right); });

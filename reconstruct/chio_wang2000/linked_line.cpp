@@ -98,8 +98,7 @@ std::optional<FittedLine> line_through_links(int left_id,
                         on_line);
   }
   // fragments are linked in any order; the line runs the way of the left segment
-  std::stable_sort(on_line.begin(), on_line.end(),
-                   [](const ChainPoint& a, const ChainPoint& b) { return a.step < b.step; });
+  std::ranges::stable_sort(on_line, {}, &ChainPoint::step);
   std::optional<FittedLine> line =
       fit_line(transformed(on_line, &ChainPoint::x_in_local), kCorrelation);
   if (!line) return line;

@@ -37,9 +37,7 @@ Neighbourhood segments_in_range(std::span<const Segment2> segments,
       const double distance_px = distance(s, segments[k]);
       if (distance_px <= range_px) neighbourhood[i].push_back({k, std::nullopt, distance_px});
     }
-    std::stable_sort(
-        neighbourhood[i].begin(), neighbourhood[i].end(),
-        [](const Neighbour& a, const Neighbour& b) { return a.distance_px < b.distance_px; });
+    std::ranges::stable_sort(neighbourhood[i], {}, &Neighbour::distance_px);
   });
   return neighbourhood;
 }

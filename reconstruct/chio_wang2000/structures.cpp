@@ -4,16 +4,21 @@
 #include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/segment_index.h"
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
 
 namespace ridgeline::reconstruct {
 namespace {
+
+namespace bg = boost::geometry;
 
 /// Two segments that meet.
 struct Crossing {
@@ -46,38 +51,24 @@ std::vector<Crossing> crossings_of(std::span<const Segment2> segments, const Chi
       }
     }
   }
-  std::stable_sort(crossings.begin(), crossings.end(),
-                   [](const Crossing& a, const Crossing& b) { return a.gap_px < b.gap_px; });
+  std::ranges::stable_sort(crossings, {}, &Crossing::gap_px);
   return crossings;
 }
 
 /// Crossings grouped around the most precise ones: by group the first and all its crossings.
 std::vector<std::vector<Crossing>> grouped(const std::vector<Crossing>& crossings, double radius) {
-  std::map<std::pair<int, int>, std::vector<std::size_t>> groups_in_cell;
-  const auto cell_of = [&](const Eigen::Vector2d& x) {
-    return std::pair(static_cast<int>(std::floor(x.x() / radius)),
-                     static_cast<int>(std::floor(x.y() / radius)));
-  };
+  using Place = bg::model::d2::point_xy<double>;
+  bg::index::rtree<std::pair<Place, std::size_t>, bg::index::quadratic<16>> first_of_groups;
   std::vector<std::vector<Crossing>> groups;
   for (const Crossing& crossing : crossings) {
-    const auto [column, row] = cell_of(crossing.x);
-    std::size_t nearest = groups.size();
-    double nearest_px = radius;
-    for (int cell = 0; cell < 9; ++cell) {
-      const auto found = groups_in_cell.find({column + cell % 3 - 1, row + cell / 3 - 1});
-      if (found == groups_in_cell.end()) continue;
-      for (const std::size_t g : found->second) {
-        const double apart_px = (groups[g].front().x - crossing.x).norm();
-        if (apart_px > nearest_px) continue;
-        nearest = g;
-        nearest_px = apart_px;
-      }
+    const Place place(crossing.x.x(), crossing.x.y());
+    const auto nearest = first_of_groups.qbegin(bg::index::nearest(place, 1));
+    if (nearest != first_of_groups.qend() && bg::distance(nearest->first, place) <= radius) {
+      groups[nearest->second].push_back(crossing);
+      continue;
     }
-    if (nearest == groups.size()) {
-      groups_in_cell[{column, row}].push_back(groups.size());
-      groups.emplace_back();
-    }
-    groups[nearest].push_back(crossing);
+    first_of_groups.insert({place, groups.size()});
+    groups.push_back({crossing});
   }
   return groups;
 }
@@ -105,11 +96,9 @@ std::vector<Structure> linear_structures(std::span<const Segment2> segments,
        grouped(crossings_of(segments, options), options.junction_radius_px)) {
     structures.push_back(structure_of(group, segments));
   }
-  const auto rank = [](const Structure& s) {
+  std::ranges::stable_sort(structures, {}, [](const Structure& s) {
     return std::tuple(-static_cast<int>(s.members.size()), -s.length_px, s.precision_px);
-  };
-  std::stable_sort(structures.begin(), structures.end(),
-                   [&](const Structure& a, const Structure& b) { return rank(a) < rank(b); });
+  });
   return structures;
 }
 

@@ -5,8 +5,14 @@
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 
 #include <array>
+#include <functional>
+#include <optional>
 
 namespace ridgeline {
+
+/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which
+/// the distortion is known. Empty: they are the same.
+using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
 /// Look of a strip along one side of an edge: means of the normalised image (0 dark, 1 bright).
 struct Flank {

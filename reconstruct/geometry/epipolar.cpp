@@ -57,6 +57,13 @@ Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const Projectio
   return f.normalized();
 }
 
+double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
+                            const Eigen::Vector2d& x,
+                            const Eigen::Vector2d& y) {
+  const Eigen::Vector3d line = fundamental * x.homogeneous();
+  return std::abs(line.dot(y.homogeneous())) / line.head<2>().norm();
+}
+
 double epipolar_angle_rad(const ProjectionMatrix& own,
                           const ProjectionMatrix& other,
                           const Segment2& segment_in_own) {

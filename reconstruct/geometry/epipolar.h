@@ -39,6 +39,11 @@ ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
 /// projection centres; without meaning otherwise.
 Eigen::Matrix3d fundamental_matrix(const ProjectionMatrix& from, const ProjectionMatrix& to);
 
+/// Distance of y from the epipolar line of x (F x) in the image of y.
+double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
+                            const Eigen::Vector2d& x,
+                            const Eigen::Vector2d& y);
+
 /// Up to this angle to the epipolar line a line is `aligned`, unless the user says otherwise (Ok et al. 2011, section 3).
 inline constexpr double kMaxAlignedAngle_deg = 10.0;
 

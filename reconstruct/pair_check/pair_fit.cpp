@@ -16,10 +16,6 @@ namespace {
 
 using PointPair = std::array<Eigen::Vector2d, 2>;
 
-double distance_to_line_px(const Eigen::Vector2d& x_px, const Eigen::Vector3d& line) {
-  return std::abs(line.dot(x_px.homogeneous())) / line.head<2>().norm();
-}
-
 /// Where `other` shows what `own` shows at a pixel, between both heights.
 Segment2 between_heights(const ProjectionMatrix& own,
                          const ProjectionMatrix& other,
@@ -84,9 +80,8 @@ PairFit fit_of_pair(std::span<const PointMatch> points,
     const std::optional<PointPair> x = ideal_pair(match, geometry);
     if (!x) continue;
     const auto& [left, right] = *x;
-    parallaxes_px.push_back(
-        0.5 * (distance_to_line_px(right, right_from_left * left.homogeneous()) +
-               distance_to_line_px(left, right_from_left.transpose() * right.homogeneous())));
+    parallaxes_px.push_back(0.5 * (epipolar_distance_px(right_from_left, left, right) +
+                                   epipolar_distance_px(right_from_left.transpose(), right, left)));
     const double off_px =
         0.5 * (distance(between_heights(cameras[0], cameras[1], left, geometry.heights_m), right) +
                distance(between_heights(cameras[1], cameras[0], right, geometry.heights_m), left));

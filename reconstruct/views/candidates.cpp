@@ -23,8 +23,7 @@ struct Search {
   ImagePair images;
   const CandidateOptions& options;
   const CandidateLook& change_look;
-  std::vector<Segment2> right_segments;
-  SegmentIndex index;
+  SegmentIndex right_index;
 };
 
 /// The box of the epipolar band: where both ends may lie.
@@ -90,10 +89,8 @@ std::optional<Candidate> candidate(const Search& search,
                                    int right_id) {
   const EdgeSegment& right = search.pair.right.segments[right_id];
   const CandidateOptions& options = search.options;
-  const Segment2& a = left.line.segment;
   const Segment2& b = right.line.segment;
-  if (acute_angle_rad(Eigen::Vector2d(transfer.jacobian * (a.end - a.start)),
-                      Eigen::Vector2d(b.end - b.start)) > options.max_turn_deg * kRadPerDeg) {
+  if (transfer.turn_rad(left.line.segment, b) > options.max_turn_deg * kRadPerDeg) {
     return std::nullopt;
   }
   const bool aligned = is_near_aligned(searched, b, options.min_epipolar_angle_deg * kRadPerDeg);
@@ -129,14 +126,12 @@ std::vector<Candidate> candidates_of(const Search& search, const EdgeSegment& le
   const LocalTransfer transfer = local_transfer(search.pair.search, midpoint(left.line.segment));
   const Eigen::AlignedBox2d box =
       band_box(*searched, heights_m, search.options.epipolar_tolerance_px);
-  for (const int id : search.index.in_box(box)) {
+  for (const int id : search.right_index.in_box(box)) {
     if (auto found = candidate(search, *searched, transfer, left, id)) {
       candidates.push_back(*found);
     }
   }
-  std::stable_sort(
-      candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.similarity > b.similarity; });
+  std::ranges::stable_sort(candidates, std::greater{}, &Candidate::similarity);
   if (static_cast<int>(candidates.size()) > search.options.max_candidates) {
     candidates.resize(search.options.max_candidates);
   }
@@ -150,14 +145,11 @@ Candidates match_candidates(const SearchedPair& pair,
                             const CandidateOptions& options,
                             const CandidateLook& change_look) {
   validate(options);
-  std::vector<Segment2> right_segments = ideal_segments(pair.right);
-  const SegmentIndex index(right_segments);
   const Search all{pair,
                    {ImageSampler(pair.left.image), ImageSampler(pair.right.image), radiometry},
                    options,
                    change_look,
-                   std::move(right_segments),
-                   index};
+                   SegmentIndex(ideal_segments(pair.right))};
   const std::vector<EdgeSegment>& left = pair.left.segments;
   Candidates candidates(left.size());
   tbb::parallel_for(std::size_t{0}, left.size(),

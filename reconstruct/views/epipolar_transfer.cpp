@@ -80,11 +80,4 @@ LocalTransfer local_transfer(const StereoSearch& search, const Eigen::Vector2d& 
   return local_transfer(search.right_from_left, x_left, 0.5 * (lowest_m + highest_m));
 }
 
-double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
-                            const Eigen::Vector2d& x,
-                            const Eigen::Vector2d& y) {
-  const Eigen::Vector3d line = fundamental * x.homogeneous();
-  return std::abs(line.dot(y.homogeneous())) / line.head<2>().norm();
-}
-
 }  // namespace ridgeline::reconstruct

@@ -55,6 +55,11 @@ struct LocalTransfer {
 
   /// Parallax of a height over that height, both in pixels.
   [[nodiscard]] double base_to_height() const { return per_height.norm() * gsd_m; }
+  /// Acute angle between a segment of the first image, transferred, and one of the second image.
+  [[nodiscard]] double turn_rad(const Segment2& from, const Segment2& to) const {
+    return acute_angle_rad(Eigen::Vector2d(jacobian * (from.end - from.start)),
+                           Eigen::Vector2d(to.end - to.start));
+  }
 };
 LocalTransfer local_transfer(const EpipolarTransfer& transfer,
                              const Eigen::Vector2d& x_from,
@@ -74,10 +79,5 @@ struct StereoSearch {
 
 /// Transfer of the left image to the right one, in the middle of the heights.
 LocalTransfer local_transfer(const StereoSearch& search, const Eigen::Vector2d& x_left);
-
-/// Distance of y from the epipolar line of x (F x) in the image of y.
-double epipolar_distance_px(const Eigen::Matrix3d& fundamental,
-                            const Eigen::Vector2d& x,
-                            const Eigen::Vector2d& y);
 
 }  // namespace ridgeline::reconstruct

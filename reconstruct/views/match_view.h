@@ -17,6 +17,7 @@ struct MatchView {
   ProjectionMatrix image_from_local;  ///< local frame -> ideal pixel
   cv::Mat image;                      ///< CV_32FC(1..4), 0 dark .. 1 bright
   std::vector<EdgeSegment> segments;
+  PixelMap ideal_from_image{};
 };
 
 /// A pair of views ready to be matched.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ablation FOLDER [VAIHINGEN_PATCH]: what each extension beyond the papers is worth. Leaves out one at a time, on the
 // training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other renderer, and prints Markdown
-// tables: matches, roof lines found, errors by class against true lines, z against LIDAR, processor time, and the difference to the default
+// tables: matches, roof lines found, errors by class against true lines, z against LIDAR, elapsed time, and the difference to the default
 // with a 95 % interval by bootstrap over the scenes. Vaihingen has LIDAR alone: the interval there is that of the
 // clustered bootstrap over planes.
 #include "tests/other_scenes/write_scene.h"
@@ -176,7 +176,7 @@ std::array<double, 2> interval(const Measure& measure, const Scenes& with, const
   return {differences[kReplicates / 40], differences[kReplicates - 1 - kReplicates / 40]};
 }
 
-/// Runs all variants on the patches; the results of each in a folder of its name. Returns their processor times.
+/// Runs all variants on the patches; the results of each in a folder of its name. Returns their elapsed times.
 std::map<std::string, double> run_variants(const fs::path& folder,
                                            const std::vector<std::string>& patches) {
   std::map<std::string, double> seconds;

@@ -81,12 +81,9 @@ class TwoSteps {
       row << c[1] * slope[0], c[1] * slope[0] * s.tau, c[2] * slope[1], c[2] * slope[1] * s.tau,
           1.0, response[0], response[1];
       const double misclosure = s.colour[band] - c[0] - c[1] * response[0] - c[2] * response[1];
-      normal.topLeftCorner<4, 4>() += row.head<4>() * row.head<4>().transpose();
-      normal.block<4, 3>(0, at) += row.head<4>() * row.tail<3>().transpose();
-      normal.block<3, 4>(at, 0) += row.tail<3>() * row.head<4>().transpose();
-      normal.block<3, 3>(at, at) += row.tail<3>() * row.tail<3>().transpose();
-      right.head<4>() += row.head<4>() * misclosure;
-      right.segment<3>(at) += row.tail<3>() * misclosure;
+      const std::array<Eigen::Index, 7> unknowns{0, 1, 2, 3, at, at + 1, at + 2};
+      normal(unknowns, unknowns) += row * row.transpose();
+      right(unknowns) += row * misclosure;
     }
   }
 

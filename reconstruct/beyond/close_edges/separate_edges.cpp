@@ -80,9 +80,7 @@ double right_end(const Segment2& s) { return std::max(s.start.x(), s.end.x()); }
 std::vector<bool> repeated(const std::vector<Part>& parts) {
   std::vector<std::size_t> by_left(parts.size());
   std::iota(by_left.begin(), by_left.end(), std::size_t{0});
-  std::stable_sort(by_left.begin(), by_left.end(), [&](std::size_t a, std::size_t b) {
-    return left_end(parts[a].line) < left_end(parts[b].line);
-  });
+  std::ranges::stable_sort(by_left, {}, [&](std::size_t i) { return left_end(parts[i].line); });
   std::vector<bool> drop(parts.size(), false);
   for (std::size_t i = 0; i < by_left.size(); ++i) {
     const Part& a = parts[by_left[i]];

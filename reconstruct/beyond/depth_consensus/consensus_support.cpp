@@ -4,6 +4,7 @@
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/LU>
 
@@ -87,41 +88,51 @@ Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_
       .hnormalized();
 }
 
-/// Whether the right segment runs the other way than the left one, by whatever rule the segments
-/// were directed.
-bool runs_back(const StereoLines& lines, const ObservedPair& line) {
-  const Segment2& left = line[0].segment;
-  const Segment2& right = line[1].segment;
-  const Eigen::Vector2d expected =
-      on_level(lines.stereo, left.end) - on_level(lines.stereo, left.start);
-  return expected.dot(right.end - right.start) < 0.0;
-}
+/// A match in the frames of the estimation.
+struct Match {
+  Match(const StereoLines& all, const ObservedPair& observed)
+      : lines(all), line(observed), runs_back(is_reversed()) {}
 
-/// The starts (0) or the ends (1) of both segments, in the direction of the left one.
-std::array<Eigen::Vector2d, 2> ends_in_images(const StereoLines& lines,
-                                              const ObservedPair& line,
-                                              int which) {
-  const bool back = runs_back(lines, line);
-  const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
-  return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != back)};
-}
+  const StereoLines& lines;
+  const ObservedPair& line;
+  /// Whether the right segment runs the other way than the left one, by whatever rule the segments
+  /// were directed.
+  bool runs_back;
+
+  /// The starts (0) or the ends (1) of both segments, in the direction of the left one.
+  [[nodiscard]] std::array<Eigen::Vector2d, 2> ends(int which) const {
+    const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
+    return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != runs_back)};
+  }
+  /// Where it crosses another match in both images.
+  [[nodiscard]] std::array<Eigen::Vector2d, 2> crossing_with(int other) const {
+    return crossing(line, lines.lines[static_cast<std::size_t>(other)]);
+  }
+
+ private:
+  [[nodiscard]] bool is_reversed() const {
+    const Segment2& left = line[0].segment;
+    const Eigen::Vector2d expected =
+        on_level(lines.stereo, left.end) - on_level(lines.stereo, left.start);
+    return expected.dot(line[1].segment.end - line[1].segment.start) < 0.0;
+  }
+};
 
 /// What both images show at points of their segments; empty if not before the cameras and within the
 /// heights.
 /// @param sigma_px  along the line
-std::optional<UncertainPoint3> point_in_object(const StereoLines& lines,
-                                               const ObservedPair& line,
+std::optional<UncertainPoint3> point_in_object(const Match& match,
                                                const std::array<Eigen::Vector2d, 2>& x,
                                                double sigma_px,
                                                const ReconstructOptions& options) {
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
-    const ConditionedView& view = lines.stereo.views[j];
-    observations.push_back(
-        {view.image_from_object, end_in_image(line[j], x[j], sigma_px / view.image.scale_px)});
+    const ConditionedView& view = match.lines.stereo.views[j];
+    observations.push_back({view.image_from_object,
+                            end_in_image(match.line[j], x[j], sigma_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
-  if (!estimated || !plausible(lines, estimated->point.mean, options)) return std::nullopt;
+  if (!estimated || !plausible(match.lines, estimated->point.mean, options)) return std::nullopt;
   return estimated->point;
 }
 
@@ -131,40 +142,37 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
 }
 
 /// Whether a segment is long enough for its ends to tell a depth.
-bool has_telling_ends(const StereoLines& lines, const ObservedPair& line) {
-  return lines.stereo.views[0].image.scale_px * length(line[0].segment) >= kShortestWithEnds_px;
+bool has_telling_ends(const Match& match) {
+  return match.lines.stereo.views[0].image.scale_px * length(match.line[0].segment) >=
+         kShortestWithEnds_px;
 }
 
 /// Whether the points are far enough apart, as a share of the segment.
 bool fix_direction(std::span<const CandidatePoint> points) {
   if (points.empty()) return false;
-  const auto [low, high] = std::minmax_element(
-      points.begin(), points.end(), [](const CandidatePoint& a, const CandidatePoint& b) {
-        return a.ranked.parameter < b.ranked.parameter;
-      });
-  return high->ranked.parameter - low->ranked.parameter >= kSmallestBase;
+  const auto [low, high] = std::ranges::minmax(
+      transformed(points, [](const CandidatePoint& p) { return p.ranked.parameter; }));
+  return high - low >= kSmallestBase;
 }
 
 /// Whether the match may be cut where it meets another one: the parts are long enough in both images.
-bool may_cut(const StereoLines& lines,
-             const ObservedPair& line,
+bool may_cut(const Match& match,
              const CandidatePoint& at,
              const EstimateExtensionOptions& options) {
   if (at.ranked.weight < kLeastCutWeight) return false;
-  const auto x = crossing(line, lines.lines[static_cast<std::size_t>(at.ranked.neighbour)]);
+  const auto x = match.crossing_with(at.ranked.neighbour);
   for (std::size_t j = 0; j < 2; ++j) {
-    const double shortest = options.min_cut_length_px / lines.stereo.views[j].image.scale_px;
-    const double to_end =
-        std::min((x[j] - line[j].segment.start).norm(), (x[j] - line[j].segment.end).norm());
-    if (!(distance(line[j].segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
+    const double shortest = options.min_cut_length_px / match.lines.stereo.views[j].image.scale_px;
+    const Segment2& segment = match.line[j].segment;
+    const double to_end = std::min((x[j] - segment.start).norm(), (x[j] - segment.end).norm());
+    if (!(distance(segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
   }
   return true;
 }
 
 /// What tells the depth of a match: the artificial points that are good enough, and what its ends show.
 struct MatchEvidence {
-  const StereoLines& lines;
-  const ObservedPair& line;
+  Match match;
   std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
   std::vector<int> which_ends;          ///< 0 starts, 1 ends
@@ -177,26 +185,25 @@ bool is_cut(const FlankStrips& strips, int which, bool runs_back) {
   return strips.left.is_cut[left] || strips.right.is_cut[runs_back ? 1 - left : left];
 }
 
-MatchEvidence evidence_of(const StereoLines& lines,
-                          const ObservedPair& line,
+MatchEvidence evidence_of(const Match& match,
                           std::span<const int> neighbours,
                           const FlankStrips* strips,
                           const EstimationOptions& options) {
   const auto& [published, beyond] = options;
-  MatchEvidence evidence{lines, line, {}, {}, {}, {}};
-  for (const CandidatePoint& c : candidate_points(lines, line, neighbours, published)) {
+  MatchEvidence evidence{match, {}, {}, {}, {}};
+  for (const CandidatePoint& c : candidate_points(match.lines, match.line, neighbours, published)) {
     if (!(c.ranked.weight > published.min_weight)) continue;
     evidence.points.push_back(c);
     DepthEvidence e =
         evidence_of(c.estimated.point, c.ranked.parameter, kMostPointPrior * c.ranked.weight);
     e.meeting = c.ranked.weight;
-    e.may_cut = may_cut(lines, line, c, beyond);
+    e.may_cut = may_cut(match, c, beyond);
     evidence.on_depth.push_back(e);
   }
   for (const int which : {0, 1}) {
-    if (strips != nullptr && is_cut(*strips, which, runs_back(lines, line))) continue;
-    if (const auto end = point_in_object(lines, line, ends_in_images(lines, line, which),
-                                         beyond.sigma_end_px, published)) {
+    if (strips != nullptr && is_cut(*strips, which, match.runs_back)) continue;
+    if (const auto end =
+            point_in_object(match, match.ends(which), beyond.sigma_end_px, published)) {
       evidence.ends.push_back(*end);
       evidence.which_ends.push_back(which);
       evidence.on_depth.push_back(evidence_of(*end, which, kEndPrior));
@@ -207,13 +214,12 @@ MatchEvidence evidence_of(const StereoLines& lines,
 
 /// The part of the match between the cuts.
 ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
-  ObservedPair seen = evidence.line;
-  const bool back = runs_back(evidence.lines, evidence.line);
+  const Match& match = evidence.match;
+  ObservedPair seen = match.line;
   const auto cut = [&](std::size_t point, bool at_start) {
-    const auto other = static_cast<std::size_t>(evidence.points[point].ranked.neighbour);
-    const auto x = crossing(evidence.line, evidence.lines.lines[other]);
+    const auto x = match.crossing_with(evidence.points[point].ranked.neighbour);
     for (std::size_t j = 0; j < 2; ++j) {
-      const bool starts = at_start != (back && j == 1);
+      const bool starts = at_start != (match.runs_back && j == 1);
       (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
     }
   };
@@ -223,7 +229,7 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
 }
 
 /// Takes points of the line that the strips beside it show in both images; false if they show none.
-bool add_flank_points(const MatchEvidence& evidence,
+bool add_flank_points(const Match& match,
                       const FlankCorrelation& flanks,
                       const DepthPart& part,
                       const EstimationOptions& options,
@@ -231,8 +237,7 @@ bool add_flank_points(const MatchEvidence& evidence,
   const auto found = flanks.homologous(part.line, part.horizontal);
   if (!found) return false;
   for (const FlankCorrelation::Homologous& x : *found) {
-    if (const auto point = point_in_object(evidence.lines, evidence.line, x,
-                                           FlankCorrelation::kSigma_px, options.lines)) {
+    if (const auto point = point_in_object(match, x, FlankCorrelation::kSigma_px, options.lines)) {
       support.ends.push_back(*point);
       support.ends_in_images.push_back(x);
     }
@@ -252,42 +257,39 @@ LineSupport support_of(const MatchEvidence& evidence,
     if (i >= evidence.points.size()) continue;
     agreeing.push_back(evidence.points[i]);
     RankedPoint& ranked = agreeing.back().ranked;
-    const auto x =
-        crossing(evidence.line, evidence.lines.lines[static_cast<std::size_t>(ranked.neighbour)]);
+    const auto x = evidence.match.crossing_with(ranked.neighbour);
     ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
   }
   support.points = best_of_regions(agreeing, options.lines);
   if (part.horizontal) support.sigma_slope = options.beyond.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (flanks != nullptr && add_flank_points(evidence, *flanks, part, options, support))
+  if (flanks != nullptr && add_flank_points(evidence.match, *flanks, part, options, support))
     return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
     if (i < evidence.points.size()) continue;
     const std::size_t end = i - evidence.points.size();
     support.ends.push_back(evidence.ends[end]);
-    support.ends_in_images.push_back(
-        ends_in_images(evidence.lines, evidence.line, evidence.which_ends[end]));
+    support.ends_in_images.push_back(evidence.match.ends(evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
   if (support.points.empty()) {
-    support.ambiguous =
-        is_cut || support.ends.empty() || !has_telling_ends(evidence.lines, evidence.line);
+    support.ambiguous = is_cut || support.ends.empty() || !has_telling_ends(evidence.match);
   } else {
     support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
   }
   return support;
 }
 
-std::vector<LineSupport> lines_by_consensus(const StereoLines& lines,
-                                            const ObservedPair& line,
+std::vector<LineSupport> lines_by_consensus(const Match& match,
                                             std::span<const int> neighbours,
                                             std::span<const double> heights_nearby,
                                             const FlankStrips* strips,
                                             const EstimationOptions& options) {
-  const MatchEvidence evidence = evidence_of(lines, line, neighbours, strips, options);
+  const auto& [lines, line, runs_back] = match;
+  const MatchEvidence evidence = evidence_of(match, neighbours, strips, options);
   std::optional<FlankCorrelation> flanks;
-  if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back(lines, line));
+  if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back);
   const auto consensus = agree_on_depth({lines, line, evidence.on_depth, heights_nearby,
                                          options.beyond, flanks ? &*flanks : nullptr});
   if (!consensus) {
@@ -318,7 +320,7 @@ SupportOfMatch consensus_support(const StereoLines& lines,
     const ImageConditioning& image = lines.stereo.views[0].image;
     const Segment2 seen_px{image.image_from_conditioned(line[0].segment.start),
                            image.image_from_conditioned(line[0].segment.end)};
-    return lines_by_consensus(lines, line, neighbours, ends.heights_near(seen_px),
+    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(seen_px),
                               strips.empty() ? nullptr : &strips[match], options);
   };
 }

@@ -44,9 +44,7 @@ std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const Dept
   for (std::size_t i = 0; i < question.evidence.size(); ++i) {
     if (question.evidence[i].may_cut) places.push_back(i);
   }
-  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    return question.evidence[a].parameter < question.evidence[b].parameter;
-  });
+  std::ranges::stable_sort(places, {}, [&](auto i) { return question.evidence[i].parameter; });
   const auto same = [&](std::size_t a, std::size_t b) {
     return scorer.is_at(a, question.evidence[b]);
   };

@@ -66,10 +66,8 @@ bool DepthScorer::is_at(std::size_t cut, const DepthEvidence& e) const {
 }
 
 std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) const {
-  const auto beyond = [&](double p, std::size_t cut) {
-    return p < question_.evidence[cut].parameter;
-  };
-  const auto cut = std::upper_bound(profile.cuts.begin(), profile.cuts.end(), parameter, beyond);
+  const auto cut = std::ranges::upper_bound(
+      profile.cuts, parameter, {}, [&](auto c) { return question_.evidence[c].parameter; });
   return static_cast<std::size_t>(cut - profile.cuts.begin());
 }
 
@@ -160,8 +158,7 @@ double DepthScorer::score(const DepthProfile& profile) const {
   }
   for (std::size_t k = 0; k < question_.evidence.size(); ++k) {
     const DepthEvidence& e = question_.evidence[k];
-    const auto cut = std::find_if(profile.cuts.begin(), profile.cuts.end(),
-                                  [&](std::size_t c) { return is_at(c, e); });
+    const auto cut = std::ranges::find_if(profile.cuts, [&](auto c) { return is_at(c, e); });
     if (cut == profile.cuts.end()) {
       sum += score(e, profile.lines[line_at(profile, e.parameter)]);
     } else if (*cut != k) {

@@ -49,12 +49,11 @@ struct Candidate {
 /// The best few that are not the same.
 std::vector<Candidate> distinct(std::vector<Candidate> candidates) {
   constexpr std::size_t kMost = 3;
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::ranges::stable_sort(candidates, std::greater{}, &Candidate::score);
   std::vector<Candidate> best;
   for (const Candidate& c : candidates) {
     if (best.size() == kMost) break;
-    const bool is_other = std::none_of(best.begin(), best.end(), [&](const Candidate& b) {
+    const bool is_other = std::ranges::none_of(best, [&](const Candidate& b) {
       return std::abs(b.start - c.start) <= kApart && std::abs(b.end - c.end) <= kApart;
     });
     if (is_other && c.score > 0.0) best.push_back(c);

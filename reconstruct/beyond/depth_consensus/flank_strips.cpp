@@ -2,7 +2,7 @@
 #include "reconstruct/beyond/depth_consensus/flank_strips.h"
 
 #include "reconstruct/geometry/degrees.h"
-#include "reconstruct/views/image_sampler.h"
+#include "reconstruct/views/strip_look.h"
 
 #include <tbb/parallel_for.h>
 
@@ -15,6 +15,7 @@ namespace {
 
 /// Longest reach of the right strip beyond its segment.
 constexpr double kMostBeyond_px = 500.0;
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 bool is_at_border(const cv::Mat& image, const Eigen::Vector2d& x) {
   constexpr double kBorder_px = 3.0;
@@ -32,29 +33,26 @@ FlankStrip sample(
   strip.n_along = std::max(2, static_cast<int>((to - from) * along.norm() / step_px) + 1);
   strip.n_bands = sampler.n_bands();
   strip.axis = {ideal.start + from * along, ideal.start + to * along};
-  const Eigen::Vector2d u = along.normalized();
-  const Eigen::Vector2d across(-u.y(), u.x());
   strip.is_cut = {is_at_border(image, segment.in_image.start),
                   is_at_border(image, segment.in_image.end)};
-  const auto n = static_cast<std::size_t>(strip.n_along);
+  std::vector<Eigen::Vector2d> on_line;
+  for (int i = 0; i < strip.n_along; ++i) {
+    const double t = from + (to - from) * i / (strip.n_along - 1);
+    // from ideal to file pixels as at the nearest end: it hardly changes along a segment
+    const double near = std::clamp(t, 0.0, 1.0);
+    on_line.push_back(point_at(ideal, t) +
+                      (point_at(segment.in_image, near) - point_at(ideal, near)));
+  }
+  const StripGrid grid{.first_offset_px = FlankStrip::kFirstRow_px,
+                       .offset_step_px = FlankStrip::kRowStep_px,
+                       .n_offsets = FlankStrip::kRows};
   for (const std::size_t side : {0U, 1U}) {
-    std::vector<float>& values = strip.sides[side];
-    values.assign(n * static_cast<std::size_t>(FlankStrip::kRows * strip.n_bands),
-                  std::numeric_limits<float>::quiet_NaN());
+    const Eigen::Vector2d away = (side == 0 ? 1.0 : -1.0) * normal(ideal);
+    const Strip seen = sample_strip(sampler, on_line, away, grid);
     for (int row = 0; row < FlankStrip::kRows; ++row) {
-      const double offset =
-          (side == 0 ? 1.0 : -1.0) * (FlankStrip::kFirstRow_px + row * FlankStrip::kRowStep_px);
-      for (std::size_t i = 0; i < n; ++i) {
-        const double t = from + (to - from) * static_cast<double>(i) / static_cast<double>(n - 1);
-        // from ideal to file pixels as at the nearest end: it hardly changes along a segment
-        const double near = std::clamp(t, 0.0, 1.0);
-        const Eigen::Vector2d shift = segment.in_image.start +
-                                      near * (segment.in_image.end - segment.in_image.start) -
-                                      (ideal.start + near * along);
-        Colour colour{};
-        if (!sampler.sample(ideal.start + t * along + shift + offset * across, colour)) continue;
-        for (int band = 0; band < strip.n_bands; ++band) {
-          values[static_cast<std::size_t>(row * strip.n_bands + band) * n + i] = colour[band];
+      for (int band = 0; band < strip.n_bands; ++band) {
+        for (std::size_t i = row; i < seen.colours.size(); i += FlankStrip::kRows) {
+          strip.sides[side].push_back(seen.is_inside[i] ? seen.colours[i][band] : kNaN);
         }
       }
     }

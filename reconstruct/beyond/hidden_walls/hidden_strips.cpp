@@ -65,14 +65,13 @@ bool shows_strip(const std::vector<CloseLine>& beside,
                  const Eigen::Vector2d& towards,
                  double width_px) {
   constexpr double kNarrowest = 0.4;  // of the width in the other image; a gutter is no wall
-  return std::any_of(beside.begin(), beside.end(), [&](const CloseLine& line) {
+  return std::ranges::any_of(beside, [&](const CloseLine& line) {
     return line.towards.dot(towards) > 0.0 && line.distance_px > kNarrowest * width_px;
   });
 }
 
 const Candidate* with_mate(const std::vector<Candidate>& candidates, int right) {
-  const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                  [&](const Candidate& c) { return c.right == right; });
+  const auto found = std::ranges::find(candidates, right, &Candidate::right);
   return found == candidates.end() ? nullptr : &*found;
 }
 
@@ -170,9 +169,7 @@ void compare_across_hidden_strips(const SearchedPair& views,
                   [&](const Candidate& c) { return c.right == strip.lower[1]; });
   }
   for (std::vector<Candidate>& list : changed) {
-    std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
-      return a.similarity > b.similarity;
-    });
+    std::ranges::stable_sort(list, std::greater{}, &Candidate::similarity);
   }
   candidates = std::move(changed);
 }

@@ -107,16 +107,23 @@ std::vector<Run> runs_between(const Points& points,
   return runs;
 }
 
-/// Joins a run with the next one.
-void join_at(std::vector<Run>& runs, std::size_t i) {
-  runs[i] = {runs[i].first, runs[i + 1].last, runs[i].sums + runs[i + 1].sums};
-  runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-}
-
-/// What one line leaves unexplained of a run and the next one, beyond what two do.
-double cost_of_joining(const std::vector<Run>& runs, std::size_t i) {
-  return (runs[i].sums + runs[i + 1].sums).residual() - runs[i].sums.residual() -
-         runs[i + 1].sums.residual();
+/// Joins the run with the next one for which that costs least, until none costs less than `limit`.
+/// @param cost  of joining two neighbours
+template <typename Cost>
+void join(std::vector<Run>& runs, double limit, const Cost& cost) {
+  while (runs.size() > 1) {
+    double least = limit;
+    auto first = runs.end();
+    for (auto run = runs.begin(); run + 1 != runs.end(); ++run) {
+      const double here = cost(run[0], run[1]);
+      if (here >= least) continue;
+      least = here;
+      first = run;
+    }
+    if (first == runs.end()) return;
+    *first = {first[0].first, first[1].last, first[0].sums + first[1].sums};
+    runs.erase(first + 1);
+  }
 }
 
 /// Joins what is too short for a part to the neighbour that it continues best: of two junctions close
@@ -125,35 +132,10 @@ void join_short(std::vector<Run>& runs, const Points& points, double shortest_px
   const auto is_short = [&](const Run& run) {
     return (points[run.last - 1] - points[run.first]).norm() < shortest_px;
   };
-  while (runs.size() > 1) {
-    double least = HUGE_VAL;
-    std::size_t at = runs.size();
-    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-      if (!is_short(runs[i]) && !is_short(runs[i + 1])) continue;
-      const double cost = cost_of_joining(runs, i);
-      if (cost >= least) continue;
-      least = cost;
-      at = i;
-    }
-    if (at == runs.size()) return;
-    join_at(runs, at);
-  }
-}
-
-/// Joins neighbours until all that remain differ.
-void join(std::vector<Run>& runs, double least_bend_px) {
-  while (runs.size() > 1) {
-    double least = 1.0;
-    std::size_t at = runs.size();
-    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-      const double bend = bend_of(runs[i], runs[i + 1], least_bend_px);
-      if (bend >= least) continue;
-      least = bend;
-      at = i;
-    }
-    if (at == runs.size()) return;
-    join_at(runs, at);
-  }
+  join(runs, HUGE_VAL, [&](const Run& a, const Run& b) {
+    if (!is_short(a) && !is_short(b)) return HUGE_VAL;
+    return (a.sums + b.sums).residual() - a.sums.residual() - b.sums.residual();
+  });
 }
 
 }  // namespace
@@ -169,7 +151,9 @@ std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
     const Points points = positions(edges[i]);
     runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes, ends));
     join_short(runs[i], points, kShortestPart * options.edges.min_length_px);
-    join(runs[i], options.beyond.min_junction_bend_px);
+    join(runs[i], 1.0, [&](const Run& a, const Run& b) {
+      return bend_of(a, b, options.beyond.min_junction_bend_px);
+    });
   });
   std::vector<EdgeTrace> cut;
   for (std::size_t i = 0; i < edges.size(); ++i) {

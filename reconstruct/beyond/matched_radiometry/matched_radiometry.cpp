@@ -35,10 +35,8 @@ struct LineFit {
 MatchView longest_of(const MatchView& view) {
   constexpr std::size_t kMost = 300;
   MatchView longest{view.image_from_local, view.image, view.segments};
-  std::stable_sort(longest.segments.begin(), longest.segments.end(),
-                   [](const EdgeSegment& a, const EdgeSegment& b) {
-                     return length(a.line.segment) > length(b.line.segment);
-                   });
+  std::ranges::stable_sort(longest.segments, std::greater{},
+                           [](const EdgeSegment& edge) { return length(edge.line.segment); });
   if (longest.segments.size() > kMost) longest.segments.resize(kMost);
   return longest;
 }

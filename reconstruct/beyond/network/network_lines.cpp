@@ -75,16 +75,11 @@ Members members_of(const StereoLines& lines,
 
 /// The part of a match that is closest to a segment of the left image; none for a match without parts.
 std::optional<int> closest_part(const Members& members, std::size_t match, const Segment2& to) {
-  std::optional<int> closest;
-  double least = 0.0;
-  for (const int part : members.of_match[match]) {
-    const double apart =
-        distance(members.lines[static_cast<std::size_t>(part)].seen[0].segment, to);
-    if (closest && apart >= least) continue;
-    closest = part;
-    least = apart;
-  }
-  return closest;
+  const std::vector<int>& parts = members.of_match[match];
+  const auto closest = std::ranges::min_element(parts, {}, [&](int part) {
+    return distance(members.lines[static_cast<std::size_t>(part)].seen[0].segment, to);
+  });
+  return closest == parts.end() ? std::nullopt : std::optional(*closest);
 }
 
 std::vector<Meeting> meetings_of(const StereoLines& lines,

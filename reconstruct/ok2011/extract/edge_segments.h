@@ -5,15 +5,9 @@
 #include "reconstruct/ok2011/extract/line_tracer.h"
 #include "reconstruct/ok2011/extract/options.h"
 
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace ridgeline::reconstruct {
-
-/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which
-/// the distortion is known. Empty: they are the same.
-using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
 /// The segments of edges: lines in the pixels of the file and in ideal pixels, their uncertainty,
 /// flanks, contrast and direction. Edges of which a part has no ideal pixel are left out.

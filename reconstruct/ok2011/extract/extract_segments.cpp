@@ -12,6 +12,9 @@
 
 #include <opencv2/core.hpp>
 
+#include <algorithm>
+#include <functional>
+
 namespace ridgeline::reconstruct {
 namespace {
 
@@ -43,8 +46,7 @@ std::vector<Points> detected_pieces(const cv::Mat& image,
       all.emplace_back(points.begin() + piece.first, points.begin() + piece.last);
     }
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Points& a, const Points& b) { return a.size() > b.size(); });
+  std::ranges::stable_sort(all, std::greater{}, std::ranges::size);
   return all;
 }
 

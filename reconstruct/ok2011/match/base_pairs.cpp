@@ -35,9 +35,8 @@ std::vector<Partner> partners_within(double radius_px,
     const double reach_px = std::max(distance(own, *x), distance(mate, *x));
     if (reach_px <= radius_px) partners.push_back({reach_px, other});
   }
-  std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
-    return a.reach_px != b.reach_px ? a.reach_px < b.reach_px : a.segment < b.segment;
-  });
+  std::ranges::sort(partners, {},
+                    [](const Partner& p) { return std::pair(p.reach_px, p.segment); });
   return partners;
 }
 

@@ -20,16 +20,14 @@ std::vector<Choice> by_probability(const Supports& supports) {
       choices.push_back({static_cast<int>(i), static_cast<int>(c)});
     }
   }
-  std::stable_sort(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) {
-    return supports[a.left][a.candidate].probability > supports[b.left][b.candidate].probability;
+  std::ranges::stable_sort(choices, std::greater{}, [&](const Choice& c) {
+    return supports[c.left][c.candidate].probability;
   });
   return choices;
 }
 
 std::size_t best_of(const std::vector<Support>& supports) {
-  const auto best = std::max_element(
-      supports.begin(), supports.end(),
-      [](const Support& a, const Support& b) { return a.probability < b.probability; });
+  const auto best = std::ranges::max_element(supports, {}, &Support::probability);
   return static_cast<std::size_t>(best - supports.begin());
 }
 
@@ -139,10 +137,8 @@ class Taken {
     };
     const auto takers = of_right_.find(own.right);
     const auto mates = of_left_.find(choice.left);
-    return (takers == of_right_.end() ||
-            std::all_of(takers->second.begin(), takers->second.end(), shares)) &&
-           (mates == of_left_.end() ||
-            std::all_of(mates->second.begin(), mates->second.end(), adds));
+    return (takers == of_right_.end() || std::ranges::all_of(takers->second, shares)) &&
+           (mates == of_left_.end() || std::ranges::all_of(mates->second, adds));
   }
 
  private:
@@ -193,10 +189,7 @@ MatchResult final_choice(const MatchChoices& choices,
     taken.add(choice);
     result.matches.push_back({{choice.left, mate.right}, support.probability, support.votes});
   }
-  std::sort(
-      result.matches.begin(), result.matches.end(), [](const ScoredMatch& a, const ScoredMatch& b) {
-        return std::pair(a.match.left, a.match.right) < std::pair(b.match.left, b.match.right);
-      });
+  std::ranges::sort(result.matches, {}, &ScoredMatch::match);
   return result;
 }
 

@@ -180,9 +180,7 @@ std::vector<PairMatch> pair_matches(const PairScene& scene, const BasePair& pair
           {pair, static_cast<int>(f), static_cast<int>(s), weighted_similarity(*found), *found});
     }
   }
-  std::stable_sort(matches.begin(), matches.end(), [](const PairMatch& a, const PairMatch& b) {
-    return a.similarity > b.similarity;
-  });
+  std::ranges::stable_sort(matches, std::greater{}, &PairMatch::similarity);
   if (matches.size() > kMostPerPair) matches.resize(kMostPerPair);
   return matches;
 }

@@ -104,9 +104,7 @@ void add_links(VoteGraph& graph, std::span<const PairMatch> pairs) {
     graph.links[b].push_back({match.pair.first, a, vote});
   }
   for (std::vector<Link>& links : graph.links) {
-    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
-      return a.partner != b.partner ? a.partner < b.partner : a.candidate < b.candidate;
-    });
+    std::ranges::sort(links, {}, [](const Link& l) { return std::pair(l.partner, l.candidate); });
   }
 }
 
@@ -122,9 +120,7 @@ std::vector<NearSegment> neighbours_of(int segment,
     const NearSegment neighbour = closest(own, other, segments[other]);
     if (neighbour.distance_px <= kReach_px) neighbours.push_back(neighbour);
   }
-  std::stable_sort(
-      neighbours.begin(), neighbours.end(),
-      [](const NearSegment& a, const NearSegment& b) { return a.distance_px < b.distance_px; });
+  std::ranges::stable_sort(neighbours, {}, &NearSegment::distance_px);
   if (neighbours.size() > kMost) neighbours.resize(kMost);
   return neighbours;
 }
