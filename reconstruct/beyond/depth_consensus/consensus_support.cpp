@@ -286,17 +286,12 @@ std::vector<LineSupport> lines_by_consensus(const Match& match,
                                             std::span<const double> heights_nearby,
                                             const FlankStrips* strips,
                                             const EstimationOptions& options) {
-  const auto& [lines, line, runs_back] = match;
   const MatchEvidence evidence = evidence_of(match, neighbours, strips, options);
   std::optional<FlankCorrelation> flanks;
-  if (strips != nullptr) flanks.emplace(lines, line, *strips, runs_back);
-  const auto consensus = agree_on_depth({lines, line, evidence.on_depth, heights_nearby,
+  if (strips != nullptr) flanks.emplace(match.lines, match.line, *strips, match.runs_back);
+  const auto consensus = agree_on_depth({match.lines, match.line, evidence.on_depth, heights_nearby,
                                          options.beyond, flanks ? &*flanks : nullptr});
-  if (!consensus) {
-    LineSupport nothing;
-    nothing.seen = line;
-    return {nothing};
-  }
+  if (!consensus) return {LineSupport{.seen = match.line}};
   std::vector<LineSupport> all;
   const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {

@@ -14,17 +14,17 @@ namespace ridgeline::reconstruct {
 
 /// A line that an aligned match shows and what it rests on beside its two projection planes.
 struct LineSupport {
-  ObservedPair seen;                   ///< the match, or the part of it that shows the line
-  std::vector<CandidatePoint> points;  ///< artificial points, one per region at most
+  ObservedPair seen;                     ///< the match, or the part of it that shows the line
+  std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
   /// What both images show at points of their segments: where the strips beside the line correlate,
   /// else the ends, where the artificial points fix no direction.
-  std::vector<UncertainPoint3> ends;
+  std::vector<UncertainPoint3> ends{};
   /// The same as seen in the left and the right image.
-  std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images;
-  bool has_flanks = false;            ///< the ends are where the strips correlate
-  std::optional<double> sigma_slope;  ///< taken as horizontal, as the consensus is
-  bool points_fix_direction = false;  ///< they are far enough apart
-  bool ambiguous = false;             ///< another depth explains the line about as well
+  std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
+  bool has_flanks = false;              ///< the ends are where the strips correlate
+  std::optional<double> sigma_slope{};  ///< taken as horizontal, as the consensus is
+  bool points_fix_direction = false;    ///< they are far enough apart
+  bool ambiguous = false;               ///< another depth explains the line about as well
 };
 
 /// The point of highest weight in each region.

@@ -208,9 +208,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     if (results[i].line_class != LineClass::kAligned) {
-      LineSupport images_alone;
-      images_alone.seen = observed[i];
-      by_match[i] = {{results[i], images_alone}};
+      by_match[i] = {{results[i], LineSupport{.seen = observed[i]}}};  // the images alone
       return;
     }
     const std::vector<LineSupport> parts = support(i, observed[i], neighbours[i]);
