@@ -13,10 +13,10 @@
 namespace ridgeline::apps {
 namespace {
 
-/// Empty for a lens without distortion.
+/// Empty for a lens without distortion; the view must outlive it.
 PixelMap ideal_from_image(const io::PatchImage& view) {
   if (!view.interior || view.interior->distortion.is_zero()) return {};
-  return [view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };
+  return [&view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<EdgeSegment> extract_patch_image(const io::PatchFile& patch,
                                              const cv::Mat& image,
                                              const reconstruct::ExtractionOptions& options);
 
-/// The pair of a patch with its segments, ready to be matched.
+/// The pair of a patch with its segments, ready to be matched. The patch must outlive it, as with load_pair().
 reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
                                     const std::array<cv::Mat, 2>& images,
                                     const std::array<std::vector<EdgeSegment>, 2>& segments);
