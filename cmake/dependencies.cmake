@@ -16,4 +16,4 @@ find_package(embree 3 REQUIRED)
 pkg_check_modules(PCL REQUIRED IMPORTED_TARGET
   pcl_common pcl_kdtree pcl_search pcl_sample_consensus)
 pkg_check_modules(PROJ_PC REQUIRED IMPORTED_TARGET proj)
-find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc imgcodecs features2d)
+find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d)

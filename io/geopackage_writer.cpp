@@ -182,7 +182,7 @@ class GeopackageWriter {
 void write_geopackage(const std::string& path,
                       const Crs& crs,
                       const std::vector<MapLayer>& layers) {
-  GDALAllRegister();
+  register_gdal_drivers();
   CPLErrorReset();
   const ScratchFolder scratch(path);
   GeopackageWriter(path, scratch.draft()).write(crs, layers);

@@ -56,7 +56,7 @@ GDALDatasetUniquePtr open(const std::string& path, const QuietGdal& quiet) {
   if (!std::filesystem::is_regular_file(status)) {
     throw IoError(path, "is a device, pipe or socket; an image must be a file");
   }
-  GDALAllRegister();
+  register_gdal_drivers();
   // Only these: other drivers of GDAL follow references to more files and to addresses.
   const char* const drivers[] = {"GTiff", "PNG", "JPEG", nullptr};
   GDALDatasetUniquePtr dataset(

@@ -3,6 +3,7 @@
 
 #include "io/atomic_file.h"
 #include "io/error.h"
+#include "io/lines/ogr_support.h"
 #include "reconstruct/geometry/check.h"
 
 #include <cpl_error.h>
@@ -11,7 +12,6 @@
 #include <gdal_priv.h>
 
 #include <memory>
-#include <mutex>
 
 namespace ridgeline::io {
 namespace {
@@ -22,8 +22,7 @@ struct Closer {
 using Dataset = std::unique_ptr<GDALDataset, Closer>;
 
 Dataset create(const std::string& path, const cv::Mat& image) {
-  static std::once_flag registered;
-  std::call_once(registered, [] { GDALAllRegister(); });
+  register_gdal_drivers();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");

@@ -2,7 +2,6 @@
 #include "reconstruct/reconstruct.h"
 
 #include "reconstruct/beyond/combined_matchers/combine_matches.h"
-#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 #include "reconstruct/beyond/extensions.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
@@ -157,14 +156,14 @@ Matches match(const StereoPair& pair, const MatchingOptions& options) {
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
                                         const EstimationOptions& options,
-                                        const MatchOptions& pair_options) {
+                                        const MatchOptions& pair_options,
+                                        const Surface* surface) {
   const double aligned_deg = options.lines.max_aligned_angle_deg;
   const std::vector<PairConnection> connections = connect_matches(pair, matches, pair_options);
-  std::vector<FlankStrips> strips;
-  // only the consensus on depth compares them
-  if (options.beyond.flanks && options.beyond.consensus &&
-      options.lines.method != Method::kDirect) {
-    strips = sample_flanks(pair, matches, aligned_deg);
+  std::optional<Surface> own;
+  if (surface == nullptr && takes_surface(options)) {
+    own = dense_surface(pair);
+    surface = own ? &*own : nullptr;
   }
   std::vector<double> right_shifts_px;
   if (options.beyond.register_profiles) {
@@ -176,7 +175,12 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
   const std::array geometry{transformed(pair.views[0].segments, &EdgeSegment::line),
                             transformed(pair.views[1].segments, &EdgeSegment::line)};
   return reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
-                           right_shifts_px, estimate_extensions(within_heights, strips));
+                           right_shifts_px, estimate_extensions(within_heights, surface));
+}
+
+bool takes_surface(const EstimationOptions& options) {
+  return options.beyond.surface && options.beyond.consensus &&
+         options.lines.method != Method::kDirect;
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {

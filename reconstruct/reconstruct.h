@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/beyond/options.h"
+#include "reconstruct/beyond/surface/surface.h"
 #include "reconstruct/chio_wang2000/chio_match.h"
 #include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
@@ -118,10 +119,15 @@ Matches match(const StereoPair& pair, const MatchingOptions& options = {});
 
 /// The lines of matched segments.
 /// @param pair_options  of the pair connections
+/// @param surface       of the pair, where several methods share it; else it is computed, if the options ask for it
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
                                         const EstimationOptions& options = {},
-                                        const MatchOptions& pair_options = {});
+                                        const MatchOptions& pair_options = {},
+                                        const Surface* surface = nullptr);
+
+/// Whether estimate() takes a surface.
+bool takes_surface(const EstimationOptions& options);
 
 /// The matches of a list without what speaks for them.
 std::vector<LineMatch> line_matches(const MatchList& list);

@@ -127,6 +127,14 @@ reconstruct::StereoPair PatchStages::pair() {
   return stereo_pair(patch_, {image(0), image(1)}, segments());
 }
 
+/// The methods share it; none if this one does not take it.
+const reconstruct::Surface* PatchStages::surface(const reconstruct::StereoPair& pair,
+                                                 const reconstruct::EstimationOptions& options) {
+  if (!reconstruct::takes_surface(options)) return nullptr;
+  if (!surface_) surface_ = reconstruct::dense_surface(pair);
+  return surface_ ? &*surface_ : nullptr;
+}
+
 void PatchStages::extract() {
   const std::vector<std::string> files = segment_files();
   // both at once: of one image, what is traced in the order of lengths would keep one core only
@@ -170,8 +178,10 @@ void PatchStages::reconstruct(reconstruct::Method method) {
   const std::vector<LineMatch> matches = read_line_matches(path(kMatches), segments());
   reconstruct::EstimationOptions options = options_.parameters.method.estimation;
   options.lines.method = method;
+  const reconstruct::StereoPair views = pair();
   const io::LineSet lines = line_set_of(
-      reconstruct::estimate(pair(), matches, options, options_.parameters.method.matching.pairwise),
+      reconstruct::estimate(views, matches, options, options_.parameters.method.matching.pairwise,
+                            surface(views, options)),
       frame_, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {

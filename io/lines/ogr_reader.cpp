@@ -239,7 +239,7 @@ LineSet read_ogr(const std::string& path, std::string_view extension) {
   if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
   if (extension == ".shp") refuse_flat_shapefile(path);
   if (extension == ".gpkg") refuse_computed_layers(path);
-  GDALAllRegister();
+  register_gdal_drivers();
   CPLErrorReset();
   return OgrReader(path, driver_for(extension)).read();
 }

@@ -3,11 +3,13 @@
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
+#include <gdal_priv.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <string_view>
 
 namespace ridgeline::io {
@@ -34,6 +36,11 @@ Vertices vertices_of(const OGRLineString& line) {
 
 FixedDate::FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", kText); }
 FixedDate::~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
+
+void register_gdal_drivers() {
+  static std::once_flag registered;
+  std::call_once(registered, [] { GDALAllRegister(); });
+}
 
 QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }
 QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }

@@ -29,6 +29,9 @@ class QuietGdal {
   std::vector<std::string> complaints_;
 };
 
+/// Registers GDAL's drivers, once in the process: GDALAllRegister() must not run in two threads.
+void register_gdal_drivers();
+
 /// A GeoPackage stores when it was written; a fixed date makes equal sets equal files. The option
 /// holds for this thread only.
 class FixedDate {

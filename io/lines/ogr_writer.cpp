@@ -142,7 +142,7 @@ void write_ogr(const std::string& path,
                const std::string& draft,
                const LineSet& set,
                LineFormat format) {
-  GDALAllRegister();
+  register_gdal_drivers();
   CPLErrorReset();
   OgrWriter(path, draft, format).write(set);
 }

@@ -45,14 +45,13 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
   return beyond;
 }
 
-EstimateExtensions estimate_extensions(const EstimationOptions& options,
-                                       std::span<const FlankStrips> strips) {
+EstimateExtensions estimate_extensions(const EstimationOptions& options, const Surface* surface) {
   EstimateExtensions beyond;
   beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;
   if (options.beyond.consensus) {
-    beyond.support = [options, strips](const StereoLines& lines,
-                                       std::span<const ReconstructedLine> direct) {
-      return consensus_support(lines, direct, strips, options);
+    beyond.support = [options, surface](const StereoLines& lines,
+                                        std::span<const ReconstructedLine> direct) {
+      return consensus_support(lines, direct, surface, options);
     };
   }
   beyond.network = [options](const StereoLines& lines, std::span<const PairConnection> connections,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/beyond/depth_consensus/flank_strips.h"
 #include "reconstruct/beyond/options.h"
+#include "reconstruct/beyond/surface/surface.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
@@ -26,8 +26,8 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
 
 /// What goes beyond the paper in the estimation, as the options switch it on: where uncertain lines end, depth_consensus
 /// and network.
-/// @param strips  beside each match (sample_flanks()), or none; must live as long as the result
+/// @param surface  of the pair, or none; must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
-                                       std::span<const FlankStrips> strips = {});
+                                       const Surface* surface = nullptr);
 
 }  // namespace ridgeline::reconstruct

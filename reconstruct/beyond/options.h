@@ -90,8 +90,8 @@ struct EstimateExtensionOptions {
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
-  /// The consensus hears how the strips beside the line correlate at each depth. See FlankCorrelation.
-  bool flanks = true;
+  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth.
+  bool surface = true;
   double sigma_end_px = 1.0;       ///< along the line, if they do
   double sigma_meeting_m = 0.1;    ///< distance of lines that meet
   double max_miss_m = 2.5;         ///< of lines that only seem to meet
@@ -104,7 +104,7 @@ struct EstimateExtensionOptions {
 
   static constexpr EstimateExtensionOptions none() {
     return {
-        .max_end_sigma_m = 1e6, .register_profiles = false, .consensus = false, .flanks = false};
+        .max_end_sigma_m = 1e6, .register_profiles = false, .consensus = false, .surface = false};
   }
 
   static constexpr auto fields() {
@@ -116,8 +116,8 @@ struct EstimateExtensionOptions {
               "not_aligned: move the right edge to where the profiles across it agree"},
         Field{"consensus", &O::consensus, false, true,
               "use points that agree on the depth of their line; off: as published"},
-        Field{"flanks", &O::flanks, false, true,
-              "consensus: compare the strips beside the line in both images"},
+        Field{"surface", &O::surface, false, true,
+              "consensus: the depth of the surfaces beside the line, by dense matching"},
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
               "consensus: scatter of corresponding segment ends along the line"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,

@@ -49,8 +49,8 @@ constexpr std::array kVariants{
     Variant{"propagate_heights", "match: {propagate_heights: false}"},
     Variant{"register_profiles", "reconstruct: {register_profiles: false}"},
     Variant{"max_end_sigma_m", "reconstruct: {max_end_sigma_m: 1e6}"},
-    Variant{"consensus", "reconstruct: {consensus: false, flanks: false}"},
-    Variant{"flanks", "reconstruct: {flanks: false}"},
+    Variant{"consensus", "reconstruct: {consensus: false, surface: false}"},
+    Variant{"surface", "reconstruct: {surface: false}"},
     Variant{"gable_share", "reconstruct: {gable_share: 0}"},
     Variant{"step_share", "reconstruct: {step_share: 0}"}};
 

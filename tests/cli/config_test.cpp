@@ -57,7 +57,7 @@ TEST_F(Config, PublishedHoldsNothingOfOurs) {
         std::pair("extract", "separate_edges"), std::pair("match", "matched_radiometry"),
         std::pair("match", "close_lines"), std::pair("match", "hidden_walls"),
         std::pair("match", "propagate_heights"), std::pair("reconstruct", "consensus"),
-        std::pair("reconstruct", "flanks"), std::pair("reconstruct", "register_profiles")}) {
+        std::pair("reconstruct", "surface"), std::pair("reconstruct", "register_profiles")}) {
     EXPECT_EQ(published[group][key].Scalar(), "false") << group << "." << key;
   }
   EXPECT_EQ(published["chio"]["paper"].Scalar(), "true");

@@ -2,7 +2,6 @@
 #include "reconstruct/beyond/depth_consensus/consensus_support.h"
 
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
-#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -179,15 +178,8 @@ struct MatchEvidence {
   std::vector<DepthEvidence> on_depth;  ///< of the points, then of the ends
 };
 
-/// Whether the border of an image cuts the starts (0) or the ends (1) of both segments.
-bool is_cut(const FlankStrips& strips, int which, bool runs_back) {
-  const auto left = static_cast<std::size_t>(which);
-  return strips.left.is_cut[left] || strips.right.is_cut[runs_back ? 1 - left : left];
-}
-
 MatchEvidence evidence_of(const Match& match,
                           std::span<const int> neighbours,
-                          const FlankStrips* strips,
                           const EstimationOptions& options) {
   const auto& [published, beyond] = options;
   MatchEvidence evidence{match, {}, {}, {}, {}};
@@ -201,7 +193,6 @@ MatchEvidence evidence_of(const Match& match,
     evidence.on_depth.push_back(e);
   }
   for (const int which : {0, 1}) {
-    if (strips != nullptr && is_cut(*strips, which, match.runs_back)) continue;
     if (const auto end =
             point_in_object(match, match.ends(which), beyond.sigma_end_px, published)) {
       evidence.ends.push_back(*end);
@@ -228,27 +219,35 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
   return seen;
 }
 
-/// Takes points of the line that the strips beside it show in both images; false if they show none.
-bool add_flank_points(const Match& match,
-                      const FlankCorrelation& flanks,
-                      const DepthPart& part,
-                      const EstimationOptions& options,
-                      LineSupport& support) {
-  const auto found = flanks.homologous(part.line, part.horizontal);
+/// Takes points of the line that lie on the surface beside it; false if it does not tell them.
+bool add_surface_points(const Match& match,
+                        const SurfaceDepth& surface,
+                        const DepthPart& part,
+                        const EstimationOptions& options,
+                        LineSupport& support) {
+  const auto found = surface.homologous(part.line);
   if (!found) return false;
-  for (const FlankCorrelation::Homologous& x : *found) {
-    if (const auto point = point_in_object(match, x, FlankCorrelation::kSigma_px, options.lines)) {
+  for (const SurfaceDepth::Homologous& h : *found) {
+    if (const auto point = point_in_object(match, h.x, h.sigma_px, options.lines)) {
       support.ends.push_back(*point);
-      support.ends_in_images.push_back(x);
+      support.ends_in_images.push_back(h.x);
+      support.sigma_ends_px = h.sigma_px;
     }
   }
-  support.has_flanks = !support.ends.empty();
-  return support.has_flanks;
+  support.on_surface = !support.ends.empty();
+  return support.on_surface;
+}
+
+/// A point where a line misses this one by a standard deviation, in any direction.
+UncertainPoint3 scattered(UncertainPoint3 point, double sigma) {
+  const double w = point.mean.w();
+  point.cov.topLeftCorner<3, 3>() += w * w * sigma * sigma * Eigen::Matrix3d::Identity();
+  return spherically_normalised(point);
 }
 
 LineSupport support_of(const MatchEvidence& evidence,
                        const DepthPart& part,
-                       const FlankCorrelation* flanks,
+                       const SurfaceDepth* surface,
                        const EstimationOptions& options) {
   LineSupport support;
   support.seen = seen_part(evidence, part);
@@ -256,6 +255,9 @@ LineSupport support_of(const MatchEvidence& evidence,
   for (const std::size_t i : part.supports) {
     if (i >= evidence.points.size()) continue;
     agreeing.push_back(evidence.points[i]);
+    UncertainPoint3& point = agreeing.back().estimated.point;
+    point = scattered(point,
+                      options.beyond.sigma_meeting_m / evidence.match.lines.stereo.object.scale_m);
     RankedPoint& ranked = agreeing.back().ranked;
     const auto x = evidence.match.crossing_with(ranked.neighbour);
     ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
@@ -263,13 +265,14 @@ LineSupport support_of(const MatchEvidence& evidence,
   support.points = best_of_regions(agreeing, options.lines);
   if (part.horizontal) support.sigma_slope = options.beyond.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (flanks != nullptr && add_flank_points(evidence.match, *flanks, part, options, support))
+  if (surface != nullptr && add_surface_points(evidence.match, *surface, part, options, support))
     return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
     if (i < evidence.points.size()) continue;
     const std::size_t end = i - evidence.points.size();
     support.ends.push_back(evidence.ends[end]);
+    support.sigma_ends_px = options.beyond.sigma_end_px;
     support.ends_in_images.push_back(evidence.match.ends(evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
@@ -284,18 +287,18 @@ LineSupport support_of(const MatchEvidence& evidence,
 std::vector<LineSupport> lines_by_consensus(const Match& match,
                                             std::span<const int> neighbours,
                                             std::span<const double> heights_nearby,
-                                            const FlankStrips* strips,
+                                            const Surface* surface,
                                             const EstimationOptions& options) {
-  const MatchEvidence evidence = evidence_of(match, neighbours, strips, options);
-  std::optional<FlankCorrelation> flanks;
-  if (strips != nullptr) flanks.emplace(match.lines, match.line, *strips, match.runs_back);
+  const MatchEvidence evidence = evidence_of(match, neighbours, options);
+  std::optional<SurfaceDepth> depth;
+  if (surface != nullptr) depth.emplace(*surface, match.lines, match.line);
   const auto consensus = agree_on_depth({match.lines, match.line, evidence.on_depth, heights_nearby,
-                                         options.beyond, flanks ? &*flanks : nullptr});
+                                         options.beyond, depth ? &*depth : nullptr});
   if (!consensus) return {LineSupport{.seen = match.line}};
   std::vector<LineSupport> all;
   const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {
-    all.push_back(support_of(evidence, part, flanks && is_whole ? &*flanks : nullptr, options));
+    all.push_back(support_of(evidence, part, depth && is_whole ? &*depth : nullptr, options));
     if (consensus->margin < options.beyond.min_depth_margin) all.back().ambiguous = true;
   }
   return all;
@@ -305,18 +308,15 @@ std::vector<LineSupport> lines_by_consensus(const Match& match,
 
 SupportOfMatch consensus_support(const StereoLines& lines,
                                  std::span<const ReconstructedLine> direct,
-                                 std::span<const FlankStrips> strips,
+                                 const Surface* surface,
                                  const EstimationOptions& options) {
-  check(strips.empty() || strips.size() == direct.size(),
-        "consensus_support: strips = ", strips.size(), ", must be one per match, ", direct.size(),
-        ", or none");
-  return [&lines, strips, options, ends = KnownEnds(lines, direct)](
-             std::size_t match, const ObservedPair& line, std::span<const int> neighbours) {
+  return [&lines, surface, options, ends = KnownEnds(lines, direct)](
+             const ObservedPair& line, std::span<const int> neighbours) {
     const ImageConditioning& image = lines.stereo.views[0].image;
     const Segment2 seen_px{image.image_from_conditioned(line[0].segment.start),
                            image.image_from_conditioned(line[0].segment.end)};
-    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(seen_px),
-                              strips.empty() ? nullptr : &strips[match], options);
+    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(seen_px), surface,
+                              options);
   };
 }
 

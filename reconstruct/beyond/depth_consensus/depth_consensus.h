@@ -37,7 +37,7 @@ struct DepthConsensus {
 ///     log(d (1 - prior) + prior * gain * b(distance / its sigma))     per evidence,
 ///     log(0.3 + 0.7 max_k b((Z - Z_k) / 0.2 m))                       for the height Z of each end,
 ///     -2.5 log(1 + chi^2 / 3)                                         of the other image's misclosure
-///     FlankCorrelation::log_likelihood()                              of the strips beside the line
+///     SurfaceDepth::log_likelihood()                                  of the surface beside the line
 ///
 /// with b(z) = exp(-z^2 / 2) and d = 1, for points above the line however
 /// 1 - (1 - 0.1) * meeting * (1 - b): where a line ends at another one in the images it may

@@ -136,8 +136,10 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
       add(evidence[a].x, scorer.in_plane(evidence[b].x - evidence[a].x));
     }
   }
-  if (question.flanks != nullptr) {
-    for (const DepthLine& line : question.flanks->likely_lines()) add(line.through, line.direction);
+  if (question.surface != nullptr) {
+    for (const DepthLine& line : question.surface->likely_lines(horizontal)) {
+      add(line.through, line.direction);
+    }
   }
   return all;
 }

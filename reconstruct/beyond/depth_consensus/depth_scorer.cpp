@@ -170,8 +170,8 @@ double DepthScorer::score(const DepthProfile& profile) const {
   for (const DepthLine& line : profile.lines) {
     misclosure = std::max(misclosure, other_misclosure(line));
   }
-  if (question_.flanks != nullptr) {
-    sum += question_.flanks->log_likelihood([&](double parameter) -> const DepthLine& {
+  if (question_.surface != nullptr) {
+    sum += question_.surface->log_likelihood([&](double parameter) -> const DepthLine& {
       return profile.lines[line_at(profile, parameter)];
     });
   }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
-#include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 #include "reconstruct/beyond/options.h"
+#include "reconstruct/beyond/surface/surface_depth.h"
 #include "reconstruct/ok2011/estimate/candidate_points.h"
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ struct DepthQuestion {
   std::span<const DepthEvidence> evidence;
   std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
   const EstimateExtensionOptions& options;
-  const FlankCorrelation* flanks = nullptr;  ///< none where the images are not at hand
+  const SurfaceDepth* surface = nullptr;  ///< none where the images are not at hand
 };
 
 /// What an aligned match may show, from its start to its end: one line or several.

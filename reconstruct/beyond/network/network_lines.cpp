@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/network/network_lines.h"
 
-#include "reconstruct/beyond/depth_consensus/flank_correlation.h"
 #include "reconstruct/beyond/network/junction.h"
 #include "reconstruct/beyond/network/network.h"
 #include "reconstruct/ok2011/estimate/line_geometry.h"
@@ -35,18 +34,14 @@ void start_from(const ReconstructedLine& joint,
   line.start = project_to_pluecker_quadric(joined.mean.normalized());
 }
 
-NetworkLine network_line(const StereoLines& lines,
-                         std::size_t match,
-                         const JointLine& joint,
-                         const EstimateExtensionOptions& options) {
+NetworkLine network_line(const StereoLines& lines, std::size_t match, const JointLine& joint) {
   NetworkLine line;
   line.seen = lines.lines[match];
   for (std::size_t j = 0; j < 2; ++j) line.seen[j].segment = joint.support.seen[j].segment;
   start_from(joint.line, lines.stereo.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
-  line.sigma_ends_px =
-      joint.support.has_flanks ? FlankCorrelation::kSigma_px : options.sigma_end_px;
+  line.sigma_ends_px = joint.support.sigma_ends_px;
   return line;
 }
 
@@ -57,16 +52,14 @@ struct Members {
   std::vector<std::vector<int>> of_match;
 };
 
-Members members_of(const StereoLines& lines,
-                   std::vector<std::vector<JointLine>>& by_match,
-                   const EstimateExtensionOptions& options) {
+Members members_of(const StereoLines& lines, std::vector<std::vector<JointLine>>& by_match) {
   Members members;
   members.of_match.resize(by_match.size());
   for (std::size_t match = 0; match < by_match.size(); ++match) {
     for (JointLine& joint : by_match[match]) {
       if (!joint.line.segment_in_local) continue;
       members.of_match[match].push_back(static_cast<int>(members.lines.size()));
-      members.lines.push_back(network_line(lines, match, joint, options));
+      members.lines.push_back(network_line(lines, match, joint));
       members.results.push_back(&joint);
     }
   }
@@ -123,7 +116,7 @@ void adjust_together(const StereoLines& lines,
                      const EstimationOptions& options,
                      std::vector<std::vector<JointLine>>& by_match) {
   const auto& [published, beyond] = options;
-  const Members members = members_of(lines, by_match, beyond);
+  const Members members = members_of(lines, by_match);
   const std::vector<Meeting> meetings =
       meetings_of(lines, connections, members, published, beyond.sigma_meeting_m);
   const std::vector<AdjustedInNetwork> adjusted =

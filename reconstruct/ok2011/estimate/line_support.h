@@ -16,12 +16,13 @@ namespace ridgeline::reconstruct {
 struct LineSupport {
   ObservedPair seen;                     ///< the match, or the part of it that shows the line
   std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
-  /// What both images show at points of their segments: where the strips beside the line correlate,
+  /// What both images show at points of their segments: where the surface beside the line is,
   /// else the ends, where the artificial points fix no direction.
   std::vector<UncertainPoint3> ends{};
   /// The same as seen in the left and the right image.
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
-  bool has_flanks = false;              ///< the ends are where the strips correlate
+  double sigma_ends_px = 0.0;           ///< of these along the line
+  bool on_surface = false;              ///< the ends are where the surface is
   std::optional<double> sigma_slope{};  ///< taken as horizontal, as the consensus is
   bool points_fix_direction = false;    ///< they are far enough apart
   bool ambiguous = false;               ///< another depth explains the line about as well

@@ -66,9 +66,9 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
 Status joint_status(const AdjustedLine& adjusted, const LineSupport& support) {
   if (!adjusted.full_rank) return Status::kRankDeficient;
   if (!adjusted.converged) return Status::kNotConverged;
-  if (support.has_flanks && !support.points_fix_direction) return Status::kFlanks;
+  if (support.on_surface && !support.points_fix_direction) return Status::kSurface;
   if (support.sigma_slope && !support.points_fix_direction) return Status::kHorizontal;
-  if (!support.ends.empty() && !support.has_flanks) return Status::kSegmentEnds;
+  if (!support.ends.empty() && !support.on_surface) return Status::kSegmentEnds;
   return support.points.size() >= 2 ? Status::kJoint : Status::kOnePoint;
 }
 
@@ -158,7 +158,7 @@ const char* name(LineClass line_class) {
 
 const char* name(Status status) {
   constexpr std::array kNames{"direct",          "joint",           "one_point",
-                              "flanks",          "segment_ends",    "horizontal",
+                              "surface",         "segment_ends",    "horizontal",
                               "no_points",       "rank_deficient",  "not_converged",
                               "ambiguous_depth", "no_intersection", "network"};
   return kNames.at(static_cast<std::size_t>(status));
@@ -198,7 +198,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
       direct_lines(lines, observed, matches, options, beyond.max_end_sigma_m);
   if (options.method == Method::kDirect) return results;
 
-  SupportOfMatch support = [&](std::size_t, const ObservedPair& line, std::span<const int> mates) {
+  SupportOfMatch support = [&](const ObservedPair& line, std::span<const int> mates) {
     return std::vector{published_support(lines, line, mates, options)};
   };
   if (beyond.support) {
@@ -211,7 +211,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
       by_match[i] = {{results[i], LineSupport{.seen = observed[i]}}};  // the images alone
       return;
     }
-    const std::vector<LineSupport> parts = support(i, observed[i], neighbours[i]);
+    const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
     by_match[i] = reconstruct_aligned(lines, parts, beyond.max_end_sigma_m, results[i]);
   });
   if (options.method == Method::kNetwork) {

@@ -31,7 +31,7 @@ enum class Status : std::uint8_t {
   kDirect,          ///< intersection of the projection planes
   kJoint,           ///< planes and two or three points; horizontality too where these agree on it
   kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
-  kFlanks,          ///< points fix no direction; the strips beside the line do
+  kSurface,         ///< points fix no direction; the surface beside the line does
   kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
   kHorizontal,      ///< points fix no direction; the line taken as horizontal
   kNoPoints,        ///< `joint` without a usable point: identical to `direct`
@@ -85,8 +85,8 @@ struct JointLine {
 };
 
 /// The lines of an aligned match, mostly one, and what each rests on.
-using SupportOfMatch = std::function<std::vector<LineSupport>(
-    std::size_t match, const ObservedPair& line, std::span<const int> neighbours)>;
+using SupportOfMatch = std::function<std::vector<LineSupport>(const ObservedPair& line,
+                                                              std::span<const int> neighbours)>;
 
 /// Where what goes beyond the paper enters the estimation. Each may be empty.
 struct EstimateExtensions {

@@ -25,11 +25,11 @@ struct LineGroup {
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
       const reconstruct::EstimationOptions& options = published(),
-      std::span<const reconstruct::FlankStrips> strips = {},
-      std::span<const double> right_shifts_px = {}) const {
+      std::span<const double> right_shifts_px = {},
+      const reconstruct::Surface* surface = nullptr) const {
     return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections,
                                           options.lines, right_shifts_px,
-                                          reconstruct::estimate_extensions(options, strips));
+                                          reconstruct::estimate_extensions(options, surface));
   }
 };
 

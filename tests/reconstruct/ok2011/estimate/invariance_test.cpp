@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must not change the lines: scales and signs of cameras, the object frame, orders, threads.
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
-#include "tests/reconstruct/support/flanked_line.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/support/random.h"
 
@@ -90,19 +89,6 @@ class InvarianceOfEveryPath : public testing::TestWithParam<Path> {
     options.lines.method = GetParam().method;
     return options;
   }
-
-  /// What the images show beside the lines, which ours hears; none for the published method.
-  static std::vector<FlankStrips> strips_of(const LineGroup& group) {
-    std::vector<FlankStrips> strips;
-    if (GetParam().is_published) return strips;
-    for (const Segment3& line : group.truth) {
-      test::FlankedLine flanked;
-      flanked.scene = group.scene;
-      flanked.line = line;
-      strips.push_back(flanked.strips());
-    }
-    return strips;
-  }
 };
 
 class Invariance : public testing::TestWithParam<Method> {
@@ -129,9 +115,8 @@ TEST_P(InvarianceOfEveryPath, OfMapCoordinates) {
   const LineGroup group = make_roof(142);
   LineGroup moved = group;
   for (ProjectionMatrix& p : moved.scene.cameras) p.col(3) -= p.leftCols<3>() * origin;
-  const std::vector<FlankStrips> strips = strips_of(group);
-  const auto expected = group.reconstruct(options(), strips);
-  auto actual = moved.reconstruct(options(), strips);
+  const auto expected = group.reconstruct(options());
+  auto actual = moved.reconstruct(options());
   expect_as_many(actual, expected);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (auto& segment = actual[i].segment_in_local) {
@@ -245,19 +230,17 @@ TEST_P(InvarianceOfEveryPath, OfOrderDirectionAndRepetitionOfConnections) {
   for (PairConnection& c : shuffled.connections) std::swap(c.i, c.k);
   shuffled.connections.insert(shuffled.connections.end(), group.connections.begin(),
                               group.connections.end());
-  const std::vector<FlankStrips> strips = strips_of(group);
-  const auto expected = group.reconstruct(options(), strips);
-  const auto actual = shuffled.reconstruct(options(), strips);
+  const auto expected = group.reconstruct(options());
+  const auto actual = shuffled.reconstruct(options());
   expect_as_many(actual, expected);
   for (std::size_t i = 0; i < expected.size(); ++i) expect_equal(actual[i], expected[i]);
 }
 
 TEST_P(InvarianceOfEveryPath, OfTheNumberOfThreadsToTheLastBit) {
   const LineGroup group = make_roof(149, 60);
-  const std::vector<FlankStrips> strips = strips_of(group);
   const auto with_threads = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return group.reconstruct(options(), strips);
+    return group.reconstruct(options());
   };
   const auto expected = with_threads(1);
   const auto actual = with_threads(4);

@@ -258,7 +258,7 @@ TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
     const std::vector<double> shifts_px{kShiftPx, 0.0, 0.0, 0.0};
     const ReconstructedLine truth = good.reconstruct(options)[0];
     EXPECT_GT(error_m(group.reconstruct(options)[0], *truth.segment_in_local), 0.1);
-    const ReconstructedLine line = group.reconstruct(options, {}, shifts_px)[0];
+    const ReconstructedLine line = group.reconstruct(options, shifts_px)[0];
     EXPECT_LT(error_m(line, *truth.segment_in_local), kRecoveredM) << name(method);
     EXPECT_LT((line.seen_px[1].start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
     EXPECT_LT((*line.covariance_m2 - *truth.covariance_m2).norm(),
@@ -271,7 +271,7 @@ TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
   const std::vector<double> shifts_px{0.0, 1.5, -1.5, 1.5};
   for (const EstimationOptions& options : {test::published(), EstimationOptions{}}) {
     const std::vector<ReconstructedLine> plain = group.reconstruct(options);
-    const std::vector<ReconstructedLine> moved = group.reconstruct(options, {}, shifts_px);
+    const std::vector<ReconstructedLine> moved = group.reconstruct(options, shifts_px);
     ASSERT_TRUE(plain[0].segment_in_local && moved[0].segment_in_local);
     EXPECT_EQ(moved[0].segment_in_local->start, plain[0].segment_in_local->start);
     EXPECT_EQ(moved[0].segment_in_local->end, plain[0].segment_in_local->end);
@@ -312,7 +312,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
   options.lines.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");
-  EXPECT_THROW(static_cast<void>(good.reconstruct(options, {}, std::vector{0.0})),
+  EXPECT_THROW(static_cast<void>(good.reconstruct(options, std::vector{0.0})),
                std::invalid_argument);
   EXPECT_THROW(reconstruct_lines(std::span(good.scene.cameras).first(1), good.segments,
                                  good.matches, good.connections),

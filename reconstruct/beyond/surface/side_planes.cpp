@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/surface/side_planes.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kNearest_px = 3;    // half a block of the matching clear of the step at the line
+constexpr int kFarthest_px = 12;  // still on the roof
+constexpr double kOnPlane_px = 0.6;
+constexpr double kSteepest = 0.6;  // change of disparity per pixel; walls have more
+constexpr int kTries = 60;
+
+struct Sample {
+  Eigen::Vector3d by;  ///< 1, t, s
+  double d;
+};
+
+std::vector<Sample> samples_beside(const Surface& surface,
+                                   const Segment2& segment,
+                                   int side,
+                                   std::size_t& n_all) {
+  const Eigen::Vector2d u = along(segment);
+  const Eigen::Vector2d n = side * normal_of(u);
+  const double half = 0.5 * length(segment);
+  const int n_along = std::max(2, static_cast<int>(2.0 * half) + 1);
+  std::vector<Sample> samples;
+  n_all = 0;
+  for (int i = 0; i < n_along; ++i) {
+    const double t = -half + 2.0 * half * i / (n_along - 1);
+    for (int s = kNearest_px; s <= kFarthest_px; ++s) {
+      ++n_all;
+      if (const auto d = surface.at(midpoint(segment) + t * u + s * n))
+        samples.push_back({{1.0, t, static_cast<double>(s)}, *d});
+    }
+  }
+  return samples;
+}
+
+std::optional<Eigen::Vector3d> plane_through(const std::array<const Sample*, 3>& samples) {
+  Eigen::Matrix3d by;
+  Eigen::Vector3d d;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    by.row(i) = samples[static_cast<std::size_t>(i)]->by.transpose();
+    d[i] = samples[static_cast<std::size_t>(i)]->d;
+  }
+  if (std::abs(by.determinant()) < 1.0) return std::nullopt;
+  const Eigen::Vector3d plane = by.inverse() * d;
+  if (plane.tail<2>().cwiseAbs().maxCoeff() > kSteepest) return std::nullopt;
+  return plane;
+}
+
+/// Sum over the samples of the squares of their distances, each at most that of an outlier.
+double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples) {
+  double cost = 0.0;
+  for (const Sample& s : samples) {
+    const double off = (plane.dot(s.by) - s.d) / kOnPlane_px;
+    cost += std::min(1.0, off * off);
+  }
+  return cost;
+}
+
+}  // namespace
+
+std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rectified, int side) {
+  constexpr double kCorrelated = 100.0;  // pixels that err together
+  constexpr double kSlopeSigma = 0.15;   // of roofs, per pixel
+  std::size_t n_all = 0;
+  const std::vector<Sample> samples = samples_beside(surface, rectified, side, n_all);
+  if (2 * samples.size() < n_all || samples.size() < 10) return std::nullopt;
+  std::minstd_rand random(1);
+  std::optional<Eigen::Vector3d> best;
+  double least = HUGE_VAL;
+  for (int i = 0; i < kTries; ++i) {
+    const auto any = [&] { return &samples[random() % samples.size()]; };
+    const auto plane = plane_through({any(), any(), any()});
+    if (!plane) continue;
+    const double cost = cost_of(*plane, samples);
+    if (cost >= least) continue;
+    least = cost;
+    best = plane;
+  }
+  if (!best) return std::nullopt;
+  Eigen::Matrix3d normal = Eigen::Vector3d(0.0, 0.0, 1.0).asDiagonal();
+  normal *= 1.0 / (kSlopeSigma * kSlopeSigma);
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double squares = 0.0;
+  std::size_t n = 0;
+  for (const Sample& s : samples) {
+    const double off = best->dot(s.by) - s.d;
+    if (std::abs(off) > kOnPlane_px) continue;
+    squares += off * off;
+    ++n;
+  }
+  const double variance =
+      std::max(0.05 * 0.05, squares / std::max(1.0, static_cast<double>(n))) * kCorrelated;
+  for (const Sample& s : samples) {
+    if (std::abs(best->dot(s.by) - s.d) > kOnPlane_px) continue;
+    normal += s.by * s.by.transpose() / variance;
+    right += s.by * s.d / variance;
+  }
+  SidePlane plane;
+  plane.cov = normal.inverse();
+  plane.at_middle_along_away = plane.cov * right;
+  plane.share = static_cast<double>(n) / static_cast<double>(n_all);
+  return plane;
+}
+
+}  // namespace ridgeline::reconstruct

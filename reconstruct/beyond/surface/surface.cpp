@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/surface/surface.h"
+
+#include "reconstruct/views/edge_look.h"
+#include "reconstruct/views/strip_look.h"
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kBlock_px = 5;
+constexpr int kStep =
+    16;  // SGBM counts disparities in sixteenths, and takes multiples of 16 of them
+
+/// Disparities of a tile, [least, least + n).
+struct Range {
+  int least = 0, n = 0;
+};
+
+Range range_of(const Rectification& r,
+               const cv::Rect& tile,
+               const std::array<double, 2>& heights_m) {
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (const int x : {tile.x, tile.x + tile.width}) {
+    for (const int y : {tile.y, tile.y + tile.height}) {
+      for (const double z : heights_m) {
+        const double d = r.disparity_at_height_px(Eigen::Vector2d(x, y), z);
+        low = std::min(low, d);
+        high = std::max(high, d);
+      }
+    }
+  }
+  Range range;
+  range.least = static_cast<int>(std::floor(low)) - 1;
+  range.n = (static_cast<int>(std::ceil(high)) + 1 - range.least + kStep - 1) / kStep * kStep;
+  return range;
+}
+
+/// Up to three bands of a view in 8 bits.
+cv::Mat in_8_bits(const cv::Mat& image, const Radiometry& left_from_image) {
+  const int n_bands = std::min(3, image.channels()) == 2 ? 1 : std::min(3, image.channels());
+  cv::Mat bytes(image.size(), CV_8UC(n_bands));
+  for (int y = 0; y < image.rows; ++y) {
+    const float* from = image.ptr<float>(y);
+    unsigned char* to = bytes.ptr(y);
+    for (int x = 0; x < image.cols; ++x, from += image.channels(), to += n_bands) {
+      for (int band = 0; band < n_bands; ++band) {
+        to[band] = cv::saturate_cast<unsigned char>(
+            255.0F * (left_from_image.gain[band] * from[band] + left_from_image.offset[band]));
+      }
+    }
+  }
+  return bytes;
+}
+
+class Matching {
+ public:
+  Matching(const StereoPair& pair, const Rectification& r, const SurfaceOptions& options)
+      : pair_(pair), rectification_(r), options_(options) {
+    const Radiometry radiometry =
+        relative_radiometry(pair.views[0].segments, pair.views[1].segments);
+    bytes_ = {in_8_bits(pair.views[0].image, {}), in_8_bits(pair.views[1].image, radiometry)};
+  }
+
+  /// Writes the disparities of a tile.
+  void match(const cv::Rect& tile, cv::Mat& disparity_px) const {
+    const cv::Rect whole(cv::Point(), rectification_.size);
+    const int m = options_.margin_px;
+    const cv::Rect around = (tile + cv::Size(2 * m, 2 * m) - cv::Point(m, m)) & whole;
+    const Range range = range_of(rectification_, around, pair_.height_range_in_local_m);
+    // SGBM gives nothing for the first columns, whose largest disparity is outside
+    const cv::Rect left_part(around.x - range.n, around.y, around.width + range.n, around.height);
+    const Part left = rectified(0, left_part);
+    const Part right = rectified(1, left_part - cv::Point(range.least, 0));
+    const int n_bands = left.image.channels();
+    const int block = n_bands * kBlock_px * kBlock_px;
+    const auto sgbm = cv::StereoSGBM::create(0, range.n, kBlock_px, 8 * block, 32 * block, 1, 63, 5,
+                                             0, 0, cv::StereoSGBM::MODE_HH);
+    cv::Mat found;  // in sixteenths
+    sgbm->compute(left.image, right.image, found);
+    for (int y = tile.y; y < tile.y + tile.height; ++y) {
+      const int row = y - left_part.y;
+      for (int x = tile.x; x < tile.x + tile.width; ++x) {
+        const int column = x - left_part.x;
+        const short d = found.at<short>(row, column);
+        if (d < 0 || !left.shows(row, column) || !right.shows(row, column - d / kStep)) continue;
+        disparity_px.at<float>(y, x) =
+            static_cast<float>(range.least) + static_cast<float>(d) / kStep;
+      }
+    }
+  }
+
+ private:
+  /// A part of a rectified view.
+  struct Part {
+    cv::Mat image;
+    cv::Mat from;  ///< the pixels of the file
+    cv::Size size_of_file;
+
+    [[nodiscard]] bool shows(int row, int column) const {
+      const auto& x = from.at<cv::Vec2f>(row, column);
+      return x[0] >= 0.0F && x[1] >= 0.0F && x[0] <= static_cast<float>(size_of_file.width - 1) &&
+             x[1] <= static_cast<float>(size_of_file.height - 1);
+    }
+  };
+
+  [[nodiscard]] Part rectified(std::size_t view, const cv::Rect& part) const {
+    Part result{{},
+                image_from_rectified(rectification_.rectified_from_ideal[view],
+                                     pair_.views[view].ideal_from_image, part),
+                bytes_[view].size()};
+    cv::remap(bytes_[view], result.image, result.from, cv::noArray(), cv::INTER_CUBIC,
+              cv::BORDER_CONSTANT);
+    return result;
+  }
+
+  const StereoPair& pair_;
+  const Rectification& rectification_;
+  const SurfaceOptions& options_;
+  std::array<cv::Mat, 2> bytes_;
+};
+
+}  // namespace
+
+std::optional<double> Surface::at(const Eigen::Vector2d& x_px) const {
+  const auto column = static_cast<int>(std::lround(x_px.x()));
+  const auto row = static_cast<int>(std::lround(x_px.y()));
+  if (!cv::Rect(cv::Point(), disparity_px.size()).contains({column, row})) return std::nullopt;
+  const float d = disparity_px.at<float>(row, column);
+  return std::isnan(d) ? std::nullopt : std::optional<double>(d);
+}
+
+std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOptions& options) {
+  const auto r = rectification(pair.cameras(), pair.views[0].image.size());
+  if (!r) return std::nullopt;
+  Surface surface{*r,
+                  cv::Mat(r->size, CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()))};
+  const Matching matching(pair, *r, options);
+  std::vector<cv::Rect> tiles;
+  for (int y = 0; y < r->size.height; y += options.tile_px) {
+    for (int x = 0; x < r->size.width; x += options.tile_px) {
+      tiles.push_back(cv::Rect(x, y, options.tile_px, options.tile_px) & cv::Rect({}, r->size));
+    }
+  }
+  tbb::parallel_for(std::size_t{0}, tiles.size(),
+                    [&](std::size_t t) { matching.match(tiles[t], surface.disparity_px); });
+  return surface;
+}
+
+}  // namespace ridgeline::reconstruct

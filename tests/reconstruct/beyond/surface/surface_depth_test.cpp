@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/surface/surface_depth.h"
+
+#include "reconstruct/geometry/orientation.h"
+#include "tests/reconstruct/support/line_group.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kSurface_m = 0.1;  // what the exact surface is known to: the prior of its slopes
+constexpr int kSize_px = 400;
+
+/// A line of 100 px along the epipolar line and what meets it, in images of 400 px around the origin.
+test::LineGroup group_of(double z_m, const std::vector<test::NeighbourSpec>& neighbours) {
+  test::LineGroup group;
+  for (ProjectionMatrix& camera : group.scene.cameras) {
+    const Eigen::Vector2d middle = project(camera, Eigen::Vector3d(0.0, 0.0, 0.0));
+    camera = window_from_world(camera, middle - Eigen::Vector2d::Constant(0.5 * kSize_px));
+  }
+  group.truth.push_back(test::make_segment(
+      group.scene,
+      {.x_left = group.scene.left_centre(), .theta_rad = 0.0, .start_z_m = z_m, .end_z_m = z_m}));
+  for (const test::NeighbourSpec& neighbour : neighbours) {
+    group.connections.push_back({0, static_cast<int>(group.truth.size())});
+    group.truth.push_back(test::make_neighbour(group.scene, group.truth[0], neighbour));
+  }
+  test::observe(group, {}, nullptr);
+  return group;
+}
+
+/// Surfaces of these heights on both sides of the first line, NaN for one that is not known.
+Surface surface_beside(const test::LineGroup& group, double towards_m, double away_m) {
+  Surface surface;
+  surface.rectification = *rectification(group.scene.cameras, {kSize_px, kSize_px});
+  const Rectification& r = surface.rectification;
+  const Segment2 seen = group.scene.images(group.truth[0])[0];
+  const Segment2 line{r.rectified(0, seen.start), r.rectified(0, seen.end)};
+  surface.disparity_px = cv::Mat(r.size, CV_32F);
+  for (int row = 0; row < r.size.height; ++row) {
+    for (int column = 0; column < r.size.width; ++column) {
+      const Eigen::Vector2d x(column, row);
+      const double z_m = normal(line).dot(x - line.start) > 0.0 ? towards_m : away_m;
+      surface.disparity_px.at<float>(row, column) =
+          static_cast<float>(r.disparity_at_height_px(x, z_m));
+    }
+  }
+  return surface;
+}
+
+ReconstructedLine reconstructed(const test::LineGroup& group, const Surface* surface) {
+  EstimationOptions options;
+  options.lines.lowest_height_m = -5.0;
+  options.lines.highest_height_m = 15.0;
+  return group.reconstruct(options, {}, surface).front();
+}
+
+double error_m(const test::LineGroup& group, const ReconstructedLine& line) {
+  return std::max(std::abs(line.segment_in_local->start.z() - group.truth[0].start.z()),
+                  std::abs(line.segment_in_local->end.z() - group.truth[0].end.z()));
+}
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
+  test::LineGroup group = group_of(6.0, {});
+  Segment2& right = group.segments[1][0].segment;
+  right.end = point_at(right, 1.5);
+  for (const auto& [towards_m, away_m] : {std::pair{6.0, 0.0}, {0.0, 6.0}, {6.0, kNotKnown}}) {
+    const Surface surface = surface_beside(group, towards_m, away_m);
+    const ReconstructedLine line = reconstructed(group, &surface);
+    ASSERT_TRUE(line.segment_in_local) << towards_m << " " << away_m;
+    EXPECT_EQ(line.status, Status::kSurface);
+    EXPECT_LT(error_m(group, line), kSurface_m);
+  }
+}
+
+TEST(SurfaceDepth, ThatIsConfidentNonsenseDoesNotWinOverLinesThatMeet) {
+  // as in the deep shadow of a street
+  const test::LineGroup group = group_of(3.0, test::kThreeNeighbours);
+  const Surface surface = surface_beside(group, 11.0, 10.0);
+  const ReconstructedLine line = reconstructed(group, &surface);
+  ASSERT_TRUE(line.segment_in_local);
+  EXPECT_LT(error_m(group, line), kSurface_m);
+}
+
+TEST(SurfaceDepth, DoesNotPullAFenceToTheGround) {
+  const test::LineGroup group = group_of(1.5, test::kThreeNeighbours);
+  const Surface surface = surface_beside(group, 0.0, 0.0);
+  const ReconstructedLine line = reconstructed(group, &surface);
+  ASSERT_TRUE(line.segment_in_local);
+  EXPECT_LT(error_m(group, line), kSurface_m);
+}
+
+TEST(SurfaceDepth, OfNothingChangesNothing) {
+  const test::LineGroup group = group_of(3.0, test::kThreeNeighbours);
+  const Surface surface = surface_beside(group, kNotKnown, kNotKnown);
+  const ReconstructedLine with = reconstructed(group, &surface);
+  const ReconstructedLine without = reconstructed(group, nullptr);
+  ASSERT_TRUE(with.segment_in_local && without.segment_in_local);
+  EXPECT_EQ(with.segment_in_local->start, without.segment_in_local->start);
+  EXPECT_EQ(with.status, without.status);
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct

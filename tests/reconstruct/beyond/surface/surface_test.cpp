@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/surface/surface.h"
+
+#include "tests/reconstruct/support/painted_roofs.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+const Eigen::AlignedBox2d kHouse(Eigen::Vector2d(-6.0, -5.0), Eigen::Vector2d(6.0, 5.0));
+
+/// A sloping roof over flat ground.
+test::PaintedRoofs scene() { return {.faces = {{.plan = kHouse, .height_m = 6.0, .slope = 0.3}}}; }
+
+struct Errors {
+  double known = 0.0, median_px = 0.0, beyond_half_px = 0.0;
+};
+
+/// Over what both views show, away from the image's border.
+Errors errors_of(const test::PaintedRoofs& roofs, const StereoPair& pair, const Surface& surface) {
+  std::vector<double> errors;
+  std::size_t n = 0;
+  const ProjectionMatrix& left = pair.views[0].image_from_local;
+  const ProjectionMatrix& right = pair.views[1].image_from_local;
+  for (int row = 40; row < roofs.size_px - 40; row += 3) {
+    for (int column = 40; column < roofs.size_px - 40; column += 3) {
+      const Eigen::Vector2d x(column, row);
+      const Eigen::Vector3d truth = roofs.seen(left, x);
+      const Eigen::Vector3d in_right = roofs.seen(right, project(right, truth));
+      if ((in_right - truth).norm() > 1e-6) continue;  // hidden
+      ++n;
+      const Rectification& r = surface.rectification;
+      if (const auto d = surface.at(r.rectified(0, x)))
+        errors.push_back(std::abs(*d - r.disparity_px(truth)));
+    }
+  }
+  std::ranges::sort(errors);
+  const auto beyond = errors.end() - std::ranges::upper_bound(errors, 0.5);
+  const auto n_known = static_cast<double>(errors.size());
+  return {n_known / static_cast<double>(n), errors[errors.size() / 2],
+          static_cast<double>(beyond) / n_known};
+}
+
+constexpr double kMedian_px =
+    0.15;  // a sixteenth, and half a pixel of nearest-neighbour looking up on a slope
+constexpr double kKnown = 0.9;
+constexpr double kBeyond = 0.08;  // beside the steps of the roof
+
+TEST(DenseSurface, KnowsRoofAndGround) {
+  const test::PaintedRoofs roofs = scene();
+  const StereoPair pair = roofs.pair();
+  const auto surface = dense_surface(pair);
+  ASSERT_TRUE(surface);
+  const Errors e = errors_of(roofs, pair, *surface);
+  EXPECT_GT(e.known, kKnown);
+  EXPECT_LT(e.median_px, kMedian_px);
+  EXPECT_LT(e.beyond_half_px, kBeyond);
+}
+
+TEST(DenseSurface, IsAsGoodForTurnedViews) {
+  for (const double turn_deg : {90.0, 180.0}) {
+    test::PaintedRoofs roofs = scene();
+    roofs.right_turn_rad = turn_deg * test::kDegree;
+    const StereoPair pair = roofs.pair();
+    const auto surface = dense_surface(pair);
+    ASSERT_TRUE(surface);
+    const Errors e = errors_of(roofs, pair, *surface);
+    EXPECT_GT(e.known, kKnown) << turn_deg;
+    EXPECT_LT(e.median_px, kMedian_px) << turn_deg;
+  }
+}
+
+TEST(DenseSurface, IsTheSameForAnyNumberOfThreads) {
+  const StereoPair pair = scene().pair();
+  const SurfaceOptions small{.tile_px = 128};
+  const auto many = dense_surface(pair, small);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const auto single = dense_surface(pair, small);
+  ASSERT_TRUE(many && single);
+  ASSERT_EQ(many->disparity_px.size(), single->disparity_px.size());
+  EXPECT_EQ(std::memcmp(many->disparity_px.data, single->disparity_px.data,
+                        many->disparity_px.total() * sizeof(float)),
+            0);
+}
+
+TEST(DenseSurface, HardlyDependsOnTheTiles) {
+  test::PaintedRoofs roofs = scene();
+  roofs.size_px = 500;
+  const StereoPair pair = roofs.pair();
+  const auto whole = dense_surface(pair);
+  const auto tiles = dense_surface(pair, {.tile_px = 256});
+  ASSERT_TRUE(whole && tiles);
+  std::size_t n = 0;
+  std::size_t n_apart = 0;
+  for (int row = 0; row < whole->disparity_px.rows; ++row) {
+    for (int column = 0; column < whole->disparity_px.cols; ++column) {
+      const float a = whole->disparity_px.at<float>(row, column);
+      const float b = tiles->disparity_px.at<float>(row, column);
+      if (std::isnan(a) || std::isnan(b)) continue;
+      ++n;
+      if (std::abs(a - b) > 0.1F) ++n_apart;
+    }
+  }
+  EXPECT_LT(static_cast<double>(n_apart), 0.01 * static_cast<double>(n));
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
