@@ -16,7 +16,6 @@ constexpr int kNearest_px = 3;    // half a block of the matching clear of the s
 constexpr int kFarthest_px = 12;  // still on the roof
 constexpr double kOnPlane_px = 0.6;
 constexpr double kSteepest = 0.6;  // change of disparity per pixel; walls have more
-constexpr int kTries = 60;
 
 struct Sample {
   Eigen::Vector3d by;  ///< 1, t, s
@@ -67,19 +66,14 @@ double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples)
   return cost;
 }
 
-}  // namespace
-
-std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rectified, int side) {
-  constexpr double kCorrelated = 100.0;  // pixels that err together
-  constexpr double kSlopeSigma = 0.15;   // of roofs, per pixel
-  std::size_t n_all = 0;
-  const std::vector<Sample> samples = samples_beside(surface, rectified, side, n_all);
-  if (2 * samples.size() < n_all || samples.size() < 10) return std::nullopt;
-  std::minstd_rand random(1);
+/// The plane through three samples that most others lie on.
+std::optional<Eigen::Vector3d> best_plane(const std::vector<Sample>& samples) {
+  constexpr int kTries = 60;
+  std::minstd_rand random(1);  // the same for any number of threads
+  const auto any = [&] { return &samples[random() % samples.size()]; };
   std::optional<Eigen::Vector3d> best;
   double least = HUGE_VAL;
   for (int i = 0; i < kTries; ++i) {
-    const auto any = [&] { return &samples[random() % samples.size()]; };
     const auto plane = plane_through({any(), any(), any()});
     if (!plane) continue;
     const double cost = cost_of(*plane, samples);
@@ -87,29 +81,44 @@ std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rect
     least = cost;
     best = plane;
   }
-  if (!best) return std::nullopt;
-  Eigen::Matrix3d normal = Eigen::Vector3d(0.0, 0.0, 1.0).asDiagonal();
-  normal *= 1.0 / (kSlopeSigma * kSlopeSigma);
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  return best;
+}
+
+/// Least squares over samples on one plane. Neighbours err together, as the matching smooths.
+SidePlane fitted(const std::vector<Sample>& samples, const Eigen::Vector3d& start) {
+  constexpr double kTogether = 100.0;   // pixels that err together
+  constexpr double kSlopeSigma = 0.15;  // away from the line, px per px: that of roofs
+  constexpr double kLeastSigma_px = 0.05;
   double squares = 0.0;
-  std::size_t n = 0;
+  for (const Sample& s : samples) squares += std::pow(start.dot(s.by) - s.d, 2.0);
+  const double variance = kTogether * std::max(kLeastSigma_px * kLeastSigma_px,
+                                               squares / static_cast<double>(samples.size()));
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  normal(2, 2) = 1.0 / (kSlopeSigma * kSlopeSigma);
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (const Sample& s : samples) {
-    const double off = best->dot(s.by) - s.d;
-    if (std::abs(off) > kOnPlane_px) continue;
-    squares += off * off;
-    ++n;
-  }
-  const double variance =
-      std::max(0.05 * 0.05, squares / std::max(1.0, static_cast<double>(n))) * kCorrelated;
-  for (const Sample& s : samples) {
-    if (std::abs(best->dot(s.by) - s.d) > kOnPlane_px) continue;
     normal += s.by * s.by.transpose() / variance;
     right += s.by * s.d / variance;
   }
   SidePlane plane;
   plane.cov = normal.inverse();
   plane.at_middle_along_away = plane.cov * right;
-  plane.share = static_cast<double>(n) / static_cast<double>(n_all);
+  return plane;
+}
+
+}  // namespace
+
+std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rectified, int side) {
+  constexpr std::size_t kFewest = 10;
+  std::size_t n_all = 0;
+  std::vector<Sample> samples = samples_beside(surface, rectified, side, n_all);
+  if (2 * samples.size() < n_all || samples.size() < kFewest) return std::nullopt;
+  const auto best = best_plane(samples);
+  if (!best) return std::nullopt;
+  std::erase_if(samples,
+                [&](const Sample& s) { return std::abs(best->dot(s.by) - s.d) > kOnPlane_px; });
+  SidePlane plane = fitted(samples, *best);
+  plane.share = static_cast<double>(samples.size()) / static_cast<double>(n_all);
   return plane;
 }
 

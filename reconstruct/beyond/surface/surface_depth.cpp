@@ -18,6 +18,17 @@ constexpr double kLeastShare = 0.5;
 constexpr double kNonsense = 0.015;  // share of lines beside which the surface is wrong
 constexpr double kSigma_px = 0.3;    // of a line on a surface: gutters, fattened steps
 constexpr double kPiece_px = 30.0;   // of the line, for one plane on either side
+constexpr int kMostPieces = 10;
+
+/// The plane of the nearer surface beside a piece of a line; nothing if it is not to be trusted.
+std::optional<SidePlane> nearer_surface(const Surface& surface, const Segment2& piece) {
+  std::optional<SidePlane> nearer;
+  for (const int side : {1, -1}) {
+    const auto plane = side_plane(surface, piece, side);
+    if (plane && (!nearer || plane->on_line(0.0) > nearer->on_line(0.0))) nearer = plane;
+  }
+  return nearer && nearer->share >= kLeastShare ? nearer : std::nullopt;
+}
 
 }  // namespace
 
@@ -25,37 +36,36 @@ SurfaceDepth::SurfaceDepth(const Surface& surface,
                            const StereoLines& lines,
                            const ObservedPair& line)
     : surface_(surface), lines_(lines), line_(line) {
-  const ConditionedView& view = lines.stereo.views[0];
-  const Rectification& r = surface.rectification;
-  const auto rectified = [&](double parameter) {
-    return r.rectified(0, view.image.image_from_conditioned(point_at(line[0].segment, parameter)));
-  };
-  const Segment2 whole{rectified(0.0), rectified(1.0)};
-  const int n = std::clamp(static_cast<int>(length(whole) / kPiece_px), 1, 10);
+  const Segment2 whole{rectified(line[0].segment.start), rectified(line[0].segment.end)};
+  const int n = std::clamp(static_cast<int>(length(whole) / kPiece_px), 1, kMostPieces);
   for (int i = 0; i < n; ++i) {
-    const double from = static_cast<double>(i) / n;
-    const double to = static_cast<double>(i + 1) / n;
-    const Segment2 piece{point_at(whole, from), point_at(whole, to)};
-    std::optional<SidePlane> near;
-    for (const int side : {1, -1}) {
-      const auto plane = side_plane(surface, piece, side);
-      if (plane && (!near || plane->on_line(0.0) > near->on_line(0.0))) near = plane;
-    }
-    if (!near || near->share < kLeastShare) continue;
-    const std::vector<double> shares = n == 1 ? std::vector{0.2, 0.8} : std::vector{0.5};
-    for (const double share : shares) {
-      Station s;
-      s.x_px = point_at(piece, share);
-      const double t = (share - 0.5) * length(piece);
-      s.d_px = near->on_line(t);
-      s.sigma_px = std::hypot(kSigma_px, std::sqrt(near->variance_on_line(t)));
-      s.parameter = parameter_along(whole, s.x_px);  // rectifying hardly changes shares
-      s.across = plane_across(view.image_from_object, point_at(line[0].segment, s.parameter),
-                              line[0].segment.end - line[0].segment.start);
-      s.point = lines.stereo.object.conditioned_from_local(r.point_in_local(s.x_px, s.d_px));
-      stations_.push_back(s);
+    const Segment2 piece{point_at(whole, static_cast<double>(i) / n),
+                         point_at(whole, static_cast<double>(i + 1) / n)};
+    const auto plane = nearer_surface(surface, piece);
+    if (!plane) continue;
+    // a single plane tells the direction as well
+    for (const double share : n == 1 ? std::vector{0.2, 0.8} : std::vector{0.5}) {
+      const double t_px = (share - 0.5) * length(piece);
+      add_station(parameter_along(whole, point_at(piece, share)), plane->on_line(t_px),
+                  std::hypot(kSigma_px, std::sqrt(plane->variance_on_line(t_px))));
     }
   }
+}
+
+Eigen::Vector2d SurfaceDepth::rectified(const Eigen::Vector2d& x_in_left) const {
+  return surface_.rectification.rectified(
+      0, lines_.stereo.views[0].image.image_from_conditioned(x_in_left));
+}
+
+/// @param parameter  along the rectified segment, which hardly differs from that along the segment
+void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
+  const Segment2& segment = line_[0].segment;
+  const Eigen::Vector2d x = point_at(segment, parameter);
+  const Eigen::Vector3d on_surface = surface_.rectification.point_in_local(rectified(x), d_px);
+  stations_.push_back(
+      {parameter, d_px, sigma_px,
+       plane_across(lines_.stereo.views[0].image_from_object, x, segment.end - segment.start),
+       lines_.stereo.object.conditioned_from_local(on_surface)});
 }
 
 double SurfaceDepth::misfit(const Station& station, const DepthLine& line) const {
@@ -90,38 +100,42 @@ std::vector<DepthLine> SurfaceDepth::likely_lines(const Eigen::Vector3d& horizon
   return lines;
 }
 
+/// What both images show at a place of the left segment with a disparity; along the right segment.
+std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px) const {
+  const Rectification& r = surface_.rectification;
+  const Eigen::Vector2d left = point_at(line_[0].segment, parameter);
+  const Eigen::Vector2d x = rectified(left);
+  const Eigen::Vector3d right =
+      r.rectified_from_ideal[1].inverse() * Eigen::Vector3d(x.x() - d_px, x.y(), 1.0);
+  const Segment2& axis = line_[1].segment;
+  const Eigen::Vector2d in_right =
+      lines_.stereo.views[1].image.conditioned_from_image(right.hnormalized());
+  return {left, point_at(axis, parameter_along(axis, in_right))};
+}
+
 std::optional<std::array<SurfaceDepth::Homologous, 2>> SurfaceDepth::homologous(
     const DepthLine& line) const {
-  constexpr double kMostOff = 3.0;
+  constexpr double kMostOff = 3.0;         // standard deviations, root mean square
+  constexpr std::array kPlaces{0.1, 0.9};  // along the segment
   if (stations_.size() < 2) return std::nullopt;
   double squares = 0.0;
-  for (const Station& station : stations_) squares += std::pow(misfit(station, line), 2.0);
-  if (squares > kMostOff * kMostOff * static_cast<double>(stations_.size())) return std::nullopt;
-  // weighted line through the disparities
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();  // of a straight line in the disparities
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (const Station& s : stations_) {
+    squares += std::pow(misfit(s, line), 2.0);
     const Eigen::Vector2d by(1.0, s.parameter);
     normal += by * by.transpose() / (s.sigma_px * s.sigma_px);
     right += by * s.d_px / (s.sigma_px * s.sigma_px);
   }
+  if (squares > kMostOff * kMostOff * static_cast<double>(stations_.size())) return std::nullopt;
   const Eigen::Matrix2d cov = normal.inverse();
-  const Eigen::Vector2d fitted = cov * right;
-  const Rectification& r = surface_.rectification;
-  const auto point = [&](double share) {
-    const Eigen::Vector2d by(1.0, share);
-    const Eigen::Vector2d left = point_at(line_[0].segment, share);
-    const Eigen::Vector2d x =
-        r.rectified(0, lines_.stereo.views[0].image.image_from_conditioned(left));
-    const Eigen::Vector3d seen =
-        r.rectified_from_ideal[1].inverse() * Eigen::Vector3d(x.x() - by.dot(fitted), x.y(), 1.0);
-    const Eigen::Vector2d in_right =
-        lines_.stereo.views[1].image.conditioned_from_image(seen.hnormalized());
-    const Segment2& axis = line_[1].segment;
-    const Eigen::Vector2d on_axis = point_at(axis, parameter_along(axis, in_right));
-    return Homologous{{left, on_axis}, std::max(kSigma_px, std::sqrt(by.dot(cov * by)))};
-  };
-  return std::array{point(0.1), point(0.9)};
+  std::array<Homologous, 2> points;
+  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+    const Eigen::Vector2d by(1.0, kPlaces[i]);
+    points[i] = {seen(kPlaces[i], by.dot(cov * right)),
+                 std::max(kSigma_px, std::sqrt(by.dot(cov * by)))};
+  }
+  return points;
 }
 
 }  // namespace ridgeline::reconstruct
