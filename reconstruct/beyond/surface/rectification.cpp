@@ -33,6 +33,14 @@ double area_of_pixel(const Eigen::Matrix3d& h, const Eigen::Vector2d& x) {
   return std::abs(h.determinant() / (w * w * w));
 }
 
+/// Whether all of an image stays in front after a homography.
+bool is_one_sided(const Eigen::Matrix3d& h, const cv::Size& size) {
+  const double sign = h.row(2).dot(Eigen::Vector3d(0.0, 0.0, 1.0));
+  return std::ranges::all_of(corners_of(size), [&](const Eigen::Vector2d& corner) {
+    return sign * h.row(2).dot(corner.homogeneous()) > 0.0;
+  });
+}
+
 Eigen::Vector2d image_from_ideal(const PixelMap& ideal_from_image, const Eigen::Vector2d& ideal) {
   constexpr int kMostSteps = 20;
   constexpr double kClose_px = 1e-3;
@@ -65,6 +73,8 @@ double Rectification::disparity_at_height_px(const Eigen::Vector2d& x_px,
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px) {
   constexpr double kLeastSine = 0.2;
+  constexpr double kMostGrowth =
+      4.0;  // of the area of the image; 2 for one that is turned by 45 degrees
   Rectification r;
   r.left_centre_m = projection_centre(cameras[0]).hnormalized();
   const Eigen::Vector3d base =
@@ -90,6 +100,10 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
     low = low.cwiseMin(seen);
     high = high.cwiseMax(seen);
   }
+  const double area_px =
+      (high - low).prod();  // not finite where a corner is at the horizon of the base
+  if (!(area_px < kMostGrowth * size_px.area()) || !is_one_sided(unscaled(0), size_px))
+    return std::nullopt;
   r.principal_point_px = -low;
   r.size = {static_cast<int>(std::ceil(high.x() - low.x())) + 1,
             static_cast<int>(std::ceil(high.y() - low.y())) + 1};

@@ -37,7 +37,8 @@ struct Rectification {
                                               double z_in_local_m) const;
 };
 
-/// For any rotation between the views. Nothing if one looks along the base.
+/// For any rotation between the views. Nothing if one looks along the base, or nearly so: if the left image would grow to
+/// more than four times its area.
 /// @param size_px  of the left image
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px);

@@ -72,6 +72,17 @@ TEST(Rectification, OfViewsThatLookAlongTheBaseIsNone) {
   EXPECT_FALSE(rectification(cameras, kSize));
 }
 
+TEST(Rectification, OfAnImageThatReachesTheHorizonOfTheBaseIsNone) {
+  // one view looks nearly along the base at its border, 70 degrees off the other one
+  std::array<ProjectionMatrix, 2> cameras = test::StereoScene(0.0).cameras;
+  const Eigen::Vector3d centre = projection_centre(cameras[0]).hnormalized();
+  const Eigen::Matrix3d tilted =
+      cameras[0].leftCols<3>() *
+      Eigen::AngleAxisd(70.0 * test::kDegree, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  cameras[0] << tilted, -tilted * centre;
+  EXPECT_FALSE(rectification(cameras, kSize));
+}
+
 TEST(ImageFromRectified, TakesTheWayBackThroughTheLens) {
   const auto cameras = cameras_turned_by(0.0);
   const auto r = rectification(cameras, kSize);
