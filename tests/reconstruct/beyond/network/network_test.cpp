@@ -21,7 +21,6 @@ using test::line_at;
 using test::LineGroup;
 using test::make_group;
 
-constexpr std::array kAnyHeight_m{-1e5, 1e5};
 
 EstimationOptions network_options() {
   EstimationOptions options = test::published();
