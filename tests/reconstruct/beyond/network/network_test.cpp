@@ -21,7 +21,6 @@ using test::line_at;
 using test::LineGroup;
 using test::make_group;
 
-
 EstimationOptions network_options() {
   EstimationOptions options = test::published();
   options.lines.line_covariance = LineCovariance::kCentroid;
