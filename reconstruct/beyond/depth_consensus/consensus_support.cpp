@@ -231,7 +231,7 @@ bool add_surface_points(const Match& match,
     if (const auto point = point_in_object(match, h.x, h.sigma_px, options.lines)) {
       support.ends.push_back(*point);
       support.ends_in_images.push_back(h.x);
-      support.sigma_ends_px = h.sigma_px;
+      support.sigma_ends_px = std::max(support.sigma_ends_px, h.sigma_px);
     }
   }
   support.on_surface = !support.ends.empty();

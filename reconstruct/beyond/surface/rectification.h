@@ -32,7 +32,7 @@ struct Rectification {
   }
   /// The point at a pixel of the rectified left view with a disparity.
   [[nodiscard]] Eigen::Vector3d point_in_local(const Eigen::Vector2d& x_px, double d_px) const;
-  /// What the left view shows at a rectified pixel on the level of a height; infinite or NaN for a ray along it.
+  /// Disparity of what the left view shows at a rectified pixel on the level of a height.
   [[nodiscard]] double disparity_at_height_px(const Eigen::Vector2d& x_px,
                                               double z_in_local_m) const;
 };

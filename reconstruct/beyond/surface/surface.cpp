@@ -16,8 +16,25 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kBlock_px = 5;
-constexpr int kStep =
-    16;  // SGBM counts disparities in sixteenths, and takes multiples of 16 of them
+constexpr int kStep = 16;  // SGBM counts disparities in sixteenths, and takes multiples of 16
+
+/// Of a tile; a height range of more, or rays that do not reach it, leave the tile unknown.
+constexpr double kMostDisparities = 4096.0;
+/// Eight paths of SGM keep two costs per pixel and disparity, of two bytes each. Above this they are five, which keep a
+/// few rows only.
+constexpr std::size_t kMostCosts_bytes = 400'000'000;
+
+cv::Ptr<cv::StereoSGBM> matcher(int n_disparities, const cv::Mat& image) {
+  constexpr int kPreFilterCap = 63;
+  constexpr int kUniqueness_percent = 5;
+  constexpr int kLeftToRight_px = 1;
+  const int block = image.channels() * kBlock_px * kBlock_px;
+  const std::size_t costs_bytes = 4 * image.total() * static_cast<std::size_t>(n_disparities);
+  return cv::StereoSGBM::create(
+      0, n_disparities, kBlock_px, 8 * block, 32 * block, kLeftToRight_px, kPreFilterCap,
+      kUniqueness_percent, 0, 0,
+      costs_bytes <= kMostCosts_bytes ? cv::StereoSGBM::MODE_HH : cv::StereoSGBM::MODE_SGBM);
+}
 
 /// Disparities of a tile, [least, least + n).
 struct Range {
@@ -39,14 +56,15 @@ Range range_of(const Rectification& r,
     }
   }
   Range range;
+  if (!(high - low < kMostDisparities)) return range;
   range.least = static_cast<int>(std::floor(low)) - 1;
   range.n = (static_cast<int>(std::ceil(high)) + 1 - range.least + kStep - 1) / kStep * kStep;
   return range;
 }
 
-/// Up to three bands of a view in 8 bits.
+/// A view in 8 bits; SGBM takes one band or three.
 cv::Mat in_8_bits(const cv::Mat& image, const Radiometry& left_from_image) {
-  const int n_bands = std::min(3, image.channels()) == 2 ? 1 : std::min(3, image.channels());
+  const int n_bands = image.channels() < 3 ? 1 : 3;
   cv::Mat bytes(image.size(), CV_8UC(n_bands));
   for (int y = 0; y < image.rows; ++y) {
     const float* from = image.ptr<float>(y);
@@ -76,16 +94,13 @@ class Matching {
     const int m = options_.margin_px;
     const cv::Rect around = (tile + cv::Size(2 * m, 2 * m) - cv::Point(m, m)) & whole;
     const Range range = range_of(rectification_, around, pair_.height_range_in_local_m);
+    if (range.n == 0) return;
     // SGBM gives nothing for the first columns, whose largest disparity is outside
     const cv::Rect left_part(around.x - range.n, around.y, around.width + range.n, around.height);
     const Part left = rectified(0, left_part);
     const Part right = rectified(1, left_part - cv::Point(range.least, 0));
-    const int n_bands = left.image.channels();
-    const int block = n_bands * kBlock_px * kBlock_px;
-    const auto sgbm = cv::StereoSGBM::create(0, range.n, kBlock_px, 8 * block, 32 * block, 1, 63, 5,
-                                             0, 0, cv::StereoSGBM::MODE_HH);
     cv::Mat found;  // in sixteenths
-    sgbm->compute(left.image, right.image, found);
+    matcher(range.n, left.image)->compute(left.image, right.image, found);
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
       const int row = y - left_part.y;
       for (int x = tile.x; x < tile.x + tile.width; ++x) {

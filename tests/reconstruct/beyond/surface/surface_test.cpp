@@ -4,6 +4,7 @@
 #include "tests/reconstruct/support/painted_roofs.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -107,6 +108,19 @@ TEST(DenseSurface, HardlyDependsOnTheTiles) {
     }
   }
   EXPECT_LT(static_cast<double>(n_apart), 0.01 * static_cast<double>(n));
+}
+
+TEST(DenseSurface, TakesAnyRangeOfHeights) {
+  const test::PaintedRoofs roofs = scene();
+  StereoPair pair = roofs.pair();
+  pair.height_range_in_local_m = {-300.0, 300.0};  // by five paths
+  const auto wide = dense_surface(pair);
+  ASSERT_TRUE(wide);
+  EXPECT_GT(errors_of(roofs, pair, *wide).known, kKnown);
+  pair.height_range_in_local_m = {-300.0, 799.0};  // up to the cameras
+  const auto endless = dense_surface(pair);
+  ASSERT_TRUE(endless);
+  EXPECT_EQ(cv::countNonZero(endless->disparity_px == endless->disparity_px), 0);
 }
 
 }  // namespace
