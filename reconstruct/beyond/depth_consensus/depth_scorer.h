@@ -2,8 +2,8 @@
 #pragma once
 
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
+#include "reconstruct/beyond/depth_consensus/surface_depth.h"
 #include "reconstruct/beyond/options.h"
-#include "reconstruct/beyond/surface/surface_depth.h"
 #include "reconstruct/ok2011/estimate/candidate_points.h"
 
 #include <Eigen/Core>

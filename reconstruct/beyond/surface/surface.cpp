@@ -26,13 +26,13 @@ constexpr std::size_t kMostCosts_bytes = 400'000'000;
 
 cv::Ptr<cv::StereoSGBM> matcher(int n_disparities, const cv::Mat& image) {
   constexpr int kPreFilterCap = 63;
-  constexpr int kUniqueness_percent = 5;
+  constexpr int kUniquenessPercent = 5;
   constexpr int kLeftToRight_px = 1;
   const int block = image.channels() * kBlock_px * kBlock_px;
   const std::size_t costs_bytes = 4 * image.total() * static_cast<std::size_t>(n_disparities);
   return cv::StereoSGBM::create(
       0, n_disparities, kBlock_px, 8 * block, 32 * block, kLeftToRight_px, kPreFilterCap,
-      kUniqueness_percent, 0, 0,
+      kUniquenessPercent, 0, 0,
       costs_bytes <= kMostCosts_bytes ? cv::StereoSGBM::MODE_HH : cv::StereoSGBM::MODE_SGBM);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "reconstruct/beyond/surface/surface_depth.h"
+#include "reconstruct/beyond/depth_consensus/surface_depth.h"
 
 #include "reconstruct/geometry/orientation.h"
 #include "tests/reconstruct/support/line_group.h"
