@@ -84,6 +84,26 @@ inline LineGroup make_group(const SegmentSpec& line,
   return group;
 }
 
+/// The same, observed with random errors, with neighbours that miss the line by random distances.
+inline LineGroup make_group_with_misses(const SegmentSpec& line,
+                                        const std::vector<NeighbourSpec>& neighbours,
+                                        double sigma_m,
+                                        const Noise& noise,
+                                        Random& random) {
+  LineGroup group = make_group(line, neighbours);
+  for (std::size_t k = 1; k < group.truth.size(); ++k) {
+    const Eigen::Vector3d normal = (group.truth[0].end - group.truth[0].start)
+                                       .cross(group.truth[k].end - group.truth[k].start)
+                                       .normalized();
+    const Eigen::Vector3d miss = random.normal(sigma_m) * normal;
+    group.truth[k] = {group.truth[k].start + miss, group.truth[k].end + miss};
+  }
+  for (auto& segments : group.segments) segments.clear();
+  group.matches.clear();
+  observe(group, noise, &random);
+  return group;
+}
+
 /// A rising line of 100 px at this angle to the epipolar line, and three that meet it.
 inline SegmentSpec line_at(double theta_deg) {
   return {StereoScene().left_centre(), theta_deg * kDegree, 100.0, 3.0, 4.0};

@@ -76,6 +76,31 @@ LineGroup with_ends_that_disagree(double other_m) {
   return group;
 }
 
+TEST(DepthConsensus, CountsHowFarLinesThatMeetMissEachOther) {
+  constexpr int kTrials = 400;
+  constexpr double kLeast = 0.7,
+                   kMost = 1.3;  // of the mean, 1; a chi-square mean of 300 scatters by 0.08
+  const EstimationOptions options;
+  test::Random random(71);
+  double sum = 0.0;
+  int n = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const LineGroup group =
+        test::make_group_with_misses(test::line_at(0.5), test::kThreeNeighbours,
+                                     options.beyond.sigma_meeting_m, test::scaled({}, 0.2), random);
+    const ReconstructedLine line = group.reconstruct(options)[0];
+    if (line.status != Status::kJoint) continue;
+    const Segment3& s = *line.segment_in_local;
+    const double off_m = test::height_error_m(group.scene, group.truth[0], point_at(s, 0.5));
+    const auto& cov = *line.covariance_m2;
+    sum += off_m * off_m / (0.25 * (cov(2, 2) + cov(5, 5) + 2.0 * cov(2, 5)));
+    ++n;
+  }
+  ASSERT_GT(n, kTrials / 2);
+  EXPECT_GT(sum / n, kLeast);
+  EXPECT_LT(sum / n, kMost);
+}
+
 TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
   const ReconstructedLine line = with_ends_that_disagree(3.0).reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kAmbiguousDepth);

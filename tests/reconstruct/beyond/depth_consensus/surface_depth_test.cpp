@@ -78,21 +78,43 @@ TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
   }
 }
 
-TEST(SurfaceDepth, ThatIsConfidentNonsenseDoesNotWinOverLinesThatMeet) {
-  // as in the deep shadow of a street
-  const test::LineGroup group = group_of(3.0, test::kThreeNeighbours);
-  const Surface surface = surface_beside(group, 11.0, 10.0);
+/// Whether lines that meet keep a line at its height between surfaces of others.
+void expect_kept_by_meetings(double z_m, double towards_m, double away_m) {
+  const test::LineGroup group = group_of(z_m, test::kThreeNeighbours);
+  const Surface surface = surface_beside(group, towards_m, away_m);
   const ReconstructedLine line = reconstructed(group, &surface);
   ASSERT_TRUE(line.segment_in_local);
   EXPECT_LT(error_m(group, line), kSurface_m);
 }
 
-TEST(SurfaceDepth, DoesNotPullAFenceToTheGround) {
-  const test::LineGroup group = group_of(1.5, test::kThreeNeighbours);
-  const Surface surface = surface_beside(group, 0.0, 0.0);
-  const ReconstructedLine line = reconstructed(group, &surface);
-  ASSERT_TRUE(line.segment_in_local);
-  EXPECT_LT(error_m(group, line), kSurface_m);
+TEST(SurfaceDepth, ThatIsConfidentNonsenseDoesNotWinOverLinesThatMeet) {
+  expect_kept_by_meetings(3.0, 11.0, 10.0);  // as in the deep shadow of a street
+}
+
+TEST(SurfaceDepth, DoesNotPullAFenceToTheGround) { expect_kept_by_meetings(1.5, 0.0, 0.0); }
+
+TEST(SurfaceDepth, LikelihoodIsThatOfTheNearerSurface) {
+  constexpr double kNonsense = 0.015;
+  constexpr double kClose = 0.01;  // the planes beside the line take its slope to be small
+  const test::LineGroup group = group_of(6.0, {});
+  const Surface surface = surface_beside(group, 6.0, 0.0);
+  const std::vector<Mates> mates = matched_segments(group.segments, group.matches, {});
+  const StereoLines lines =
+      stereo_lines(group.scene.cameras, mates, mates, group.matches, LineCovariance::kCentroid);
+  const SurfaceDepth depth(surface, lines, lines.lines[0]);
+  const Segment2 seen = group.scene.images(group.truth[0])[0];
+  const auto likelihood_at = [&](double z_m) {
+    const auto point = [&](const Eigen::Vector2d& x) {
+      return lines.stereo.object.conditioned_from_local(group.scene.at_height(x, z_m));
+    };
+    const DepthLine line{point(seen.start), (point(seen.end) - point(seen.start)).normalized()};
+    return std::exp(depth.log_likelihood([&](double) -> const DepthLine& { return line; }));
+  };
+  EXPECT_NEAR(likelihood_at(6.0), 1.0, kClose);
+  EXPECT_NEAR(likelihood_at(0.0), kNonsense, 1e-6);
+  EXPECT_NEAR(likelihood_at(9.0), kNonsense, 1e-6);
+  // a tenth of a metre is 0.33 px, about the sigma of a line on a surface
+  EXPECT_NEAR(likelihood_at(6.1), kNonsense + (1.0 - kNonsense) * std::exp(-0.5), 0.1);
 }
 
 TEST(SurfaceDepth, OfNothingChangesNothing) {

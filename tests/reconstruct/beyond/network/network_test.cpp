@@ -61,18 +61,8 @@ LineGroup group_with_misses(double theta_deg,
                             const test::Noise& noise,
                             const EstimationOptions& options,
                             test::Random& random) {
-  LineGroup group = make_group(line_at(theta_deg), neighbours);
-  for (std::size_t k = 1; k < group.truth.size(); ++k) {
-    const Eigen::Vector3d normal = (group.truth[0].end - group.truth[0].start)
-                                       .cross(group.truth[k].end - group.truth[k].start)
-                                       .normalized();
-    const Eigen::Vector3d miss = random.normal(0.5 * options.beyond.sigma_meeting_m) * normal;
-    group.truth[k] = {group.truth[k].start + miss, group.truth[k].end + miss};
-  }
-  for (auto& segments : group.segments) segments.clear();
-  group.matches.clear();
-  test::observe(group, noise, &random);
-  return group;
+  return test::make_group_with_misses(line_at(theta_deg), neighbours,
+                                      0.5 * options.beyond.sigma_meeting_m, noise, random);
 }
 
 TEST(Network, RecoversLinesWithoutErrorAtAnyAngle) {

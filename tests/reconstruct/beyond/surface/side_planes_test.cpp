@@ -64,6 +64,20 @@ TEST(SidePlane, IsThatOfMostPixels) {
   EXPECT_LT(plane->share, 0.8);
 }
 
+TEST(SidePlane, IsKnownBetterBesideALongLineAndWorseWhereItScatters) {
+  constexpr double kDrawn = 0.2;  // share by which random numbers move the scatter
+  const auto variance_px2 = [](double scatter_px, const Segment2& line) {
+    test::Random random(4);
+    const Surface surface =
+        surface_of([&](const Eigen::Vector2d&) { return 30.0 + random.normal(scatter_px); });
+    return side_plane(surface, line, 1)->variance_on_line(0.0);
+  };
+  const Segment2 half{point_at(kLine, 0.25), point_at(kLine, 0.75)};
+  const double expected_px2 = variance_px2(0.1, kLine);
+  EXPECT_NEAR(variance_px2(0.1, half) / expected_px2, 2.0, 2.0 * kDrawn);
+  EXPECT_NEAR(variance_px2(0.2, kLine) / expected_px2, 4.0, 4.0 * kDrawn);
+}
+
 TEST(SidePlane, OfAHiddenSideIsNone) {
   const Surface surface =
       surface_of([](const Eigen::Vector2d& x) { return beside(x) > 0.0 ? 40.0F : kNaN; });
