@@ -12,8 +12,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Planes of fewer pixels of their strip are not to be trusted: on training scenes 9 of 33 are off by over a metre, of
-/// the others 1 in 250 (villages of simulate and scenes of another renderer alike).
+/// Of the strip's pixels. Of 53 planes below 0.4 beside true roof edges 15 were off by over a metre, of 2314 from 0.6 on
+/// 7: training villages, and scenes of another renderer.
 constexpr double kLeastShare = 0.5;
 constexpr double kNonsense = 0.015;  // share of lines beside which the surface is wrong
 constexpr double kSigma_px = 0.3;    // of a line on a surface: gutters, fattened steps
@@ -81,8 +81,7 @@ double SurfaceDepth::log_likelihood(const LineAt& profile) const {
   if (stations_.empty()) return 0.0;
   double squares = 0.0;
   for (const Station& station : stations_) {
-    const double z = misfit(station, profile(station.parameter));
-    squares += std::min(z * z, 100.0);
+    squares += std::pow(misfit(station, profile(station.parameter)), 2.0);
   }
   const double mean = squares / static_cast<double>(stations_.size());
   return std::log(kNonsense + (1.0 - kNonsense) * std::exp(-0.5 * mean));
