@@ -14,6 +14,7 @@
 namespace ridgeline::io {
 namespace {
 
+constexpr std::string_view kGuided = "guided";
 constexpr std::array<std::string_view, 4> kEndNames{"x1", "y1", "x2", "y2"};
 
 /// A number of a segment by the name of its column. T: EdgeSegment or const EdgeSegment.
@@ -78,7 +79,7 @@ std::string header() {
     }
   }
   for_each_look_column(any, add);
-  return text + '\n';
+  return text + fmt::format(",{}\n", kGuided);
 }
 
 std::string row_of(std::size_t id, const EdgeSegment& segment) {
@@ -90,7 +91,7 @@ std::string row_of(std::size_t id, const EdgeSegment& segment) {
     for (int k = i; k < 4; ++k) row += fmt::format(",{:.9g}", covariance(i, k));
   }
   for_each_look_column(segment, add);
-  return row + '\n';
+  return row + (segment.guided ? ",1\n" : ",0\n");
 }
 
 void check_segment(const EdgeSegment& segment, const std::string& where) {
@@ -116,6 +117,7 @@ EdgeSegment segment_of(const CsvTable& table, std::size_t row) {
   };
   for_each_geometry_column(segment, read);
   for_each_look_column(segment, read);
+  segment.guided = table.has(kGuided) && table.number(row, table.column(kGuided)) != 0.0;
   check_segment(segment, table.place_of(row));
   return segment;
 }

@@ -17,6 +17,7 @@ namespace ridgeline::io {
 ///   image_x1_px ... image_y2_px   start and end in pixels of the file
 ///   n_edge_pixels, rms_px, contrast
 ///   left_1 ... left_4, left_grey, right_1 ... right_grey   the flanks, 0 dark to 1 bright
+///   guided                        1 for one that a segment of another view led to, else 0; read as 0 where it is missing
 /// Numbers have as many digits as it takes to read the same values back.
 /// Throws IoError if the file cannot be written.
 void write_segments(const std::string& path, const std::vector<EdgeSegment>& segments);

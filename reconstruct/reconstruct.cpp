@@ -3,6 +3,7 @@
 
 #include "reconstruct/beyond/combined_matchers/combine_matches.h"
 #include "reconstruct/beyond/extensions.h"
+#include "reconstruct/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
 #include "reconstruct/geometry/check.h"
@@ -14,6 +15,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ridgeline::reconstruct {
@@ -21,6 +23,11 @@ namespace {
 
 /// The matcher of what height propagation adds to `pairwise`.
 constexpr const char* kByHeight = "pairwise_height";
+constexpr const char* kGuided = "guided";
+
+const Surface* address(const std::optional<Surface>& surface) {
+  return surface ? &*surface : nullptr;
+}
 
 template <typename Outcome>
 std::vector<std::string> reasons_of(const std::vector<Outcome>& outcomes) {
@@ -43,9 +50,12 @@ void add_by_height(const StereoPair& pair, const MatchingOptions& options, Match
   std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return found.scored.match; });
 }
 
-MatchList by_pairs(const StereoPair& pair, const MatchingOptions& options) {
-  const MatchResult found = match_pairwise(pair, options.pairwise, options.candidates,
-                                           match_extensions(options.beyond, options.candidates));
+MatchList by_pairs(const StereoPair& pair,
+                   const MatchingOptions& options,
+                   const std::optional<Surface>& surface) {
+  const MatchResult found =
+      match_pairwise(pair, options.pairwise, options.candidates,
+                     match_extensions(options.beyond, options.candidates, address(surface)));
   MatchList list{name(Matcher::kPairwise), found_by(Matcher::kPairwise, found.matches),
                  reasons_of(found.outcomes)};
   if (options.beyond.propagate_heights) add_by_height(pair, options, list);
@@ -126,21 +136,34 @@ Reconstruction reconstruct(std::span<const View> views,
   };
   const double origin_m = result.frame.origin_m.z();
   for (const ViewPair& views_of_pair : pairs) {
-    const StereoPair pair{{matched_view(views_of_pair.base), matched_view(views_of_pair.search)},
-                          {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
-    Matches matches = match(pair, options.matching);
-    std::vector<ReconstructedLine> lines =
-        estimate(pair, line_matches(matches.used()), options.estimation, options.matching.pairwise);
+    StereoPair pair{{matched_view(views_of_pair.base), matched_view(views_of_pair.search)},
+                    {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
+    const std::optional<Surface> surface = surface_of(pair, options);
+    Matches matches = match(pair, options.matching, surface);
+    guide(pair, matches, options, surface);
+    result.segments[views_of_pair.base] = pair.views[0].segments;
+    result.segments[views_of_pair.search] = pair.views[1].segments;
+    std::vector<ReconstructedLine> lines = estimate(
+        pair, line_matches(matches.used()), options.estimation, options.matching.pairwise, surface);
     result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
   }
   return result;
 }
 
-Matches match(const StereoPair& pair, const MatchingOptions& options) {
+std::optional<Surface> surface_of(const StereoPair& pair, const Options& options) {
+  const MatchExtensionOptions& match = options.matching.beyond;
+  const EstimateExtensionOptions& estimate = options.estimation.beyond;
+  const bool is_taken = match.surface || match.guided || (estimate.surface && estimate.consensus);
+  return is_taken ? dense_surface(pair) : std::nullopt;
+}
+
+Matches match(const StereoPair& pair,
+              const MatchingOptions& options,
+              const std::optional<Surface>& surface) {
   Matches result;
   for (const Matcher matcher : options.matchers) {
     if (matcher == Matcher::kPairwise) {
-      result.lists.push_back(by_pairs(pair, options));
+      result.lists.push_back(by_pairs(pair, options, surface));
     } else {
       result.chio = chio_match(pair, options.chio, options.candidates,
                                match_extensions(options.beyond, options.candidates).look);
@@ -157,14 +180,9 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
                                         const EstimationOptions& options,
                                         const MatchOptions& pair_options,
-                                        const Surface* surface) {
+                                        const std::optional<Surface>& surface) {
   const double aligned_deg = options.lines.max_aligned_angle_deg;
   const std::vector<PairConnection> connections = connect_matches(pair, matches, pair_options);
-  std::optional<Surface> own;
-  if (surface == nullptr && takes_surface(options)) {
-    own = dense_surface(pair);
-    surface = own ? &*own : nullptr;
-  }
   std::vector<double> right_shifts_px;
   if (options.beyond.register_profiles) {
     right_shifts_px = registered_shifts_px(pair, matches, aligned_deg);
@@ -175,12 +193,29 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
   const std::array geometry{transformed(pair.views[0].segments, &EdgeSegment::line),
                             transformed(pair.views[1].segments, &EdgeSegment::line)};
   return reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
-                           right_shifts_px, estimate_extensions(within_heights, surface));
+                           right_shifts_px, estimate_extensions(within_heights, address(surface)));
 }
 
-bool takes_surface(const EstimationOptions& options) {
-  return options.beyond.surface && options.beyond.consensus &&
-         options.lines.method != Method::kDirect;
+void guide(StereoPair& pair,
+           Matches& matches,
+           const Options& options,
+           const std::optional<Surface>& surface) {
+  const MatchExtensionOptions& beyond = options.matching.beyond;
+  if (!beyond.guided || !surface) return;
+  MatchList& list = matches.lists.back();
+  GuidedMatches guided = guided_matches(
+      pair, *surface, line_matches(list),
+      {options.extraction.edges, options.matching.candidates, beyond.guided_min_similarity},
+      match_extensions(beyond, options.matching.candidates).look);
+  for (std::size_t v = 0; v < guided.mates.size(); ++v) {
+    std::ranges::move(guided.mates[v], std::back_inserter(pair.views[v].segments));
+  }
+  list.reasons.resize(pair.views[0].segments.size());
+  for (const ScoredMatch& scored : guided.matches) {
+    list.matches.push_back({scored, kGuided});
+    list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
+  }
+  std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return found.scored.match; });
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {

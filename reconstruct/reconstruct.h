@@ -113,21 +113,29 @@ std::vector<EdgeSegment> extract(const cv::Mat& image,
 /// The view's image as the stages use it.
 cv::Mat normalised(const View& view);
 
+/// The surface of a pair for match(), guide() and estimate(); none if no option asks for it or the pair has none.
+std::optional<Surface> surface_of(const StereoPair& pair, const Options& options = {});
+
 /// The matches of a pair by each matcher, and of both together: all of `pairwise`, and those of `chio` for the segments
 /// that it left unmatched.
-Matches match(const StereoPair& pair, const MatchingOptions& options = {});
+Matches match(const StereoPair& pair,
+              const MatchingOptions& options = {},
+              const std::optional<Surface>& surface = {});
+
+/// Adds what guided_matches() finds: mates to the segments of the pair, matches to the list that is used.
+/// Nothing without a surface, or if the options do not ask for it.
+void guide(StereoPair& pair,
+           Matches& matches,
+           const Options& options,
+           const std::optional<Surface>& surface);
 
 /// The lines of matched segments.
 /// @param pair_options  of the pair connections
-/// @param surface       of the pair, where several methods share it; else it is computed, if the options ask for it
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
                                         const EstimationOptions& options = {},
                                         const MatchOptions& pair_options = {},
-                                        const Surface* surface = nullptr);
-
-/// Whether estimate() takes a surface.
-bool takes_surface(const EstimationOptions& options);
+                                        const std::optional<Surface>& surface = {});
 
 /// The matches of a list without what speaks for them.
 std::vector<LineMatch> line_matches(const MatchList& list);

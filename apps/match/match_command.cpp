@@ -12,10 +12,15 @@
 #include "io/matches_file.h"
 #include "io/png_writer.h"
 #include "io/results/output_folder.h"
+#include "io/segments_file.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace ridgeline::apps {
 namespace {
@@ -24,6 +29,7 @@ struct MatchArguments {
   std::string patch;
   std::string out;
   std::string overlay;
+  std::string segments;  ///< folder
   std::string provenance;
   ParameterArguments parameters;
   double max_image_mpx = 0.0;
@@ -59,16 +65,29 @@ void print_processes(const reconstruct::ChioResult& result,
       count([](const Acquired& a) { return a.relaxed; }));
 }
 
+/// Those that --segments asks for.
+std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchFile& patch) {
+  if (a.segments.empty()) return {};
+  const auto file = [&](const std::string& image) {
+    return (std::filesystem::path(a.segments) / fmt::format("segments.{}.csv", image)).string();
+  };
+  return {file(patch.images[0].id), file(patch.images[1].id)};
+}
+
 /// Neither inputs nor each other, and all of them can be made.
 void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   std::vector<std::string> others = results::paths_of(input_files(patch));
-  for (const std::string& file : {a.out, a.overlay, a.provenance}) {
+  std::vector<std::string> files = segment_files(a, patch);
+  files.insert(files.end(), {a.out, a.overlay, a.provenance});
+  for (const std::string& file : files) {
     if (!file.empty()) others.push_back(results::output_file(file, others));
   }
   results::check_is_own(a.out, "left_id,right_id,score,", "table of matches");
   results::check_is_own(a.provenance, "left_id,right_id,linked_right_ids,",
                         "table of lines of chio");
   results::check_is_png("--overlay", a.overlay);
+  for (const std::string& file : segment_files(a, patch))
+    results::check_is_own(file, "id,x1_px,y1_px,", "table of segments");
   const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
   check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
                                           reconstruct::Matcher::kChio) != matchers.end(),
@@ -81,8 +100,14 @@ int run_match(MatchArguments a) {
   io::PatchFile file = io::read_patch(a.patch);
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
-  const reconstruct::StereoPair pair = load_pair(file, a.options.extraction, a.max_y_parallax_px);
-  const reconstruct::Matches result = reconstruct::match(pair, a.options.matching);
+  reconstruct::StereoPair pair = load_pair(file, a.options.extraction, a.max_y_parallax_px);
+  const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
+  reconstruct::Matches result = reconstruct::match(pair, a.options.matching, surface);
+  if (!a.segments.empty()) {
+    reconstruct::guide(pair, result, a.options, surface);
+    const std::vector<std::string> files = segment_files(a, file);
+    for (std::size_t i = 0; i < 2; ++i) io::write_segments(files[i], pair.views[i].segments);
+  }
   io::write_matches(a.out, result.used().matches);
   if (!a.provenance.empty()) {
     io::write_file(a.provenance, chio_csv(*result.chio, patch_frame(file)));
@@ -105,6 +130,10 @@ Run add_match(CLI::App& subcommand) {
                   "CSV: left_id,right_id,score,votes,matcher; ids count the segments of each image")
       ->required();
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
+  subcommand.add_option(
+      "--segments", a->segments,
+      "folder for segments.IMAGE.csv of both images; adds guided matches, whose mates "
+      "are found only while matching. reconstruct --matches reads them beside its file");
   add_matcher_option(subcommand, a->matchers);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");

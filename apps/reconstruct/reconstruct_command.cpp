@@ -54,6 +54,14 @@ std::vector<EdgeSegment> segments_of(const io::PatchFile& patch,
   return extract_patch_image(patch, i, image, a.options.extraction);
 }
 
+std::vector<LineMatch> matches_of(reconstruct::StereoPair& pair,
+                                  const reconstruct::Options& options,
+                                  const std::optional<reconstruct::Surface>& surface) {
+  reconstruct::Matches matches = reconstruct::match(pair, options.matching, surface);
+  reconstruct::guide(pair, matches, options, surface);
+  return reconstruct::line_matches(matches.used());
+}
+
 /// The lines of the patch, from the matches of a file or from those made now.
 std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                                      const ReconstructArguments& a) {
@@ -61,12 +69,12 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   check_pair(patch, images, a.max_y_parallax_px);
   std::array<std::vector<EdgeSegment>, 2> segments;
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
-  const reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
-  const std::vector<LineMatch> matches =
-      a.matches.empty()
-          ? reconstruct::line_matches(reconstruct::match(pair, a.options.matching).used())
-          : read_line_matches(a.matches, segments);
-  return reconstruct::estimate(pair, matches, a.options.estimation, a.options.matching.pairwise);
+  reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
+  const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
+  const std::vector<LineMatch> matches = a.matches.empty() ? matches_of(pair, a.options, surface)
+                                                           : read_line_matches(a.matches, segments);
+  return reconstruct::estimate(pair, matches, a.options.estimation, a.options.matching.pairwise,
+                               surface);
 }
 
 /// How files of the format begin that were written here. Those that GDAL writes bear no such mark.

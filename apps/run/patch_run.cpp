@@ -89,7 +89,10 @@ class PatchRun {
       parts.emplace_back(reconstruct::name(matcher));
     }
     match_key_ = stage_key(parts);
-    stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });
+    stage("match", match_key_, stages_.match_files(), [&] {
+      stages_.match();
+      cache_.set_done("extract", extract_key_, stages_.segment_files());  // guided ones joined them
+    });
   }
 
   void reconstruct(Method method) {

@@ -76,7 +76,8 @@ std::vector<std::string> PatchStages::list_names() const {
 }
 
 std::vector<std::string> PatchStages::match_files() const {
-  std::vector<std::string> files{kMatches, "unmatched.csv"};
+  std::vector<std::string> files = segment_files();
+  files.insert(files.end(), {kMatches, "unmatched.csv"});
   const std::vector<reconstruct::Matcher>& matchers = options_.parameters.method.matching.matchers;
   for (const reconstruct::Matcher matcher : matchers) {
     if (matcher == reconstruct::Matcher::kChio) files.emplace_back("chio.csv");
@@ -127,12 +128,11 @@ reconstruct::StereoPair PatchStages::pair() {
   return stereo_pair(patch_, {image(0), image(1)}, segments());
 }
 
-/// The methods share it; none if this one does not take it.
-const reconstruct::Surface* PatchStages::surface(const reconstruct::StereoPair& pair,
-                                                 const reconstruct::EstimationOptions& options) {
-  if (!reconstruct::takes_surface(options)) return nullptr;
-  if (!surface_) surface_ = reconstruct::dense_surface(pair);
-  return surface_ ? &*surface_ : nullptr;
+/// The stages share it.
+const std::optional<reconstruct::Surface>& PatchStages::surface(
+    const reconstruct::StereoPair& pair) {
+  if (!surface_) surface_ = reconstruct::surface_of(pair, options_.parameters.method);
+  return *surface_;
 }
 
 void PatchStages::extract() {
@@ -162,8 +162,14 @@ void PatchStages::remove_match_lists() const {
 
 void PatchStages::match() {
   remove_match_lists();
-  const reconstruct::Matches result =
-      reconstruct::match(pair(), options_.parameters.method.matching);
+  const reconstruct::Options& options = options_.parameters.method;
+  reconstruct::StereoPair views = pair();
+  for (reconstruct::MatchView& view : views.views)
+    std::erase_if(view.segments, [](const EdgeSegment& s) { return s.guided; });
+  reconstruct::Matches result = reconstruct::match(views, options.matching, surface(views));
+  reconstruct::guide(views, result, options, surface(views));
+  const std::vector<std::string> files = segment_files();
+  for (std::size_t i = 0; i < 2; ++i) io::write_segments(path(files[i]), views.views[i].segments);
   io::write_matches(path(kMatches), result.used().matches);
   io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
   if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, frame_));
@@ -181,7 +187,7 @@ void PatchStages::reconstruct(reconstruct::Method method) {
   const reconstruct::StereoPair views = pair();
   const io::LineSet lines = line_set_of(
       reconstruct::estimate(views, matches, options, options_.parameters.method.matching.pairwise,
-                            surface(views, options)),
+                            surface(views)),
       frame_, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {

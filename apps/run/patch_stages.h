@@ -52,15 +52,14 @@ class PatchStages {
   const cv::Mat& image(std::size_t i);
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
   reconstruct::StereoPair pair();
-  const reconstruct::Surface* surface(const reconstruct::StereoPair& pair,
-                                      const reconstruct::EstimationOptions& options);
+  const std::optional<reconstruct::Surface>& surface(const reconstruct::StereoPair& pair);
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
   const results::OutputFolder& out_;
   LocalFrame frame_;
-  std::array<cv::Mat, 2> images_;                ///< normalised; read when first needed
-  std::optional<reconstruct::Surface> surface_;  ///< computed when first needed
+  std::array<cv::Mat, 2> images_;  ///< normalised; read when first needed
+  std::optional<std::optional<reconstruct::Surface>> surface_;  ///< computed when first needed
 };
 
 }  // namespace ridgeline::apps

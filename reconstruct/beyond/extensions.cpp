@@ -10,6 +10,7 @@
 #include "reconstruct/beyond/junction_cuts/junctions.h"
 #include "reconstruct/beyond/matched_radiometry/matched_radiometry.h"
 #include "reconstruct/beyond/network/network_lines.h"
+#include "reconstruct/beyond/surface/surface_candidates.h"
 
 #include <utility>
 
@@ -25,7 +26,8 @@ EdgeRefinement edge_refinement(const ExtractionOptions& options) {
 }
 
 MatchExtensions match_extensions(const MatchExtensionOptions& options,
-                                 const CandidateOptions& candidates) {
+                                 const CandidateOptions& candidates,
+                                 const Surface* surface) {
   MatchExtensions beyond;
   if (options.hidden_walls) beyond.look = look_past_wall;
   if (options.matched_radiometry) {
@@ -34,13 +36,14 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
       return matched_radiometry(pair, first, candidates, look);
     };
   }
-  if (!options.close_lines && !options.hidden_walls) return beyond;
-  beyond.candidates = [options](const SearchedPair& pair, const Radiometry& radiometry,
-                                Candidates& found) {
+  beyond.candidates = [options, surface](const SearchedPair& pair, const Radiometry& radiometry,
+                                         Candidates& found) {
     const std::array<CloseLines, 2> close{close_lines(ideal_segments(pair.left)),
                                           close_lines(ideal_segments(pair.right))};
     if (options.close_lines) keep_order_of_close_lines(pair, close, found);
     if (options.hidden_walls) compare_across_hidden_strips(pair, radiometry, close, found);
+    if (options.surface && surface != nullptr)
+      weigh_by_surface(*surface, ideal_segments(pair.left), found);
   };
   return beyond;
 }

@@ -21,8 +21,10 @@ EdgeRefinement edge_refinement(const ExtractionOptions& options);
 /// What goes beyond the paper in the matching, as the options switch it on: matched_radiometry, hidden_walls,
 /// close_edges (the order of close lines).
 /// @param candidates  of the first search, which gives the radiometry
+/// @param surface     of the pair, or none; must live as long as the result
 MatchExtensions match_extensions(const MatchExtensionOptions& options,
-                                 const CandidateOptions& candidates);
+                                 const CandidateOptions& candidates,
+                                 const Surface* surface = nullptr);
 
 /// What goes beyond the paper in the estimation, as the options switch it on: where uncertain lines end, depth_consensus
 /// and network.

@@ -52,6 +52,11 @@ struct MatchExtensionOptions {
   bool close_lines = true;
   bool hidden_walls = true;
   bool propagate_heights = true;
+  /// The depth of the surfaces beside a line speaks for or against its candidates. See weigh_by_surface().
+  bool surface = true;
+  /// Segments without a mate are looked for where these surfaces tell. See guided_matches().
+  bool guided = true;
+  double guided_min_similarity = 0.8;
   /// Lines matched by height must look more alike than lines that pairs of segments support (chio.min_similarity): on
   /// the training villages 4 of 19 below this were false, of 6 from here on none.
   double propagate_min_similarity = 0.82;
@@ -60,7 +65,9 @@ struct MatchExtensionOptions {
     return {.matched_radiometry = false,
             .close_lines = false,
             .hidden_walls = false,
-            .propagate_heights = false};
+            .propagate_heights = false,
+            .surface = false,
+            .guided = false};
   }
 
   static constexpr auto fields() {
@@ -74,6 +81,13 @@ struct MatchExtensionOptions {
               "compare across walls that one camera alone sees"},
         Field{"propagate_heights", &O::propagate_heights, false, true,
               "lines left unmatched may take the height of matched lines that they meet"},
+        Field{
+            "surface", &O::surface, false, true,
+            "the depth of the surfaces beside a line, by dense matching, decides among its mates"},
+        Field{"guided", &O::guided, false, true,
+              "lines without a mate are looked for in the other image where these surfaces tell"},
+        Field{"guided_min_similarity", &O::guided_min_similarity, 0.0, 1.0,
+              "if what is found there looks alike to at least this"},
         Field{"propagate_min_similarity", &O::propagate_min_similarity, 0.0, 1.0,
               "if they look alike to at least this"}};
   }

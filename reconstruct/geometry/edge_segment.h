@@ -29,6 +29,7 @@ struct EdgeSegment {
   int n_edge_pixels = 0;
   double rms_px = 0.0;    ///< of the edge pixels across the line
   double contrast = 0.0;  ///< mean strength of the colour gradient along the edge, 1/px
+  bool guided = false;    ///< found where a segment of another view told to look
 };
 
 /// The flanks of a right segment on the left and the right of its left mate's direction.

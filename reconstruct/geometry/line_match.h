@@ -23,7 +23,7 @@ struct ScoredMatch {
 /// A match and who found it.
 struct FoundMatch {
   ScoredMatch scored;
-  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", two of them joined by '+' where both found
+  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", "guided" (by the surface), two of them joined by '+' where both found
   /// it, or the name of another tool.
   std::string matcher;
 };

@@ -47,6 +47,7 @@ struct Candidate {
   EdgeLook look;
   LineMeasures measures;    ///< from the look and the geometry
   double similarity = 0.0;  ///< of the single lines, in [0, 1]
+  double log_odds = 0.0;    ///< that what goes beyond the paper adds to the votes
 };
 
 /// By left segment, best first.

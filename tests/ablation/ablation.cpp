@@ -47,6 +47,8 @@ constexpr std::array kVariants{
     Variant{"close_lines", "match: {close_lines: false}"},
     Variant{"hidden_walls", "match: {hidden_walls: false}"},
     Variant{"propagate_heights", "match: {propagate_heights: false}"},
+    Variant{"match_surface", "match: {surface: false}"},
+    Variant{"guided", "match: {guided: false}"},
     Variant{"register_profiles", "reconstruct: {register_profiles: false}"},
     Variant{"max_end_sigma_m", "reconstruct: {max_end_sigma_m: 1e6}"},
     Variant{"consensus", "reconstruct: {consensus: false, surface: false}"},

@@ -221,11 +221,11 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
 
 /// Takes points of the line that lie on the surface beside it; false if it does not tell them.
 bool add_surface_points(const Match& match,
-                        const SurfaceDepth& surface,
+                        const Surface& surface,
                         const DepthPart& part,
                         const EstimationOptions& options,
                         LineSupport& support) {
-  const auto found = surface.homologous(part.line);
+  const auto found = SurfaceDepth(surface, match.lines, support.seen).homologous(part.line);
   if (!found) return false;
   for (const SurfaceDepth::Homologous& h : *found) {
     if (const auto point = point_in_object(match, h.x, h.sigma_px, options.lines)) {
@@ -247,7 +247,7 @@ UncertainPoint3 scattered(UncertainPoint3 point, double sigma) {
 
 LineSupport support_of(const MatchEvidence& evidence,
                        const DepthPart& part,
-                       const SurfaceDepth* surface,
+                       const Surface* surface,
                        const EstimationOptions& options) {
   LineSupport support;
   support.seen = seen_part(evidence, part);
@@ -296,9 +296,8 @@ std::vector<LineSupport> lines_by_consensus(const Match& match,
                                          options.beyond, depth ? &*depth : nullptr});
   if (!consensus) return {LineSupport{.seen = match.line}};
   std::vector<LineSupport> all;
-  const bool is_whole = consensus->parts.size() == 1;
   for (const DepthPart& part : consensus->parts) {
-    all.push_back(support_of(evidence, part, depth && is_whole ? &*depth : nullptr, options));
+    all.push_back(support_of(evidence, part, surface, options));
     if (consensus->margin < options.beyond.min_depth_margin) all.back().ambiguous = true;
   }
   return all;

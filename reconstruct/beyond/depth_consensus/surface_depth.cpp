@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/surface_depth.h"
 
-#include "reconstruct/beyond/surface/side_planes.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -12,23 +10,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Of the strip's pixels. Of 53 planes below 0.4 beside true roof edges 15 were off by over a metre, of 2314 from 0.6 on
-/// 7: training villages, and scenes of another renderer.
-constexpr double kLeastShare = 0.5;
-constexpr double kNonsense = 0.015;  // share of lines beside which the surface is wrong
-constexpr double kSigma_px = 0.3;    // of a line on a surface: gutters, fattened steps
-constexpr double kPiece_px = 30.0;   // of the line, for one plane on either side
-constexpr int kMostPieces = 10;
-
-/// The plane of the nearer surface beside a piece of a line; nothing if it is not to be trusted.
-std::optional<SidePlane> nearer_surface(const Surface& surface, const Segment2& piece) {
-  std::optional<SidePlane> nearer;
-  for (const int side : {1, -1}) {
-    const auto plane = side_plane(surface, piece, side);
-    if (plane && (!nearer || plane->on_line(0.0) > nearer->on_line(0.0))) nearer = plane;
-  }
-  return nearer && nearer->share >= kLeastShare ? nearer : std::nullopt;
-}
+constexpr double kNonsense = 0.015;     // share of lines beside which the surface is wrong
+constexpr double kLeastSigma_px = 0.3;  // of a homologous point along the line
 
 }  // namespace
 
@@ -37,24 +20,25 @@ SurfaceDepth::SurfaceDepth(const Surface& surface,
                            const ObservedPair& line)
     : surface_(surface), lines_(lines), line_(line) {
   const Segment2 whole{rectified(line[0].segment.start), rectified(line[0].segment.end)};
-  const int n = std::clamp(static_cast<int>(length(whole) / kPiece_px), 1, kMostPieces);
-  for (int i = 0; i < n; ++i) {
-    const Segment2 piece{point_at(whole, static_cast<double>(i) / n),
-                         point_at(whole, static_cast<double>(i + 1) / n)};
-    const auto plane = nearer_surface(surface, piece);
-    if (!plane) continue;
-    // a single plane tells the direction as well
-    for (const double share : n == 1 ? std::vector{0.2, 0.8} : std::vector{0.5}) {
-      const double t_px = (share - 0.5) * length(piece);
-      add_station(parameter_along(whole, point_at(piece, share)), plane->on_line(t_px),
-                  std::hypot(kSigma_px, std::sqrt(plane->variance_on_line(t_px))));
-    }
-  }
+  for (const SidesOfPiece& piece : sides_along(surface, whole)) add_stations(piece);
 }
 
 Eigen::Vector2d SurfaceDepth::rectified(const Eigen::Vector2d& x_in_left) const {
   return surface_.rectification.rectified(
       0, lines_.stereo.views[0].image.image_from_conditioned(x_in_left));
+}
+
+/// None unless the nearer surface is to be trusted.
+void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
+  const SidePlane* nearer = piece.nearer();
+  if (nearer == nullptr || !nearer->is_trusted()) return;
+  // a single plane tells the direction as well
+  const bool is_single = piece.parameters == std::array{0.0, 1.0};
+  for (const double share : is_single ? std::vector{0.2, 0.8} : std::vector{0.5}) {
+    const double t_px = (share - 0.5) * piece.length_px;
+    add_station(std::lerp(piece.parameters[0], piece.parameters[1], share), nearer->on_line(t_px),
+                nearer->sigma_on_line_px(t_px));
+  }
 }
 
 /// @param parameter  along the rectified segment, which hardly differs from that along the segment
@@ -132,7 +116,7 @@ std::optional<std::array<SurfaceDepth::Homologous, 2>> SurfaceDepth::homologous(
   for (std::size_t i = 0; i < kPlaces.size(); ++i) {
     const Eigen::Vector2d by(1.0, kPlaces[i]);
     points[i] = {seen(kPlaces[i], by.dot(cov * right)),
-                 std::max(kSigma_px, std::sqrt(by.dot(cov * by)))};
+                 std::max(kLeastSigma_px, std::sqrt(by.dot(cov * by)))};
   }
   return points;
 }

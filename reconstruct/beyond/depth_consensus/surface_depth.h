@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
-#include "reconstruct/beyond/surface/surface.h"
+#include "reconstruct/beyond/surface/side_planes.h"
 #include "reconstruct/views/stereo_lines.h"
 
 #include <array>
@@ -15,9 +15,9 @@ namespace ridgeline::reconstruct {
 /// What the surfaces beside a match tell of its depth. Along an epipolar line the line itself looks the same everywhere;
 /// dense matching tells how deep the surfaces on both sides of it are (side_plane()), and a line bounds the nearer one.
 ///
-/// For every 30 px of the left segment the line's disparity on the nearer surface is known with a sigma: that of the
-/// plane, and 0.3 px of gutters and steps that the matching fattens. A surface that holds less than half of its strip
-/// says nothing. With the mean square z^2 of a profile's misfits in these sigmas:
+/// For every 30 px of the left segment (sides_along()) the line's disparity on the nearer surface is known with a sigma;
+/// a surface that holds less than half of its strip says nothing. With the mean square z^2 of a profile's misfits in these
+/// sigmas:
 ///
 ///     log_likelihood = log(0.015 + 0.985 exp(-z^2 / 2))
 ///
@@ -55,6 +55,7 @@ class SurfaceDepth {
     Eigen::Vector4d across;  ///< plane of its ray, across the segment
     Eigen::Vector3d point;   ///< on the surface, conditioned
   };
+  void add_stations(const SidesOfPiece& piece);
   void add_station(double parameter, double d_px, double sigma_px);
   [[nodiscard]] Eigen::Vector2d rectified(const Eigen::Vector2d& x_in_left) const;
   [[nodiscard]] double misfit(const Station& station, const DepthLine& line) const;

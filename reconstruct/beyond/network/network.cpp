@@ -73,7 +73,7 @@ bool decide_meetings(NetworkAdjustment& adjustment, const EstimateExtensionOptio
   constexpr int kMostRounds = 20;
   constexpr double kSettled = 1e-3;      // largest change of a weight
   constexpr double kNearMinimum = 1e-2;  // in standard deviations
-  constexpr double kLeastAtStart = 0.3;  // probability
+  constexpr double kAccepted = 0.5;      // probability
   const std::size_t n = adjustment.meetings().size();
   std::vector<bool> is_possible(n, true);
   for (int round = 0; round < kMostRounds; ++round) {
@@ -83,7 +83,7 @@ bool decide_meetings(NetworkAdjustment& adjustment, const EstimateExtensionOptio
       weights[m] = probability(
           adjustment.meetings()[m].junction,
           round == 0 ? adjustment.predicted_at_start(m) : adjustment.predicted(m), options);
-      if (round == 0) is_possible[m] = weights[m] >= kLeastAtStart;
+      if (round == 0) is_possible[m] = weights[m] >= kAccepted;
       if (!is_possible[m]) weights[m] = 0.0;
       change = std::max(change, std::abs(weights[m] - adjustment.weights[m]));
     }
@@ -91,7 +91,7 @@ bool decide_meetings(NetworkAdjustment& adjustment, const EstimateExtensionOptio
     if (!adjustment.minimise(kNearMinimum, kMostPasses) || !adjustment.invert()) return false;
     if (change < kSettled) break;
   }
-  for (double& weight : adjustment.weights) weight = weight >= 0.5 ? 1.0 : 0.0;
+  for (double& weight : adjustment.weights) weight = weight >= kAccepted ? 1.0 : 0.0;
   return adjustment.minimise(kConverged, kMostPasses);
 }
 

@@ -125,8 +125,9 @@ void adjust_together(const StereoLines& lines,
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
-    // with fewer meetings than the points that `joint` rests on, that is the better determined
-    if (adjusted[i].n_meetings < std::max(1, static_cast<int>(joint.points.size()))) continue;
+    // with fewer meetings than what `joint` rests on, that is the better determined
+    const std::size_t n_joint = joint.points.size() + members.results[i]->support.ends.size();
+    if (adjusted[i].n_meetings < std::max(1, static_cast<int>(n_joint))) continue;
     ReconstructedLine line = joint;
     if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line,
                          beyond.max_end_sigma_m, line) ||

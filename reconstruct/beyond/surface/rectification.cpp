@@ -41,21 +41,6 @@ bool is_one_sided(const Eigen::Matrix3d& h, const cv::Size& size) {
   });
 }
 
-Eigen::Vector2d image_from_ideal(const PixelMap& ideal_from_image, const Eigen::Vector2d& ideal) {
-  constexpr int kMostSteps = 20;
-  constexpr double kClose_px = 1e-3;
-  if (!ideal_from_image) return ideal;
-  Eigen::Vector2d x = ideal;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const auto back = ideal_from_image(x);
-    if (!back) break;
-    const Eigen::Vector2d off = ideal - *back;
-    x += off;
-    if (off.norm() < kClose_px) return x;
-  }
-  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
-}
-
 }  // namespace
 
 Eigen::Vector3d Rectification::point_in_local(const Eigen::Vector2d& x_px, double d_px) const {
@@ -113,6 +98,21 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
       0.0, 0.0, 1.0;
   for (const std::size_t j : {0U, 1U}) r.rectified_from_ideal[j] = calibration * unscaled(j);
   return r;
+}
+
+Eigen::Vector2d image_from_ideal(const PixelMap& ideal_from_image, const Eigen::Vector2d& ideal) {
+  constexpr int kMostSteps = 20;
+  constexpr double kClose_px = 1e-3;
+  if (!ideal_from_image) return ideal;
+  Eigen::Vector2d x = ideal;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto back = ideal_from_image(x);
+    if (!back) break;
+    const Eigen::Vector2d off = ideal - *back;
+    x += off;
+    if (off.norm() < kClose_px) return x;
+  }
+  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 cv::Mat image_from_rectified(const Eigen::Matrix3d& rectified_from_ideal,

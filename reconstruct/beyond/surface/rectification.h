@@ -43,6 +43,9 @@ struct Rectification {
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px);
 
+/// The pixel of an image with an ideal pixel, by iteration; not a number where the distortion is not known.
+Eigen::Vector2d image_from_ideal(const PixelMap& ideal_from_image, const Eigen::Vector2d& ideal_px);
+
 /// Pixels of an image that rectified ones show, CV_32FC2 for cv::remap; bilinear between every eighth one.
 /// @param tile              in rectified pixels
 /// @param ideal_from_image  empty for an image without distortion

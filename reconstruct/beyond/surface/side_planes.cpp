@@ -108,6 +108,12 @@ SidePlane fitted(const std::vector<Sample>& samples, const Eigen::Vector3d& star
 
 }  // namespace
 
+double SidePlane::sigma_on_line_px(double t_px) const {
+  constexpr double kEdge_px = 0.3;
+  const Eigen::Vector3d by(1.0, t_px, 0.0);
+  return std::hypot(kEdge_px, std::sqrt(by.dot(cov * by)));
+}
+
 std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rectified, int side) {
   constexpr std::size_t kFewest = 10;
   std::size_t n_all = 0;
@@ -120,6 +126,34 @@ std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rect
   SidePlane plane = fitted(samples, *best);
   plane.share = static_cast<double>(samples.size()) / static_cast<double>(n_all);
   return plane;
+}
+
+const SidePlane* SidesOfPiece::nearer() const {
+  const SidePlane* found = nullptr;
+  for (const auto& plane : planes) {
+    if (plane && (found == nullptr || plane->on_line(0.0) > found->on_line(0.0))) found = &*plane;
+  }
+  return found;
+}
+
+SidesOfPiece sides_of(const Surface& surface,
+                      const Segment2& rectified,
+                      const std::array<double, 2>& parameters) {
+  const Segment2 piece{point_at(rectified, parameters[0]), point_at(rectified, parameters[1])};
+  return {
+      parameters, length(piece), {side_plane(surface, piece, 1), side_plane(surface, piece, -1)}};
+}
+
+std::vector<SidesOfPiece> sides_along(const Surface& surface, const Segment2& rectified) {
+  constexpr double kPiece_px = 30.0;
+  constexpr int kMost = 10;
+  const int n = std::clamp(static_cast<int>(length(rectified) / kPiece_px), 1, kMost);
+  std::vector<SidesOfPiece> pieces;
+  for (int i = 0; i < n; ++i) {
+    pieces.push_back(
+        sides_of(surface, rectified, {static_cast<double>(i) / n, static_cast<double>(i + 1) / n}));
+  }
+  return pieces;
 }
 
 }  // namespace ridgeline::reconstruct

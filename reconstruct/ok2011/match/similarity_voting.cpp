@@ -217,7 +217,7 @@ double strength(const Candidate& candidate, const Support& support) {
   constexpr double kHeight = 7.2;
   const double u = std::clamp(candidate.similarity, 1e-6, 1.0 - 1e-6);
   return std::exp(kBias + kLook * std::log(u / (1.0 - u)) + kVoteShare * support.vote_share +
-                  kHeight * support.height);
+                  kHeight * support.height + candidate.log_odds);
 }
 
 }  // namespace

@@ -12,10 +12,11 @@ namespace ridgeline::test {
 
 /// A painted face z = height + slope (x - middle of its plan) over a rectangle of the plan.
 struct PaintedFace {
-  Eigen::AlignedBox2d plan;
+  Eigen::AlignedBox2d plan{};
   double height_m = 0.0;
   double slope = 0.0;
   double contrast = 1.0;  ///< 0: nothing to see on it
+  double brighter = 0.0;  ///< than the ground, of the range of grey values
 
   [[nodiscard]] double height_at(const Eigen::Vector2d& x) const {
     return height_m + slope * (x.x() - plan.center().x());
@@ -82,12 +83,15 @@ struct PaintedRoofs {
   }
 
  private:
-  [[nodiscard]] double contrast_at(const Eigen::Vector3d& x) const {
+  [[nodiscard]] double grey_at(const Eigen::Vector3d& x) const {
+    PaintedFace at{.contrast = ground_contrast};
     for (const PaintedFace& face : faces) {
-      if (face.plan.contains(x.head<2>()) && std::abs(face.height_at(x.head<2>()) - x.z()) < 1e-6)
-        return face.contrast;
+      if (face.plan.contains(x.head<2>()) && std::abs(face.height_at(x.head<2>()) - x.z()) < 1e-6) {
+        at = face;
+        break;
+      }
     }
-    return ground_contrast;
+    return 0.5 + at.brighter + 0.6 * at.contrast * (paint(x.x(), x.y()) - 0.5);
   }
 
   [[nodiscard]] cv::Mat photograph(const ProjectionMatrix& camera) const {
@@ -95,8 +99,7 @@ struct PaintedRoofs {
     for (int row = 0; row < size_px; ++row) {
       for (int column = 0; column < size_px; ++column) {
         const Eigen::Vector3d x = seen(camera, Eigen::Vector2d(column, row));
-        const double grey = 0.5 + 0.6 * contrast_at(x) * (paint(x.x(), x.y()) - 0.5);
-        image.at<float>(row, column) = static_cast<float>(grey);
+        image.at<float>(row, column) = static_cast<float>(grey_at(x));
       }
     }
     return image;

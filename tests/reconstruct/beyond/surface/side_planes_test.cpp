@@ -70,7 +70,7 @@ TEST(SidePlane, IsKnownBetterBesideALongLineAndWorseWhereItScatters) {
     test::Random random(4);
     const Surface surface =
         surface_of([&](const Eigen::Vector2d&) { return 30.0 + random.normal(scatter_px); });
-    return side_plane(surface, line, 1)->variance_on_line(0.0);
+    return side_plane(surface, line, 1)->cov(0, 0);
   };
   const Segment2 half{point_at(kLine, 0.25), point_at(kLine, 0.75)};
   const double expected_px2 = variance_px2(0.1, kLine);
@@ -89,6 +89,20 @@ TEST(SidePlane, OutsideOfTheImageIsNone) {
   const Surface surface = surface_of([](const Eigen::Vector2d&) { return 40.0; });
   const Eigen::Vector2d aside(0.0, 500.0);
   EXPECT_FALSE(side_plane(surface, {kLine.start + aside, kLine.end + aside}, 1));
+}
+
+TEST(SidesAlong, AreThoseOfPiecesOf30px) {
+  const Surface surface =
+      surface_of([](const Eigen::Vector2d& x) { return beside(x) > 0.0 ? 40.0 : 25.0; });
+  const std::vector<SidesOfPiece> pieces = sides_along(surface, kLine);
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_EQ(pieces[0].parameters[1], pieces[1].parameters[0]);
+  EXPECT_NEAR(pieces[1].length_px, 0.5 * length(kLine), kExact_px);
+  for (const SidesOfPiece& piece : pieces) {
+    ASSERT_TRUE(piece.planes[0] && piece.planes[1]);
+    EXPECT_NEAR(piece.planes[0]->on_line(0.0), 40.0, kExact_px);
+    EXPECT_NEAR(piece.planes[1]->on_line(0.0), 25.0, kExact_px);
+  }
 }
 
 }  // namespace

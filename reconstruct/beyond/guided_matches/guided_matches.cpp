@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/guided_matches/guided_matches.h"
+
+#include "reconstruct/beyond/guided_matches/mate_prediction.h"
+#include "reconstruct/beyond/guided_matches/step_along.h"
+#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/ok2011/extract/edge_segments.h"
+#include "reconstruct/views/edge_look.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kShortest_px = 15.0;  // of a guide: shorter ones are often texture
+
+/// A step that may be the mate of a segment of the other view.
+struct Step {
+  std::size_t guide;  ///< that segment
+  EdgeSegment mate;
+  double similarity = 0.0;
+};
+
+/// Whether segments run along most of one.
+bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<const Segment2> by) {
+  constexpr double kBeside_px = 0.6;  // further off it is another edge, or one that blurs two
+  constexpr double kMostSlope = 0.15;
+  constexpr double kMost = 0.5;  // of the segment
+  const Eigen::Vector2d u = along(segment);
+  const Eigen::Vector2d n = normal_of(u);
+  double covered_px = 0.0;
+  for (const int id : index.near(segment, kBeside_px)) {
+    const Segment2& other = by[static_cast<std::size_t>(id)];
+    if (std::abs(along(other).dot(n)) > kMostSlope) continue;
+    const double start = u.dot(other.start - segment.start);
+    const double end = u.dot(other.end - segment.start);
+    const double low = std::max(0.0, std::min(start, end));
+    const double high = std::min(length(segment), std::max(start, end));
+    if (high <= low) continue;
+    const auto beside_px = [&](double t) {
+      return std::abs(n.dot(point_at(other, (t - start) / (end - start)) - segment.start));
+    };
+    if (std::max(beside_px(low), beside_px(high)) <= kBeside_px) covered_px += high - low;
+  }
+  return covered_px > kMost * length(segment);
+}
+
+/// By segment of a view: whether it has a mate.
+std::vector<char> has_mate(const StereoPair& pair,
+                           std::span<const LineMatch> known,
+                           std::size_t view) {
+  std::vector<char> has(pair.views[view].segments.size(), 0);
+  for (const LineMatch& m : known)
+    has.at(static_cast<std::size_t>(view == 0 ? m.left : m.right)) = 1;
+  return has;
+}
+
+/// The steps that the segments of view `from` without mates are guided to, in their order.
+std::vector<Step> steps_of(const StereoPair& pair,
+                           const Surface& surface,
+                           std::span<const LineMatch> known,
+                           std::size_t from,
+                           const ExtractOptions& options) {
+  const std::vector<EdgeSegment>& guides = pair.views[from].segments;
+  const MatchView& there = pair.views[1 - from];
+  const MatePrediction prediction(surface, from);
+  const ImageSampler image(there.image);
+  const std::vector<char> is_matched = has_mate(pair, known, from);
+  std::vector<std::optional<EdgeTrace>> found(guides.size());
+  tbb::parallel_for(std::size_t{0}, guides.size(), [&](std::size_t i) {
+    const Segment2& guide = guides[i].line.segment;
+    if (is_matched[i] != 0 || length(guide) < kShortest_px) return;
+    if (const auto mate = prediction.of(guide)) {
+      const Segment2 in_image{image_from_ideal(there.ideal_from_image, mate->start),
+                              image_from_ideal(there.ideal_from_image, mate->end)};
+      found[i] = step_along(image, in_image);
+    }
+  });
+  const std::vector<Segment2> segments = ideal_segments(there);
+  const SegmentIndex index(segments);
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i]) continue;
+    for (EdgeSegment& mate :
+         edge_segments({*found[i]}, there.image, there.ideal_from_image, options)) {
+      if (is_covered(mate.line.segment, index, segments)) continue;
+      mate.guided = true;
+      steps.push_back({i, std::move(mate)});
+    }
+  }
+  return steps;
+}
+
+/// The look of steps and their guides.
+void compare(const StereoPair& pair,
+             std::size_t from,
+             const GuideOptions& options,
+             const CandidateLook& change_look,
+             std::vector<Step>& steps) {
+  constexpr double kUndecided = 0.5;
+  StereoPair guided = pair;
+  for (MatchView& view : guided.views) view.segments.clear();
+  for (const Step& step : steps) {
+    guided.views[from].segments.push_back(pair.views[from].segments[step.guide]);
+    guided.views[1 - from].segments.push_back(step.mate);
+  }
+  const Radiometry radiometry = relative_radiometry(pair.views[0].segments, pair.views[1].segments);
+  const Candidates candidates =
+      match_candidates(searched(guided), radiometry, options.candidates, change_look);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    for (const Candidate& candidate : candidates[k]) {
+      if (candidate.right != static_cast<int>(k)) continue;
+      LineMeasures measures = candidate.measures;
+      measures.values[LineMeasures::kEnds] = kUndecided;
+      steps[k].similarity = line_similarity(measures);
+    }
+  }
+}
+
+}  // namespace
+
+GuidedMatches guided_matches(const StereoPair& pair,
+                             const Surface& surface,
+                             std::span<const LineMatch> known,
+                             const GuideOptions& options,
+                             const CandidateLook& change_look) {
+  GuidedMatches result;
+  for (const std::size_t from : {0U, 1U}) {
+    std::vector<Step> steps = steps_of(pair, surface, known, from, options.edges);
+    compare(pair, from, options, change_look, steps);
+    std::ranges::stable_sort(steps, std::greater{}, &Step::similarity);
+    std::vector<char> is_matched(pair.views[from].segments.size(), 0);
+    std::vector<Segment2> taken;
+    std::vector<EdgeSegment>& mates = result.mates[1 - from];
+    for (Step& step : steps) {
+      if (step.similarity < options.min_similarity) break;
+      if (is_matched[step.guide] != 0 ||
+          is_covered(step.mate.line.segment, SegmentIndex(taken), taken)) {
+        continue;
+      }
+      is_matched[step.guide] = 1;
+      taken.push_back(step.mate.line.segment);
+      const auto guide = static_cast<int>(step.guide);
+      const auto mate = static_cast<int>(pair.views[1 - from].segments.size() + mates.size());
+      result.matches.push_back(
+          {from == 0 ? LineMatch{guide, mate} : LineMatch{mate, guide}, step.similarity, 0.0});
+      mates.push_back(std::move(step.mate));
+    }
+  }
+  std::ranges::sort(result.matches, {}, &ScoredMatch::match);
+  return result;
+}
+
+}  // namespace ridgeline::reconstruct

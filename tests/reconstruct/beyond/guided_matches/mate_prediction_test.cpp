@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/guided_matches/mate_prediction.h"
+
+#include "tests/reconstruct/support/painted_roofs.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+const Eigen::AlignedBox2d kHouse(Eigen::Vector2d(-6.0, -5.0), Eigen::Vector2d(6.0, 5.0));
+constexpr double kHeight_m = 6.0;
+/// An edge of the roof across the base, and one along it.
+const Segment3 kAcross{{-6.0, -4.0, kHeight_m}, {-6.0, 4.0, kHeight_m}};
+const Segment3 kAlong{{-5.0, 5.0, kHeight_m}, {5.0, 5.0, kHeight_m}};
+
+/// The exact surface of a flat roof over the ground.
+class MatePredictionTest : public testing::Test {
+ protected:
+  MatePredictionTest() {
+    const Rectification r = *rectification(pair.cameras(), pair.views[0].image.size());
+    surface = {r, cv::Mat(r.size, CV_32F)};
+    const Eigen::Matrix3d back = r.rectified_from_ideal[0].inverse();
+    for (int row = 0; row < r.size.height; ++row) {
+      for (int column = 0; column < r.size.width; ++column) {
+        const Eigen::Vector3d x = back * Eigen::Vector3d(column, row, 1.0);
+        surface.disparity_px.at<float>(row, column) = static_cast<float>(
+            r.disparity_px(roofs.seen(pair.views[0].image_from_local, x.hnormalized())));
+      }
+    }
+  }
+
+  [[nodiscard]] Segment2 seen(const Segment3& line, std::size_t view) const {
+    const ProjectionMatrix& camera = pair.views[view].image_from_local;
+    return {project(camera, line.start), project(camera, line.end)};
+  }
+
+  test::PaintedRoofs roofs{.faces = {{.plan = kHouse, .height_m = kHeight_m}}};
+  StereoPair pair = roofs.pair();
+  Surface surface;
+};
+
+TEST_F(MatePredictionTest, IsWhereTheOtherViewShowsTheNearerSurface) {
+  constexpr double kLeft_px = 0.1;   // what pixels beside the edge take of the ground
+  constexpr double kRight_px = 0.6;  // the surface of the right view lies on whole pixels
+  for (const std::size_t from : {0U, 1U}) {
+    const auto mate = MatePrediction(surface, from).of(seen(kAcross, from));
+    ASSERT_TRUE(mate) << from;
+    const Segment2 truth = seen(kAcross, 1 - from);
+    const double most_px = from == 0 ? kLeft_px : kRight_px;
+    EXPECT_LT((mate->start - truth.start).norm(), most_px) << from;
+    EXPECT_LT((mate->end - truth.end).norm(), most_px) << from;
+  }
+}
+
+TEST_F(MatePredictionTest, IsNoneAlongTheBase) {
+  EXPECT_FALSE(MatePrediction(surface, 0).of(seen(kAlong, 0)));
+}
+
+TEST_F(MatePredictionTest, IsNoneWhereNothingIsKnown) {
+  surface.disparity_px.setTo(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(MatePrediction(surface, 0).of(seen(kAcross, 0)));
+  EXPECT_FALSE(MatePrediction(surface, 1).of(seen(kAcross, 1)));
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
