@@ -141,11 +141,17 @@ Reconstruction reconstruct(std::span<const View> views,
     const std::optional<Surface> surface = surface_of(pair, options);
     Matches matches = match(pair, options.matching, surface);
     guide(pair, matches, options, surface);
-    result.segments[views_of_pair.base] = pair.views[0].segments;
-    result.segments[views_of_pair.search] = pair.views[1].segments;
     std::vector<ReconstructedLine> lines = estimate(
         pair, line_matches(matches.used()), options.estimation, options.matching.pairwise, surface);
-    result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
+    const auto guided = [&](std::size_t j, std::size_t v) {
+      const std::vector<EdgeSegment>& all = pair.views[j].segments;
+      const auto extracted = static_cast<std::ptrdiff_t>(result.segments[v].size());
+      return std::vector(all.begin() + extracted, all.end());
+    };
+    result.pairs.push_back({views_of_pair,
+                            std::move(matches),
+                            std::move(lines),
+                            {guided(0, views_of_pair.base), guided(1, views_of_pair.search)}});
   }
   return result;
 }

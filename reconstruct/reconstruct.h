@@ -79,6 +79,8 @@ struct PairReconstruction {
   ViewPair views;
   Matches matches;
   std::vector<ReconstructedLine> lines;
+  /// Mates that were found while matching, base and search view: their ids go on from the view's segments.
+  std::array<std::vector<EdgeSegment>, 2> guided{};
 };
 
 struct Reconstruction {

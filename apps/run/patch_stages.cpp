@@ -165,7 +165,7 @@ void PatchStages::match() {
   const reconstruct::Options& options = options_.parameters.method;
   reconstruct::StereoPair views = pair();
   for (reconstruct::MatchView& view : views.views)
-    std::erase_if(view.segments, [](const EdgeSegment& s) { return s.guided; });
+    view.segments.resize(extracted(view.segments).size());
   reconstruct::Matches result = reconstruct::match(views, options.matching, surface(views));
   reconstruct::guide(views, result, options, surface(views));
   const std::vector<std::string> files = segment_files();

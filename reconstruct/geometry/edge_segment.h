@@ -4,9 +4,12 @@
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/uncertain/uncertain_segment.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace ridgeline {
 
@@ -31,6 +34,11 @@ struct EdgeSegment {
   double contrast = 0.0;  ///< mean strength of the colour gradient along the edge, 1/px
   bool guided = false;    ///< found where a segment of another view told to look
 };
+
+/// The segments of a view but guided ones, which are its last.
+inline std::span<const EdgeSegment> extracted(const std::vector<EdgeSegment>& segments) {
+  return {segments.begin(), std::ranges::find_if(segments, &EdgeSegment::guided)};
+}
 
 /// The flanks of a right segment on the left and the right of its left mate's direction.
 /// @param reversed  the right segment runs against the left one, so that its flanks change sides

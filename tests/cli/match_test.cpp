@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/matches_file.h"
+#include "io/segments_file.h"
 #include "tests/cli/cli_fixture.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -40,6 +41,31 @@ TEST_F(Match, GivesTheSameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "one.csv", "--jobs", "1"}).exit_code, 0);
   ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "two.csv", "--jobs", "2"}).exit_code, 0);
   EXPECT_EQ(read(path("one.csv")), read(path("two.csv")));
+}
+
+TEST_F(Match, WithSegmentsIsWhatReconstructMakesOfThePatch) {
+  ASSERT_EQ(
+      run({"match", "pair/patch.yaml", "--out", "seen/m.csv", "--segments", "seen"}).exit_code, 0);
+  const auto rows = io::read_matches(path("seen/m.csv").string());
+  EXPECT_GT(std::ranges::count(rows, "guided", &FoundMatch::matcher), 0);
+  for (const char* image : {"left", "right"}) {
+    const std::string file = std::string("seen/segments.") + image + ".csv";
+    const auto segments = io::read_segments(path(file).string());
+    EXPECT_GT(segments.size(), 20U);
+    EXPECT_TRUE(std::ranges::is_sorted(segments, {}, &EdgeSegment::guided));
+  }
+  ASSERT_EQ(run({"reconstruct", "pair/patch.yaml", "--matches", "seen/m.csv", "--out",
+                 "of_files.geojson"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run({"reconstruct", "pair/patch.yaml", "--out", "at_once.geojson"}).exit_code, 0);
+  EXPECT_EQ(read(path("of_files.geojson")), read(path("at_once.geojson")));
+}
+
+TEST_F(Match, WithoutSegmentsHasNoGuidedMatches) {
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "m.csv"}).exit_code, 0);
+  const auto rows = io::read_matches(path("m.csv").string());
+  EXPECT_EQ(std::ranges::count(rows, "guided", &FoundMatch::matcher), 0);
 }
 
 TEST_F(Match, ByChioTellsHowEachLineCameAbout) {

@@ -97,10 +97,16 @@ TEST_F(TwoViews, GiveWhatTheStagesGiveOneByOne) {
     pair.views[v] = {image_from_local(views()[v].image_from_world, found.frame.origin_m), image,
                      extract(image)};
   }
-  const Matches matches = match(pair);
+  const std::optional<Surface> surface = surface_of(pair);
+  Matches matches = match(pair, {}, surface);
+  guide(pair, matches, {}, surface);
   EXPECT_EQ(matches.used().matches.size(), found.pairs[0].matches.used().matches.size());
-  EXPECT_EQ(coordinates({{}, {}, estimate(pair, line_matches(matches.used()))}),
+  EXPECT_EQ(coordinates({{}, {}, estimate(pair, line_matches(matches.used()), {}, {}, surface)}),
             coordinates(found.pairs[0]));
+  for (std::size_t v = 0; v < 2; ++v) {
+    EXPECT_EQ(pair.views[v].segments.size(),
+              found.segments[v].size() + found.pairs[0].guided[v].size());
+  }
 }
 
 TEST_F(TwoViews, OfMoreAreTheFirstTwoUnlessPairsAreNamed) {

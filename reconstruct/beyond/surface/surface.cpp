@@ -84,7 +84,7 @@ class Matching {
   Matching(const StereoPair& pair, const Rectification& r, const SurfaceOptions& options)
       : pair_(pair), rectification_(r), options_(options) {
     const Radiometry radiometry =
-        relative_radiometry(pair.views[0].segments, pair.views[1].segments);
+        relative_radiometry(extracted(pair.views[0].segments), extracted(pair.views[1].segments));
     bytes_ = {in_8_bits(pair.views[0].image, {}), in_8_bits(pair.views[1].image, radiometry)};
   }
 

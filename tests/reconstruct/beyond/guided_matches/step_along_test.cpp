@@ -67,7 +67,7 @@ TEST(StepAlong, IsTheExpectedOneBesideAStrongerOne) {
   constexpr double kDrawn_px = 0.7;  // by the strong step, whose blur reaches this far
   for (const double side : {1.0, -1.0}) {
     const Eigen::Vector2d aside = 0.4 * side * normal(kLine);  // the stronger one is at 1.85 px
-    EXPECT_NEAR(found_at_px(image_of({{0.0, 0.04}, {2.25 * side, -0.2}}),
+    EXPECT_NEAR(found_at_px(image_of({{0.0, 0.04}, {2.25 * side, -0.2}}, 0.005),
                             {kLine.start + aside, kLine.end + aside}),
                 0.0, kDrawn_px);
   }
