@@ -10,6 +10,8 @@
 #include "apps/common/reconstructed_lines.h"
 #include "apps/common/say.h"
 #include "apps/run/run_options.h"
+#include "io/cloud/labelled_points.h"
+#include "io/cloud/las_writer.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/lines/write_lines.h"
@@ -31,7 +33,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ReconstructArguments {
-  std::string patch, matches, out, method = "joint", format = "geojson";
+  std::string patch, matches, out, surface, method = "joint", format = "geojson";
   ParameterArguments parameters;
   reconstruct::Options options;  ///< as the parameters say
   std::vector<std::string> matchers{"pairwise"};
@@ -62,6 +64,27 @@ std::vector<LineMatch> matches_of(reconstruct::StereoPair& pair,
   return reconstruct::line_matches(matches.used());
 }
 
+/// The points of the surface as LAS. Throws IoError for a pair that has none.
+void write_surface(const std::string& file,
+                   const io::PatchFile& patch,
+                   const std::optional<reconstruct::Surface>& surface) {
+  if (!surface)
+    throw io::IoError(patch.path, "--write-surface: the images cannot be rectified to each other");
+  std::vector<io::CloudPoint> points;
+  for (const Eigen::Vector3d& x : points_in_local(*surface)) {
+    points.push_back({.x = x.x(),
+                      .y = x.y(),
+                      .z = x.z(),
+                      .intensity = 0,
+                      .classification = 0,
+                      .return_number = 1,
+                      .number_of_returns = 1,
+                      .flags = 0,
+                      .source_id = 0});
+  }
+  io::write_las(file, points, patch_frame(patch), patch.crs);
+}
+
 /// The lines of the patch, from the matches of a file or from those made now.
 std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                                      const ReconstructArguments& a) {
@@ -71,6 +94,7 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
   reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
   const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
+  if (!a.surface.empty()) write_surface(a.surface, patch, surface ? surface : dense_surface(pair));
   const std::vector<LineMatch> matches = a.matches.empty() ? matches_of(pair, a.options, surface)
                                                            : read_line_matches(a.matches, segments);
   return reconstruct::estimate(pair, matches, a.options.estimation, a.options.matching.pairwise,
@@ -98,6 +122,12 @@ void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
   if (!a.matches.empty()) io::require_regular_file(a.matches);
   inputs.push_back(a.matches);
   (void)results::output_file(a.out, inputs);
+  if (!a.surface.empty()) {
+    check(a.surface.ends_with(".las"), "--write-surface: ", a.surface, ", must end in .las");
+    inputs.push_back(a.out);
+    (void)results::output_file(a.surface, inputs);
+    results::check_is_own(a.surface, io::is_own_points_file, "points file");
+  }
   const std::optional<std::string_view> beginning = own_beginning(*io::line_format(a.format));
   if (beginning) return results::check_is_own(a.out, *beginning, "file of lines");
   if (!results::holds_something(a.out)) return;
@@ -143,6 +173,8 @@ Run add_reconstruct(CLI::App& subcommand) {
   subcommand.add_option("--format", a->format, "of --out")
       ->check(CLI::IsMember(line_format_names()))
       ->capture_default_str();
+  subcommand.add_option("--write-surface", a->surface,
+                        "LAS file for the points that dense matching of the pair knows");
   add_local_origin_flag(subcommand, a->local_origin);
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);

@@ -111,7 +111,8 @@ bool is_own_points_file(const std::string& path) {
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(stream.gcount()));
   if (start.starts_with(kPlyStart) || start.starts_with(kPcdStart)) return true;
-  return start.starts_with("LASF") && start.substr(kSystemIdentifier).starts_with("ridgeline");
+  return start.starts_with("LASF") && start.size() > kSystemIdentifier &&
+         start.substr(kSystemIdentifier).starts_with("ridgeline");
 }
 
 void write_labelled_points(const std::string& path, const LabelledPoints& points) {

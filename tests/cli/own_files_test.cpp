@@ -54,6 +54,14 @@ TEST_F(OwnFiles, TablesAndPicturesOfTheStages) {
   expect_only_own_is_replaced(
       {"match", "patch/patch.yaml", "--out", "m.csv", "--matcher", "chio", "--provenance", "p.csv"},
       "p.csv", "left_id,right_id\n");
+  expect_only_own_is_replaced({"match", "patch/patch.yaml", "--out", "m.csv", "--segments", "seen"},
+                              "seen/segments.left.csv", "id,mine\n");
+}
+
+TEST_F(OwnFiles, PointsOfTheSurface) {
+  expect_only_own_is_replaced({"reconstruct", "patch/patch.yaml", "--out", "lines.geojson",
+                               "--write-surface", "surface.las"},
+                              "surface.las", "LASF of another program");
 }
 
 TEST_F(OwnFiles, LinesOfReconstruct) {

@@ -153,6 +153,18 @@ std::optional<double> Surface::at(const Eigen::Vector2d& x_px) const {
   return std::isnan(d) ? std::nullopt : std::optional<double>(d);
 }
 
+std::vector<Eigen::Vector3d> points_in_local(const Surface& surface) {
+  std::vector<Eigen::Vector3d> points;
+  for (int row = 0; row < surface.disparity_px.rows; ++row) {
+    for (int column = 0; column < surface.disparity_px.cols; ++column) {
+      const Eigen::Vector2d x(column, row);
+      if (const auto d = surface.at(x))
+        points.push_back(surface.rectification.point_in_local(x, *d));
+    }
+  }
+  return points;
+}
+
 std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOptions& options) {
   const auto r = rectification(pair.cameras(), pair.views[0].image.size());
   if (!r) return std::nullopt;

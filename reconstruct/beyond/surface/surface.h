@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace ridgeline::reconstruct {
 
@@ -25,6 +26,9 @@ struct Surface {
   /// Nothing outside and where nothing is known; of the nearest pixel.
   [[nodiscard]] std::optional<double> at(const Eigen::Vector2d& x_px) const;
 };
+
+/// What each pixel of known disparity shows, row by row.
+std::vector<Eigen::Vector3d> points_in_local(const Surface& surface);
 
 /// Semi-global matching (Hirschmueller 2008, by OpenCV) of the pair in tiles, to a sixteenth of a pixel, with the check
 /// from right to left. Disparities are those of the range of heights. Nothing for a pair that cannot be rectified.
