@@ -51,6 +51,7 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
 EstimateExtensions estimate_extensions(const EstimationOptions& options, const Surface* surface) {
   EstimateExtensions beyond;
   beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;
+  if (!options.beyond.surface) surface = nullptr;
   if (options.beyond.consensus) {
     beyond.support = [options, surface](const StereoLines& lines,
                                         std::span<const ReconstructedLine> direct) {

@@ -35,18 +35,15 @@ using Gradients = Eigen::Matrix<double, kMaxBands, kOffsets>;
 /// Derivatives, by a Gaussian, of samples across the line.
 Eigen::Matrix<double, kSamples, kOffsets> derivative() {
   Eigen::Matrix<double, kSamples, kOffsets> by = Eigen::Matrix<double, kSamples, kOffsets>::Zero();
-  std::array<double, 2 * kReach + 1> weights{};
+  Eigen::Matrix<double, 2 * kReach + 1, 1> weights;
   double of_ramp = 0.0;
-  for (int i = -kReach; i <= kReach; ++i) {
-    const double x_px = i * kStep_px;
-    const double weight = x_px * std::exp(-0.5 * std::pow(x_px / kSmoothing_px, 2.0));
-    weights[static_cast<std::size_t>(i + kReach)] = weight;
-    of_ramp += weight * x_px;
+  for (int i = 0; i < weights.size(); ++i) {
+    const double x_px = (i - kReach) * kStep_px;
+    weights[i] = x_px * std::exp(-0.5 * std::pow(x_px / kSmoothing_px, 2.0));
+    of_ramp += weights[i] * x_px;
   }
   for (int offset = 0; offset < kOffsets; ++offset) {
-    for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
-      by(offset + i, offset) = weights[static_cast<std::size_t>(i)] / of_ramp;
-    }
+    by.col(offset).segment<2 * kReach + 1>(offset) = weights / of_ramp;
   }
   return by;
 }
@@ -58,7 +55,7 @@ struct LineGradients {
 };
 
 LineGradients gradients_along(const ImageSampler& image, const Segment2& line) {
-  static const auto kDerivative = derivative();
+  static const auto by_samples = derivative();
   const Eigen::Vector2d u = along(line);
   const Eigen::Vector2d n = normal_of(u);
   LineGradients found;
@@ -74,7 +71,7 @@ LineGradients gradients_along(const ImageSampler& image, const Segment2& line) {
     }
     if (!is_inside) continue;
     found.t_px.push_back(t);
-    found.across.push_back(colours * kDerivative);
+    found.across.push_back(colours * by_samples);
   }
   return found;
 }

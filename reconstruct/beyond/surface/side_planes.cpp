@@ -149,6 +149,7 @@ std::vector<SidesOfPiece> sides_along(const Surface& surface, const Segment2& re
   constexpr int kMost = 10;
   const int n = std::clamp(static_cast<int>(length(rectified) / kPiece_px), 1, kMost);
   std::vector<SidesOfPiece> pieces;
+  pieces.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) {
     pieces.push_back(
         sides_of(surface, rectified, {static_cast<double>(i) / n, static_cast<double>(i + 1) / n}));

@@ -51,8 +51,9 @@ Surface surface_beside(const test::LineGroup& group, double towards_m, double aw
   return surface;
 }
 
-ReconstructedLine reconstructed(const test::LineGroup& group, const Surface* surface) {
-  EstimationOptions options;
+ReconstructedLine reconstructed(const test::LineGroup& group,
+                                const Surface* surface,
+                                EstimationOptions options = {}) {
   options.lines.lowest_height_m = -5.0;
   options.lines.highest_height_m = 15.0;
   return group.reconstruct(options, {}, surface).front();
@@ -64,6 +65,18 @@ double error_m(const test::LineGroup& group, const ReconstructedLine& line) {
 }
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+TEST(SurfaceDepth, SwitchedOffSaysNothing) {
+  test::LineGroup group = group_of(6.0, {});
+  Segment2& right = group.segments[1][0].segment;
+  right.end = point_at(right, 1.5);
+  const Surface surface = surface_beside(group, 6.0, 0.0);
+  EstimationOptions without;
+  without.beyond.surface = false;
+  EXPECT_EQ(reconstructed(group, &surface, without).status,
+            reconstructed(group, nullptr, without).status);
+  EXPECT_NE(reconstructed(group, &surface, without).status, Status::kSurface);
+}
 
 TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
   test::LineGroup group = group_of(6.0, {});
