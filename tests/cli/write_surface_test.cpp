@@ -46,7 +46,7 @@ TEST_F(WriteSurface, GivesTheHeightsThatLaserPointsHave) {
     }
   }
   ASSERT_GT(apart_m.size(), 100U);
-  std::ranges::nth_element(apart_m, apart_m.begin() + apart_m.size() / 2);
+  std::ranges::sort(apart_m);
   EXPECT_LT(apart_m[apart_m.size() / 2], kMedian_m);
 }
 
