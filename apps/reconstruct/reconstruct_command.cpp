@@ -17,6 +17,7 @@
 #include "io/lines/write_lines.h"
 #include "io/results/output_folder.h"
 #include "io/segments_file.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -70,19 +71,8 @@ void write_surface(const std::string& file,
                    const std::optional<reconstruct::Surface>& surface) {
   if (!surface)
     throw io::IoError(patch.path, "--write-surface: the images cannot be rectified to each other");
-  std::vector<io::CloudPoint> points;
-  for (const Eigen::Vector3d& x : points_in_local(*surface)) {
-    points.push_back({.x = x.x(),
-                      .y = x.y(),
-                      .z = x.z(),
-                      .intensity = 0,
-                      .classification = 0,
-                      .return_number = 1,
-                      .number_of_returns = 1,
-                      .flags = 0,
-                      .source_id = 0});
-  }
-  io::write_las(file, points, patch_frame(patch), patch.crs);
+  io::write_las(file, transformed(points_in_local(*surface), io::single_return), patch_frame(patch),
+                patch.crs);
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.

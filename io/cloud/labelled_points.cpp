@@ -38,16 +38,7 @@ void write_as_las(const std::string& path, const LabelledPoints& points) {
   std::vector<CloudPoint> records;
   records.reserve(points.x_in_local.size());
   for (const Eigen::Vector3d& x_m : points.x_in_local) {
-    const Eigen::Vector3d x = x_m.cwiseQuotient(points.unit_m);
-    records.push_back({.x = x.x(),
-                       .y = x.y(),
-                       .z = x.z(),
-                       .intensity = 0,
-                       .classification = 0,
-                       .return_number = 1,
-                       .number_of_returns = 1,
-                       .flags = 0,
-                       .source_id = 0});
+    records.push_back(single_return(x_m.cwiseQuotient(points.unit_m)));
   }
   const LocalFrame frame{points.frame.origin_m.cwiseQuotient(points.unit_m)};
   write_las(path, records, frame, points.crs, {}, points.labels);

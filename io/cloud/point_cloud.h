@@ -4,6 +4,8 @@
 #include "io/crs.h"
 #include "reconstruct/geometry/local_frame.h"
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,6 +23,19 @@ struct CloudPoint {
   std::uint16_t source_id;
 };
 static_assert(sizeof(CloudPoint) == 32);
+
+/// The only return of its pulse, without class or intensity.
+inline CloudPoint single_return(const Eigen::Vector3d& x_in_local) {
+  return {.x = x_in_local.x(),
+          .y = x_in_local.y(),
+          .z = x_in_local.z(),
+          .intensity = 0,
+          .classification = 0,
+          .return_number = 1,
+          .number_of_returns = 1,
+          .flags = 0,
+          .source_id = 0};
+}
 
 /// Points of all files of a run in one local frame, in file order and record order.
 struct PointCloud {

@@ -55,4 +55,14 @@ class Cli : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// With a small rendered pair in `pair/`, made in each test that needs it.
+class SmallPair : public Cli {
+ protected:
+  void SetUp() override {
+    const ProgramResult made = run({"simulate", "--out", "pair", "--seed", "3", "--extent-m",
+                                    "45,45", "--samples-per-side", "1"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+};
+
 }  // namespace ridgeline::cli

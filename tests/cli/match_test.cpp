@@ -13,15 +13,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class Match : public Cli {
- protected:
-  /// A small rendered pair, made in each test that needs it.
-  void SetUp() override {
-    const ProgramResult made = run({"simulate", "--out", "pair", "--seed", "3", "--extent-m",
-                                    "45,45", "--samples-per-side", "1"});
-    ASSERT_EQ(made.exit_code, 0) << made.err;
-  }
-};
+class Match : public SmallPair {};
 
 TEST_F(Match, WritesMatchesAndAnOverlay) {
   const ProgramResult result =

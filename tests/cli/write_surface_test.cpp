@@ -10,14 +10,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class WriteSurface : public Cli {
+class WriteSurface : public SmallPair {
  protected:
-  void SetUp() override {
-    const ProgramResult made = run({"simulate", "--out", "pair", "--seed", "3", "--extent-m",
-                                    "45,45", "--samples-per-side", "1"});
-    ASSERT_EQ(made.exit_code, 0) << made.err;
-  }
-
   [[nodiscard]] ProgramResult reconstruct(const std::vector<std::string>& more) const {
     std::vector<std::string> words{"reconstruct", "pair/patch.yaml", "--out", "lines.geojson"};
     words.insert(words.end(), more.begin(), more.end());
