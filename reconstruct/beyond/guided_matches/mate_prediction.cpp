@@ -26,7 +26,8 @@ double mean_of(const cv::Mat& disparity_px) {
   return n > 0 ? sum / static_cast<double>(n) : 0.0;
 }
 
-/// Disparities by the pixels of the right view; of two surfaces at one pixel the nearer hides the other.
+/// Disparities by the pixels of the right view. Of two surfaces at one of its pixels the nearer hides the other; it has the
+/// larger disparity, so that it comes from a later column.
 /// @param moved_px  of those pixels along the rows
 cv::Mat seen_from_right(const cv::Mat& disparity_px, double moved_px) {
   cv::Mat right(disparity_px.size(), CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
@@ -36,8 +37,7 @@ cv::Mat seen_from_right(const cv::Mat& disparity_px, double moved_px) {
       if (std::isnan(d)) continue;
       const double at = std::round(column - double{d} + moved_px);
       if (!(at >= 0.0 && at < right.cols)) continue;
-      float& seen = right.at<float>(row, static_cast<int>(at));
-      if (!(seen >= d)) seen = d;
+      right.at<float>(row, static_cast<int>(at)) = d;
     }
   }
   return right;

@@ -91,6 +91,16 @@ TEST(SurfaceDepth, GivesTheDepthOfAnEaveWhoseMateRunsOn) {
   }
 }
 
+TEST(SurfaceDepth, StandsAgainstANetworkWithFewerMeetings) {
+  const test::LineGroup group = group_of(6.0, {{0.5, 80}});
+  const Surface surface = surface_beside(group, 6.0, 0.0);
+  EstimationOptions options;
+  options.lines.method = Method::kNetwork;
+  const ReconstructedLine line = reconstructed(group, &surface, options);
+  ASSERT_TRUE(line.segment_in_local);
+  EXPECT_EQ(line.status, Status::kSurface);
+}
+
 /// Whether lines that meet keep a line at its height between surfaces of others.
 void expect_kept_by_meetings(double z_m, double towards_m, double away_m) {
   const test::LineGroup group = group_of(z_m, test::kThreeNeighbours);

@@ -93,6 +93,12 @@ TEST_F(GuidedMatchesTest, CountTheirMatesAfterThePairsSegments) {
   EXPECT_EQ(guided.matches[0].match, (LineMatch{0, 1}));
 }
 
+TEST_F(GuidedMatchesTest, AreNoneOfWhatLooksDifferent) {
+  pair.views[0].segments = {seen(0)};
+  pair.views[1].image = 1.0 - pair.views[1].image;  // a dark roof over bright ground
+  EXPECT_TRUE(found().matches.empty());
+}
+
 TEST_F(GuidedMatchesTest, AreNoneWithoutAStep) {
   pair.views[0].segments = {seen(0)};
   pair.views[1].image.setTo(0.5);

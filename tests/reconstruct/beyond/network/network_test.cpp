@@ -184,6 +184,26 @@ TEST(Network, RejectsAFalseMeetingAmongFour) {
   }
 }
 
+TEST(Network, FalseMeetingsThatAgreeDoNotMoveALine) {
+  constexpr int kTrials = 200;
+  test::Random random(338);
+  int kept = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    test::SegmentSpec level = line_at(30.0);
+    level.end_z_m = level.start_z_m;
+    // a road marking, and edges of parked cars and vans that seem to end on it
+    LineGroup group = make_group(level, {{0.1, 80}, {0.35, -60}, {0.65, 110}, {0.9, 70}});
+    const Eigen::Vector3d above(0.0, 0.0, 1.5);
+    for (std::size_t k = 1; k < group.truth.size(); ++k)
+      group.truth[k] = {group.truth[k].start + above, group.truth[k].end + above};
+    for (auto& segments : group.segments) segments.clear();
+    group.matches.clear();
+    test::observe(group, {}, &random);
+    if (group.reconstruct(network_options())[0].n_meetings == 0) ++kept;
+  }
+  EXPECT_GE(kept, 0.95 * kTrials);
+}
+
 TEST(Network, GroupsThatNothingConnectsDoNotInfluenceEachOther) {
   // the larger patch is conditioned otherwise, which deviations feel to the second order
   constexpr double kSecondOrder_m = 1e-3;

@@ -30,9 +30,12 @@ class SurfaceCandidates : public testing::Test {
       camera = window_from_world(camera, middle - Eigen::Vector2d::Constant(0.5 * kSize_px));
     }
     surface.rectification = *rectification(scene.cameras, {kSize_px, kSize_px});
-    const Rectification& r = surface.rectification;
-    rectified = {{180.0, 140.0}, {200.0, 240.0}};
-    const Eigen::Matrix3d back = r.rectified_from_ideal[0].inverse();
+    lay({{180.0, 140.0}, {200.0, 240.0}});
+  }
+
+  void lay(const Segment2& in_rectified) {
+    rectified = in_rectified;
+    const Eigen::Matrix3d back = surface.rectification.rectified_from_ideal[0].inverse();
     line = {(back * rectified.start.homogeneous()).hnormalized(),
             (back * rectified.end.homogeneous()).hnormalized()};
   }
@@ -80,6 +83,15 @@ TEST_F(SurfaceCandidates, MayLieOnASideThatIsNotTrusted) {
   surfaces_of(kRoof_m, kNotKnown);
   EXPECT_EQ(log_odds(kGround_m), 0.0);
   EXPECT_GT(log_odds(kRoof_m), kAgreed);
+}
+
+TEST_F(SurfaceCandidates, NearTheRowsAreLessSureOfTheirDisparity) {
+  constexpr double kOff_m = 1.0;  // 3 px
+  surfaces_of(kRoof_m, kGround_m);
+  EXPECT_NEAR(log_odds(kRoof_m + kOff_m), kContradicted, kSteep);
+  lay({{140.0, 200.0}, {240.0, 204.0}});
+  surfaces_of(kRoof_m, kGround_m);
+  EXPECT_GT(log_odds(kRoof_m + kOff_m), kAgreed);
 }
 
 TEST_F(SurfaceCandidates, AreComparedAlongTheirOwnPartOfTheLine) {
