@@ -32,9 +32,11 @@ void check_id(const std::string& file,
               int id,
               const std::vector<EdgeSegment>& segments) {
   if (id >= 0 && static_cast<std::size_t>(id) < segments.size()) return;
-  throw io::IoError(file,
-                    fmt::format("{} = {}, must be in 0..{}: the image has {} segments", column, id,
-                                static_cast<std::ptrdiff_t>(segments.size()) - 1, segments.size()));
+  throw io::IoError(
+      file,
+      fmt::format("{} = {}, must be in 0..{}: the image has {} segments. Guided "
+                  "matches need the segments.IMAGE.csv of their run beside them",
+                  column, id, static_cast<std::ptrdiff_t>(segments.size()) - 1, segments.size()));
 }
 
 }  // namespace

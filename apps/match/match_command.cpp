@@ -132,8 +132,8 @@ Run add_match(CLI::App& subcommand) {
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
   subcommand.add_option(
       "--segments", a->segments,
-      "folder for segments.IMAGE.csv of both images; adds guided matches, whose mates "
-      "are found only while matching. reconstruct --matches reads them beside its file");
+      "folder for segments.IMAGE.csv of both images. Guided matches are made only with it: their "
+      "mates are found while matching. reconstruct --matches reads the files beside its own");
   add_matcher_option(subcommand, a->matchers);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");

@@ -54,6 +54,13 @@ TEST_F(Match, WithSegmentsIsWhatReconstructMakesOfThePatch) {
   EXPECT_EQ(read(path("of_files.geojson")), read(path("at_once.geojson")));
 }
 
+TEST_F(Match, ThatIsGuidedNeedsItsSegments) {
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "m.csv", "--segments", "seen"}).exit_code, 0);
+  EXPECT_REFUSED(
+      run({"reconstruct", "pair/patch.yaml", "--matches", "m.csv", "--out", "lines.geojson"}),
+      AllOf(HasSubstr("m.csv"), HasSubstr("Guided matches need the segments.IMAGE.csv")));
+}
+
 TEST_F(Match, WithoutSegmentsHasNoGuidedMatches) {
   ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "m.csv"}).exit_code, 0);
   const auto rows = io::read_matches(path("m.csv").string());
