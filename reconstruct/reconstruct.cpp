@@ -6,6 +6,7 @@
 #include "reconstruct/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
+#include "reconstruct/beyond/shared_errors/shared_errors.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
@@ -76,6 +77,22 @@ MatchList combined(const std::vector<EdgeSegment>& left,
     both.reasons[static_cast<std::size_t>(found.scored.match.left)] = "matched";
   }
   return both;
+}
+
+/// What the profiles across the edges tell of their places, as the options have it; empty: nothing.
+std::vector<Registration> registrations_of(const StereoPair& pair,
+                                           std::span<const LineMatch> matches,
+                                           const EstimationOptions& options) {
+  const auto& [lines, beyond] = options;
+  if (!beyond.register_profiles && !beyond.shared_errors) return {};
+  return transformed(compare_profiles(pair, matches, lines.max_aligned_angle_deg),
+                     [&](const ComparedProfiles& both) {
+                       Registration r;
+                       if (beyond.register_profiles) r.right_shift_px = both.right_shift_px;
+                       if (beyond.shared_errors && both.similarity)
+                         r.sigma_scale = own_sigma_scale(*both.similarity);
+                       return r;
+                     });
 }
 
 void check_views(std::span<const View> views, std::span<const ViewPair> pairs) {
@@ -187,19 +204,20 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         const EstimationOptions& options,
                                         const MatchOptions& pair_options,
                                         const std::optional<Surface>& surface) {
-  const double aligned_deg = options.lines.max_aligned_angle_deg;
   const std::vector<PairConnection> connections = connect_matches(pair, matches, pair_options);
-  std::vector<double> right_shifts_px;
-  if (options.beyond.register_profiles) {
-    right_shifts_px = registered_shifts_px(pair, matches, aligned_deg);
-  }
+  const std::vector<Registration> registrations = registrations_of(pair, matches, options);
   EstimationOptions within_heights = options;
   within_heights.lines.lowest_height_m = pair.height_range_in_local_m[0];
   within_heights.lines.highest_height_m = pair.height_range_in_local_m[1];
   const std::array geometry{transformed(pair.views[0].segments, &EdgeSegment::line),
                             transformed(pair.views[1].segments, &EdgeSegment::line)};
-  return reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
-                           right_shifts_px, estimate_extensions(within_heights, address(surface)));
+  std::vector<ReconstructedLine> lines =
+      reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
+                        registrations, estimate_extensions(within_heights, address(surface)));
+  if (options.beyond.shared_errors) {
+    for (ReconstructedLine& line : lines) add_shared_error(pair.cameras()[0], line);
+  }
+  return lines;
 }
 
 void guide(StereoPair& pair,

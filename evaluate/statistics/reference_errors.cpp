@@ -6,6 +6,7 @@
 #include "evaluate/statistics/segment_tree.h"
 #include "evaluate/statistics/summary.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
@@ -132,22 +133,46 @@ bool is_of(const JudgedLine& line, std::string_view line_class) {
   return line_class == kTotal || line.line_class == line_class;
 }
 
+/// Squared error of the two ends across the reference line over the stated covariance; nothing if that
+/// leaves a combination of them free of error.
+std::optional<double> normalised_square(const JudgedLine& line, const Segment3& reference) {
+  const Eigen::Vector3d along = (reference.end - reference.start).normalized();
+  const Eigen::Vector3d across = along.unitOrthogonal();
+  Eigen::Matrix<double, 2, 3> frame;
+  frame << across.transpose(), along.cross(across).transpose();
+  Eigen::Matrix<double, 4, 6> by_ends = Eigen::Matrix<double, 4, 6>::Zero();
+  by_ends.topLeftCorner<2, 3>() = frame;
+  by_ends.bottomRightCorner<2, 3>() = frame;
+  Eigen::Vector4d error;
+  error << frame * (line.segment.start - reference.start),
+      frame * (line.segment.end - reference.start);
+  const Eigen::LLT<Eigen::Matrix4d> cov(by_ends * *line.covariance_m2 * by_ends.transpose());
+  if (cov.info() != Eigen::Success) return std::nullopt;
+  return error.dot(cov.solve(error));
+}
+
 /// A line beside its reference line.
 struct LineError {
   double mean_m = 0.0;
   std::optional<ErrorParts> parts;
+  std::optional<double> normalised_square;
 };
 
 std::vector<std::optional<LineError>> line_errors(std::span<const JudgedLine> lines,
                                                   std::span<const ReferenceLine> references,
                                                   const ReferenceOptions& options) {
   const auto assigned = reference_of_each(lines, references, options);
+  ReferenceOptions close = options;
+  close.max_distance_px = options.max_tested_px;
+  const auto tested = reference_of_each(lines, references, close);
   std::vector<std::optional<LineError>> errors(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!assigned[i] || !has_geometry(lines[i])) continue;
     const Segment3& reference = references[*assigned[i]].segment;
     errors[i] = {mean_distance_m(lines[i].segment, reference),
-                 error_parts(lines[i].segment, reference)};
+                 error_parts(lines[i].segment, reference), std::nullopt};
+    if (tested[i] && lines[i].covariance_m2)
+      errors[i]->normalised_square = normalised_square(lines[i], reference);
   }
   return errors;
 }
@@ -167,6 +192,17 @@ void add_parts(std::span<const ErrorParts> parts, ReferenceErrors& result) {
   result.mean_vertical_m = sum.mean_vertical_m / n;
 }
 
+void add_nees(const std::vector<double>& squares, ReferenceErrors& result) {
+  constexpr double kMedian = 3.35669,
+                   kLimit = 18.46683;  // chi-square, 4 degrees of freedom: 50, 99.9 %
+  result.n_tested = squares.size();
+  if (squares.empty()) return;
+  result.median_nees_ratio = *median(squares) / kMedian;
+  const auto n_beyond = std::ranges::count_if(squares, [](double s) { return s > kLimit; });
+  result.nees_beyond_99_9_share =
+      static_cast<double>(n_beyond) / static_cast<double>(squares.size());
+}
+
 ReferenceErrors errors_of(std::span<const JudgedLine> lines,
                           std::span<const std::optional<LineError>> errors,
                           std::string_view line_class,
@@ -175,6 +211,7 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
   result.line_class = line_class;
   std::vector<double> e;
   std::vector<ErrorParts> parts;
+  std::vector<double> squares;
   std::size_t gross = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!is_of(lines[i], line_class)) continue;
@@ -183,6 +220,7 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
     e.push_back(errors[i]->mean_m);
     if (errors[i]->mean_m > options.gross_m) ++gross;
     if (errors[i]->parts) parts.push_back(*errors[i]->parts);
+    if (errors[i]->normalised_square) squares.push_back(*errors[i]->normalised_square);
   }
   result.n_on_reference = e.size();
   if (e.empty()) return result;
@@ -193,6 +231,7 @@ ReferenceErrors errors_of(std::span<const JudgedLine> lines,
   result.max_m = *std::max_element(e.begin(), e.end());
   result.gross_share = static_cast<double>(gross) / n;
   add_parts(parts, result);
+  add_nees(squares, result);
   return result;
 }
 

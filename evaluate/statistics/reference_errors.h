@@ -23,6 +23,8 @@ struct ReferenceOptions {
   /// A line belongs to the reference line whose image passes this close to both ends of its image
   /// segment, in both images.
   double max_distance_px = 2.0;
+  /// ... and this close if the covariance is tested: farther off it may be another edge beside it.
+  double max_tested_px = 1.0;
   double gross_m = 1.0;
   /// A reference line counts as reconstructed if lines within this distance ...
   double tolerance_m = 0.3;
@@ -44,6 +46,11 @@ struct ReferenceErrors {
   /// then over the lines. Reference lines steeper than 75 degrees have neither.
   std::size_t n_parts = 0;
   std::optional<double> rmse_horizontal_m, rmse_vertical_m, mean_vertical_m;
+  /// Normalised squared error of the two ends across the reference line, chi-square with 4 degrees of
+  /// freedom if the stated covariance is right: median over its expectation (1) and share beyond the
+  /// 99.9 % limit (0.1 %).
+  std::size_t n_tested = 0;
+  std::optional<double> median_nees_ratio, nees_beyond_99_9_share;
 };
 
 struct ReferenceCompleteness {

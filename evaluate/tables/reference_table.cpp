@@ -12,6 +12,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 constexpr int kShareDecimals = 4;
+constexpr int kRatioDecimals = 3;
 
 std::optional<double> share_of(const ReferenceCompleteness& row) {
   if (row.n_lines == 0) return std::nullopt;
@@ -23,15 +24,18 @@ std::optional<double> share_of(const ReferenceCompleteness& row) {
 std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows) {
   std::string text =
       "patch,method,class,n_lines,n_on_reference,rms_m,median_m,q95_m,max_m,gross_share,"
-      "n_parts,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m\n";
+      "n_parts,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m,n_tested,median_nees_ratio,"
+      "nees_beyond_99_9_share\n";
   for (const ReferenceRow& row : rows) {
     for (const ReferenceErrors& e : row.comparison.classes) {
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
-                          escape_csv(row.method), e.line_class, e.n_lines, e.n_on_reference,
-                          metres(e.rms_m, ""), metres(e.median_m, ""), metres(e.q95_m, ""),
-                          metres(e.max_m, ""), fixed(e.gross_share, kShareDecimals, ""), e.n_parts,
-                          metres(e.rmse_horizontal_m, ""), metres(e.rmse_vertical_m, ""),
-                          metres(e.mean_vertical_m, ""));
+      text += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
+          escape_csv(row.method), e.line_class, e.n_lines, e.n_on_reference, metres(e.rms_m, ""),
+          metres(e.median_m, ""), metres(e.q95_m, ""), metres(e.max_m, ""),
+          fixed(e.gross_share, kShareDecimals, ""), e.n_parts, metres(e.rmse_horizontal_m, ""),
+          metres(e.rmse_vertical_m, ""), metres(e.mean_vertical_m, ""), e.n_tested,
+          fixed(e.median_nees_ratio, kRatioDecimals, ""),
+          fixed(e.nees_beyond_99_9_share, kShareDecimals, ""));
     }
   }
   return text;
@@ -72,16 +76,20 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
   std::string text =
       "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
-      "(H) and in height at the same place in plan (V).\n\n" +
+      "(H) and in height at the same place in plan (V). NEES: squared error of the ends over the "
+      "stated covariance, "
+      "median over its expectation (1), and the share beyond the 99.9 % limit (0.1).\n\n" +
       markdown_head({"patch", "method", "class", "lines:", "on a true line:", "RMS m:", "median m:",
-                     "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:"});
+                     "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:",
+                     "median NEES:", "beyond 99.9 %:"});
   for (const ReferenceRow& row : rows) {
     for (const ReferenceErrors& e : row.comparison.classes) {
       text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method), e.line_class,
                            e.n_lines, e.n_on_reference, metres(e.rms_m), metres(e.median_m),
                            metres(e.q95_m), metres(e.max_m), percent(e.gross_share),
                            metres(e.rmse_horizontal_m), metres(e.rmse_vertical_m),
-                           metres(e.mean_vertical_m));
+                           metres(e.mean_vertical_m), fixed(e.median_nees_ratio, 2),
+                           percent(e.nees_beyond_99_9_share));
     }
   }
   text +=

@@ -99,8 +99,11 @@ struct EstimateExtensionOptions {
   /// right segment: its left one continues far beyond a short right one.
   double max_end_sigma_m = 0.5;
   /// Right segments of not_aligned matches are moved to where their image shows what the left ones lie
-  /// on, by the colour profiles across the lines. See registered_shifts_px().
+  /// on, by the colour profiles across the lines. See compare_profiles().
   bool register_profiles = true;
+  /// Sigmas by how alike both images show the two edges of a match, and what both get wrong alike. See
+  /// own_sigma_scale() and add_shared_error().
+  bool shared_errors = true;
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
@@ -117,8 +120,11 @@ struct EstimateExtensionOptions {
   double min_depth_margin = 2.5;
 
   static constexpr EstimateExtensionOptions none() {
-    return {
-        .max_end_sigma_m = 1e6, .register_profiles = false, .consensus = false, .surface = false};
+    return {.max_end_sigma_m = 1e6,
+            .register_profiles = false,
+            .shared_errors = false,
+            .consensus = false,
+            .surface = false};
   }
 
   static constexpr auto fields() {
@@ -128,6 +134,8 @@ struct EstimateExtensionOptions {
               "lines less certain than this at an end are given between the right ends"},
         Field{"register_profiles", &O::register_profiles, false, true,
               "not_aligned: move the right edge to where the profiles across it agree"},
+        Field{"shared_errors", &O::shared_errors, false, true,
+              "sigmas by how alike both images show an edge, and for what both get wrong alike"},
         Field{"consensus", &O::consensus, false, true,
               "use points that agree on the depth of their line; off: as published"},
         Field{"surface", &O::surface, false, true,

@@ -15,11 +15,15 @@ std::size_t checked_index(const char* what, int index, std::size_t size) {
   return static_cast<std::size_t>(index);
 }
 
-UncertainSegment2 shifted(const UncertainSegment2& segment, double across_px) {
+UncertainSegment2 registered(const UncertainSegment2& segment,
+                             double across_px,
+                             double sigma_scale) {
   const Eigen::Vector2d by = across_px * normal(segment.segment);
   UncertainSegment2 moved = segment;
   for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
     *x += by;
+  moved.sigma_q_px *= sigma_scale;
+  moved.sigma_phi_rad *= sigma_scale;
   return moved;
 }
 
@@ -53,7 +57,7 @@ void clip_to_mate(ObservedPair& pair, const Eigen::Matrix3d& right_from_left) {
 
 std::vector<Mates> matched_segments(std::span<const std::vector<UncertainSegment2>> segments,
                                     std::span<const LineMatch> matches,
-                                    std::span<const double> right_shifts_px) {
+                                    std::span<const Registration> registrations) {
   std::vector<Mates> all;
   all.reserve(matches.size());
   for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -61,9 +65,9 @@ std::vector<Mates> matched_segments(std::span<const std::vector<UncertainSegment
         checked_index("match: left segment", matches[i].left, segments[0].size());
     const std::size_t right =
         checked_index("match: right segment", matches[i].right, segments[1].size());
-    const double shift_px = right_shifts_px.empty() ? 0.0 : right_shifts_px[i];
-    all.push_back({segments[0][left],
-                   shift_px == 0.0 ? segments[1][right] : shifted(segments[1][right], shift_px)});
+    const Registration r = registrations.empty() ? Registration{} : registrations[i];
+    all.push_back({registered(segments[0][left], 0.0, r.sigma_scale),
+                   registered(segments[1][right], r.right_shift_px, r.sigma_scale)});
   }
   return all;
 }

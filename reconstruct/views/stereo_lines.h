@@ -23,11 +23,17 @@ struct StereoLines {
 
 using Mates = std::array<UncertainSegment2, 2>;  ///< left, right
 
-/// The segments of each match, the right one moved along n = (-u_y, u_x) by its shift if there are any.
+/// What comparing the images beside the edges of a match tells of their places.
+struct Registration {
+  double right_shift_px = 0.0;  ///< of the right segment along n = (-u_y, u_x)
+  double sigma_scale = 1.0;     ///< of the sigmas across both segments
+};
+
+/// The segments of each match, as their registration, if there are any, has them.
 /// Throws std::invalid_argument for an index out of range.
 std::vector<Mates> matched_segments(std::span<const std::vector<UncertainSegment2>> segments,
                                     std::span<const LineMatch> matches,
-                                    std::span<const double> right_shifts_px);
+                                    std::span<const Registration> registrations);
 
 /// The matches in the conditioned frames of the patch; of a left segment with several mates each gets the
 /// part that its mate shows.

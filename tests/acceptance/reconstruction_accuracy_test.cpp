@@ -34,6 +34,18 @@ double number(const Row& row, const std::string& column) {
   return text.empty() ? 0.0 : std::stod(text);
 }
 
+/// How well stated covariances hold, over patches.
+struct CovarianceTest {
+  double n = 0.0, sum_of_medians = 0.0, beyond = 0.0;
+  void add(double count, double median_ratio, double beyond_share) {
+    n += count;
+    sum_of_medians += count * median_ratio;
+    beyond += count * beyond_share;
+  }
+  [[nodiscard]] double median_ratio() const { return sum_of_medians / n; }
+  [[nodiscard]] double beyond_share() const { return beyond / n; }
+};
+
 /// Sums over patches, from which pooled figures follow.
 struct Pool {
   double n = 0.0, sum_squares = 0.0, gross = 0.0;
@@ -98,9 +110,12 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   EXPECT_GE(quality, 0.965);
 
   std::map<std::string, Pool> truth;
+  std::map<std::string, CovarianceTest> covariance;
   for (const Row& row : table("reference_errors.csv")) {
-    truth[row.at("method") + " " + row.at("class")].add(
-        number(row, "n_on_reference"), number(row, "rms_m"), number(row, "gross_share"));
+    const std::string key = row.at("method") + " " + row.at("class");
+    truth[key].add(number(row, "n_on_reference"), number(row, "rms_m"), number(row, "gross_share"));
+    covariance[key].add(number(row, "n_tested"), number(row, "median_nees_ratio"),
+                        number(row, "nees_beyond_99_9_share"));
   }
   std::map<std::string, Pool> lidar;
   for (const Row& row : table("table2.csv")) {
@@ -110,7 +125,8 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   for (const auto& [key, pool] : truth) {
     std::cout << key << ": against true lines " << pool.rms() << " m (" << pool.n << " lines, "
               << 100.0 * pool.gross_share() << " % gross); against LIDAR " << lidar[key].rms()
-              << " m (" << lidar[key].n << " lines)\n";
+              << " m (" << lidar[key].n << " lines); NEES " << covariance[key].median_ratio()
+              << ", " << 100.0 * covariance[key].beyond_share() << " % beyond 99.9 %\n";
   }
   EXPECT_LE(truth["joint not_aligned"].rms(), 0.125);
   EXPECT_LE(truth["joint not_aligned"].gross_share(), 0.01);
@@ -118,6 +134,13 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   EXPECT_LE(truth["joint aligned"].rms(), 0.21);
   EXPECT_LE(truth["network not_aligned"].rms(), truth["joint not_aligned"].rms());
   EXPECT_LE(truth["network aligned"].rms(), 1.02 * truth["joint aligned"].rms());
+  for (const std::string method : {"joint", "network"}) {
+    for (const std::string line_class : {"not_aligned", "aligned"}) {
+      const CovarianceTest& tested = covariance[method + " " + line_class];
+      EXPECT_NEAR(tested.median_ratio(), 0.95, 0.45) << method << " " << line_class;
+      EXPECT_LE(tested.beyond_share(), line_class == "aligned" ? 0.11 : 0.06) << method;
+    }
+  }
   // the clouds have laser points on lines that have no true one, too: cars, fences
   EXPECT_LE(lidar["joint not_aligned"].rms(), truth["joint not_aligned"].rms() + 0.02);
 

@@ -37,25 +37,27 @@ std::vector<Colour> profile_across(const ImageSampler& image,
 }
 
 /// Where the right profile, which is longer, shows the left one.
-double registered_shift_px(std::span<const Colour> left, std::span<const Colour> right) {
+ComparedProfiles compared(std::span<const Colour> left, std::span<const Colour> right) {
   std::array<double, 2 * kFarthest + 1> at{};
   for (std::size_t k = 0; k < at.size(); ++k)
     at[k] = correlation(left, right.subspan(k, left.size()));
   const auto best = std::max_element(at.begin(), at.end());
-  if (best == at.begin() || best == at.end() - 1) return 0.0;
-  if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return 0.0;
-  return kStep_px * (static_cast<double>(best - at.begin()) - kFarthest +
-                     vertex_of_parabola(best[-1], *best, best[1]));
+  const ComparedProfiles unmoved{0.0, *best};
+  if (best == at.begin() || best == at.end() - 1) return unmoved;
+  if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return unmoved;
+  return {kStep_px * (static_cast<double>(best - at.begin()) - kFarthest +
+                      vertex_of_parabola(best[-1], *best, best[1])),
+          *best};
 }
 
-double shift_of_match(const StereoSearch& search,
-                      const std::array<ImageSampler, 2>& images,
-                      const EdgeSegment& left,
-                      const EdgeSegment& right) {
+ComparedProfiles profiles_of_match(const StereoSearch& search,
+                                   const std::array<ImageSampler, 2>& images,
+                                   const EdgeSegment& left,
+                                   const EdgeSegment& right) {
   const auto searched = searched_segment(search, left.line.segment);
-  if (!searched) return 0.0;
+  if (!searched) return {};
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
-  if (!overlap) return 0.0;
+  if (!overlap) return {};
   const StripFrame frame = strip_frame({left, right, *overlap}, kMostAlong);
   // the sides of the left segment, whichever way the right one runs
   const double sign = overlap->reversed() ? -1.0 : 1.0;
@@ -64,19 +66,21 @@ double shift_of_match(const StereoSearch& search,
       profile_across(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
   const std::vector<Colour> seen_right =
       profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthest);
-  if (seen_left.empty() || seen_right.empty()) return 0.0;
-  return sign * registered_shift_px(seen_left, seen_right);
+  if (seen_left.empty() || seen_right.empty()) return {};
+  ComparedProfiles both = compared(seen_left, seen_right);
+  both.right_shift_px *= sign;
+  return both;
 }
 
 }  // namespace
 
-std::vector<double> registered_shifts_px(const StereoPair& pair,
-                                         std::span<const LineMatch> matches,
-                                         double max_angle_deg) {
+std::vector<ComparedProfiles> compare_profiles(const StereoPair& pair,
+                                               std::span<const LineMatch> matches,
+                                               double max_angle_deg) {
   const StereoSearch search = searched(pair).search;
   const std::array<ImageSampler, 2> samplers{ImageSampler(pair.views[0].image),
                                              ImageSampler(pair.views[1].image)};
-  std::vector<double> shifts_px(matches.size());
+  std::vector<ComparedProfiles> profiles(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
     const EdgeSegment& left = pair.views[0].segments.at(static_cast<std::size_t>(matches[i].left));
     const EdgeSegment& right =
@@ -84,9 +88,9 @@ std::vector<double> registered_shifts_px(const StereoPair& pair,
     const double angle_rad =
         epipolar_angle_rad(pair.cameras(), left.line.segment, right.line.segment);
     if (angle_rad <= max_angle_deg * kRadPerDeg) return;
-    shifts_px[i] = shift_of_match(search, samplers, left, right);
+    profiles[i] = profiles_of_match(search, samplers, left, right);
   });
-  return shifts_px;
+  return profiles;
 }
 
 }  // namespace ridgeline::reconstruct

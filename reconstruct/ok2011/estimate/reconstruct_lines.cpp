@@ -170,16 +170,18 @@ std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const LineMatch> matches,
     std::span<const PairConnection> connections,
     const ReconstructOptions& options,
-    std::span<const double> right_shifts_px,
+    std::span<const Registration> registrations,
     const EstimateExtensions& beyond) {
   check(cameras.size() == 2, "reconstruct_lines: cameras = ", cameras.size(), ", must be 2");
   check(segments.size() == 2, "reconstruct_lines: images = ", segments.size(), ", must be 2");
-  check(right_shifts_px.empty() || right_shifts_px.size() == matches.size(),
-        "reconstruct_lines: right_shifts_px = ", right_shifts_px.size(),
-        ", must be one per match, ", matches.size(), ", or none");
-  for (const double shift_px : right_shifts_px) {
-    check(std::isfinite(shift_px), "reconstruct_lines: right_shifts_px = ", shift_px,
+  check(registrations.empty() || registrations.size() == matches.size(),
+        "reconstruct_lines: registrations = ", registrations.size(), ", must be one per match, ",
+        matches.size(), ", or none");
+  for (const Registration& r : registrations) {
+    check(std::isfinite(r.right_shift_px), "reconstruct_lines: right_shift_px = ", r.right_shift_px,
           ", must be finite");
+    check(r.sigma_scale > 0.0 && std::isfinite(r.sigma_scale),
+          "reconstruct_lines: sigma_scale = ", r.sigma_scale, ", must be positive");
   }
   validate(options);
   check(options.method != Method::kNetwork || beyond.network,
@@ -187,7 +189,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
   const Neighbours neighbours = neighbours_of(connections, matches.size());
   if (matches.empty()) return {};
   const std::vector<Mates> extracted = matched_segments(segments, matches, {});
-  const std::vector<Mates> registered = matched_segments(segments, matches, right_shifts_px);
+  const std::vector<Mates> registered = matched_segments(segments, matches, registrations);
   // the consensus on the depth of aligned lines takes what they meet as it was extracted
   const StereoLines lines =
       stereo_lines(cameras, extracted, extracted, matches, options.line_covariance);

@@ -9,6 +9,7 @@
 #include "reconstruct/ok2011/estimate/line_support.h"
 #include "reconstruct/ok2011/estimate/options.h"
 #include "reconstruct/ok2011/estimate/point_weight.h"
+#include "reconstruct/views/stereo_lines.h"
 
 #include <Eigen/Core>
 
@@ -113,20 +114,20 @@ struct EstimateExtensions {
 /// @param cameras      image_from_local of the left (base) and the right image, free of error
 /// @param segments     of the left and the right image
 /// @param connections  pairs of matches, in either order; repetitions change nothing
-/// @param right_shifts_px  of each match, moves its right segment along n = (-u_y, u_x): where the image
-///                         shows what the left one lies on (registered_shifts_px()); or none. The points
-///                         of other lines are made with the segment as it is.
+/// @param registrations  of each match, what the images beside its edges tell of their places
+///                       (registered_edges()); or none. The points of other lines are made with the
+///                       segments as they are.
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of
-/// range, a connection of a match with itself, a matched segment without length or precision, shifts of
-/// another number than the matches, a shift that is not finite, and Method::kNetwork without its extension.
+/// range, a connection of a match with itself, a matched segment without length or precision, registrations
+/// of another number than the matches, one that is not finite, and Method::kNetwork without its extension.
 std::vector<ReconstructedLine> reconstruct_lines(
     std::span<const ProjectionMatrix> cameras,
     std::span<const std::vector<UncertainSegment2>> segments,
     std::span<const LineMatch> matches,
     std::span<const PairConnection> connections,
     const ReconstructOptions& options = {},
-    std::span<const double> right_shifts_px = {},
+    std::span<const Registration> registrations = {},
     const EstimateExtensions& beyond = {});
 
 }  // namespace ridgeline::reconstruct

@@ -80,6 +80,43 @@ TEST(CompareWithReferences, UprightReferenceHasNoParts) {
   EXPECT_FALSE(total.rmse_horizontal_m);
 }
 
+/// Errors of both ends with this sigma in all directions, independent of each other.
+JudgedLine with_sigma(JudgedLine line, double sigma_m) {
+  line.covariance_m2 = sigma_m * sigma_m * Eigen::Matrix<double, 6, 6>::Identity();
+  return line;
+}
+
+TEST(CompareWithReferences, NeesIsTheErrorOfBothEndsAcrossOverItsCovariance) {
+  // ends 0.3 m beside and 0.4 m above, of sigma 0.25 m: 2 (0.3^2 + 0.4^2) / 0.25^2 = 8; moved along
+  // itself, which is no error
+  const JudgedLine line = reconstructed(kRidge, moved(kRidge, {0.7, 0.3, 0.4}), "aligned");
+  const std::vector<ReferenceLine> truth{{kRidge, "ridge"}};
+  const auto tested = [&](double sigma_m) {
+    return compare_with_references(std::vector<JudgedLine>{with_sigma(line, sigma_m)}, truth)
+        .classes[1];
+  };
+  constexpr double kMedian = 3.35669;  // of chi-square with 4 degrees of freedom
+  EXPECT_NEAR(*tested(0.25).median_nees_ratio, 8.0 / kMedian, kExact);
+  EXPECT_EQ(*tested(0.25).nees_beyond_99_9_share, 0.0);
+  EXPECT_EQ(*tested(0.1).nees_beyond_99_9_share, 1.0);  // 50, limit 18.5
+}
+
+TEST(CompareWithReferences, NeesIsOfLinesWithCovarianceOnTheReferenceToOnePixel) {
+  const Segment3 close = moved(kRidge, {0, 0.06, 0});   // 0.76 px
+  const Segment3 beside = moved(kRidge, {0, 0.12, 0});  // 1.5 px: perhaps another edge
+  JudgedLine exact = with_sigma(reconstructed(kRidge, kRidge, "aligned"), 0.1);
+  exact.covariance_m2->setZero();
+  const auto total =
+      compare_with_references(
+          std::vector<JudgedLine>{with_sigma(reconstructed(close, close, "aligned"), 0.1),
+                                  with_sigma(reconstructed(beside, beside, "aligned"), 0.1),
+                                  reconstructed(kRidge, kRidge, "aligned"), exact},
+          std::vector<ReferenceLine>{{kRidge, "ridge"}})
+          .classes[2];
+  EXPECT_EQ(total.n_on_reference, 4U);
+  EXPECT_EQ(total.n_tested, 1U);
+}
+
 TEST(ReferenceErrors, BelongToTheLinesInTheirOrder) {
   std::vector<JudgedLine> lines{reconstructed(moved(kRidge, {0, 0.5, 0}), kRidge, "aligned"),
                                 reconstructed(kEave, moved(kEave, {0, 0, 0.1}), "not_aligned"),
@@ -155,7 +192,8 @@ TEST(ReferenceTables, FigureThatDoesNotExistIsEmpty) {
        "joint",
        compare_with_references({}, std::vector<ReferenceLine>{{kRidge, "ridge"}}),
        {}}};
-  EXPECT_THAT(reference_errors_to_csv(rows), testing::HasSubstr("1,joint,total,0,0,,,,,,0,,,\n"));
+  EXPECT_THAT(reference_errors_to_csv(rows),
+              testing::HasSubstr("1,joint,total,0,0,,,,,,0,,,,0,,\n"));
   EXPECT_THAT(reference_completeness_to_csv(rows), testing::HasSubstr("1,joint,all,1,0,0.0000\n"));
 }
 

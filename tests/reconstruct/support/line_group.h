@@ -25,10 +25,10 @@ struct LineGroup {
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
       const reconstruct::EstimationOptions& options = published(),
-      std::span<const double> right_shifts_px = {},
+      std::span<const reconstruct::Registration> registrations = {},
       const reconstruct::Surface* surface = nullptr) const {
     return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections,
-                                          options.lines, right_shifts_px,
+                                          options.lines, registrations,
                                           reconstruct::estimate_extensions(options, surface));
   }
 };

@@ -67,9 +67,11 @@ class Marking {
   }
 
   /// Of a match of what the two images show of lines.
+  [[nodiscard]] ComparedProfiles compared(const Segment3& in_left, const Segment3& in_right) const {
+    return compare_profiles(pair(in_left, in_right), std::vector<LineMatch>{{0, 0}}, 10.0).at(0);
+  }
   [[nodiscard]] double shift_px(const Segment3& in_left, const Segment3& in_right) const {
-    return registered_shifts_px(pair(in_left, in_right), std::vector<LineMatch>{{0, 0}}, 10.0)
-        .at(0);
+    return compared(in_left, in_right).right_shift_px;
   }
 
  private:
@@ -140,6 +142,28 @@ TEST(RegisteredShifts, AreNoneOfAlignedLines) {
   EXPECT_NE(Marking(12.0).shift_px(Marking(12.0).line(), Marking(12.0).line(kWidthM)), 0.0);
   const Marking scene(8.0);
   EXPECT_EQ(scene.shift_px(scene.line(), scene.line(kWidthM)), 0.0);
+}
+
+TEST(ComparedProfiles, AreAlikeWhereverTheSegmentsLieBesideTheSameSurfaces) {
+  constexpr double kSameProfile = 0.9995;  // interpolation between pixels
+  const Marking scene(60.0);
+  for (const double s_m : {0.0, kWidthM, -0.12})
+    EXPECT_GT(scene.compared(scene.line(), scene.line(s_m)).similarity, kSameProfile) << s_m;
+}
+
+TEST(ComparedProfiles, AreNotAlikeWhereTheImagesShowDifferentSurfaces) {
+  const Marking scene(60.0, marking, roof_and_lawn);
+  const auto similarity = scene.compared(scene.line(), scene.line()).similarity;
+  ASSERT_TRUE(similarity);
+  EXPECT_LT(*similarity, 0.9);
+}
+
+TEST(ComparedProfiles, AreNoneOfAlignedLinesAndAtTheBorder) {
+  const Marking aligned(8.0);
+  EXPECT_FALSE(aligned.compared(aligned.line(), aligned.line()).similarity);
+  Marking cut(90.0);
+  cut.cut_right_image(kSizePx / 2 + 2);
+  EXPECT_FALSE(cut.compared(cut.line(), cut.line()).similarity);
 }
 
 TEST(RegisteredShifts, AreNoneWhereTheProfileLeavesTheImage) {

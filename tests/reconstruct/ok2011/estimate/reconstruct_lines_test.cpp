@@ -255,10 +255,11 @@ TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
     const Eigen::Vector2d by = -kShiftPx * Eigen::Vector2d(-u.y(), u.x());
     for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
       *x += by;
-    const std::vector<double> shifts_px{kShiftPx, 0.0, 0.0, 0.0};
+    std::vector<Registration> registrations(4);
+    registrations[0].right_shift_px = kShiftPx;
     const ReconstructedLine truth = good.reconstruct(options)[0];
     EXPECT_GT(error_m(group.reconstruct(options)[0], *truth.segment_in_local), 0.1);
-    const ReconstructedLine line = group.reconstruct(options, shifts_px)[0];
+    const ReconstructedLine line = group.reconstruct(options, registrations)[0];
     EXPECT_LT(error_m(line, *truth.segment_in_local), kRecoveredM) << name(method);
     EXPECT_LT((line.seen_px[1].start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
     EXPECT_LT((*line.covariance_m2 - *truth.covariance_m2).norm(),
@@ -266,12 +267,33 @@ TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
   }
 }
 
+TEST(ReconstructLines, SigmaScaleMultipliesTheErrorsAcrossTheLine) {
+  constexpr double kScale = 3.0;
+  for (const Method method : {Method::kDirect, Method::kNetwork}) {
+    EstimationOptions options = direct_options();
+    options.lines.method = method;
+    LineGroup group = make_group(line_at(40.0), kThreeNeighbours);
+    group.connections.clear();
+    const ReconstructedLine plain = group.reconstruct(options)[0];
+    const std::vector<Registration> registrations(4, Registration{0.0, kScale});
+    const ReconstructedLine scaled = group.reconstruct(options, registrations)[0];
+    EXPECT_EQ(scaled.segment_in_local->start, plain.segment_in_local->start);
+    const Eigen::Vector3d along =
+        (plain.segment_in_local->end - plain.segment_in_local->start).normalized();
+    Matrix6d across = Matrix6d::Zero();
+    across.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() - along * along.transpose();
+    across.bottomRightCorner<3, 3>() = across.topLeftCorner<3, 3>();
+    const Matrix6d expected = kScale * kScale * across * *plain.covariance_m2 * across;
+    EXPECT_LT((across * *scaled.covariance_m2 * across - expected).norm(), 1e-6 * expected.norm());
+  }
+}
+
 TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
   const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);
-  const std::vector<double> shifts_px{0.0, 1.5, -1.5, 1.5};
+  const std::vector<Registration> registrations{{}, {1.5, 2.0}, {-1.5, 0.5}, {1.5, 2.0}};
   for (const EstimationOptions& options : {test::published(), EstimationOptions{}}) {
     const std::vector<ReconstructedLine> plain = group.reconstruct(options);
-    const std::vector<ReconstructedLine> moved = group.reconstruct(options, shifts_px);
+    const std::vector<ReconstructedLine> moved = group.reconstruct(options, registrations);
     ASSERT_TRUE(plain[0].segment_in_local && moved[0].segment_in_local);
     EXPECT_EQ(moved[0].segment_in_local->start, plain[0].segment_in_local->start);
     EXPECT_EQ(moved[0].segment_in_local->end, plain[0].segment_in_local->end);
@@ -285,9 +307,10 @@ TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
 TEST(ReconstructLines, RejectsWrongInput) {
   const LineGroup good = make_group(line_at(4.0), kThreeNeighbours);
   const auto rejected = [](const LineGroup& group,
-                           const EstimationOptions& options = test::published()) {
+                           const EstimationOptions& options = test::published(),
+                           const std::vector<Registration>& registrations = {}) {
     try {
-      static_cast<void>(group.reconstruct(options));
+      static_cast<void>(group.reconstruct(options, registrations));
     } catch (const std::invalid_argument& error) {
       return std::string(error.what());
     }
@@ -312,8 +335,17 @@ TEST(ReconstructLines, RejectsWrongInput) {
   options.lines.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");
-  EXPECT_THROW(static_cast<void>(good.reconstruct(options, std::vector{0.0})),
-               std::invalid_argument);
+  const auto rejected_registration = [&](const Registration& of_first) {
+    std::vector<Registration> registrations(good.matches.size());
+    registrations[0] = of_first;
+    return rejected(good, test::published(), registrations);
+  };
+  EXPECT_EQ(rejected(good, test::published(), {{}}),
+            "reconstruct_lines: registrations = 1, must be one per match, 4, or none");
+  EXPECT_EQ(rejected_registration({HUGE_VAL, 1.0}),
+            "reconstruct_lines: right_shift_px = inf, must be finite");
+  EXPECT_EQ(rejected_registration({0.0, 0.0}),
+            "reconstruct_lines: sigma_scale = 0, must be positive");
   EXPECT_THROW(reconstruct_lines(std::span(good.scene.cameras).first(1), good.segments,
                                  good.matches, good.connections),
                std::invalid_argument);

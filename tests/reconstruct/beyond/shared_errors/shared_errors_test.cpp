@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/shared_errors/shared_errors.h"
+
+#include "tests/reconstruct/support/line_group.h"
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kTrials = 4000;
+constexpr double kSharedShift_px = 0.1;
+constexpr double kSharedTurn_px = 0.03;
+
+/// Both images of a line with the same shift and turn, and each with errors of its own.
+std::array<UncertainSegment2, 2> observed(const test::StereoScene& scene,
+                                          const Segment3& truth,
+                                          const test::Noise& own,
+                                          test::Random& random) {
+  const double shift_px = random.normal(kSharedShift_px);
+  const double turn_px = random.normal(kSharedTurn_px);
+  std::array<UncertainSegment2, 2> segments;
+  for (const std::size_t j : {0U, 1U}) {
+    Segment2 seen = project(scene.cameras[j], truth);
+    const Eigen::Vector2d across = normal(seen);
+    seen.start += (shift_px + turn_px) * across;
+    seen.end += (shift_px - turn_px) * across;
+    segments[j] = test::noisy(seen, own, random);
+  }
+  return segments;
+}
+
+/// Squared error of the ends across the true line over their covariance.
+double normalised_square(const ReconstructedLine& line, const Segment3& truth) {
+  const Eigen::Vector3d along = (truth.end - truth.start).normalized();
+  const Eigen::Vector3d across = along.unitOrthogonal();
+  Eigen::Matrix<double, 2, 3> frame;
+  frame << across.transpose(), along.cross(across).transpose();
+  Eigen::Matrix<double, 4, 6> by_ends = Eigen::Matrix<double, 4, 6>::Zero();
+  by_ends.topLeftCorner<2, 3>() = frame;
+  by_ends.bottomRightCorner<2, 3>() = frame;
+  Eigen::Vector4d error;
+  error << frame * (line.segment_in_local->start - truth.start),
+      frame * (line.segment_in_local->end - truth.start);
+  const Eigen::Matrix4d cov = by_ends * *line.covariance_m2 * by_ends.transpose();
+  return error.dot(cov.llt().solve(error));
+}
+
+TEST(SharedErrors, CovarianceHoldsForErrorsThatBothImagesShare) {
+  const test::Noise own{0.03, 0.001, 1.0};
+  EstimationOptions options = test::direct_options();
+  options.lines.line_covariance = LineCovariance::kCentroid;  // exact for the noise drawn here
+  test::Random random(7);
+  for (const double angle_deg : {30.0, 60.0, 90.0}) {
+    double sum = 0.0, sum_without = 0.0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      test::LineGroup group;
+      group.truth = {test::make_segment(group.scene, test::line_at(angle_deg))};
+      const auto seen = observed(group.scene, group.truth[0], own, random);
+      group.segments = {{seen[0]}, {seen[1]}};
+      group.matches = {{0, 0}};
+      ReconstructedLine line = group.reconstruct(options)[0];
+      sum_without += normalised_square(line, group.truth[0]);
+      add_shared_error(group.scene.cameras[0], line);
+      sum += normalised_square(line, group.truth[0]);
+    }
+    constexpr double kFreedom = 4.0;
+    EXPECT_NEAR(sum / kTrials, kFreedom, test::chi_square_mean_band(kFreedom, kTrials));
+    EXPECT_GT(sum_without / kTrials, 1.5 * kFreedom);
+  }
+}
+
+TEST(SharedErrors, SharedErrorIsAcrossTheRaysAndTheLine) {
+  test::LineGroup group = test::make_group(test::line_at(60.0), {});
+  ReconstructedLine line = group.reconstruct(test::direct_options())[0];
+  const Matrix6d before = *line.covariance_m2;
+  add_shared_error(group.scene.cameras[0], line);
+  const Eigen::Matrix3d added = (*line.covariance_m2 - before).topLeftCorner<3, 3>();
+  const Segment3& segment = *line.segment_in_local;
+  const Eigen::Vector3d ray =
+      (segment.start - projection_centre(group.scene.cameras[0]).hnormalized()).normalized();
+  const Eigen::Vector3d along = (segment.end - segment.start).normalized();
+  const double variance_m2 = added.trace();
+  constexpr double kNone = 1e-9;
+  EXPECT_LT((added * ray).norm(), kNone * variance_m2);
+  EXPECT_LT((added * along).norm(), kNone * variance_m2);
+  // seen from 800 m with a focal length of 10,000 px
+  EXPECT_NEAR(std::sqrt(variance_m2), 0.08 * std::hypot(kSharedShift_px, kSharedTurn_px), 5e-4);
+}
+
+TEST(SharedErrors, LineWithoutCovarianceStaysWithout) {
+  ReconstructedLine line;
+  add_shared_error(test::StereoScene().cameras[0], line);
+  EXPECT_FALSE(line.covariance_m2);
+}
+
+TEST(OwnSigmaScale, IsSmallForEqualProfilesAndGrowsWithTheirDifference) {
+  constexpr double kExact = 1e-12;
+  EXPECT_NEAR(own_sigma_scale(1.0), std::sqrt(0.1), kExact);
+  EXPECT_NEAR(own_sigma_scale(0.99), std::sqrt(2.1), kExact);
+  double last = own_sigma_scale(1.0);
+  for (const double similarity : {0.999, 0.99, 0.9, 0.5, 0.0, -1.0}) {
+    EXPECT_GT(own_sigma_scale(similarity), last);
+    last = own_sigma_scale(similarity);
+  }
+  EXPECT_LT(last, std::sqrt(4.1));
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
