@@ -2,9 +2,9 @@
 // From rendered images to Tables 1 and 2 on villages that no weight was fitted to: the figures that
 // the README states. Seeds 1 to 8 are for calibration.
 //
-// The limits keep what is reached (measured: correctness 99.0 %, completeness 98.1 %, quality 97.2 %;
-// 75 % of the roof lines; not_aligned lines to 0.120 m by `joint` and 0.115 m by `network`, aligned ones
-// to 0.21 m with one gross error of 185), less a few matches. What is aimed at is more: 85 % of the roof
+// The limits keep what is reached (measured: correctness 99.0 %, completeness 98.5 %, quality 97.5 %;
+// 78 % of the roof lines; not_aligned lines to 0.101 m by `joint` and 0.095 m by `network`, aligned ones
+// to 0.20 m without gross errors of 195), less a few matches. What is aimed at is more: 85 % of the roof
 // lines; not_aligned lines to 0.06 m; aligned lines to 0.15 m.
 #include "tests/support/csv_rows.h"
 #include "tests/support/run_program.h"
@@ -134,6 +134,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
   EXPECT_LE(truth["joint aligned"].rms(), 0.21);
   EXPECT_LE(truth["network not_aligned"].rms(), truth["joint not_aligned"].rms());
   EXPECT_LE(truth["network aligned"].rms(), 1.02 * truth["joint aligned"].rms());
+  // measured: medians 0.63 to 1.03, 4.1 to 7.8 % beyond the limit; the aims are 0.7 to 1.3 and 5 %
   for (const std::string method : {"joint", "network"}) {
     for (const std::string line_class : {"not_aligned", "aligned"}) {
       const CovarianceTest& tested = covariance[method + " " + line_class];

@@ -109,6 +109,14 @@ bool is_determined(const ReconstructedLine& line, const ReconstructOptions& opti
   return largest <= kMostLeft * range_m * range_m / 12.0;
 }
 
+/// Whether more lines meet it than `joint` has points of it, and its height is more certain.
+bool is_better_known(const ReconstructedLine& by_network, int n_meetings, const JointLine& joint) {
+  const std::size_t n_points = joint.line.points.size() + joint.support.ends.size();
+  if (n_meetings <= static_cast<int>(n_points)) return false;
+  return !joint.line.covariance_m2 || largest_sigma_z_m(*by_network.covariance_m2) <=
+                                          largest_sigma_z_m(*joint.line.covariance_m2);
+}
+
 }  // namespace
 
 void adjust_together(const StereoLines& lines,
@@ -125,13 +133,11 @@ void adjust_together(const StereoLines& lines,
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
-    // with fewer meetings than what `joint` rests on, that is the better determined
-    const std::size_t n_joint = joint.points.size() + members.results[i]->support.ends.size();
-    if (adjusted[i].n_meetings < std::max(1, static_cast<int>(n_joint))) continue;
     ReconstructedLine line = joint;
     if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line,
                          beyond.max_end_sigma_m, line) ||
-        !is_determined(line, published)) {
+        !is_determined(line, published) ||
+        !is_better_known(line, adjusted[i].n_meetings, *members.results[i])) {
       continue;
     }
     line.status = Status::kNetwork;

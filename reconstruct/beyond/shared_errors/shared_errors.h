@@ -13,7 +13,7 @@ namespace ridgeline::reconstruct {
 /// By which the sigmas across both edges of a match are to be multiplied. Two edges between the same
 /// surfaces have nearly the same error, so that they agree far better than each is known; where one image
 /// shows another surface than the other one, they agree far worse:
-///   scale^2 = 0.1 + 4 (1 - rho) / ((1 - rho) + 0.01),
+///   scale^2 = 0.1 + 6 (1 - rho) / ((1 - rho) + 0.02),
 /// by the true errors on the training scenes.
 /// @param similarity  rho of ComparedProfiles, up to 1
 double own_sigma_scale(double similarity);
