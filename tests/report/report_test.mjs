@@ -212,7 +212,7 @@ test('the 3D view shows points and lines and turns', async () => {
   await close(page);
 });
 
-/** Pixels of the 3D view in the hue of the surface's points, which no line by class and no plane has. */
+/** Pixels of the 3D view in the violet of the surface's points, which no line by class and no plane has. */
 const surfacePixels = (page) => page.evaluate(() => new Promise((done) => {
   requestAnimationFrame(() => requestAnimationFrame(() => {
     const source = document.querySelector('#scene canvas');
@@ -221,7 +221,10 @@ const surfacePixels = (page) => page.evaluate(() => new Promise((done) => {
     g.drawImage(source, 0, 0);
     const { data } = g.getImageData(0, 0, copy.width, copy.height);
     let n = 0;
-    for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 1.3 * data[i + 2] && data[i + 1] > 2 * data[i]) ++n;
+    for (let i = 0; i < data.length; i += 4) {
+      const [red, green, blue] = data.subarray(i, i + 3);
+      if (blue > red && red > 1.1 * green && blue > 1.3 * green) ++n;
+    }
     done(n);
   }));
 }));

@@ -3,17 +3,12 @@ import { BufferAttribute, BufferGeometry, Color, Points, PointsMaterial, Vector3
 import { isDark } from '../data/colours';
 import { uint16 } from '../data/decode';
 import type { PointSet } from '../data/schema';
+import type { PointColours } from './point_colours';
 
 /** Place on the screen and depth. */
 type Project = (x: Vector3) => [number, number, number] | null;
 
 type Bytes = [number, number, number];
-
-/** Points of one class, by their index, have one colour, which may depend on the theme. */
-export interface PointColours {
-  classOf: (point: number) => number;
-  colourOf: (pointClass: number) => string;
-}
 
 /** In the renderer's linear scale; dimmed on a dark background, so that lines stand out. */
 const bytesOf = (colour: string): Bytes => new Color(colour).multiplyScalar(isDark() ? 0.3 : 1).toArray().map((v) => Math.round(255 * v)) as Bytes;
@@ -31,7 +26,7 @@ export class PointLayer {
   private source: PointSet | null = null;
   private colours: PointColours | null = null;
 
-  show(points: PointSet | null, colours: PointColours): void {
+  show(points: PointSet | null, colours: PointColours | null): void {
     this.colours = colours;
     if (points !== this.source) {
       this.source = points;

@@ -21,7 +21,7 @@ export class ScenePanel {
   private readonly legend = h('p', { class: 'legend' });
   private readonly thinned = h('p', { class: 'caption', id: 'thinned' });
   private readonly measured = h('p', { class: 'caption', id: 'measured', role: 'status' });
-  private readonly surfaceControl = h('span');
+  private readonly surfaceControl = h('span', { class: 'slot' });
   private isSurfaceShown: boolean | null = null; // null: nobody has chosen
   private colouring: LineColouring = 'class';
   private isPicking = false;
@@ -103,6 +103,6 @@ export class ScenePanel {
         ? [...new Set(lines.map((l) => l.status))].map((s) => swatch(statusColour(s), `${words(s)} ${count((l) => l.status === s)}`))
         : [...distanceSteps.map((s) => swatch(s.colour, s.text)), swatch(okabeIto.grey, 'not evaluated')];
     replace(this.legend, ...items, h('span', { class: 'legend-item' }, 'dashed: not evaluated'), swatch(selectionColour, 'selected, with its planes'),
-      this.state.patch.surface && swatch(surfaceColour, `surface: ${aboutSurface}`));
+      this.state.patch.surface && swatch(`linear-gradient(to right, ${surfaceColour(0)}, ${surfaceColour(1)})`, `surface, low to high: ${aboutSurface}`));
   }
 }

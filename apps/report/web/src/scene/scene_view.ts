@@ -2,21 +2,14 @@
 // Points, planes and lines of a patch in 3D. Draws only when something has changed.
 import { AmbientLight, Box3, Color, Group, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { isDark, noPlaneColour, planeColour, surfaceColour } from '../data/colours';
-import { uint16 } from '../data/decode';
+import { isDark } from '../data/colours';
 import type { Method, Patch, Triple } from '../data/schema';
 import { h } from '../ui/dom';
 import { LineLayer, type LineColouring } from './line_layer';
 import { Measure } from './measure';
 import { PlaneLayer } from './plane_layer';
-import { PointLayer, type PointColours } from './point_layer';
-
-/** By the plane that lines were judged by; 0: none. */
-function planeColours(method: Method): PointColours {
-  const planes = uint16(method.plane_of_point);
-  return { classOf: (point) => planes[point]!, colourOf: (plane) => (plane === 0 ? noPlaneColour() : planeColour(plane - 1)) };
-}
-const ofSurface: PointColours = { classOf: () => 0, colourOf: () => surfaceColour };
+import { heightColours, planeColours } from './point_colours';
+import { PointLayer } from './point_layer';
 
 export class SceneView {
   readonly element = h('div', { class: 'scene', id: 'scene' });
@@ -62,7 +55,7 @@ export class SceneView {
   }
 
   show(patch: Patch, method: Method): void {
-    this.surface.show(patch.surface, ofSurface);
+    this.surface.show(patch.surface, patch.surface && heightColours(patch.surface));
     this.fill(patch, method);
     this.measure.clear();
     this.findBox(patch, method);
