@@ -29,7 +29,9 @@ class KeptSurface : public Cli {
 
   /// Millimetres, which LAS keeps.
   [[nodiscard]] std::multiset<std::tuple<long, long, long>> points(const std::string& file) const {
-    const io::PointCloud cloud = io::read_cloud({path(file).string()}, {.frame = LocalFrame{}});
+    io::ReadOptions options;
+    options.frame = LocalFrame{};
+    const io::PointCloud cloud = io::read_cloud({path(file).string()}, options);
     std::multiset<std::tuple<long, long, long>> found;
     for (const io::CloudPoint& p : cloud.points) {
       found.emplace(std::lround(1000.0 * p.x), std::lround(1000.0 * p.y),
@@ -80,9 +82,13 @@ TEST_F(KeptSurface, OfAnEarlierRunDoesNotStayWithoutASurface) {
 }
 
 TEST_F(KeptSurface, IsKeptIfTheReconstructionAloneAsksForIt) {
-  write(path("off.yaml"), "match: {surface: false, guided: false}\n");
+  const std::string match_off = "match: {surface: false, guided: false}\n";
+  write(path("off.yaml"), match_off);
   ASSERT_EQ(run_patch({"--config", "off.yaml"}).exit_code, 0);
   EXPECT_TRUE(fs::exists(path(kFile)));
+  write(path("off.yaml"), match_off + "reconstruct: {surface: false}\n");
+  ASSERT_EQ(run_patch({"--config", "off.yaml", "--resume"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path(kFile)));
 }
 
 TEST_F(KeptSurface, IsNotWrittenOverWhatAUserHasThere) {

@@ -240,6 +240,7 @@ test('the surface is a layer of its own beside the LIDAR points', async () => {
   assert.ok(shown > 10000, `${shown} pixels`);
   await shot(page, 'surface');
   await page.locator('#theme').click();
+  await sceneBox(page);
   const dark = await surfacePixels(page);
   assert.ok(dark > 10000, `${dark} pixels in the dark`);
   await shot(page, 'surface-dark');

@@ -127,12 +127,14 @@ TEST(DenseSurface, TakesAnyRangeOfHeights) {
 
 /// Of 8 x 6 pixels, of which one is not known.
 Surface small_surface() {
-  Rectification r;
-  r.rectified_from_local = Eigen::Matrix3d::Identity();
-  r.left_centre_m = Eigen::Vector3d::Zero();
-  r.principal_point_px = Eigen::Vector2d::Zero();
-  r.focal_px = r.base_m = 1.0;
-  r.size = {8, 6};
+  const Eigen::Matrix3d no_turn = Eigen::Matrix3d::Identity();
+  const Rectification r{.rectified_from_ideal = {no_turn, no_turn},
+                        .rectified_from_local = no_turn,
+                        .left_centre_m = Eigen::Vector3d::Zero(),
+                        .principal_point_px = Eigen::Vector2d::Zero(),
+                        .focal_px = 1.0,
+                        .base_m = 1.0,
+                        .size = {8, 6}};
   cv::Mat disparity_px(r.size, CV_32F, cv::Scalar(1.0));
   disparity_px.at<float>(2, 4) = std::numeric_limits<float>::quiet_NaN();
   return {r, disparity_px};
