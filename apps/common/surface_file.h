@@ -4,8 +4,11 @@
 #include "io/patch.h"
 #include "reconstruct/beyond/surface/surface.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 

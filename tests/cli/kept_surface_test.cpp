@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// surface.las, which a run keeps in the folder of a patch.
+// The file surface.las that a run keeps in the folder of a patch.
 #include "io/cloud/read_cloud.h"
 #include "tests/cli/cli_fixture.h"
 
