@@ -9,15 +9,14 @@
 #include "apps/common/patch_views.h"
 #include "apps/common/reconstructed_lines.h"
 #include "apps/common/say.h"
+#include "apps/common/surface_file.h"
 #include "apps/run/run_options.h"
 #include "io/cloud/labelled_points.h"
-#include "io/cloud/las_writer.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/lines/write_lines.h"
 #include "io/results/output_folder.h"
 #include "io/segments_file.h"
-#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -65,14 +64,13 @@ std::vector<LineMatch> matches_of(reconstruct::StereoPair& pair,
   return reconstruct::line_matches(matches.used());
 }
 
-/// The points of the surface as LAS. Throws IoError for a pair that has none.
-void write_surface(const std::string& file,
-                   const io::PatchFile& patch,
-                   const std::optional<reconstruct::Surface>& surface) {
+/// Throws IoError for a pair that has none.
+void write_whole_surface(const std::string& file,
+                         const io::PatchFile& patch,
+                         const std::optional<reconstruct::Surface>& surface) {
   if (!surface)
     throw io::IoError(patch.path, "--write-surface: the images cannot be rectified to each other");
-  io::write_las(file, transformed(points_in_local(*surface), io::single_return), patch_frame(patch),
-                patch.crs);
+  write_surface(file, patch, points_in_local(*surface));
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.
@@ -84,7 +82,8 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
   reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
   const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
-  if (!a.surface.empty()) write_surface(a.surface, patch, surface ? surface : dense_surface(pair));
+  if (!a.surface.empty())
+    write_whole_surface(a.surface, patch, surface ? surface : dense_surface(pair));
   const std::vector<LineMatch> matches = a.matches.empty() ? matches_of(pair, a.options, surface)
                                                            : read_line_matches(a.matches, segments);
   return reconstruct::estimate(pair, matches, a.options.estimation, a.options.matching.pairwise,

@@ -3,6 +3,8 @@
 
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
+#include "apps/common/stage_cache.h"
+#include "apps/common/surface_file.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
@@ -117,6 +119,17 @@ void read_points(const std::vector<std::string>& files,
   patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }
 
+/// What the run kept of the surface, if the patch has one.
+void read_surface(const fs::path& folder, ReportPatch& patch) {
+  const auto file = StageCache(folder, true).written_file(kSurfaceStage, kSurfaceFile);
+  if (!file) return;
+  io::ReadOptions options;
+  options.frame = patch.frame;
+  for (const io::CloudPoint& p : io::read_cloud({*file}, options).points) {
+    patch.surface_in_local.emplace_back(p.x, p.y, p.z);
+  }
+}
+
 void read_true_errors(const RunInputs& inputs, const std::string& reference, ReportPatch& patch) {
   const auto references = results::reference_lines_of(
       io::read_lines(inputs.unchanged(reference), inputs.lines_options()), patch.frame);
@@ -143,6 +156,10 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
       read_images(folder / patch.subfolder, inputs, patch);
     }
   });
+  if (!inputs.is_of_files()) {
+    read_or_note(patch, "points of the surface are not shown",
+                 [&] { read_surface(folder / patch.subfolder, patch); });
+  }
   const std::vector<std::string> clouds =
       inputs.is_of_files() || !patch.patch ? inputs.paths("cloud") : patch.patch->lidar;
   read_or_note(patch, "points are not shown", [&] {

@@ -52,6 +52,8 @@ struct ReportPatch {
   std::optional<io::PatchFile> patch;
   std::optional<ReportImages> images;
   ShownCloud cloud;
+  /// Points of the pair's surface; empty if it has none.
+  std::vector<Eigen::Vector3d> surface_in_local;
   evaluate::JudgeOptions judge;  ///< the widths of its fits
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;
   std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each

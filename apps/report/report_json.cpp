@@ -132,33 +132,39 @@ Json images_json(const ReportPatch& patch) {
           {"n_unmatched", patch.images->n_unmatched}};
 }
 
-/// Positions in 65535 steps of the box of the points.
-Json points_json(const ShownCloud& points) {
-  if (points.x_in_local.empty()) return nullptr;
-  Eigen::Vector3d low = points.x_in_local.front();
+/// Positions in 65535 steps of the box of the points; null without any.
+Json points_json(const std::vector<Eigen::Vector3d>& x_in_local) {
+  if (x_in_local.empty()) return nullptr;
+  Eigen::Vector3d low = x_in_local.front();
   Eigen::Vector3d high = low;
-  for (const Eigen::Vector3d& x : points.x_in_local) {
+  for (const Eigen::Vector3d& x : x_in_local) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
   constexpr double kSteps = std::numeric_limits<std::uint16_t>::max();
   const Eigen::Vector3d step = ((high - low) / kSteps).cwiseMax(1e-9);
   std::vector<std::uint16_t> positions;
-  positions.reserve(3 * points.x_in_local.size());
-  for (const Eigen::Vector3d& x : points.x_in_local) {
+  positions.reserve(3 * x_in_local.size());
+  for (const Eigen::Vector3d& x : x_in_local) {
     for (Eigen::Index a = 0; a < 3; ++a) {
       positions.push_back(static_cast<std::uint16_t>(std::lround((x[a] - low[a]) / step[a])));
     }
   }
-  return {{"n_read", points.n_read},
-          {"n_all", points.n_all},
-          {"per_m2", rounded(points.points_per_m2, 2)},
-          {"no_data_share",
-           points.no_data_share ? Json(rounded(*points.no_data_share, 4)) : Json(nullptr)},
-          {"n_shown", points.x_in_local.size()},
+  return {{"n_shown", x_in_local.size()},
           {"low", coordinates(low)},
           {"step", matrix_json(step)},
           {"positions", base64(positions)}};
+}
+
+Json cloud_json(const ShownCloud& cloud) {
+  Json json = points_json(cloud.x_in_local);
+  if (json.is_null()) return json;
+  json["n_read"] = cloud.n_read;
+  json["n_all"] = cloud.n_all;
+  json["per_m2"] = rounded(cloud.points_per_m2, 2);
+  json["no_data_share"] =
+      cloud.no_data_share ? Json(rounded(*cloud.no_data_share, 4)) : Json(nullptr);
+  return json;
 }
 
 Json plane_json(const ShownPlane& plane) {
@@ -243,7 +249,8 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
           {"origin_m", coordinates(patch.frame.origin_m)},
           {"notes", patch.notes},
           {"images", images_json(patch)},
-          {"points", points_json(patch.cloud)},
+          {"points", cloud_json(patch.cloud)},
+          {"surface", points_json(patch.surface_in_local)},
           {"methods", std::move(methods)}};
 }
 

@@ -2,8 +2,9 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/outcome.h"
+#include "apps/common/stage_cache.h"
+#include "apps/common/surface_file.h"
 #include "apps/run/patch_stages.h"
-#include "apps/run/stage_cache.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/cloud/cloud_files.h"
@@ -47,6 +48,7 @@ class PatchRun {
 
   PatchResult run() {
     extract();
+    keep_surface();
     match();
     result_.matching = stages_.score_matches();
     for (const Method method : options_.methods) reconstruct(method);
@@ -56,7 +58,8 @@ class PatchRun {
   }
 
  private:
-  /// Runs the stage unless it is done. `files` are those that it writes, in the patch's folder.
+  /// Runs the stage unless it is done. `files` are those that it writes, in the patch's folder; they may
+  /// be known after the work only.
   template <typename Work>
   void stage(const std::string& name,
              const std::string& key,
@@ -80,6 +83,14 @@ class PatchRun {
     }
     extract_key_ = stage_key(parts);
     stage("extract", extract_key_, stages_.segment_files(), [&] { stages_.extract(); });
+  }
+
+  /// Any option of these groups may ask for the surface.
+  void keep_surface() {
+    std::vector<std::string> files;
+    stage(kSurfaceStage,
+          stage_key({extract_key_, parameters_["match"].dump(), parameters_["reconstruct"].dump()}),
+          files, [&] { files = stages_.keep_surface(); });
   }
 
   void match() {
@@ -235,7 +246,7 @@ void check_run(const io::PatchFile& patch,
                            io::CloudFiles(patch.lidar, cloud).crs());
 }
 
-std::size_t count_steps(const RunOptions& options) { return 3 + options.methods.size(); }
+std::size_t count_steps(const RunOptions& options) { return 4 + options.methods.size(); }
 
 PatchResult run_patch(const io::PatchFile& patch,
                       const RunOptions& options,

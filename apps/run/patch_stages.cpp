@@ -4,8 +4,10 @@
 #include "apps/common/patch_matching.h"
 #include "apps/common/patch_views.h"
 #include "apps/common/reconstructed_lines.h"
+#include "apps/common/surface_file.h"
 #include "evaluate/gates/figure.h"
 #include "io/atomic_file.h"
+#include "io/cloud/labelled_points.h"
 #include "io/matches_file.h"
 #include "io/segments_file.h"
 
@@ -57,6 +59,8 @@ void PatchStages::check_outputs() const {
   check_files(segment_files());
   check_files(match_files());
   check_files({"verdicts.csv"});
+  // a name that a user may have chosen for points of another tool
+  results::check_is_own(path(kSurfaceFile), io::is_own_points_file, "points file");
   for (const std::string& name : list_names()) check_files({list_file("verdicts", name)});
   for (const reconstruct::Method method : options_.methods) check_files(line_files(method));
 }
@@ -146,6 +150,16 @@ void PatchStages::extract() {
         extract_patch_image(patch_, i, images_[i], options_.parameters.method.extraction);
   });
   for (std::size_t i = 0; i < 2; ++i) io::write_segments(path(files[i]), extracted[i]);
+}
+
+std::vector<std::string> PatchStages::keep_surface() {
+  const std::optional<reconstruct::Surface>& kept = surface(pair());
+  if (!kept) {
+    out_.remove(patch_.id + "/" + kSurfaceFile);
+    return {};
+  }
+  write_surface(path(kSurfaceFile), patch_, points_in_local(*kept, kMaxSurfacePoints));
+  return {kSurfaceFile};
 }
 
 /// Takes away what an earlier run with other matchers has left, which would look like of this one.

@@ -36,6 +36,9 @@ class PatchStages {
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
   void extract();
+  /// Keeps points of the pair's surface. What an earlier run has left is taken away.
+  /// @return the files written: none for a pair without a surface
+  [[nodiscard]] std::vector<std::string> keep_surface();
   void match();
   void reconstruct(reconstruct::Method method);
   [[nodiscard]] PatchCounts counts() const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/cloud/read_cloud.h"
 #include "tests/cli/cli_fixture.h"
 
 namespace ridgeline::cli {
@@ -54,6 +55,44 @@ TEST_F(Report, ShowsTheFiguresOfTheResultFiles) {
   }
   EXPECT_TRUE(patch["notes"].empty()) << patch["notes"];
   EXPECT_EQ(patch["points"]["n_all"], patch["points"]["n_shown"]);
+}
+
+TEST_F(Report, ShowsTheSurfaceThatTheRunKept) {
+  run_patch();
+  const nlohmann::json patch = data_of("out/report.html")["patches"].at(0);
+  const nlohmann::json& surface = patch["surface"];
+  const io::PointCloud kept = io::read_cloud({path("out/1/surface.las").string()}, {});
+  ASSERT_EQ(surface["n_shown"], kept.points.size());
+  EXPECT_EQ(surface["positions"].get_ref<const std::string&>().size(), 8 * kept.points.size());
+  // over the ground of the LIDAR points, which are of the same place
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    constexpr double kBorder_m = 25.0;  // of the cloud around the images, or the other way round
+    const double low_m = surface["low"][axis];
+    EXPECT_NEAR(low_m, patch["points"]["low"][axis].get<double>(), kBorder_m);
+  }
+}
+
+TEST_F(Report, ShowsNoSurfaceOfARunWithoutOne) {
+  run_patch({"--preset", "published"});
+  const nlohmann::json patch = data_of("out/report.html")["patches"].at(0);
+  EXPECT_TRUE(patch["surface"].is_null());
+  EXPECT_TRUE(patch["notes"].empty()) << patch["notes"];
+}
+
+TEST_F(Report, SaysThatTheSurfaceIsGoneOrHasChanged) {
+  run_patch({"--no-report"});
+  const auto patch = [&] {
+    EXPECT_EQ(run({"report", "out"}).exit_code, 0);
+    return data_of("out/report.html")["patches"].at(0);
+  };
+  const std::string las = read(path("out/1/surface.las"));
+  write(path("out/1/surface.las"), las.substr(0, las.size() - 30));
+  EXPECT_THAT(patch()["notes"].dump(), HasSubstr("points of the surface are not shown: "
+                                                 "1/surface.las: has changed since the run"));
+  fs::remove(path("out/1/surface.las"));
+  const nlohmann::json without = patch();
+  EXPECT_TRUE(without["surface"].is_null());
+  EXPECT_THAT(without["notes"].dump(), HasSubstr("1/surface.las: is no longer there"));
 }
 
 TEST_F(Report, VerdictsOfTheMatchesAddUpToTable1) {

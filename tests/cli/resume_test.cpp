@@ -60,8 +60,8 @@ TEST_F(Resume, AfterAKillGivesTheBytesOfAnUndisturbedRun) {
   ASSERT_EQ(resume({}).exit_code, 0);
   const auto undisturbed = results();
   for (const auto& [file, jobs] :
-       {std::pair("out/1/segments.left.csv", "1"), std::pair("out/1/matches.csv", "2"),
-        std::pair("out/1/lines.direct.geojson", "1"),
+       {std::pair("out/1/segments.left.csv", "1"), std::pair("out/1/surface.las", "2"),
+        std::pair("out/1/matches.csv", "2"), std::pair("out/1/lines.direct.geojson", "1"),
         std::pair("out/1/evaluation.direct.json", "2"), std::pair("out/table2.json", "1"),
         std::pair("out/run.json", "2")}) {
     SCOPED_TRACE(std::string(file) + ", threads: " + jobs);

@@ -212,6 +212,56 @@ test('the 3D view shows points and lines and turns', async () => {
   await close(page);
 });
 
+/** Pixels of the 3D view in the violet of the surface's points, which no line by class and no plane has. */
+const surfacePixels = (page) => page.evaluate(() => new Promise((done) => {
+  requestAnimationFrame(() => requestAnimationFrame(() => {
+    const source = document.querySelector('#scene canvas');
+    const copy = Object.assign(document.createElement('canvas'), { width: source.width, height: source.height });
+    const g = copy.getContext('2d');
+    g.drawImage(source, 0, 0);
+    const { data } = g.getImageData(0, 0, copy.width, copy.height);
+    let n = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [red, green, blue] = data.subarray(i, i + 3);
+      if (blue > red && red > 1.1 * green && blue > 1.3 * green) ++n;
+    }
+    done(n);
+  }));
+}));
+
+test('the surface is a layer of its own beside the LIDAR points', async () => {
+  const page = await openReport('demo');
+  await sceneBox(page);
+  const box = page.getByRole('checkbox', { name: 'surface' });
+  assert.ok(!(await box.isChecked()));
+  assert.equal(await surfacePixels(page), 0);
+  await box.check();
+  const shown = await surfacePixels(page);
+  assert.ok(shown > 10000, `${shown} pixels`);
+  await shot(page, 'surface');
+  await page.locator('#theme').click();
+  await sceneBox(page);
+  const dark = await surfacePixels(page);
+  assert.ok(dark > 10000, `${dark} pixels in the dark`);
+  await shot(page, 'surface-dark');
+  // what was chosen holds for the next patch
+  await page.locator('#patches button').nth(1).click();
+  assert.ok(await box.isChecked());
+  await box.uncheck();
+  assert.equal(await surfacePixels(page), 0);
+  await close(page);
+});
+
+test('a run without a surface has no box for it', async () => {
+  const patch = patchFile('no_surface.yaml', (text) => text);
+  ridgeline('run', patch, '--out', join(work, 'no_surface'), '--methods', 'direct', '--preset', 'published');
+  const page = await openReport('no_surface');
+  assert.equal(await page.getByRole('checkbox', { name: 'LIDAR' }).count(), 1);
+  assert.equal(await page.getByRole('checkbox', { name: 'surface' }).count(), 0);
+  assert.doesNotMatch(await page.locator('#scene-panel').innerText(), /surface/);
+  await close(page);
+});
+
 test('measuring takes two clicks', async () => {
   const page = await openReport('demo');
   await page.locator('#measure').click();
@@ -380,6 +430,7 @@ test('a patch without LIDAR, and without reference matches', async () => {
   ridgeline('run', patch, '--out', join(work, 'no_lidar'));
   const page = await openReport('no_lidar');
   assert.match(await page.locator('.note').innerText(), /no LIDAR/);
+  assert.ok(await page.getByRole('checkbox', { name: 'surface' }).isChecked());
   assert.ok(await page.locator('#table1-missing').isVisible());
   await page.locator('#line-table tbody tr').first().click();
   assert.match(await page.locator('#details').innerText(), /no lidar/);

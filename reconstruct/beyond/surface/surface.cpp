@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/surface/surface.h"
 
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/views/edge_look.h"
 #include "reconstruct/views/strip_look.h"
 
@@ -143,6 +144,18 @@ class Matching {
   std::array<cv::Mat, 2> bytes_;
 };
 
+/// Of the rows and columns of a view.
+int step_that_leaves(std::size_t most_pixels, const cv::Size& size) {
+  check(most_pixels > 0, "points_in_local: most = 0, must be positive");
+  const auto n_left = [&](int step) {
+    const auto n = [step](int all) { return static_cast<std::size_t>((all + step - 1) / step); };
+    return n(size.height) * n(size.width);
+  };
+  int step = 1;
+  while (n_left(step) > most_pixels) ++step;
+  return step;
+}
+
 }  // namespace
 
 std::optional<double> Surface::at(const Eigen::Vector2d& x_px) const {
@@ -153,10 +166,11 @@ std::optional<double> Surface::at(const Eigen::Vector2d& x_px) const {
   return std::isnan(d) ? std::nullopt : std::optional<double>(d);
 }
 
-std::vector<Eigen::Vector3d> points_in_local(const Surface& surface) {
+std::vector<Eigen::Vector3d> points_in_local(const Surface& surface, std::size_t most) {
+  const int step_px = step_that_leaves(most, surface.disparity_px.size());
   std::vector<Eigen::Vector3d> points;
-  for (int row = 0; row < surface.disparity_px.rows; ++row) {
-    for (int column = 0; column < surface.disparity_px.cols; ++column) {
+  for (int row = 0; row < surface.disparity_px.rows; row += step_px) {
+    for (int column = 0; column < surface.disparity_px.cols; column += step_px) {
       const Eigen::Vector2d x(column, row);
       if (const auto d = surface.at(x))
         points.push_back(surface.rectification.point_in_local(x, *d));

@@ -6,6 +6,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,8 +29,10 @@ struct Surface {
   [[nodiscard]] std::optional<double> at(const Eigen::Vector2d& x_px) const;
 };
 
-/// What each pixel of known disparity shows, row by row.
-std::vector<Eigen::Vector3d> points_in_local(const Surface& surface);
+/// What each pixel of known disparity shows, row by row. Of a view with more than `most` pixels, those of every k-th row and
+/// column, with the smallest k that leaves no more. Throws std::invalid_argument if `most` is 0.
+std::vector<Eigen::Vector3d> points_in_local(
+    const Surface& surface, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Semi-global matching (Hirschmueller 2008, by OpenCV) of the pair in tiles, to a sixteenth of a pixel, with the check
 /// from right to left. Disparities are those of the range of heights. Nothing for a pair that cannot be rectified.

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -121,6 +123,46 @@ TEST(DenseSurface, TakesAnyRangeOfHeights) {
   const auto endless = dense_surface(pair);
   ASSERT_TRUE(endless);
   EXPECT_EQ(cv::countNonZero(endless->disparity_px == endless->disparity_px), 0);
+}
+
+/// Of 8 x 6 pixels, of which one is not known.
+Surface small_surface() {
+  const Eigen::Matrix3d no_turn = Eigen::Matrix3d::Identity();
+  const Rectification r{.rectified_from_ideal = {no_turn, no_turn},
+                        .rectified_from_local = no_turn,
+                        .left_centre_m = Eigen::Vector3d::Zero(),
+                        .principal_point_px = Eigen::Vector2d::Zero(),
+                        .focal_px = 1.0,
+                        .base_m = 1.0,
+                        .size = {8, 6}};
+  cv::Mat disparity_px(r.size, CV_32F, cv::Scalar(1.0));
+  disparity_px.at<float>(2, 4) = std::numeric_limits<float>::quiet_NaN();
+  return {r, disparity_px};
+}
+
+TEST(PointsInLocal, AreThoseOfAllKnownPixelsRowByRow) {
+  const Surface surface = small_surface();
+  const std::vector<Eigen::Vector3d> points = points_in_local(surface);
+  ASSERT_EQ(points.size(), 8U * 6U - 1U);
+  EXPECT_EQ(points[1], surface.rectification.point_in_local({1.0, 0.0}, 1.0));
+  EXPECT_EQ(points.back(), surface.rectification.point_in_local({7.0, 5.0}, 1.0));
+}
+
+TEST(PointsInLocal, AreThinnedByTheSmallestStepOfRowsAndColumns) {
+  const Surface surface = small_surface();
+  EXPECT_EQ(points_in_local(surface, 48).size(), 47U);
+  for (const std::size_t most : {47U, 12U}) {  // every second row and column are 4 x 3
+    const std::vector<Eigen::Vector3d> points = points_in_local(surface, most);
+    ASSERT_EQ(points.size(), 11U) << most;
+    EXPECT_EQ(points[5], surface.rectification.point_in_local({2.0, 2.0}, 1.0));
+    EXPECT_EQ(points[6], surface.rectification.point_in_local({6.0, 2.0}, 1.0));
+  }
+  EXPECT_EQ(points_in_local(surface, 11).size(), 6U);  // every third: 3 x 2
+  EXPECT_EQ(points_in_local(surface, 1).size(), 1U);
+}
+
+TEST(PointsInLocal, CannotBeThinnedToNone) {
+  EXPECT_THROW((void)points_in_local(small_surface(), 0), std::invalid_argument);
 }
 
 }  // namespace

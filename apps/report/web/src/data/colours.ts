@@ -67,3 +67,6 @@ const planePalette = ['#b9b1a7', '#c3d3e3', '#e0cfae', '#c5d6b8', '#dfdcb4', '#b
 const deepPalette = ['#8d857b', '#5f86ad', '#a88a4c', '#6f9356', '#9a9540', '#6470a3', '#ad6c5d', '#97718a'] as const;
 export const planeColour = (index: number, deep = false): string => (deep ? deepPalette : planePalette)[index % planePalette.length]!;
 export const noPlaneColour = (): string => (isDark() ? '#8a8d92' : '#c9c9c9');
+
+/** Points of the surface, from the lowest (0) to the highest (1): violet, which no plane and no line has. */
+export const surfaceColour = (height: number): string => `hsl(260, ${48 + 22 * height}%, ${58 + 20 * height}%)`;

@@ -204,16 +204,20 @@ export interface Images {
   n_unmatched: Record<string, number>;
 }
 
-export interface Points {
+export interface PointSet {
+  n_shown: number;
+  low: Triple;
+  step: Triple;
+  positions: string;
+}
+
+/** Of the cloud that lines were judged by. */
+export interface Points extends PointSet {
   n_read: number;
   n_all: number;
   per_m2: number;
   /** Null where only the surroundings of lines were read. */
   no_data_share: number | null;
-  n_shown: number;
-  low: Triple;
-  step: Triple;
-  positions: string;
 }
 
 export interface Patch {
@@ -224,6 +228,8 @@ export interface Patch {
   notes: string[];
   images: Images | null;
   points: Points | null;
+  /** What dense matching of the two images knows. */
+  surface: PointSet | null;
   methods: Method[];
 }
 

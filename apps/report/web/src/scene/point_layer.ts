@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { BufferAttribute, BufferGeometry, Color, Points, PointsMaterial, Vector3 } from 'three';
-import { isDark, noPlaneColour, planeColour } from '../data/colours';
+import { isDark } from '../data/colours';
 import { uint16 } from '../data/decode';
-import type { Method, Points as PointData } from '../data/schema';
+import type { PointSet } from '../data/schema';
+import type { PointColours } from './point_colours';
 
 /** Place on the screen and depth. */
 type Project = (x: Vector3) => [number, number, number] | null;
@@ -18,15 +19,15 @@ function spread(n: number): (i: number) => number {
   return (i) => (i * step) % n;
 }
 
-/** LIDAR points coloured by the plane that lines were judged by. */
+/** Points of one origin. */
 export class PointLayer {
   readonly object = new Points(new BufferGeometry(), new PointsMaterial({ size: 3, sizeAttenuation: false, vertexColors: true }));
   private positions = new Uint16Array();
-  private planeOfPoint = new Uint16Array();
-  private source: PointData | null = null;
+  private source: PointSet | null = null;
+  private colours: PointColours | null = null;
 
-  show(points: PointData | null, method: Method): void {
-    this.planeOfPoint = points ? uint16(method.plane_of_point) : new Uint16Array();
+  show(points: PointSet | null, colours: PointColours | null): void {
+    this.colours = colours;
     if (points !== this.source) {
       this.source = points;
       this.positions = points ? uint16(points.positions) : new Uint16Array();
@@ -49,15 +50,16 @@ export class PointLayer {
   }
 
   applyTheme(): void {
-    const n = this.planeOfPoint.length;
+    if (!this.colours) return;
+    const { classOf, colourOf } = this.colours;
+    const n = this.positions.length / 3;
     const colours = new Uint8Array(4 * n).fill(255);
-    const none = bytesOf(noPlaneColour());
     const palette = new Map<number, Bytes>();
     const from = spread(n);
     for (let i = 0; i < n; ++i) {
-      const plane = this.planeOfPoint[from(i)]!;
-      let colour = plane === 0 ? none : palette.get(plane);
-      if (!colour) palette.set(plane, (colour = bytesOf(planeColour(plane - 1))));
+      const pointClass = classOf(from(i));
+      let colour = palette.get(pointClass);
+      if (!colour) palette.set(pointClass, (colour = bytesOf(colourOf(pointClass))));
       colours.set(colour, 4 * i);
     }
     this.object.geometry.setAttribute('color', new BufferAttribute(colours, 4, true));
@@ -69,17 +71,16 @@ export class PointLayer {
   }
 
   /** Of the points shown within 8 pixels of a place on the screen the nearest to the eye. */
-  pointNear(at: [number, number], project: Project): Vector3 | null {
+  pointNear(at: [number, number], project: Project): { x: Vector3; depth: number } | null {
     const { source } = this;
     if (!source || !this.object.visible) return null;
     const reach_px = 8;
-    let best = Infinity;
-    let found: Vector3 | null = null;
+    let found: { x: Vector3; depth: number } | null = null;
     const x = new Vector3();
     for (let i = 0; i < this.positions.length / 3; ++i) {
       x.set(...([0, 1, 2].map((a) => source.low[a]! + this.positions[3 * i + a]! * source.step[a]!) as [number, number, number]));
       const p = project(x);
-      if (p && p[2] < best && Math.hypot(p[0] - at[0], p[1] - at[1]) < reach_px) [best, found] = [p[2], x.clone()];
+      if (p && p[2] < (found?.depth ?? Infinity) && Math.hypot(p[0] - at[0], p[1] - at[1]) < reach_px) found = { x: x.clone(), depth: p[2] };
     }
     return found;
   }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The 3D view with its controls and legend; a message where the browser has no WebGL.
-import { classColour, distanceSteps, okabeIto, selectionColour, statusColour } from '../data/colours';
+import { classColour, distanceSteps, okabeIto, selectionColour, statusColour, surfaceColour } from '../data/colours';
 import type { State } from '../state';
 import { append, button, checkbox, choice, h, replace } from '../ui/dom';
 import { words } from '../ui/format';
 import type { LineColouring } from './line_layer';
 import { SceneView } from './scene_view';
+
+const aboutSurface = 'points that dense matching of the two images knows';
 
 const swatch = (colour: string, text: string): HTMLElement => {
   const mark = h('span', { class: 'swatch', 'aria-hidden': 'true' });
@@ -19,6 +21,8 @@ export class ScenePanel {
   private readonly legend = h('p', { class: 'legend' });
   private readonly thinned = h('p', { class: 'caption', id: 'thinned' });
   private readonly measured = h('p', { class: 'caption', id: 'measured', role: 'status' });
+  private readonly surfaceControl = h('span', { class: 'slot' });
+  private isSurfaceShown: boolean | null = null; // null: nobody has chosen
   private colouring: LineColouring = 'class';
   private isPicking = false;
 
@@ -57,7 +61,8 @@ export class ScenePanel {
     return h('div', { class: 'controls' },
       choice<LineColouring>('lines by', [{ value: 'class', text: 'class' }, { value: 'status', text: 'status' }, { value: 'distance', text: 'distance' }], this.colouring,
         (colouring) => { this.colouring = colouring; view.colourLinesBy(colouring); this.updateLegend(); }),
-      checkbox('points', true, (on) => view.setPointsVisible(on)),
+      checkbox('LIDAR', true, (on) => view.setPointsVisible(on)),
+      this.surfaceControl,
       checkbox('planes', false, (on) => view.setPlanesVisible(on)),
       h('label', { class: 'field' }, shown, heights),
       button('Top', () => view.look('top'), { title: 't', id: 'view-top' }),
@@ -69,11 +74,24 @@ export class ScenePanel {
   show(): void {
     const { patch } = this.state;
     this.view?.show(patch, this.state.method);
+    this.updateSurface();
     const { points } = patch;
     this.thinned.textContent = !points ? 'No LIDAR points in this report.'
-      : points.n_shown < points.n_all ? `Thinned: ${points.n_shown.toLocaleString('en')} of ${points.n_all.toLocaleString('en')} points are shown, every ${Math.round(points.n_all / points.n_shown)}th.`
-        : `${points.n_all.toLocaleString('en')} points, coloured by the plane that lines beside them were judged by; grey: none.`;
+      : points.n_shown < points.n_all ? `Thinned: ${points.n_shown.toLocaleString('en')} of ${points.n_all.toLocaleString('en')} LIDAR points are shown, every ${Math.round(points.n_all / points.n_shown)}th.`
+        : `${points.n_all.toLocaleString('en')} LIDAR points, coloured by the plane that lines beside them were judged by; grey: none.`;
     this.updateLegend();
+  }
+
+  /** Where nobody has chosen, the surface stands in for LIDAR. */
+  private updateSurface(): void {
+    const { view, state: { patch } } = this;
+    if (!view) return;
+    const isShown = this.isSurfaceShown ?? patch.points === null;
+    view.setSurfaceVisible(isShown);
+    replace(this.surfaceControl, patch.surface && checkbox('surface', isShown, (on) => {
+      this.isSurfaceShown = on;
+      view.setSurfaceVisible(on);
+    }, { title: aboutSurface }));
   }
 
   private updateLegend(): void {
@@ -84,6 +102,7 @@ export class ScenePanel {
       : this.colouring === 'status'
         ? [...new Set(lines.map((l) => l.status))].map((s) => swatch(statusColour(s), `${words(s)} ${count((l) => l.status === s)}`))
         : [...distanceSteps.map((s) => swatch(s.colour, s.text)), swatch(okabeIto.grey, 'not evaluated')];
-    replace(this.legend, ...items, h('span', { class: 'legend-item' }, 'dashed: not evaluated'), swatch(selectionColour, 'selected, with its planes'));
+    replace(this.legend, ...items, h('span', { class: 'legend-item' }, 'dashed: not evaluated'), swatch(selectionColour, 'selected, with its planes'),
+      this.state.patch.surface && swatch(`linear-gradient(to right, ${surfaceColour(0)}, ${surfaceColour(1)})`, `surface, low to high: ${aboutSurface}`));
   }
 }

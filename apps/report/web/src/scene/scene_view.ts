@@ -8,6 +8,7 @@ import { h } from '../ui/dom';
 import { LineLayer, type LineColouring } from './line_layer';
 import { Measure } from './measure';
 import { PlaneLayer } from './plane_layer';
+import { heightColours, planeColours } from './point_colours';
 import { PointLayer } from './point_layer';
 
 export class SceneView {
@@ -19,6 +20,7 @@ export class SceneView {
   private readonly camera = new PerspectiveCamera(35, 1, 0.5, 5000);
   private readonly controls: OrbitControls;
   private readonly points = new PointLayer();
+  private readonly surface = new PointLayer();
   private readonly planes = new PlaneLayer();
   private readonly lines = new LineLayer();
   readonly measure = new Measure();
@@ -41,7 +43,7 @@ export class SceneView {
     canvas.setAttribute('aria-label', '3D view of points, planes and lines');
     this.element.append(canvas);
     this.camera.up.set(0, 0, 1);
-    this.content.add(this.points.object, this.planes.object, this.lines.object, this.measure.object);
+    this.content.add(this.points.object, this.surface.object, this.planes.object, this.lines.object, this.measure.object);
     this.scene.add(this.content, new AmbientLight());
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.redraw());
@@ -53,9 +55,8 @@ export class SceneView {
   }
 
   show(patch: Patch, method: Method): void {
-    this.points.show(patch.points, method);
-    this.planes.show(method);
-    this.lines.show(method.lines);
+    this.surface.show(patch.surface, patch.surface && heightColours(patch.surface));
+    this.fill(patch, method);
     this.measure.clear();
     this.findBox(patch, method);
     this.look('oblique');
@@ -63,9 +64,7 @@ export class SceneView {
 
   /** Another method of the same patch: the view stays. */
   showMethod(patch: Patch, method: Method): void {
-    this.points.show(patch.points, method);
-    this.planes.show(method);
-    this.lines.show(method.lines);
+    this.fill(patch, method);
     this.redraw();
   }
 
@@ -79,6 +78,10 @@ export class SceneView {
   }
   setPointsVisible(visible: boolean): void {
     this.points.object.visible = visible;
+    this.redraw();
+  }
+  setSurfaceVisible(visible: boolean): void {
+    this.surface.object.visible = visible;
     this.redraw();
   }
   exaggerateHeights(factor: number): void {
@@ -123,6 +126,7 @@ export class SceneView {
   applyTheme(): void {
     this.scene.background = new Color(isDark() ? '#15181c' : '#fbfbfa');
     this.points.applyTheme();
+    this.surface.applyTheme();
     this.lines.applyTheme();
     this.redraw();
   }
@@ -138,9 +142,16 @@ export class SceneView {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
   }
 
+  private fill(patch: Patch, method: Method): void {
+    this.points.show(patch.points, planeColours(method));
+    this.planes.show(method);
+    this.lines.show(method.lines);
+  }
+
   private thin(share: number): void {
     this.share = share;
     this.points.thin(share);
+    this.surface.thin(share);
   }
 
   /** While the view turns, points are thinned until 30 frames a second are reached. */
@@ -173,11 +184,12 @@ export class SceneView {
     this.render();
   }
 
-  /** Of the points; without any, of the lines but the farthest. */
+  /** Of the LIDAR points, else those of the surface; without any, of the lines but the farthest. */
   private findBox(patch: Patch, method: Method): void {
     this.box.makeEmpty();
-    if (patch.points) {
-      const { low, step } = patch.points;
+    const points = patch.points ?? patch.surface;
+    if (points) {
+      const { low, step } = points;
       this.box.expandByPoint(new Vector3(...low));
       this.box.expandByPoint(new Vector3(...(low.map((v, a) => v + 65535 * step[a]!) as Triple)));
       return;
@@ -194,6 +206,12 @@ export class SceneView {
     return p.z > 1 || p.z < -1 ? null : [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height, p.z];
   }
 
+  /** Of all points shown that are near a place on the screen the nearest to the eye. */
+  private pointNear(at: [number, number], project: (x: Vector3) => [number, number, number] | null): Vector3 | null {
+    const near = [this.points, this.surface].flatMap((layer) => layer.pointNear(at, project) ?? []);
+    return near.sort((a, b) => a.depth - b.depth)[0]?.x ?? null;
+  }
+
   private listenForClicks(canvas: HTMLCanvasElement): void {
     let down: [number, number] | null = null;
     canvas.addEventListener('pointerdown', (e) => { down = e.button === 0 ? [e.offsetX, e.offsetY] : null; });
@@ -202,7 +220,7 @@ export class SceneView {
       const at: [number, number] = [e.offsetX, e.offsetY];
       const project = (x: Vector3): [number, number, number] | null => this.toScreen(x);
       if (this.measure.isOn) {
-        const x = this.lines.pointNear(at, project) ?? this.points.pointNear(at, project);
+        const x = this.lines.pointNear(at, project) ?? this.pointNear(at, project);
         if (x) this.measure.add(x);
         this.redraw();
       } else {

@@ -62,9 +62,9 @@ export function choice<T extends string>(
   return h('label', { class: 'field' }, h('span', {}, label), select);
 }
 
-export function checkbox(label: string, checked: boolean, onchange: (on: boolean) => void): HTMLElement {
+export function checkbox(label: string, checked: boolean, onchange: (on: boolean) => void, attributes: Attributes = {}): HTMLElement {
   const input = h('input', { type: 'checkbox', checked, onchange: () => onchange(input.checked) });
-  return h('label', { class: 'field' }, input, h('span', {}, label));
+  return h('label', { class: 'field', ...attributes }, input, h('span', {}, label));
 }
 
 /** Buttons of which one is pressed. */

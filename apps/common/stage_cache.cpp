@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/run/stage_cache.h"
+#include "apps/common/stage_cache.h"
 
 #include "io/atomic_file.h"
+#include "io/error.h"
 #include "io/results/version.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
@@ -36,6 +37,19 @@ bool StageCache::is_done(const std::string& stage, const std::string& key) const
     if (!fs::is_regular_file(file) || hash != io::sha256_of_file(file.string())) return false;
   }
   return true;
+}
+
+std::optional<std::string> StageCache::written_file(const std::string& stage,
+                                                    const std::string& name) const {
+  const nlohmann::json::json_pointer place =
+      nlohmann::json::json_pointer() / stage / "files" / name;
+  if (!stages_.contains(place)) return std::nullopt;
+  std::string file = (folder_ / name).string();
+  if (!fs::exists(file)) throw io::IoError(file, "is no longer there");
+  if (stages_[place] != io::sha256_of_file(file)) {
+    throw io::IoError(file, "has changed since the run");
+  }
+  return file;
 }
 
 void StageCache::set_done(const std::string& stage,

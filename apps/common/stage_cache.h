@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ class StageCache {
   StageCache(std::filesystem::path folder, bool resume);
 
   [[nodiscard]] bool is_done(const std::string& stage, const std::string& key) const;
+
+  /// The path of a file, if the stage has written it. Throws IoError if it is gone or has changed.
+  [[nodiscard]] std::optional<std::string> written_file(const std::string& stage,
+                                                        const std::string& name) const;
 
   /// Records the files, names within the folder, that the stage has written.
   void set_done(const std::string& stage,

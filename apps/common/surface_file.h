@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/patch.h"
+#include "reconstruct/beyond/surface/surface.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// What a run keeps of a patch's surface, in the patch's folder, and the stage that writes it.
+inline constexpr const char* kSurfaceFile = "surface.las";
+inline constexpr const char* kSurfaceStage = "surface";
+
+/// Points that a run keeps. A point takes 8 bytes of the report.
+inline constexpr std::size_t kMaxSurfacePoints = 150000;
+
+/// Writes points of points_in_local() as LAS in the patch's CRS. Throws IoError if the file cannot be written.
+void write_surface(const std::string& file,
+                   const io::PatchFile& patch,
+                   const std::vector<Eigen::Vector3d>& points_in_local);
+
+}  // namespace ridgeline::apps
