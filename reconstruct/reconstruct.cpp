@@ -6,6 +6,7 @@
 #include "reconstruct/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
+#include "reconstruct/beyond/roof_planes/plane_lines.h"
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
@@ -204,6 +205,13 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         const EstimationOptions& options,
                                         const MatchOptions& pair_options,
                                         const std::optional<Surface>& surface) {
+  if (options.lines.method == Method::kPlanes) {
+    if (!surface) return {};
+    EstimationOptions from_edges = options;
+    from_edges.lines.method = Method::kJoint;
+    return plane_lines(pair, *surface, estimate(pair, matches, from_edges, pair_options, surface),
+                       options.lines.max_aligned_angle_deg);
+  }
   const std::vector<PairConnection> connections = connect_matches(pair, matches, pair_options);
   const std::vector<Registration> registrations = registrations_of(pair, matches, options);
   EstimationOptions within_heights = options;

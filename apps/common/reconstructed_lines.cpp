@@ -43,8 +43,10 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.line_class = reconstruct::name(line.line_class);
     out.status = reconstruct::name(line.status);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
-    out.left_id = std::to_string(line.match.left);
-    out.right_id = std::to_string(line.match.right);
+    if (line.match.left >= 0) {  // none of an intersection of planes
+      out.left_id = std::to_string(line.match.left);
+      out.right_id = std::to_string(line.match.right);
+    }
     out.left_px = line.seen_px[0];
     out.right_px = line.seen_px[1];
     out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;

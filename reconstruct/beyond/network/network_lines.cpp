@@ -109,12 +109,13 @@ bool is_determined(const ReconstructedLine& line, const ReconstructOptions& opti
   return largest <= kMostLeft * range_m * range_m / 12.0;
 }
 
-/// Whether more lines meet it than `joint` has points of it, and its height is more certain.
+/// Whether more lines meet it than `joint` has points of it and, if that has any, its height is more certain.
 bool is_better_known(const ReconstructedLine& by_network, int n_meetings, const JointLine& joint) {
-  const std::size_t n_points = joint.line.points.size() + joint.support.ends.size();
-  if (n_meetings <= static_cast<int>(n_points)) return false;
-  return !joint.line.covariance_m2 || largest_sigma_z_m(*by_network.covariance_m2) <=
-                                          largest_sigma_z_m(*joint.line.covariance_m2);
+  const auto n_points = static_cast<int>(joint.line.points.size() + joint.support.ends.size());
+  if (n_meetings <= n_points) return false;
+  return n_points == 0 || !joint.line.covariance_m2 ||
+         largest_sigma_z_m(*by_network.covariance_m2) <=
+             largest_sigma_z_m(*joint.line.covariance_m2);
 }
 
 }  // namespace

@@ -11,11 +11,13 @@
 
 namespace ridgeline::reconstruct {
 
-enum class Method : std::uint8_t { kDirect, kJoint, kNetwork };
-inline constexpr std::array kMethods{Method::kDirect, Method::kJoint, Method::kNetwork};
-const char* name(Method method);  ///< "direct" | "joint" | "network"
+/// kDirect and kJoint are those of Ok et al. 2011, section 3. kPlanes (lines that no edge shows) and kNetwork are ours.
+enum class Method : std::uint8_t { kPlanes, kDirect, kJoint, kNetwork };
+inline constexpr std::array kMethods{Method::kPlanes, Method::kDirect, Method::kJoint,
+                                     Method::kNetwork};
+const char* name(Method method);  ///< "planes" | "direct" | "joint" | "network"
 
-/// The method of Ok et al. 2011, section 3. Method::kNetwork is ours.
+/// The estimation of Ok et al. 2011, section 3.
 struct ReconstructOptions {
   Method method = Method::kJoint;
   /// `direct` and `joint` share it, so that both treat a not_aligned line identically.

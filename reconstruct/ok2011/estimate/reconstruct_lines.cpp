@@ -148,7 +148,7 @@ std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine
 }  // namespace
 
 const char* name(Method method) {
-  constexpr std::array kNames{"direct", "joint", "network"};
+  constexpr std::array kNames{"planes", "direct", "joint", "network"};
   return kNames.at(static_cast<std::size_t>(method));
 }
 
@@ -157,10 +157,10 @@ const char* name(LineClass line_class) {
 }
 
 const char* name(Status status) {
-  constexpr std::array kNames{"direct",          "joint",           "one_point",
-                              "surface",         "segment_ends",    "horizontal",
-                              "no_points",       "rank_deficient",  "not_converged",
-                              "ambiguous_depth", "no_intersection", "network"};
+  constexpr std::array kNames{
+      "direct",          "joint",     "one_point",      "surface",       "segment_ends",
+      "horizontal",      "no_points", "rank_deficient", "not_converged", "ambiguous_depth",
+      "no_intersection", "network",   "planes"};
   return kNames.at(static_cast<std::size_t>(status));
 }
 
@@ -184,6 +184,8 @@ std::vector<ReconstructedLine> reconstruct_lines(
           "reconstruct_lines: sigma_scale = ", r.sigma_scale, ", must be positive");
   }
   validate(options);
+  check(options.method != Method::kPlanes,
+        "reconstruct_lines: method = planes, which takes no matches; see plane_lines()");
   check(options.method != Method::kNetwork || beyond.network,
         "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
   const Neighbours neighbours = neighbours_of(connections, matches.size());

@@ -41,6 +41,7 @@ enum class Status : std::uint8_t {
   kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
   kNetwork,         ///< adjusted with all lines that it meets
+  kPlanes,          ///< intersection of two surfaces where no edge was matched
 };
 const char* name(Status status);  ///< "direct", "one_point", ... as in the files
 

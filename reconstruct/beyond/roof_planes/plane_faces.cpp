@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/roof_planes/plane_faces.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kCell_px = PlaneFaces::kCell_px;
+constexpr double kSeed_px =
+    0.25;  // root mean square of a seed, three by three cells, about its plane
+constexpr double kOnPlane_px = 0.4;  // the same of a cell about the plane of a face
+constexpr double kSteepest = 0.6;    // change of disparity per pixel; walls have more
+constexpr double kLeastKnown = 0.5;  // share of the pixels of a cell
+constexpr int kFewestCells = 12;
+
+/// Sums over pixels, from which planes follow and how far off them the pixels lie.
+struct PlaneSums {
+  double n = 0.0;
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double squares = 0.0;
+
+  void add(const Eigen::Vector2d& x_px, double d_px) {
+    const Eigen::Vector3d by = x_px.homogeneous();
+    n += 1.0;
+    normal += by * by.transpose();
+    right += d_px * by;
+    squares += d_px * d_px;
+  }
+  PlaneSums& operator+=(const PlaneSums& other) {
+    n += other.n;
+    normal += other.normal;
+    right += other.right;
+    squares += other.squares;
+    return *this;
+  }
+  [[nodiscard]] Eigen::Vector3d plane() const { return normal.ldlt().solve(right); }
+  [[nodiscard]] double rms_px(const Eigen::Vector3d& plane) const {
+    const double sum = squares - 2.0 * plane.dot(right) + plane.dot(normal * plane);
+    return std::sqrt(std::max(0.0, sum) / n);
+  }
+};
+
+bool is_steep(const Eigen::Vector3d& plane) { return plane.head<2>().norm() > kSteepest; }
+
+class Growing {
+ public:
+  explicit Growing(const Surface& surface)
+      : rows_(surface.disparity_px.rows / kCell_px),
+        columns_(surface.disparity_px.cols / kCell_px),
+        cells_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_)) {
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column)
+        cell(row, column) = sums(surface, row, column);
+    }
+    result_.face_of_cell = cv::Mat(rows_, columns_, CV_32S, cv::Scalar(-1));
+  }
+
+  PlaneFaces grown() && {
+    for (const Seed& seed : seeds()) {
+      if (face_of(seed.row, seed.column) < 0) grow(seed);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Seed {
+    double rms_px;
+    int row, column;
+  };
+
+  static PlaneSums sums(const Surface& surface, int row, int column) {
+    PlaneSums sums;
+    for (int y = row * kCell_px; y < (row + 1) * kCell_px; ++y) {
+      for (int x = column * kCell_px; x < (column + 1) * kCell_px; ++x) {
+        if (const auto d = surface.at(Eigen::Vector2d(x, y))) sums.add(Eigen::Vector2d(x, y), *d);
+      }
+    }
+    return sums;
+  }
+
+  PlaneSums& cell(int row, int column) {
+    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)];
+  }
+  int& face_of(int row, int column) { return result_.face_of_cell.at<int>(row, column); }
+  bool is_free(int row, int column) {
+    return row >= 0 && column >= 0 && row < rows_ && column < columns_ &&
+           face_of(row, column) < 0 && cell(row, column).n >= kLeastKnown * kCell_px * kCell_px;
+  }
+
+  /// The free cells among three by three about a place; none unless all are.
+  std::optional<PlaneSums> block_about(int row, int column) {
+    PlaneSums block;
+    for (int r = row - 1; r <= row + 1; ++r) {
+      for (int c = column - 1; c <= column + 1; ++c) {
+        if (!is_free(r, c)) return std::nullopt;
+        block += cell(r, c);
+      }
+    }
+    return block;
+  }
+
+  /// The best first.
+  std::vector<Seed> seeds() {
+    std::vector<Seed> seeds;
+    for (int row = 1; row + 1 < rows_; ++row) {
+      for (int column = 1; column + 1 < columns_; ++column) {
+        const auto block = block_about(row, column);
+        if (!block) continue;
+        const Eigen::Vector3d plane = block->plane();
+        const double rms_px = block->rms_px(plane);
+        if (rms_px <= kSeed_px && !is_steep(plane)) seeds.push_back({rms_px, row, column});
+      }
+    }
+    std::ranges::stable_sort(seeds, {}, &Seed::rms_px);
+    return seeds;
+  }
+
+  void grow(const Seed& seed) {
+    const auto block = block_about(seed.row, seed.column);
+    if (!block) return;
+    PlaneSums all = *block;
+    Eigen::Vector3d plane = all.plane();
+    const auto index = static_cast<int>(result_.faces.size());
+    std::deque<std::pair<int, int>> border;
+    std::vector<std::pair<int, int>> members;
+    const auto take = [&](int row, int column) {
+      face_of(row, column) = index;
+      border.emplace_back(row, column);
+      members.emplace_back(row, column);
+    };
+    for (int r = seed.row - 1; r <= seed.row + 1; ++r) {
+      for (int c = seed.column - 1; c <= seed.column + 1; ++c) take(r, c);
+    }
+    while (!border.empty()) {
+      const auto [row, column] = border.front();
+      border.pop_front();
+      for (const auto& [r, c] : {std::pair(row - 1, column), std::pair(row + 1, column),
+                                 std::pair(row, column - 1), std::pair(row, column + 1)}) {
+        if (!is_free(r, c) || cell(r, c).rms_px(plane) > kOnPlane_px) continue;
+        take(r, c);
+        all += cell(r, c);
+        plane = all.plane();
+      }
+    }
+    if (static_cast<int>(members.size()) < kFewestCells || is_steep(plane)) {
+      for (const auto& [row, column] : members) face_of(row, column) = kNoFace;
+      return;
+    }
+    result_.faces.push_back({plane, covariance(all, plane), static_cast<int>(members.size())});
+  }
+
+  /// Neighbours err together, as the matching smooths.
+  static Eigen::Matrix3d covariance(const PlaneSums& all, const Eigen::Vector3d& plane) {
+    constexpr double kTogether = 100.0;  // pixels
+    constexpr double kLeastSigma_px = 0.05;
+    const double sigma_px = std::max(kLeastSigma_px, all.rms_px(plane));
+    return kTogether * sigma_px * sigma_px * all.normal.inverse();
+  }
+
+  static constexpr int kNoFace = -1;
+  int rows_, columns_;
+  std::vector<PlaneSums> cells_;
+  PlaneFaces result_;
+};
+
+}  // namespace
+
+PlaneFaces plane_faces(const Surface& surface) { return Growing(surface).grown(); }
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/roof_planes/plane_lines.h"
+
+#include "reconstruct/beyond/roof_planes/plane_faces.h"
+#include "reconstruct/geometry/degrees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr int kCell_px = PlaneFaces::kCell_px;
+constexpr double kLeastBend = 0.08;  // difference of the planes' slopes, disparity per pixel
+constexpr double kBeside_px = 1.5 * kCell_px;  // of the border from the intersection
+constexpr double kLeastOnLine = 0.6;           // share of the border
+constexpr double kLargestGap_px = 2.5 * kCell_px;
+constexpr double kShortest_px = 20.0;
+constexpr double kSigmaEnd_px = 0.5 * kCell_px;  // along the line: where the faces end
+
+/// Where two faces border on each other: middles between their cells.
+using Borders = std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>>;
+
+Borders borders_of(const PlaneFaces& faces) {
+  Borders borders;
+  const cv::Mat& cells = faces.face_of_cell;
+  for (int row = 0; row < cells.rows; ++row) {
+    for (int column = 0; column < cells.cols; ++column) {
+      const int own = cells.at<int>(row, column);
+      if (own < 0) continue;
+      for (const auto& [down, right] : {std::pair(0, 1), std::pair(1, 0)}) {
+        for (const int step : {1, 2}) {  // a cell of neither may lie between them
+          const int r = row + step * down;
+          const int c = column + step * right;
+          if (r >= cells.rows || c >= cells.cols) break;
+          const int other = cells.at<int>(r, c);
+          if (other == own) break;
+          if (other < 0) continue;
+          borders[std::minmax(own, other)].push_back(
+              0.5 * (PlaneFaces::centre_px(row, column) + PlaneFaces::centre_px(r, c)));
+          break;
+        }
+      }
+    }
+  }
+  return borders;
+}
+
+/// The part of the intersection of two planes along which their faces border on each other, rectified.
+std::optional<Segment2> crease(const PlaneFace& a,
+                               const PlaneFace& b,
+                               const std::vector<Eigen::Vector2d>& border) {
+  const Eigen::Vector3d difference = a.plane - b.plane;
+  const double bend = difference.head<2>().norm();
+  if (bend < kLeastBend) return std::nullopt;
+  const Eigen::Vector3d line = difference / bend;
+  const Eigen::Vector2d along(-line.y(), line.x());
+  std::vector<double> on_line;
+  for (const Eigen::Vector2d& x : border) {
+    if (std::abs(line.dot(x.homogeneous())) <= kBeside_px) on_line.push_back(along.dot(x));
+  }
+  if (static_cast<double>(on_line.size()) < kLeastOnLine * static_cast<double>(border.size()))
+    return std::nullopt;
+  std::ranges::sort(on_line);
+  std::array<double, 2> longest{0.0, 0.0};
+  double from = on_line.front();
+  for (std::size_t i = 0; i < on_line.size(); ++i) {
+    if (i > 0 && on_line[i] - on_line[i - 1] > kLargestGap_px) from = on_line[i];
+    if (on_line[i] - from > longest[1] - longest[0]) longest = {from, on_line[i]};
+  }
+  if (longest[1] - longest[0] + kCell_px < kShortest_px) return std::nullopt;
+  const Eigen::Vector2d foot = -line.z() * line.head<2>();
+  return Segment2{foot + (longest[0] - 0.5 * kCell_px) * along,
+                  foot + (longest[1] + 0.5 * kCell_px) * along};
+}
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// The point of two planes at x on their intersection, and its Jacobian by both: x moves across the
+/// intersection as the planes do.
+struct PointOfPlanes {
+  Eigen::Vector3d x_in_local;
+  Eigen::Matrix<double, 3, 6> by_planes;
+};
+
+PointOfPlanes point_of(const Rectification& r,
+                       const PlaneFace& a,
+                       const PlaneFace& b,
+                       const Eigen::Vector2d& x_px) {
+  const Eigen::Vector3d by = x_px.homogeneous();
+  const Eigen::Vector2d bend = (a.plane - b.plane).head<2>();
+  const Eigen::Vector2d across = -bend / bend.squaredNorm();
+  Eigen::Matrix<double, 2, 6> x_by_planes;
+  x_by_planes << across * by.transpose(), -across * by.transpose();
+  Eigen::Matrix<double, 1, 6> d_by_planes = a.plane.head<2>().transpose() * x_by_planes;
+  d_by_planes.head<3>() += by.transpose();
+  // X = C + R' (f, ...) Z / f with Z = f B / d
+  const double d_px = a.disparity_px(x_px);
+  const double depth_m = r.focal_px * r.base_m / d_px;
+  const Eigen::Vector3d ray((x_px.x() - r.principal_point_px.x()) / r.focal_px,
+                            (x_px.y() - r.principal_point_px.y()) / r.focal_px, 1.0);
+  Eigen::Matrix<double, 3, 6> rectified = -depth_m / d_px * ray * d_by_planes;
+  rectified.topRows<2>() += depth_m / r.focal_px * x_by_planes;
+  return {r.point_in_local(x_px, d_px), r.rectified_from_local.transpose() * rectified};
+}
+
+Matrix6d covariance(const PointOfPlanes& start,
+                    const PointOfPlanes& end,
+                    const PlaneFace& a,
+                    const PlaneFace& b,
+                    double m_per_px) {
+  Matrix6d of_planes = Matrix6d::Zero();
+  of_planes.topLeftCorner<3, 3>() = a.cov;
+  of_planes.bottomRightCorner<3, 3>() = b.cov;
+  Matrix6d by_planes;
+  by_planes << start.by_planes, end.by_planes;
+  Matrix6d cov = by_planes * of_planes * by_planes.transpose();
+  const Eigen::Vector3d along =
+      kSigmaEnd_px * m_per_px * (end.x_in_local - start.x_in_local).normalized();
+  cov.topLeftCorner<3, 3>() += along * along.transpose();
+  cov.bottomRightCorner<3, 3>() += along * along.transpose();
+  return cov;
+}
+
+/// Whether a segment runs beside known ones over half of its length.
+bool is_known(const Segment2& crease, const std::vector<Segment2>& known) {
+  constexpr int kSamples = 11;
+  constexpr double kClose_px = 4.0;
+  constexpr double kParallel_rad = 15.0 * kRadPerDeg;
+  int n_known = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const Eigen::Vector2d x = point_at(crease, static_cast<double>(i) / (kSamples - 1));
+    n_known += std::ranges::any_of(known, [&](const Segment2& k) {
+      return distance(k, x) <= kClose_px && acute_angle_rad(k, crease) <= kParallel_rad;
+    });
+  }
+  return 2 * n_known >= kSamples;
+}
+
+ReconstructedLine line_of(const StereoPair& pair,
+                          const Rectification& r,
+                          const PlaneFace& a,
+                          const PlaneFace& b,
+                          const Segment2& crease,
+                          double max_aligned_angle_deg) {
+  const PointOfPlanes start = point_of(r, a, b, crease.start);
+  const PointOfPlanes end = point_of(r, a, b, crease.end);
+  ReconstructedLine line;
+  line.match = {-1, -1};
+  line.status = Status::kPlanes;
+  line.segment_in_local = {start.x_in_local, end.x_in_local};
+  line.covariance_m2 =
+      covariance(start, end, a, b, length(*line.segment_in_local) / length(crease));
+  const std::array<ProjectionMatrix, 2> cameras = pair.cameras();
+  for (const std::size_t j : {0U, 1U}) {
+    line.seen_px[j] = project(cameras[j], *line.segment_in_local);
+    line.epipolar_angles_rad[j] = epipolar_angle_rad(cameras[j], cameras[1 - j], line.seen_px[j]);
+  }
+  line.epipolar_angle_rad = std::min(line.epipolar_angles_rad[0], line.epipolar_angles_rad[1]);
+  line.line_class = line.epipolar_angle_rad <= max_aligned_angle_deg * kRadPerDeg
+                        ? LineClass::kAligned
+                        : LineClass::kNotAligned;
+  return line;
+}
+
+std::vector<Segment2> in_rectified(const StereoPair& pair,
+                                   const Rectification& r,
+                                   std::span<const ReconstructedLine> lines) {
+  std::vector<Segment2> segments;
+  for (const ReconstructedLine& line : lines) {
+    if (!line.segment_in_local) continue;
+    const Segment2 seen = project(pair.cameras()[0], *line.segment_in_local);
+    segments.push_back({r.rectified(0, seen.start), r.rectified(0, seen.end)});
+  }
+  return segments;
+}
+
+}  // namespace
+
+std::vector<ReconstructedLine> plane_lines(const StereoPair& pair,
+                                           const Surface& surface,
+                                           std::span<const ReconstructedLine> known,
+                                           double max_aligned_angle_deg) {
+  const Rectification& r = surface.rectification;
+  const PlaneFaces faces = plane_faces(surface);
+  const std::vector<Segment2> from_edges = in_rectified(pair, r, known);
+  std::vector<ReconstructedLine> lines;
+  for (const auto& [both, border] : borders_of(faces)) {
+    const PlaneFace& a = faces.faces[static_cast<std::size_t>(both.first)];
+    const PlaneFace& b = faces.faces[static_cast<std::size_t>(both.second)];
+    const auto found = crease(a, b, border);
+    if (!found || is_known(*found, from_edges)) continue;
+    lines.push_back(line_of(pair, r, a, b, *found, max_aligned_angle_deg));
+  }
+  return lines;
+}
+
+}  // namespace ridgeline::reconstruct
