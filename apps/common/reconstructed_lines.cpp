@@ -19,9 +19,13 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
           frame.world_from_local(segment_in_local->end)};
 }
 
-/// The number of the match; with that of the part where it shows several lines.
-std::string line_id(std::size_t match, int part) {
-  return part == 0 ? std::to_string(match) : fmt::format("{}.{}", match, part);
+/// Whether it is a line of two edges, and not the intersection of two planes.
+bool is_of_match(const reconstruct::ReconstructedLine& line) { return line.match.left >= 0; }
+
+/// The number of the match; with that of the part where it shows several lines. `p` and a number for a line of planes.
+std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t number) {
+  if (!is_of_match(line)) return fmt::format("p{}", number);
+  return line.part == 0 ? std::to_string(number) : fmt::format("{}.{}", number, line.part);
 }
 
 }  // namespace
@@ -37,13 +41,13 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
   for (const reconstruct::ReconstructedLine& line : lines) {
     if (line.part <= 1) ++num_matches;
     io::Line& out = set.lines.emplace_back();
-    out.id = line_id(num_matches - 1, line.part);
+    out.id = line_id(line, num_matches - 1);
     out.segment_in_world = in_world(line.segment_in_local, frame);
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);
     out.status = reconstruct::name(line.status);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
-    if (line.match.left >= 0) {  // none of an intersection of planes
+    if (is_of_match(line)) {
       out.left_id = std::to_string(line.match.left);
       out.right_id = std::to_string(line.match.right);
     }

@@ -153,7 +153,7 @@ Run add_reconstruct(CLI::App& subcommand) {
   auto a = std::make_shared<ReconstructArguments>();
   subcommand.add_option("patch", a->patch, "patch file (YAML): images and cameras")->required();
   subcommand.add_option("--out", a->out, "file for the 3D lines")->required();
-  subcommand.add_option("--method", a->method, "direct, joint, network")
+  subcommand.add_option("--method", a->method, "direct, joint, network, planes")
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   subcommand.add_option("--matches", a->matches,

@@ -32,15 +32,18 @@ reconstruct::Method method_named(const std::string& name) {
     if (name == reconstruct::name(method)) return method;
   }
   throw std::invalid_argument(
-      fmt::format("method = {}, must be one of direct, joint, network", name));
+      fmt::format("method = {}, must be one of direct, joint, network, planes", name));
 }
 
 void check_preset(const ParameterArguments& parameters,
                   const std::vector<reconstruct::Method>& methods) {
-  const bool has_network =
-      std::ranges::find(methods, reconstruct::Method::kNetwork) != methods.end();
-  check(parameters.preset != "published" || !has_network,
-        "--preset published: network is none of the papers' methods; must be direct or joint");
+  if (parameters.preset != "published") return;
+  for (const reconstruct::Method ours :
+       {reconstruct::Method::kNetwork, reconstruct::Method::kPlanes}) {
+    check(std::ranges::find(methods, ours) == methods.end(),
+          "--preset published: ", reconstruct::name(ours),
+          " is none of the papers' methods; must be direct or joint");
+  }
 }
 
 void add_local_origin_flag(CLI::App& app, bool& local_origin) {
@@ -53,7 +56,7 @@ void add_local_origin_flag(CLI::App& app, bool& local_origin) {
 void add_run_flags(CLI::App& app, RunFlags& flags) {
   add_method_options(app, flags.parameters);
   add_judge_options(app, flags.parameters);
-  app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network")
+  app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network, planes")
       ->delimiter(',')
       ->allow_extra_args(false)  // a patch file may follow
       ->check(CLI::IsMember(method_names()))

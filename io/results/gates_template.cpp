@@ -22,7 +22,7 @@ constexpr std::string_view kKeys =
 #           Lines without classes are judged as total; classes come from images (run, demo,
 #           evaluate --patch PATCH.yaml) or from a column class of the line file.
 #   patch   the patch's id; each patch if left out
-#   method  direct, joint or network; after evaluate the line file's name without extension;
+#   method  direct, joint, network or planes; after evaluate the line file's name without extension;
 #           for the figures of matching the matcher: pairwise, chio or both. If left out:
 #           network, else joint, else direct, of those that were run; after evaluate each
 #           line file; both, else the matcher that was run.

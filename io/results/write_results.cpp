@@ -23,6 +23,13 @@ namespace {
 
 using evaluate::Evaluation;
 
+/// Without the lines of planes, which are none of the others.
+std::vector<Evaluation> of_matches(std::span<const Evaluation> evaluations) {
+  std::vector<Evaluation> kept(evaluations.begin(), evaluations.end());
+  std::erase_if(kept, [](const Evaluation& e) { return e.method == "planes"; });
+  return kept;
+}
+
 /// Runs of evaluations of one patch, each cut down to its common lines.
 std::vector<Evaluation> on_common_lines_by_patch(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> common;
@@ -91,8 +98,9 @@ void write_table2(std::span<const Evaluation> evaluations, const OutputFolder& o
   out.write("table2.json", evaluate::to_json(table));
   out.write("table2.tex", evaluate::to_latex(table));
   out.write("parts.csv", evaluate::parts_to_csv(table));
-  if (has_several_methods(evaluations)) {
-    const evaluate::Table2 paired = evaluate::make_table2(on_common_lines_by_patch(evaluations));
+  const std::vector<Evaluation> with_matches = of_matches(evaluations);
+  if (has_several_methods(with_matches)) {
+    const evaluate::Table2 paired = evaluate::make_table2(on_common_lines_by_patch(with_matches));
     out.write("table2.common.md", evaluate::to_markdown(paired));
     out.write("table2.common.csv", evaluate::to_csv(paired));
   } else {

@@ -152,11 +152,28 @@ class Growing {
         plane = all.plane();
       }
     }
-    if (static_cast<int>(members.size()) < kFewestCells || is_steep(plane)) {
+    const PlaneSums inner = inner_sums(members, index);
+    if (inner.n > 0.0) plane = inner.plane();
+    if (static_cast<int>(members.size()) < kFewestCells || inner.n == 0.0 || is_steep(plane)) {
       for (const auto& [row, column] : members) face_of(row, column) = kNoFace;
       return;
     }
-    result_.faces.push_back({plane, covariance(all, plane), static_cast<int>(members.size())});
+    result_.faces.push_back({plane, covariance(inner, plane), static_cast<int>(members.size())});
+  }
+
+  /// Over the cells of a face with all neighbours in it: cells on its border may hold what is beyond.
+  PlaneSums inner_sums(const std::vector<std::pair<int, int>>& members, int index) {
+    PlaneSums inner;
+    const auto is_member = [&](int row, int column) {
+      return row >= 0 && column >= 0 && row < rows_ && column < columns_ &&
+             face_of(row, column) == index;
+    };
+    for (const auto& [row, column] : members) {
+      if (is_member(row - 1, column) && is_member(row + 1, column) && is_member(row, column - 1) &&
+          is_member(row, column + 1))
+        inner += cell(row, column);
+    }
+    return inner;
   }
 
   /// Neighbours err together, as the matching smooths.

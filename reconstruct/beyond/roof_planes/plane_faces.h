@@ -33,7 +33,8 @@ struct PlaneFaces {
 };
 
 /// Grows faces from the cells that are planes best, as long as the next cell lies on the plane of those before it to
-/// 0.4 px, root mean square. Faces of less than 12 cells and surfaces as steep as walls are left out.
+/// 0.4 px, root mean square. The plane of a face is then that of its inner cells. Faces of less than 12 cells or without
+/// an inner one and surfaces as steep as walls are left out.
 PlaneFaces plane_faces(const Surface& surface);
 
 }  // namespace ridgeline::reconstruct

@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/roof_planes/plane_lines.h"
 
 #include "reconstruct/beyond/roof_planes/plane_faces.h"
+#include "reconstruct/beyond/roof_planes/plane_intersection.h"
 #include "reconstruct/geometry/degrees.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kCell_px = PlaneFaces::kCell_px;
 constexpr double kLeastBend = 0.08;  // difference of the planes' slopes, disparity per pixel
-constexpr double kBeside_px = 1.5 * kCell_px;  // of the border from the intersection
+constexpr double kBeside_px = 1.0 * kCell_px;  // of the border from the intersection
 constexpr double kLeastOnLine = 0.6;           // share of the border
 constexpr double kLargestGap_px = 2.5 * kCell_px;
 constexpr double kShortest_px = 20.0;
@@ -73,38 +74,7 @@ std::optional<Segment2> crease(const PlaneFace& a,
   }
   if (longest[1] - longest[0] + kCell_px < kShortest_px) return std::nullopt;
   const Eigen::Vector2d foot = -line.z() * line.head<2>();
-  return Segment2{foot + (longest[0] - 0.5 * kCell_px) * along,
-                  foot + (longest[1] + 0.5 * kCell_px) * along};
-}
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-/// The point of two planes at x on their intersection, and its Jacobian by both: x moves across the
-/// intersection as the planes do.
-struct PointOfPlanes {
-  Eigen::Vector3d x_in_local;
-  Eigen::Matrix<double, 3, 6> by_planes;
-};
-
-PointOfPlanes point_of(const Rectification& r,
-                       const PlaneFace& a,
-                       const PlaneFace& b,
-                       const Eigen::Vector2d& x_px) {
-  const Eigen::Vector3d by = x_px.homogeneous();
-  const Eigen::Vector2d bend = (a.plane - b.plane).head<2>();
-  const Eigen::Vector2d across = -bend / bend.squaredNorm();
-  Eigen::Matrix<double, 2, 6> x_by_planes;
-  x_by_planes << across * by.transpose(), -across * by.transpose();
-  Eigen::Matrix<double, 1, 6> d_by_planes = a.plane.head<2>().transpose() * x_by_planes;
-  d_by_planes.head<3>() += by.transpose();
-  // X = C + R' (f, ...) Z / f with Z = f B / d
-  const double d_px = a.disparity_px(x_px);
-  const double depth_m = r.focal_px * r.base_m / d_px;
-  const Eigen::Vector3d ray((x_px.x() - r.principal_point_px.x()) / r.focal_px,
-                            (x_px.y() - r.principal_point_px.y()) / r.focal_px, 1.0);
-  Eigen::Matrix<double, 3, 6> rectified = -depth_m / d_px * ray * d_by_planes;
-  rectified.topRows<2>() += depth_m / r.focal_px * x_by_planes;
-  return {r.point_in_local(x_px, d_px), r.rectified_from_local.transpose() * rectified};
+  return Segment2{foot + longest[0] * along, foot + longest[1] * along};
 }
 
 Matrix6d covariance(const PointOfPlanes& start,
@@ -125,17 +95,23 @@ Matrix6d covariance(const PointOfPlanes& start,
   return cov;
 }
 
-/// Whether a segment runs beside known ones over half of its length.
-bool is_known(const Segment2& crease, const std::vector<Segment2>& known) {
+/// Whether known lines run along a line, to the tolerance, over half of its length.
+bool is_known(const Segment3& line, std::span<const ReconstructedLine> known) {
   constexpr int kSamples = 11;
-  constexpr double kClose_px = 4.0;
+  constexpr double kTolerance_m = 0.3;
   constexpr double kParallel_rad = 15.0 * kRadPerDeg;
+  const Eigen::Vector3d along = line.end - line.start;
+  std::vector<Segment3> beside;
+  for (const ReconstructedLine& k : known) {
+    if (!k.segment_in_local) continue;
+    const Eigen::Vector3d other = k.segment_in_local->end - k.segment_in_local->start;
+    if (acute_angle_rad(other, along) <= kParallel_rad) beside.push_back(*k.segment_in_local);
+  }
   int n_known = 0;
   for (int i = 0; i < kSamples; ++i) {
-    const Eigen::Vector2d x = point_at(crease, static_cast<double>(i) / (kSamples - 1));
-    n_known += std::ranges::any_of(known, [&](const Segment2& k) {
-      return distance(k, x) <= kClose_px && acute_angle_rad(k, crease) <= kParallel_rad;
-    });
+    const Eigen::Vector3d x = point_at(line, static_cast<double>(i) / (kSamples - 1));
+    n_known += std::ranges::any_of(
+        beside, [&](const Segment3& k) { return distance(k, x) <= kTolerance_m; });
   }
   return 2 * n_known >= kSamples;
 }
@@ -146,8 +122,8 @@ ReconstructedLine line_of(const StereoPair& pair,
                           const PlaneFace& b,
                           const Segment2& crease,
                           double max_aligned_angle_deg) {
-  const PointOfPlanes start = point_of(r, a, b, crease.start);
-  const PointOfPlanes end = point_of(r, a, b, crease.end);
+  const PointOfPlanes start = point_of_planes(r, a.plane, b.plane, crease.start);
+  const PointOfPlanes end = point_of_planes(r, a.plane, b.plane, crease.end);
   ReconstructedLine line;
   line.match = {-1, -1};
   line.status = Status::kPlanes;
@@ -166,18 +142,6 @@ ReconstructedLine line_of(const StereoPair& pair,
   return line;
 }
 
-std::vector<Segment2> in_rectified(const StereoPair& pair,
-                                   const Rectification& r,
-                                   std::span<const ReconstructedLine> lines) {
-  std::vector<Segment2> segments;
-  for (const ReconstructedLine& line : lines) {
-    if (!line.segment_in_local) continue;
-    const Segment2 seen = project(pair.cameras()[0], *line.segment_in_local);
-    segments.push_back({r.rectified(0, seen.start), r.rectified(0, seen.end)});
-  }
-  return segments;
-}
-
 }  // namespace
 
 std::vector<ReconstructedLine> plane_lines(const StereoPair& pair,
@@ -186,14 +150,14 @@ std::vector<ReconstructedLine> plane_lines(const StereoPair& pair,
                                            double max_aligned_angle_deg) {
   const Rectification& r = surface.rectification;
   const PlaneFaces faces = plane_faces(surface);
-  const std::vector<Segment2> from_edges = in_rectified(pair, r, known);
   std::vector<ReconstructedLine> lines;
   for (const auto& [both, border] : borders_of(faces)) {
     const PlaneFace& a = faces.faces[static_cast<std::size_t>(both.first)];
     const PlaneFace& b = faces.faces[static_cast<std::size_t>(both.second)];
     const auto found = crease(a, b, border);
-    if (!found || is_known(*found, from_edges)) continue;
-    lines.push_back(line_of(pair, r, a, b, *found, max_aligned_angle_deg));
+    if (!found) continue;
+    ReconstructedLine line = line_of(pair, r, a, b, *found, max_aligned_angle_deg);
+    if (!is_known(*line.segment_in_local, known)) lines.push_back(std::move(line));
   }
   return lines;
 }

@@ -13,9 +13,9 @@ namespace ridgeline::reconstruct {
 
 /// kDirect and kJoint are those of Ok et al. 2011, section 3. kPlanes (lines that no edge shows) and kNetwork are ours.
 enum class Method : std::uint8_t { kPlanes, kDirect, kJoint, kNetwork };
-inline constexpr std::array kMethods{Method::kPlanes, Method::kDirect, Method::kJoint,
-                                     Method::kNetwork};
-const char* name(Method method);  ///< "planes" | "direct" | "joint" | "network"
+inline constexpr std::array kMethods{Method::kDirect, Method::kJoint, Method::kNetwork,
+                                     Method::kPlanes};
+const char* name(Method method);  ///< "direct" | "joint" | "network" | "planes"
 
 /// The estimation of Ok et al. 2011, section 3.
 struct ReconstructOptions {
