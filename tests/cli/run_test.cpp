@@ -209,6 +209,34 @@ TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnly) {
   EXPECT_GT(n_cut, 0);
 }
 
+TEST_F(RunPatch, LinesOfPlanesAreCountedByThemselves) {
+  // a pair whose lines would be those of the faces is left with few edges
+  write(path("few.yaml"),
+        "extract: {min_length_px: 60, faint_edges: false}\nmatch: {guided: false}\n");
+  const std::vector<std::string> more{"--config", "few.yaml", "--no-report"};
+  std::vector<std::string> with_planes = more;
+  with_planes.insert(with_planes.end(), {"--methods", "direct,joint,planes"});
+  ASSERT_EQ(run_patch("with", with_planes).exit_code, 0);
+  ASSERT_EQ(run_patch("without", more).exit_code, 0);
+  const nlohmann::json lines = read_json(path("with/1/lines.planes.geojson"))["features"];
+  ASSERT_FALSE(lines.empty());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const nlohmann::json& properties = lines[i]["properties"];
+    EXPECT_EQ(properties["id"], "p" + std::to_string(i));
+    EXPECT_EQ(properties["status"], "planes");
+    EXPECT_FALSE(properties.contains("left_id"));
+    EXPECT_TRUE(properties.contains("covariance"));
+  }
+  EXPECT_THAT(read(path("with/table2.csv")), HasSubstr("\n1,planes,total,"));
+  // the other methods, and the lines that they have in common, stay as they are
+  for (const char* file : {"1/lines.joint.geojson", "table2.common.csv"})
+    EXPECT_EQ(read(path(std::string("with/") + file)), read(path(std::string("without/") + file)));
+  const ProgramResult published =
+      run_patch("published", {"--preset", "published", "--methods", "joint,planes"});
+  EXPECT_EQ(published.exit_code, 1);
+  EXPECT_THAT(published.err, HasSubstr("planes is none of the papers' methods"));
+}
+
 TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
   ASSERT_EQ(run_patch("out").exit_code, 0);
   const auto first = results_in("out");

@@ -245,7 +245,7 @@ TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
 
 TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
   constexpr double kShiftPx = 1.5;
-  for (const Method method : kMethods) {
+  for (const Method method : {Method::kDirect, Method::kJoint, Method::kNetwork}) {
     EstimationOptions options = direct_options();
     options.lines.method = method;
     const LineGroup good = make_group(line_at(40.0), kThreeNeighbours);
@@ -335,6 +335,10 @@ TEST(ReconstructLines, RejectsWrongInput) {
   options.lines.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");
+  options = test::published();
+  options.lines.method = Method::kPlanes;
+  EXPECT_EQ(rejected(good, options),
+            "reconstruct_lines: method = planes, which takes no matches; see plane_lines()");
   const auto rejected_registration = [&](const Registration& of_first) {
     std::vector<Registration> registrations(good.matches.size());
     registrations[0] = of_first;
@@ -355,6 +359,7 @@ TEST(Names, AreThoseOfTheFiles) {
   EXPECT_STREQ(name(Method::kDirect), "direct");
   EXPECT_STREQ(name(Method::kJoint), "joint");
   EXPECT_STREQ(name(Method::kNetwork), "network");
+  EXPECT_STREQ(name(Method::kPlanes), "planes");
   EXPECT_STREQ(name(LineClass::kAligned), "aligned");
   EXPECT_STREQ(name(LineClass::kNotAligned), "not_aligned");
   EXPECT_STREQ(name(Status::kDirect), "direct");
@@ -365,6 +370,7 @@ TEST(Names, AreThoseOfTheFiles) {
   EXPECT_STREQ(name(Status::kNotConverged), "not_converged");
   EXPECT_STREQ(name(Status::kNoIntersection), "no_intersection");
   EXPECT_STREQ(name(Status::kNetwork), "network");
+  EXPECT_STREQ(name(Status::kPlanes), "planes");
 }
 
 }  // namespace
