@@ -42,7 +42,7 @@ ComparedProfiles compared(std::span<const Colour> left, std::span<const Colour> 
   for (std::size_t k = 0; k < at.size(); ++k)
     at[k] = correlation(left, right.subspan(k, left.size()));
   const auto best = std::max_element(at.begin(), at.end());
-  const ComparedProfiles unmoved{0.0, *best};
+  const ComparedProfiles unmoved{0.0, at[kFarthest]};
   if (best == at.begin() || best == at.end() - 1) return unmoved;
   if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return unmoved;
   return {kStep_px * (static_cast<double>(best - at.begin()) - kFarthest +

@@ -15,7 +15,8 @@ struct ComparedProfiles {
   /// How far beside the right segment the right image shows what the left one lies on, pixels along
   /// n = (-u_y, u_x); 0 where the profiles agree as well as they are, or nowhere.
   double right_shift_px = 0.0;
-  /// Where they agree best: correlation, 1 for the same profile. None where they were not compared.
+  /// Where the right segment is, or is moved to: correlation, 1 for the same profile. None where they were
+  /// not compared.
   std::optional<double> similarity;
 };
 
