@@ -84,9 +84,9 @@ MatchList combined(const std::vector<EdgeSegment>& left,
 std::vector<Registration> registrations_of(const StereoPair& pair,
                                            std::span<const LineMatch> matches,
                                            const EstimationOptions& options) {
-  const auto& [lines, beyond] = options;
+  const EstimateExtensionOptions& beyond = options.beyond;
   if (!beyond.register_profiles && !beyond.shared_errors) return {};
-  return transformed(compare_profiles(pair, matches, lines.max_aligned_angle_deg),
+  return transformed(compare_profiles(pair, matches, options.lines.max_aligned_angle_deg),
                      [&](const ComparedProfiles& both) {
                        Registration r;
                        if (beyond.register_profiles) r.right_shift_px = both.right_shift_px;
