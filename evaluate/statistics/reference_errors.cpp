@@ -193,8 +193,8 @@ void add_parts(std::span<const ErrorParts> parts, ReferenceErrors& result) {
 }
 
 void add_nees(const std::vector<double>& squares, ReferenceErrors& result) {
-  constexpr double kMedian = 3.35669,
-                   kLimit = 18.46683;  // chi-square, 4 degrees of freedom: 50, 99.9 %
+  constexpr double kMedian = 3.35669;  // of chi-square with 4 degrees of freedom
+  constexpr double kLimit = 18.46683;  // 99.9 % of it
   result.n_tested = squares.size();
   if (squares.empty()) return;
   result.median_nees_ratio = *median(squares) / kMedian;

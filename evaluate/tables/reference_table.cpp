@@ -77,8 +77,8 @@ std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
   std::string text =
       "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
       "(H) and in height at the same place in plan (V). NEES: squared error of the ends over the "
-      "stated covariance, "
-      "median over its expectation (1), and the share beyond the 99.9 % limit (0.1).\n\n" +
+      "stated covariance, median over its expectation (1), and the share beyond the 99.9 % limit "
+      "(0.1).\n\n" +
       markdown_head({"patch", "method", "class", "lines:", "on a true line:", "RMS m:", "median m:",
                      "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:",
                      "median NEES:", "beyond 99.9 %:"});

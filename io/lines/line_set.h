@@ -29,7 +29,7 @@ struct Line {
   std::string status;
   std::string left_id, right_id;  ///< image segments
   /// Their ends in the base and in the other image as the line was made from them, ideal pixels: our
-  /// own right ones may be moved across (registered_shifts_px()).
+  /// own right ones may be moved across (compare_profiles()).
   std::optional<Segment2> left_px, right_px;
   std::optional<double> epipolar_angle_deg;
   /// Share of the length of a true line that the base and the other image show, 0..1.

@@ -14,8 +14,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kCell_px = PlaneFaces::kCell_px;
-constexpr double kSeed_px =
-    0.25;  // root mean square of a seed, three by three cells, about its plane
+constexpr double kSeed_px = 0.25;    // root mean square of three by three cells about their plane
 constexpr double kOnPlane_px = 0.4;  // the same of a cell about the plane of a face
 constexpr double kSteepest = 0.6;    // change of disparity per pixel; walls have more
 constexpr double kLeastKnown = 0.5;  // share of the pixels of a cell

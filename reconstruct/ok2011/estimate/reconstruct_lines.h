@@ -116,7 +116,7 @@ struct EstimateExtensions {
 /// @param segments     of the left and the right image
 /// @param connections  pairs of matches, in either order; repetitions change nothing
 /// @param registrations  of each match, what the images beside its edges tell of their places
-///                       (registered_edges()); or none. The points of other lines are made with the
+///                       (compare_profiles()); or none. The points of other lines are made with the
 ///                       segments as they are.
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of

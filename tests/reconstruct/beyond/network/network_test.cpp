@@ -5,8 +5,8 @@
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "tests/reconstruct/support/conditioned_scene.h"
 #include "tests/reconstruct/support/line_group.h"
+#include "tests/reconstruct/support/nees.h"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,21 +31,6 @@ EstimationOptions network_options() {
   options.lines.line_covariance = LineCovariance::kCentroid;
   options.lines.method = Method::kNetwork;
   return options;
-}
-
-/// Squared error of a line across itself, normalised by its covariance: chi-square with 4 degrees of
-/// freedom.
-double nees(const ReconstructedLine& line, const Segment3& truth) {
-  Vector6d error;
-  error << line.segment_in_local->start - truth.start, line.segment_in_local->end - truth.end;
-  const Eigen::Matrix<double, 3, 2> across =
-      tangent_basis<3>(Eigen::Vector3d(truth.end - truth.start));
-  Eigen::Matrix<double, 6, 4> basis = Eigen::Matrix<double, 6, 4>::Zero();
-  basis.topLeftCorner<3, 2>() = across;
-  basis.bottomRightCorner<3, 2>() = across;
-  const Eigen::Vector4d deviation = basis.transpose() * error;
-  const Eigen::Matrix4d cov = basis.transpose() * *line.covariance_m2 * basis;
-  return deviation.dot(cov.ldlt().solve(deviation));
 }
 
 double largest_error_m(const ReconstructedLine& line, const Segment3& truth) {
@@ -124,7 +109,7 @@ TEST_P(NetworkPrecision, StatesItsErrors) {
     const auto lines = group.reconstruct(options);
     // of those with all meetings accepted: a miss of 3 sigma is rejected, which is not normal any more
     if (lines[0].n_meetings < 5) continue;
-    sum += nees(lines[0], group.truth[0]);
+    sum += test::nees(lines[0], group.truth[0]);
     ++n;
   }
   ASSERT_GT(n, 0.85 * kTrials);  // five meetings each

@@ -4,8 +4,8 @@
 #include "reconstruct/beyond/roof_planes/plane_intersection.h"
 #include "tests/reconstruct/beyond/roof_planes/gable_surface.h"
 #include "tests/reconstruct/support/finite_difference.h"
+#include "tests/reconstruct/support/nees.h"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -91,18 +91,7 @@ TEST(PlaneLines, CovarianceHoldsForPixelsThatErrTogether) {
     });
     const auto lines = plane_lines(gable.pair(), surface, {}, kMaxAligned_deg);
     ASSERT_EQ(lines.size(), 1U);
-    const Segment3& found = *lines[0].segment_in_local;
-    const Eigen::Vector3d along = (ridge.end - ridge.start).normalized();
-    const Eigen::Vector3d across = along.unitOrthogonal();
-    Eigen::Matrix<double, 2, 3> frame;
-    frame << across.transpose(), along.cross(across).transpose();
-    Eigen::Matrix<double, 4, 6> by_ends = Eigen::Matrix<double, 4, 6>::Zero();
-    by_ends.topLeftCorner<2, 3>() = frame;
-    by_ends.bottomRightCorner<2, 3>() = frame;
-    Eigen::Vector4d error;
-    error << frame * (found.start - ridge.start), frame * (found.end - ridge.start);
-    const Eigen::Matrix4d cov = by_ends * *lines[0].covariance_m2 * by_ends.transpose();
-    sum += error.dot(cov.llt().solve(error));
+    sum += test::nees(lines[0], ridge);
   }
   // blocks of 100 pixels; stated are 100 that err together
   constexpr double kExpected = 4.0 * kBlock_px * kBlock_px / 100.0;

@@ -2,8 +2,8 @@
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
 
 #include "tests/reconstruct/support/line_group.h"
+#include "tests/reconstruct/support/nees.h"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,22 +33,6 @@ std::array<UncertainSegment2, 2> observed(const test::StereoScene& scene,
   return segments;
 }
 
-/// Squared error of the ends across the true line over their covariance.
-double normalised_square(const ReconstructedLine& line, const Segment3& truth) {
-  const Eigen::Vector3d along = (truth.end - truth.start).normalized();
-  const Eigen::Vector3d across = along.unitOrthogonal();
-  Eigen::Matrix<double, 2, 3> frame;
-  frame << across.transpose(), along.cross(across).transpose();
-  Eigen::Matrix<double, 4, 6> by_ends = Eigen::Matrix<double, 4, 6>::Zero();
-  by_ends.topLeftCorner<2, 3>() = frame;
-  by_ends.bottomRightCorner<2, 3>() = frame;
-  Eigen::Vector4d error;
-  error << frame * (line.segment_in_local->start - truth.start),
-      frame * (line.segment_in_local->end - truth.start);
-  const Eigen::Matrix4d cov = by_ends * *line.covariance_m2 * by_ends.transpose();
-  return error.dot(cov.llt().solve(error));
-}
-
 TEST(SharedErrors, CovarianceHoldsForErrorsThatBothImagesShare) {
   const test::Noise own{0.03, 0.001, 1.0};
   EstimationOptions options = test::direct_options();
@@ -63,9 +47,9 @@ TEST(SharedErrors, CovarianceHoldsForErrorsThatBothImagesShare) {
       group.segments = {{seen[0]}, {seen[1]}};
       group.matches = {{0, 0}};
       ReconstructedLine line = group.reconstruct(options)[0];
-      sum_without += normalised_square(line, group.truth[0]);
+      sum_without += test::nees(line, group.truth[0]);
       add_shared_error(group.scene.cameras[0], line);
-      sum += normalised_square(line, group.truth[0]);
+      sum += test::nees(line, group.truth[0]);
     }
     constexpr double kFreedom = 4.0;
     EXPECT_NEAR(sum / kTrials, kFreedom, test::chi_square_mean_band(kFreedom, kTrials));
