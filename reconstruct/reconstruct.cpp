@@ -6,6 +6,7 @@
 #include "reconstruct/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
+#include "reconstruct/beyond/roof_planes/faces_beside.h"
 #include "reconstruct/beyond/roof_planes/plane_lines.h"
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
 #include "reconstruct/geometry/check.h"
@@ -177,7 +178,8 @@ Reconstruction reconstruct(std::span<const View> views,
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options) {
   const MatchExtensionOptions& match = options.matching.beyond;
   const EstimateExtensionOptions& estimate = options.estimation.beyond;
-  const bool is_taken = match.surface || match.guided || (estimate.surface && estimate.consensus);
+  const bool is_taken = match.surface || match.guided || estimate.faces_beside ||
+                        (estimate.surface && estimate.consensus);
   return is_taken ? dense_surface(pair) : std::nullopt;
 }
 
@@ -224,6 +226,11 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                         registrations, estimate_extensions(within_heights, address(surface)));
   if (options.beyond.shared_errors) {
     for (ReconstructedLine& line : lines) add_shared_error(pair.cameras()[0], line);
+  }
+  if (surface && options.beyond.faces_beside && options.lines.method != Method::kDirect) {
+    const PlaneFaces faces = plane_faces(*surface);
+    for (ReconstructedLine& line : lines)
+      adjust_to_faces_beside(surface->rectification, faces, line);
   }
   return lines;
 }

@@ -109,6 +109,9 @@ struct EstimateExtensionOptions {
   bool consensus = true;
   /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth.
   bool surface = true;
+  /// `joint` and `network`: lines are adjusted to the plane faces of that surface that they border. See
+  /// adjust_to_faces_beside().
+  bool faces_beside = true;
   double sigma_end_px = 1.0;       ///< along the line, if they do
   double sigma_meeting_m = 0.1;    ///< distance of lines that meet
   double max_miss_m = 2.5;         ///< of lines that only seem to meet
@@ -124,7 +127,8 @@ struct EstimateExtensionOptions {
             .register_profiles = false,
             .shared_errors = false,
             .consensus = false,
-            .surface = false};
+            .surface = false,
+            .faces_beside = false};
   }
 
   static constexpr auto fields() {
@@ -140,6 +144,8 @@ struct EstimateExtensionOptions {
               "use points that agree on the depth of their line; off: as published"},
         Field{"surface", &O::surface, false, true,
               "consensus: the depth of the surfaces beside the line, by dense matching"},
+        Field{"faces_beside", &O::faces_beside, false, true,
+              "adjust lines to the planes of roofs and ground that they border, by dense matching"},
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
               "consensus: scatter of corresponding segment ends along the line"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,

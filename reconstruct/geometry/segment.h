@@ -37,6 +37,10 @@ inline double parameter_along(const Segment2& s, const Eigen::Vector2d& x) {
   const Eigen::Vector2d d = s.end - s.start;
   return d.dot(x - s.start) / d.squaredNorm();
 }
+inline double parameter_along(const Segment3& s, const Eigen::Vector3d& x) {
+  const Eigen::Vector3d d = s.end - s.start;
+  return d.dot(x - s.start) / d.squaredNorm();
+}
 inline bool all_finite(const Segment3& s) { return s.start.allFinite() && s.end.allFinite(); }
 
 /// The plan view (x, y) of a segment.

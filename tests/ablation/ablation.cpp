@@ -51,6 +51,7 @@ constexpr std::array kVariants{
     Variant{"guided", "match: {guided: false}"},
     Variant{"register_profiles", "reconstruct: {register_profiles: false}"},
     Variant{"shared_errors", "reconstruct: {shared_errors: false}"},
+    Variant{"faces_beside", "reconstruct: {faces_beside: false}"},
     Variant{"max_end_sigma_m", "reconstruct: {max_end_sigma_m: 1e6}"},
     Variant{"consensus", "reconstruct: {consensus: false, surface: false}"},
     Variant{"surface", "reconstruct: {surface: false}"},

@@ -118,7 +118,7 @@ class OtherScenes : public testing::Test {
       std::cout << key << ": against true lines " << pooled.rms_m() << " m (" << pooled.n
                 << " lines, " << 100.0 * pooled.gross_share() << " % gross)\n";
     }
-    EXPECT_LE(errors["joint not_aligned"].rms_m(), 0.118);
+    EXPECT_LE(errors["joint not_aligned"].rms_m(), 0.112);
     EXPECT_LE(errors["joint not_aligned"].gross_share(), 0.002);
     EXPECT_LE(errors["joint aligned"].rms_m(), 0.40);
     EXPECT_LE(errors["joint aligned"].gross_share(), 0.023);
@@ -135,7 +135,7 @@ class OtherScenes : public testing::Test {
         n_found += value(row, "n_reconstructed");
       }
       std::cout << method << ": roof lines reconstructed: " << n_found << " of " << n_true << "\n";
-      EXPECT_GE(n_found / n_true, 0.755);
+      EXPECT_GE(n_found / n_true, 0.775);
     }
   }
 

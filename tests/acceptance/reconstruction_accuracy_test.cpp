@@ -128,7 +128,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
               << " m (" << lidar[key].n << " lines); NEES " << covariance[key].median_ratio()
               << ", " << 100.0 * covariance[key].beyond_share() << " % beyond 99.9 %\n";
   }
-  EXPECT_LE(truth["joint not_aligned"].rms(), 0.125);
+  EXPECT_LE(truth["joint not_aligned"].rms(), 0.1);
   EXPECT_LE(truth["joint not_aligned"].gross_share(), 0.01);
   EXPECT_LE(truth["joint aligned"].gross_share(), 0.01);
   EXPECT_LE(truth["joint aligned"].rms(), 0.21);
@@ -142,8 +142,9 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
       EXPECT_LE(tested.beyond_share(), line_class == "aligned" ? 0.11 : 0.06) << method;
     }
   }
-  // the clouds have laser points on lines that have no true one, too: cars, fences
-  EXPECT_LE(lidar["joint not_aligned"].rms(), truth["joint not_aligned"].rms() + 0.02);
+  // LIDAR judges three times as many lines as have a true one (cars, fences, paving): it must see the gain, too.
+  EXPECT_LE(lidar["joint not_aligned"].rms(), 0.12);
+  EXPECT_LE(lidar["joint not_aligned"].rms(), 0.95 * lidar["direct not_aligned"].rms());
 
   double n_true = 0.0, n_found = 0.0;
   for (const Row& row : table("reference_completeness.csv")) {
@@ -154,7 +155,7 @@ TEST_F(ReconstructionAccuracy, HoldsOnVillagesThatNothingWasCalibratedOn) {
     n_found += number(row, "n_reconstructed");
   }
   std::cout << "roof lines reconstructed: " << n_found << " of " << n_true << "\n";
-  EXPECT_GE(n_found / n_true, 0.73);
+  EXPECT_GE(n_found / n_true, 0.79);
 }
 
 }  // namespace

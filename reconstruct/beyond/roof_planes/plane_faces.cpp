@@ -60,7 +60,7 @@ class Growing {
       for (int column = 0; column < columns_; ++column)
         cell(row, column) = sums(surface, row, column);
     }
-    result_.face_of_cell = cv::Mat(rows_, columns_, CV_32S, cv::Scalar(-1));
+    result_.face_of_cell = cv::Mat(rows_, columns_, CV_32S, cv::Scalar(PlaneFaces::kNone));
   }
 
   PlaneFaces grown() && {
@@ -154,7 +154,7 @@ class Growing {
     const PlaneSums inner = inner_sums(members, index);
     if (inner.n > 0.0) plane = inner.plane();
     if (static_cast<int>(members.size()) < kFewestCells || inner.n == 0.0 || is_steep(plane)) {
-      for (const auto& [row, column] : members) face_of(row, column) = kNoFace;
+      for (const auto& [row, column] : members) face_of(row, column) = PlaneFaces::kNone;
       return;
     }
     result_.faces.push_back({plane, covariance(inner, plane), static_cast<int>(members.size())});
@@ -183,13 +183,20 @@ class Growing {
     return kTogether * sigma_px * sigma_px * all.normal.inverse();
   }
 
-  static constexpr int kNoFace = -1;
   int rows_, columns_;
   std::vector<PlaneSums> cells_;
   PlaneFaces result_;
 };
 
 }  // namespace
+
+int PlaneFaces::at(const Eigen::Vector2d& x_px) const {
+  const Eigen::Array2d cell = ((x_px.array() + 0.5) / kCell_px).floor();
+  const bool is_inside =
+      (cell >= 0.0).all() && cell.x() < face_of_cell.cols && cell.y() < face_of_cell.rows;
+  return is_inside ? face_of_cell.at<int>(static_cast<int>(cell.y()), static_cast<int>(cell.x()))
+                   : kNone;
+}
 
 PlaneFaces plane_faces(const Surface& surface) { return Growing(surface).grown(); }
 

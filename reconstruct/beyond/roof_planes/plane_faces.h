@@ -24,8 +24,12 @@ struct PlaneFace {
 /// The plane faces of a surface and the square cells that each holds.
 struct PlaneFaces {
   static constexpr int kCell_px = 6;
+  static constexpr int kNone = -1;
   std::vector<PlaneFace> faces;
-  cv::Mat face_of_cell;  ///< CV_32S, by row and column of the cells; -1 for none
+  cv::Mat face_of_cell;  ///< CV_32S, by row and column of the cells; kNone for none
+
+  /// The face that a pixel is in, kNone for none.
+  [[nodiscard]] int at(const Eigen::Vector2d& x_px) const;
 
   [[nodiscard]] static Eigen::Vector2d centre_px(int row, int column) {
     return {kCell_px * (column + 0.5) - 0.5, kCell_px * (row + 0.5) - 0.5};

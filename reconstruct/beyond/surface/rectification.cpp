@@ -43,6 +43,11 @@ bool is_one_sided(const Eigen::Matrix3d& h, const cv::Size& size) {
 
 }  // namespace
 
+Eigen::Vector2d Rectification::rectified(const Eigen::Vector3d& x_in_local) const {
+  const Eigen::Vector3d in_camera = rectified_from_local * (x_in_local - left_centre_m);
+  return focal_px * in_camera.hnormalized() + principal_point_px;
+}
+
 Eigen::Vector3d Rectification::point_in_local(const Eigen::Vector2d& x_px, double d_px) const {
   const Eigen::Vector2d reduced = x_px - principal_point_px;
   const Eigen::Vector3d ray(reduced.x(), reduced.y(), focal_px);

@@ -26,6 +26,8 @@ struct Rectification {
   [[nodiscard]] Eigen::Vector2d rectified(std::size_t view, const Eigen::Vector2d& ideal_px) const {
     return (rectified_from_ideal[view] * ideal_px.homogeneous()).hnormalized();
   }
+  /// Where the rectified left view shows a point in front of it.
+  [[nodiscard]] Eigen::Vector2d rectified(const Eigen::Vector3d& x_in_local) const;
   /// Disparity of a point, in front of the left camera.
   [[nodiscard]] double disparity_px(const Eigen::Vector3d& x_in_local) const {
     return focal_px * base_m / rectified_from_local.row(2).dot(x_in_local - left_centre_m);
