@@ -178,8 +178,8 @@ Reconstruction reconstruct(std::span<const View> views,
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options) {
   const MatchExtensionOptions& match = options.matching.beyond;
   const EstimateExtensionOptions& estimate = options.estimation.beyond;
-  const bool is_taken = match.surface || match.guided || estimate.faces_beside ||
-                        (estimate.surface && estimate.consensus);
+  const bool is_taken = match.surface || match.guided ||
+                        (estimate.surface && (estimate.consensus || estimate.faces_beside));
   return is_taken ? dense_surface(pair) : std::nullopt;
 }
 
@@ -227,7 +227,8 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
   if (options.beyond.shared_errors) {
     for (ReconstructedLine& line : lines) add_shared_error(pair.cameras()[0], line);
   }
-  if (surface && options.beyond.faces_beside && options.lines.method != Method::kDirect) {
+  if (surface && options.beyond.surface && options.beyond.faces_beside &&
+      options.lines.method != Method::kDirect) {
     const PlaneFaces faces = plane_faces(*surface);
     for (ReconstructedLine& line : lines)
       adjust_to_faces_beside(surface->rectification, faces, line);

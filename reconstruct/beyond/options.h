@@ -107,7 +107,8 @@ struct EstimateExtensionOptions {
   /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
   /// the ends of both segments and horizontality tell. See agree_on_depth().
   bool consensus = true;
-  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth.
+  /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth. Without it
+  /// faces_beside does nothing either.
   bool surface = true;
   /// `joint` and `network`: lines are adjusted to the plane faces of that surface that they border. See
   /// adjust_to_faces_beside().
@@ -143,9 +144,9 @@ struct EstimateExtensionOptions {
         Field{"consensus", &O::consensus, false, true,
               "use points that agree on the depth of their line; off: as published"},
         Field{"surface", &O::surface, false, true,
-              "consensus: the depth of the surfaces beside the line, by dense matching"},
+              "consensus, faces_beside: the surfaces beside the line, by dense matching"},
         Field{"faces_beside", &O::faces_beside, false, true,
-              "adjust lines to the planes of roofs and ground that they border, by dense matching"},
+              "joint, network: adjust lines to the planes of roofs and ground that they border"},
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
               "consensus: scatter of corresponding segment ends along the line"},
         Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,

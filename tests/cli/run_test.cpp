@@ -186,8 +186,9 @@ TEST_F(RunPatch, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
   EXPECT_EQ(count("both/1/matches.csv"), count("one/1/matches.csv"));
 }
 
-TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnly) {
-  ASSERT_EQ(run_patch("out").exit_code, 0);
+TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {
+  write(path("no_faces.yaml"), "reconstruct: {faces_beside: false}\n");
+  ASSERT_EQ(run_patch("out", {"--config", "no_faces.yaml"}).exit_code, 0);
   const auto direct = read_json(path("out/1/lines.direct.geojson"));
   const auto joint = read_json(path("out/1/lines.joint.geojson"));
   std::map<std::string, nlohmann::json> joint_lines;
@@ -207,6 +208,15 @@ TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnly) {
   }
   EXPECT_GT(n_changed, 5);
   EXPECT_GT(n_cut, 0);
+
+  ASSERT_EQ(run_patch("with_faces").exit_code, 0);
+  int n_adjusted = 0;
+  const auto with_faces = read_json(path("with_faces/1/lines.joint.geojson"));
+  for (const auto& j : with_faces["features"]) {
+    const bool same = j["geometry"] == joint_lines[j["properties"]["id"]]["geometry"];
+    n_adjusted += !same && j["properties"]["class"] == "not_aligned" ? 1 : 0;
+  }
+  EXPECT_GT(n_adjusted, 20);
 }
 
 TEST_F(RunPatch, LinesOfPlanesAreCountedByThemselves) {
