@@ -55,7 +55,7 @@ void adjust_to_face(const Rectification& r, const PlaneFace& face, Vector6d& end
   Matrix26d by_ends = Matrix26d::Zero();
   Eigen::Matrix<double, 2, 3> by_plane;
   Eigen::Vector2d misfit;
-  for (const int end : {0, 1}) {
+  for (const Eigen::Index end : {0, 1}) {
     const PlaneMisfit at_end = plane_misfit(r, face.plane, ends.segment<3>(3 * end));
     misfit(end) = at_end.value_px;
     by_ends.block<1, 3>(end, 3 * end) = at_end.by_point;
