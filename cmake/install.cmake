@@ -6,15 +6,15 @@ include(CMakePackageConfigHelpers)
 function(install_libraries export)
   install(TARGETS ${ARGN}
     EXPORT ${export}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ridgeline)
-  install(EXPORT ${export} NAMESPACE ridgeline:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline)
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ridgeline COMPONENT dev)
+  install(EXPORT ${export} NAMESPACE ridgeline:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline COMPONENT dev)
 endfunction()
 install_libraries(ridgelineLazTargets ridgeline_geometry ridgeline_laz)
 install_libraries(ridgelineTargets ridgeline_views ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
   ridgeline_beyond ridgeline_reconstruct ridgeline_io ridgeline_evaluate ridgeline_results)
-install(TARGETS ridgeline DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY sample_data DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgeline)
+install(TARGETS ridgeline DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(DIRECTORY sample_data DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgeline COMPONENT program PATTERN make.sh EXCLUDE)
 
 configure_package_config_file(cmake/ridgelineConfig.cmake.in ${PROJECT_BINARY_DIR}/ridgelineConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline)
@@ -22,4 +22,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/ridgelineConfigVersion.cm
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ridgelineConfig.cmake
               ${PROJECT_BINARY_DIR}/ridgelineConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline)
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ridgeline COMPONENT dev)

@@ -13,6 +13,7 @@ node_packages=()
 command -v npm >/dev/null || node_packages=(nodejs npm)
 browser_packages=(chromium)
 check_packages=(clang-format-14 clang-tidy-14)
+debian_packages=(help2man dpkg-dev lintian debootstrap)
 clang_packages=(clang-14 libclang-rt-14-dev)
 
 missing_packages() {
