@@ -16,4 +16,18 @@ find_package(embree 3 REQUIRED)
 pkg_check_modules(PCL REQUIRED IMPORTED_TARGET
   pcl_common pcl_kdtree pcl_search pcl_sample_consensus)
 pkg_check_modules(PROJ_PC REQUIRED IMPORTED_TARGET proj)
-find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d)
+find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc features2d calib3d)
+
+# OpenCV's shared libraries bring Mesa and LLVM for windows that the program never opens: 46 packages.
+option(RIDGELINE_STATIC_OPENCV "Link OpenCV's archives, for a program that needs none of its packages" OFF)
+if(RIDGELINE_STATIC_OPENCV)
+  find_package(LAPACK REQUIRED)
+  find_package(ZLIB REQUIRED)
+  foreach(module core flann imgproc features2d calib3d)
+    find_library(ridgeline_opencv_${module} NAMES libopencv_${module}.a REQUIRED)
+    set_target_properties(opencv_${module} PROPERTIES IMPORTED_LOCATION_RELEASE ${ridgeline_opencv_${module}})
+  endforeach()
+  target_link_libraries(opencv_core INTERFACE TBB::tbb ZLIB::ZLIB LAPACK::LAPACK ${CMAKE_DL_LIBS})
+  target_link_options(opencv_core INTERFACE
+    LINKER:--as-needed LINKER:--gc-sections LINKER:--defsym=glXGetProcAddressARB=0)
+endif()

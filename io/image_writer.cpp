@@ -11,17 +11,10 @@
 #include <fmt/format.h>
 #include <gdal_priv.h>
 
-#include <memory>
-
 namespace ridgeline::io {
 namespace {
 
-struct Closer {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, Closer>;
-
-Dataset create(const std::string& path, const cv::Mat& image) {
+GDALDatasetUniquePtr create(const std::string& path, const cv::Mat& image) {
   register_gdal_drivers();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   CPLStringList options;
@@ -30,9 +23,10 @@ Dataset create(const std::string& path, const cv::Mat& image) {
   options.SetNameValue("INTERLEAVE", "PIXEL");
   options.SetNameValue("PHOTOMETRIC", image.channels() >= 3 ? "RGB" : "MINISBLACK");
   const GDALDataType type = image.depth() == CV_8U ? GDT_Byte : GDT_UInt16;
-  return Dataset(driver == nullptr ? nullptr
-                                   : driver->Create(path.c_str(), image.cols, image.rows,
-                                                    image.channels(), type, options.List()));
+  return GDALDatasetUniquePtr(driver == nullptr
+                                  ? nullptr
+                                  : driver->Create(path.c_str(), image.cols, image.rows,
+                                                   image.channels(), type, options.List()));
 }
 
 CPLErr write_pixels(GDALDataset& dataset, const cv::Mat& image) {
@@ -53,7 +47,7 @@ void write_tiff(const std::string& path, const cv::Mat& image) {
         ", must be 8 or 16 bit unsigned with 1 to 4 bands");
   AtomicFile file(path);
   CPLErrorReset();
-  Dataset dataset = create(file.temporary_path(), image);
+  GDALDatasetUniquePtr dataset = create(file.temporary_path(), image);
   bool good = dataset != nullptr && write_pixels(*dataset, image) == CE_None;
   dataset.reset();  // what is still buffered is written here, and fails here
   good = good && CPLGetLastErrorType() < CE_Failure;

@@ -6,7 +6,7 @@
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
-#include "io/jpeg.h"
+#include "io/encoded_picture.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <opencv2/imgproc.hpp>

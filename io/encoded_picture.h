@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include <string>
+
+namespace ridgeline::io {
+
+/// The bytes of a PNG file. `picture`: CV_8UC1, or CV_8UC3 in OpenCV's order of bands (blue, green, red); else
+/// std::invalid_argument.
+std::string png_bytes(const cv::Mat& picture);
+
+/// The bytes of a JPEG file of such a picture; quality 1 to 100, else std::invalid_argument.
+std::string jpeg_bytes(const cv::Mat& picture, int quality);
+
+}  // namespace ridgeline::io
