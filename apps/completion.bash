@@ -10,7 +10,7 @@ _ridgeline() {
   elif [[ $current == -* ]]; then
     [[ $command == -* ]] && command=
     mapfile -t COMPREPLY < <(compgen -W "$(
-      "${COMP_WORDS[0]}" $command --help 2>/dev/null | grep -o -- '--[a-z0-9-]\+'
+      "${COMP_WORDS[0]}" $command --help 2>/dev/null | grep -o -- '--[a-z0-9-]\+' | sort -u
     )" -- "$current")
   fi
 }
