@@ -8,7 +8,7 @@
 namespace ridgeline::reconstruct {
 
 /// Adjusts a line to the plane faces that it borders: eaves and verges to one, ridges, hips and valleys to two. Faces know
-/// heights better than edges that run near the base, edges know better where a line is in the image.
+/// heights better than edges that run near the base. Edges know better where a line is in the image.
 ///
 /// A face is beside a line if half of the places 4 px beside its left segment are in it. Such a face gives two conditions,
 /// that both ends lie on its plane, in disparities of the rectified left view. They hold to 0.3 px that both ends share
