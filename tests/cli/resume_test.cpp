@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are killed, and two runs into one folder.
-#include "io/sha256.h"
-#include "tests/cli/cli_fixture.h"
+#include "tests/cli/run_fixture.h"
 
 #include <map>
 #include <utility>
@@ -15,10 +14,8 @@ using ::testing::HasSubstr;
 
 constexpr int kKilled = 128 + 9;
 
-class Resume : public Cli {
+class Resume : public RunPatch {
  protected:
-  Resume() { fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch")); }
-
   /// A shell's script with the program and the arguments of a run as $@, and `file` as $0.
   [[nodiscard]] ProgramResult script(const std::string& script,
                                      const std::string& file,
@@ -43,22 +40,11 @@ class Resume : public Cli {
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
   }
-
-  /// Hashes of all files but the run's record, hidden ones too, by relative name.
-  [[nodiscard]] std::map<std::string, std::string> results() const {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(path("out"))) {
-      if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
-      files[fs::relative(entry.path(), path("out")).string()] =
-          io::sha256_of_file(entry.path().string());
-    }
-    return files;
-  }
 };
 
 TEST_F(Resume, AfterAKillGivesTheBytesOfAnUndisturbedRun) {
   ASSERT_EQ(resume({}).exit_code, 0);
-  const auto undisturbed = results();
+  const auto undisturbed = results_in("out");
   for (const auto& [file, jobs] :
        {std::pair("out/1/segments.left.csv", "1"), std::pair("out/1/surface.las", "2"),
         std::pair("out/1/matches.csv", "2"), std::pair("out/1/lines.direct.geojson", "1"),
@@ -69,20 +55,20 @@ TEST_F(Resume, AfterAKillGivesTheBytesOfAnUndisturbedRun) {
     EXPECT_EQ(killed_run(file, {"--jobs", jobs}).exit_code, kKilled);
     const ProgramResult result = resume({"--jobs", jobs});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(results(), undisturbed);
+    EXPECT_EQ(results_in("out"), undisturbed);
   }
 }
 
 TEST_F(Resume, AfterSeveralKillsGivesTheBytesOfAnUndisturbedRun) {
   ASSERT_EQ(resume({}).exit_code, 0);
-  const auto undisturbed = results();
+  const auto undisturbed = results_in("out");
   fs::remove_all(path("out"));
   for (const char* file : {"out/1/segments.right.csv", "out/1/unmatched.csv",
                            "out/1/lines.joint.geojson", "out/table1.md"}) {
     EXPECT_EQ(killed_run(file, {"--resume"}).exit_code, kKilled) << file;
   }
   EXPECT_EQ(resume({}).exit_code, 0);
-  EXPECT_EQ(results(), undisturbed);
+  EXPECT_EQ(results_in("out"), undisturbed);
 }
 
 TEST_F(Resume, ASecondRunIntoAFolderInUseIsRefused) {

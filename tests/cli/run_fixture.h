@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/sha256.h"
+#include "tests/cli/cli_fixture.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::cli {
+
+/// A copy of sample patch 1 in `patch/`.
+class RunPatch : public Cli {
+ protected:
+  RunPatch() {
+    std::filesystem::copy(std::filesystem::path(RIDGELINE_SOURCE_DIR) / "sample_data/1",
+                          path("patch"));
+  }
+
+  [[nodiscard]] ProgramResult run_patch(const std::string& out,
+                                        const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  /// Replaces what stands in the patch file; a failure if it does not stand there.
+  void edit_patch(std::string_view from, std::string_view to) const {
+    std::string text = read(path("patch/patch.yaml"));
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from << " is not in " << text;
+    write(path("patch/patch.yaml"), text.replace(at, from.size(), to));
+  }
+  /// Takes a key and what hangs on it out of the patch file.
+  void remove_line(std::string_view key) const {
+    const std::string text = read(path("patch/patch.yaml"));
+    const std::size_t begin = text.find(std::string(key) + ":");
+    ASSERT_NE(begin, std::string::npos) << key;
+    std::string rest = text.substr(text.find('\n', begin) + 1);
+    while (rest.starts_with(" ") || rest.starts_with("-")) rest.erase(0, rest.find('\n') + 1);
+    write(path("patch/patch.yaml"), text.substr(0, begin) + rest);
+  }
+
+  /// Hashes of all files of a result folder but the run's record, hidden ones too, by relative name.
+  [[nodiscard]] std::map<std::string, std::string> results_in(const std::string& folder) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
+      if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
+      files[std::filesystem::relative(entry.path(), path(folder)).string()] =
+          io::sha256_of_file(entry.path().string());
+    }
+    return files;
+  }
+};
+
+}  // namespace ridgeline::cli

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What matchers, methods and their switches give in a run.
+#include "tests/cli/run_fixture.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace ridgeline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+TEST_F(RunPatch, RegistersTheRightEdgesOfNotAlignedLinesUnlessToldNotTo) {
+  ASSERT_EQ(run_patch("on").exit_code, 0);
+  write(path("p.yaml"), "reconstruct: {register_profiles: false}\n");
+  ASSERT_EQ(run_patch("off", {"--config", "p.yaml"}).exit_code, 0);
+  for (const char* file : {"1/lines.direct.geojson", "1/lines.joint.geojson"}) {
+    const auto on = read_json(path("on") / file).at("features");
+    const auto off = read_json(path("off") / file).at("features");
+    ASSERT_EQ(on.size(), off.size());
+    std::size_t n_moved = 0;
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      const auto& registered = on[i].at("properties");
+      const auto& extracted = off[i].at("properties");
+      if (registered.at("right_px") == extracted.at("right_px")) {
+        EXPECT_EQ(on[i].at("geometry"), off[i].at("geometry")) << registered;
+        continue;
+      }
+      ++n_moved;
+      EXPECT_EQ(registered.at("class"), "not_aligned");
+      EXPECT_NE(on[i].at("geometry"), off[i].at("geometry"));
+    }
+    EXPECT_GT(n_moved, 0U) << file;
+  }
+}
+
+TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
+  const ProgramResult result = run_patch("out", {"--matcher", "pairwise,chio"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names_in(path("out/1")),
+              IsSupersetOf({"matches.csv", "unmatched.csv", "verdicts.csv", "matches.pairwise.csv",
+                            "unmatched.pairwise.csv", "verdicts.pairwise.csv", "matches.chio.csv",
+                            "unmatched.chio.csv", "verdicts.chio.csv", "chio.csv"}));
+  const std::string table1 = read(path("out/table1.csv"));
+  EXPECT_THAT(table1,
+              AllOf(HasSubstr("\n1,pairwise,"), HasSubstr("\n1,chio,"), HasSubstr("\n1,both,")));
+  EXPECT_THAT(read(path("out/1/matches.csv")),
+              AllOf(HasSubstr(",pairwise\n"), HasSubstr(",pairwise+chio\n")));
+  EXPECT_THAT(read(path("out/1/unmatched.chio.csv")), HasSubstr("epipolar_degenerate"));
+  // every line of chio tells how it was acquired
+  EXPECT_THAT(read(path("out/1/chio.csv")),
+              testing::StartsWith("left_id,right_id,linked_right_ids,process,neighbour_left_id,"
+                                  "neighbour_height_m,height_limit_m,n_pieces,"));
+  // lines come from the list of both
+  const auto lines = read_json(path("out/1/lines.joint.geojson"))["features"];
+  const std::string matches = read(path("out/1/matches.csv"));
+  std::set<std::pair<std::string, std::string>> matched;  // several lines of one match among them
+  for (const auto& line : lines) {
+    matched.emplace(line["properties"]["left_id"], line["properties"]["right_id"]);
+  }
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(matched.size()),
+            std::count(matches.begin(), matches.end(), '\n') - 1);
+  const ProgramResult again = run_patch("out", {"--matcher", "pairwise,chio", "--resume"});
+  EXPECT_THAT(again.err, HasSubstr("6 finished stages skipped"));
+
+  // lists of other matchers do not stay beside those of the next run
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  for (const std::string& file : names_in(path("out/1"))) {
+    EXPECT_THAT(file, Not(testing::AnyOf(HasSubstr("chio"), HasSubstr(".pairwise."))));
+  }
+}
+
+TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
+  for (const char* matcher : {"pairwise", "chio", "pairwise,chio"}) {
+    const std::string out =
+        std::string("m/") + (std::string(matcher).size() > 8 ? "both" : matcher);
+    ASSERT_EQ(
+        run_patch(out, {"--matcher", matcher, "--no-report", "--methods", "direct"}).exit_code, 0);
+  }
+  const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "m/both", "--out", "cmp"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("| 1 | pairwise | pairwise, by height |"),
+                    HasSubstr("| 1 | chio | chio |"), HasSubstr("| 1 | both | both, by height |")));
+  const auto rows = read_json(path("cmp/compare.json"))["rows"];
+  ASSERT_EQ(rows.size(), 3U);
+  // the list of both loses no match that pairwise has
+  EXPECT_GE(rows[2]["correct"], rows[0]["correct"]);
+  EXPECT_EQ(rows[0]["alone"], 0);
+
+  // other segments have other ids
+  write(path("p.yaml"), "extract: {min_length_px: 20}\n");
+  ASSERT_EQ(run_patch("m/chio", {"--matcher", "chio", "--no-report", "--methods", "direct",
+                                 "--config", "p.yaml"})
+                .exit_code,
+            0);
+  EXPECT_REFUSED(run({"compare", "m/pairwise", "m/chio"}), HasSubstr("not the segments"));
+}
+
+TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
+  write(path("p.yaml"), "match: {propagate_heights: false}\n");
+  ASSERT_EQ(run_patch("out", {"--config", "p.yaml", "--no-report"}).exit_code, 0);
+  EXPECT_THAT(read(path("out/1/matches.csv")), Not(HasSubstr("pairwise_height")));
+  EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
+}
+
+TEST_F(RunPatch, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
+  ASSERT_EQ(run_patch("one", {"--no-report"}).exit_code, 0);
+  ASSERT_EQ(run_patch("both", {"--no-report", "--matcher", "pairwise,chio"}).exit_code, 0);
+  const auto count = [&](const char* file) {
+    const std::string text = read(path(file));
+    std::size_t n = 0;
+    for (auto at = text.find("pairwise_height"); at != std::string::npos;
+         at = text.find("pairwise_height", at + 1)) {
+      ++n;
+    }
+    return n;
+  };
+  ASSERT_GT(count("one/1/matches.csv"), 0U);
+  EXPECT_EQ(count("both/1/matches.csv"), count("one/1/matches.csv"));
+}
+
+TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {
+  write(path("no_faces.yaml"), "reconstruct: {faces_beside: false}\n");
+  ASSERT_EQ(run_patch("out", {"--config", "no_faces.yaml"}).exit_code, 0);
+  const auto direct = read_json(path("out/1/lines.direct.geojson"));
+  const auto joint = read_json(path("out/1/lines.joint.geojson"));
+  std::map<std::string, nlohmann::json> joint_lines;
+  for (const auto& j : joint["features"]) joint_lines[j["properties"]["id"]] = j;
+  int n_changed = 0;
+  int n_cut = 0;
+  for (const auto& d : direct["features"]) {
+    const std::string id = d["properties"]["id"];
+    const bool is_cut = joint_lines.contains(id + ".1");  // a match that shows several lines
+    EXPECT_NE(is_cut, joint_lines.contains(id)) << id;
+    const nlohmann::json& j = joint_lines[is_cut ? id + ".1" : id];
+    EXPECT_EQ(d["properties"]["left_id"], j["properties"]["left_id"]);
+    const bool same = d["geometry"] == j["geometry"];
+    EXPECT_TRUE(same || d["properties"]["class"] == "aligned") << id;
+    n_changed += same ? 0 : 1;
+    n_cut += is_cut ? 1 : 0;
+  }
+  EXPECT_GT(n_changed, 5);
+  EXPECT_GT(n_cut, 0);
+
+  ASSERT_EQ(run_patch("with_faces").exit_code, 0);
+  int n_adjusted = 0;
+  const auto with_faces = read_json(path("with_faces/1/lines.joint.geojson"));
+  for (const auto& j : with_faces["features"]) {
+    const bool same = j["geometry"] == joint_lines[j["properties"]["id"]]["geometry"];
+    n_adjusted += !same && j["properties"]["class"] == "not_aligned" ? 1 : 0;
+  }
+  EXPECT_GT(n_adjusted, 20);
+}
+
+TEST_F(RunPatch, LinesOfPlanesAreCountedByThemselves) {
+  // a pair whose lines would be those of the faces is left with few edges
+  write(path("few.yaml"),
+        "extract: {min_length_px: 60, faint_edges: false}\nmatch: {guided: false}\n");
+  const std::vector<std::string> more{"--config", "few.yaml", "--no-report"};
+  std::vector<std::string> with_planes = more;
+  with_planes.insert(with_planes.end(), {"--methods", "direct,joint,planes"});
+  ASSERT_EQ(run_patch("with", with_planes).exit_code, 0);
+  ASSERT_EQ(run_patch("without", more).exit_code, 0);
+  const nlohmann::json lines = read_json(path("with/1/lines.planes.geojson"))["features"];
+  ASSERT_FALSE(lines.empty());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const nlohmann::json& properties = lines[i]["properties"];
+    EXPECT_EQ(properties["id"], "p" + std::to_string(i));
+    EXPECT_EQ(properties["status"], "planes");
+    EXPECT_FALSE(properties.contains("left_id"));
+    EXPECT_TRUE(properties.contains("covariance"));
+  }
+  EXPECT_THAT(read(path("with/table2.csv")), HasSubstr("\n1,planes,total,"));
+  // the other methods, and the lines that they have in common, stay as they are
+  for (const char* file : {"1/lines.joint.geojson", "table2.common.csv"})
+    EXPECT_EQ(read(path(std::string("with/") + file)), read(path(std::string("without/") + file)));
+  const ProgramResult published =
+      run_patch("published", {"--preset", "published", "--methods", "joint,planes"});
+  EXPECT_EQ(published.exit_code, 1);
+  EXPECT_THAT(published.err, HasSubstr("planes is none of the papers' methods"));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
