@@ -10,7 +10,12 @@ namespace ridgeline::io {
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& path, const std::string& message)
-      : std::runtime_error(path + ": " + message) {}
+      : std::runtime_error(path + ": " + message), path_(path) {}
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
 };
 
 }  // namespace ridgeline::io

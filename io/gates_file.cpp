@@ -147,4 +147,8 @@ std::vector<GateEntry> read_gates_file(const std::filesystem::path& path) {
   return GatesReader(path.string()).read(load_yaml(path.string()));
 }
 
+std::vector<GateEntry> parse_gates(const std::string& content, const std::string& path) {
+  return GatesReader(path).read(parse_yaml(content, path));
+}
+
 }  // namespace ridgeline::io

@@ -31,5 +31,7 @@ struct GateEntry {
 /// Throws IoError for a file that cannot be read or is not YAML, an unknown or repeated key (naming
 /// the nearest and all known ones), a value of the wrong type, or an empty list of gates.
 std::vector<GateEntry> read_gates_file(const std::filesystem::path& path);
+/// The same of a text; `path` is what messages call it.
+std::vector<GateEntry> parse_gates(const std::string& content, const std::string& path);
 
 }  // namespace ridgeline::io

@@ -21,6 +21,8 @@ namespace ridgeline::io {
 /// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, and if it is
 /// empty or has more than one document.
 YAML::Node load_yaml(const std::string& path);
+/// The same of a text; `path` is what messages call it.
+YAML::Node parse_yaml(const std::string& content, const std::string& path);
 
 /// A mapping that is read strictly: a misspelt key must not silently become a default.
 class YamlMap {

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <string>
@@ -113,23 +112,22 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
 
 }  // namespace
 
-void check_pair(const io::PatchFile& patch,
-                const std::array<cv::Mat, 2>& images,
-                double max_y_parallax_px) {
+std::optional<std::string> check_pair(const io::PatchFile& patch,
+                                      const std::array<cv::Mat, 2>& images,
+                                      double max_y_parallax_px) {
   constexpr std::size_t kFewestPoints = 30;
   constexpr double kUsualShare = 0.5;
-  if (max_y_parallax_px == 0.0) return;
+  if (max_y_parallax_px == 0.0) return std::nullopt;
   CheckedPair pair{
       patch, geometry_of(patch), reconstruct::match_points(images), {}, max_y_parallax_px};
   for (std::size_t i = 0; i < 2; ++i) pair.sizes_px[i] = {images[i].cols, images[i].rows};
   const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
   if (fit.n_points < kFewestPoints) {
-    spdlog::warn(
+    return fmt::format(
         "{}: {} and {} show only {} points that were found in both; whether they fit their cameras "
         "is not "
         "checked",
         patch.path, patch.images[0].path, patch.images[1].path, fit.n_points);
-    return;
   }
   const std::vector<PairReading> fitting =
       reconstruct::fitting_readings(pair.points, pair.sizes_px, pair.geometry, pair.limit_px);
@@ -138,12 +136,13 @@ void check_pair(const io::PatchFile& patch,
   });
   if (another_fits || fit.median_y_parallax_px > max_y_parallax_px) refuse(pair, fit, fitting);
   if (fit.share_that_fits < kUsualShare) {
-    spdlog::warn(
+    return fmt::format(
         "{}: only {:.0f} % of {} points that both images show lie within height_range [{}, {}]; "
         "check it",
         patch.path, 100.0 * fit.share_that_fits, fit.n_points, patch.height_range_m[0],
         patch.height_range_m[1]);
   }
+  return std::nullopt;
 }
 
 }  // namespace ridgeline::apps

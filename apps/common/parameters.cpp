@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -67,7 +68,8 @@ std::vector<std::string_view> keys_of(Parameters& p, std::string_view group) {
 bool read_switch(const io::YamlMap& map, const char* key) {
   const std::string text = map.text(key);
   if (text == "true" || text == "1") return true;
-  if (text != "false" && text != "0") map.fail(key, text + ", must be true or false");
+  if (text != "false" && text != "0")
+    map.fail(key, fmt::format("{} = {}, must be true or false", key, text));
   return false;
 }
 
@@ -83,7 +85,7 @@ void read_value(const io::YamlMap& map, const Field& field, T& value) {
                       (std::is_floating_point_v<T> || number == std::floor(number));
     if (!fits) {
       map.fail(key.c_str(),
-               fmt::format("{:g}, must be {}in [{:g}, {:g}]", number,
+               fmt::format("{} = {:g}, must be {}in [{:g}, {:g}]", key, number,
                            std::is_floating_point_v<T> ? "" : "a whole number ",
                            static_cast<double>(field.lowest), static_cast<double>(field.highest)));
     }
@@ -99,14 +101,15 @@ void read_consensus(const io::YamlMap& map, evaluate::JudgeOptions& judge) {
       return;
     }
   }
-  map.fail(kConsensusKey, text + ", must be msac, ransac or prosac");
+  map.fail(kConsensusKey,
+           fmt::format("{} = {}, must be msac, ransac or prosac", kConsensusKey, text));
 }
 
-void read_file(const std::string& file, Parameters& parameters) {
+void read_config(const std::string& file, const YAML::Node& node, Parameters& parameters) {
   std::vector<std::string_view> groups;
   groups.reserve(kGroups.size());
   for (const auto& [group, meaning] : kGroups) groups.emplace_back(group);
-  const io::YamlMap root(file, io::load_yaml(file), groups);
+  const io::YamlMap root(file, node, groups);
   for (const auto& [group, meaning] : kGroups) {
     if (!root.has(group)) continue;
     const io::YamlMap map(file, root.node(group), keys_of(parameters, group));
@@ -160,6 +163,34 @@ void add_judge_options(CLI::App& app, ParameterArguments& arguments) {
       ->check(in_range(0.0, 10.0));
 }
 
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  names.reserve(reconstruct::kMethods.size());
+  for (const reconstruct::Method method : reconstruct::kMethods) {
+    names.emplace_back(reconstruct::name(method));
+  }
+  return names;
+}
+
+reconstruct::Method method_named(const std::string& name) {
+  for (const reconstruct::Method method : reconstruct::kMethods) {
+    if (name == reconstruct::name(method)) return method;
+  }
+  throw std::invalid_argument(
+      fmt::format("method = {}, must be one of direct, joint, network, planes", name));
+}
+
+void check_preset(const ParameterArguments& parameters,
+                  const std::vector<reconstruct::Method>& methods) {
+  if (parameters.preset != "published") return;
+  for (const reconstruct::Method ours :
+       {reconstruct::Method::kNetwork, reconstruct::Method::kPlanes}) {
+    check(std::ranges::find(methods, ours) == methods.end(),
+          "--preset published: ", reconstruct::name(ours),
+          " is none of the papers' methods; must be direct or joint");
+  }
+}
+
 Parameters preset_parameters(const std::string& preset) {
   Parameters parameters;
   if (preset != "published") return parameters;
@@ -170,7 +201,13 @@ Parameters preset_parameters(const std::string& preset) {
 
 Parameters read_parameters(const ParameterArguments& arguments) {
   Parameters parameters = preset_parameters(arguments.preset);
-  if (!arguments.config.empty()) read_file(arguments.config, parameters);
+  if (!arguments.config.empty()) {
+    read_config(arguments.config, io::load_yaml(arguments.config), parameters);
+  }
+  if (!arguments.config_text.empty()) {
+    read_config(kConfigInMemory, io::parse_yaml(arguments.config_text, kConfigInMemory),
+                parameters);
+  }
   if (arguments.max_aligned_angle_deg) {
     parameters.method.estimation.lines.max_aligned_angle_deg = *arguments.max_aligned_angle_deg;
   }
@@ -178,6 +215,12 @@ Parameters read_parameters(const ParameterArguments& arguments) {
   validate(parameters.method);
   validate(parameters.judge);
   return parameters;
+}
+
+std::vector<std::string> judge_parameter_names() {
+  Parameters p;
+  const std::vector<std::string_view> keys = keys_of(p, "judge");
+  return {keys.begin(), keys.end()};
 }
 
 std::string to_yaml(const Parameters& parameters) {

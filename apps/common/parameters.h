@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 
@@ -18,10 +19,14 @@ struct Parameters {
   evaluate::JudgeOptions judge;
 };
 
+/// What messages call ParameterArguments::config_text.
+inline constexpr const char* kConfigInMemory = "config";
+
 /// How a user chooses them on the command line.
 struct ParameterArguments {
   std::string preset = "default";
   std::string config;
+  std::string config_text;  ///< the same in memory, read after the file; no option
   std::optional<double> max_aligned_angle_deg;
   std::optional<double> lidar_sigma_m;
 };
@@ -39,8 +44,20 @@ void add_judge_options(CLI::App& app, ParameterArguments& arguments);
 /// option out of its range.
 Parameters read_parameters(const ParameterArguments& arguments);
 
+std::vector<std::string> method_names();
+
+/// Throws std::invalid_argument for none of method_names().
+reconstruct::Method method_named(const std::string& name);
+
+/// Throws std::invalid_argument for a method that is none of the papers' under `--preset published`.
+void check_preset(const ParameterArguments& parameters,
+                  const std::vector<reconstruct::Method>& methods);
+
 /// "default" | "published".
 Parameters preset_parameters(const std::string& preset);
+
+/// The keys of the group `judge` of a config file.
+std::vector<std::string> judge_parameter_names();
 
 /// The config file of these parameters, each with its range and meaning.
 std::string to_yaml(const Parameters& parameters);

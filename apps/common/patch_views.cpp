@@ -5,6 +5,7 @@
 #include "io/image.h"
 #include "reconstruct/views/normalised_image.h"
 
+#include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
 #include <future>
@@ -57,12 +58,22 @@ reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
   return {{view(0), view(1)}, io::heights_in_local_m(patch, frame)};
 }
 
+std::vector<reconstruct::View> patch_views(const io::PatchFile& patch,
+                                           const std::array<cv::Mat, 2>& images) {
+  std::vector<reconstruct::View> views;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const io::PatchImage& image = patch.images[i];
+    views.push_back({image.id, images[i], image.image_from_world, ideal_from_image(image)});
+  }
+  return views;
+}
+
 reconstruct::StereoPair load_pair(const io::PatchFile& patch,
                                   const reconstruct::ExtractionOptions& options,
                                   double max_y_parallax_px) {
   check_patch(patch);
   const std::array<cv::Mat, 2> images = patch_images(patch);
-  check_pair(patch, images, max_y_parallax_px);
+  if (const auto doubt = check_pair(patch, images, max_y_parallax_px)) spdlog::warn("{}", *doubt);
   std::array<std::vector<EdgeSegment>, 2> segments;
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
     segments[i] = extract_patch_image(patch, i, images[i], options);

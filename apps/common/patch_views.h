@@ -41,6 +41,10 @@ reconstruct::StereoPair stereo_pair(const io::PatchFile& patch,
                                     const std::array<cv::Mat, 2>& images,
                                     const std::array<std::vector<EdgeSegment>, 2>& segments);
 
+/// The first two images of a patch, normalised, with their cameras, for reconstruct(). The patch must outlive them.
+std::vector<reconstruct::View> patch_views(const io::PatchFile& patch,
+                                           const std::array<cv::Mat, 2>& images);
+
 /// check_patch(), then images, check_pair(), cameras and segments of the pair. Throws IoError.
 reconstruct::StereoPair load_pair(const io::PatchFile& patch,
                                   const reconstruct::ExtractionOptions& options,

@@ -19,6 +19,7 @@
 #include "io/segments_file.h"
 
 #include <fmt/core.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -77,7 +78,7 @@ void write_whole_surface(const std::string& file,
 std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                                      const ReconstructArguments& a) {
   const std::array<cv::Mat, 2> images = patch_images(patch);
-  check_pair(patch, images, a.max_y_parallax_px);
+  if (const auto doubt = check_pair(patch, images, a.max_y_parallax_px)) spdlog::warn("{}", *doubt);
   std::array<std::vector<EdgeSegment>, 2> segments;
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
   reconstruct::StereoPair pair = stereo_pair(patch, images, segments);

@@ -143,7 +143,8 @@ void PatchStages::extract() {
   const std::vector<std::string> files = segment_files();
   // both at once: of one image, what is traced in the order of lengths would keep one core only
   images_ = patch_images(patch_);
-  check_pair(patch_, images_, options_.max_y_parallax_px);
+  if (const auto doubt = check_pair(patch_, images_, options_.max_y_parallax_px))
+    spdlog::warn("{}", *doubt);
   std::array<std::vector<EdgeSegment>, 2> extracted;
   tbb::parallel_for(std::size_t{0}, extracted.size(), [&](std::size_t i) {
     extracted[i] =

@@ -18,34 +18,6 @@ std::vector<std::string> line_format_names() {
   return names;
 }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  names.reserve(reconstruct::kMethods.size());
-  for (const reconstruct::Method method : reconstruct::kMethods) {
-    names.emplace_back(reconstruct::name(method));
-  }
-  return names;
-}
-
-reconstruct::Method method_named(const std::string& name) {
-  for (const reconstruct::Method method : reconstruct::kMethods) {
-    if (name == reconstruct::name(method)) return method;
-  }
-  throw std::invalid_argument(
-      fmt::format("method = {}, must be one of direct, joint, network, planes", name));
-}
-
-void check_preset(const ParameterArguments& parameters,
-                  const std::vector<reconstruct::Method>& methods) {
-  if (parameters.preset != "published") return;
-  for (const reconstruct::Method ours :
-       {reconstruct::Method::kNetwork, reconstruct::Method::kPlanes}) {
-    check(std::ranges::find(methods, ours) == methods.end(),
-          "--preset published: ", reconstruct::name(ours),
-          " is none of the papers' methods; must be direct or joint");
-  }
-}
-
 void add_local_origin_flag(CLI::App& app, bool& local_origin) {
   app.add_flag(
       "--local-origin", local_origin,

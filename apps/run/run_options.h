@@ -25,18 +25,9 @@ void add_run_flags(CLI::App& app, RunFlags& flags);
 
 void add_local_origin_flag(CLI::App& app, bool& local_origin);
 
-/// Throws std::invalid_argument for a method that is none of the papers' under `--preset published`.
-void check_preset(const ParameterArguments& parameters,
-                  const std::vector<reconstruct::Method>& methods);
-
 /// Throws std::invalid_argument for values out of range.
 RunOptions run_options(const RunFlags& flags);
 
 std::vector<std::string> line_format_names();
-
-std::vector<std::string> method_names();
-
-/// Throws std::invalid_argument for none of method_names().
-reconstruct::Method method_named(const std::string& name);
 
 }  // namespace ridgeline::apps

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/batch_judge.h"
 
+#include "reconstruct/geometry/interruption.h"
+
 #include <pcl/console/print.h>
 #include <tbb/parallel_for.h>
 
@@ -135,6 +137,7 @@ BatchJudge::BatchJudge(std::span<const JudgedLine> lines, const JudgeOptions& op
 void BatchJudge::judge(const PointGrid& grid, std::span<const std::size_t> batch) {
   const QuietPcl quiet;
   tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t k) {
+    Interruption::check();
     const std::size_t i = batch[k];
     results_[i] = repeated_[i] != 0 ? duplicate(lines_[i]) : judge_line(grid, lines_[i], options_);
   });

@@ -4,6 +4,7 @@
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/random.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/interruption.h"
 
 #include <boost/math/distributions/normal.hpp>
 #include <tbb/parallel_for.h>
@@ -23,6 +24,7 @@ std::vector<double> replicate_values(std::size_t n_clusters,
                                      const BootstrapOptions& options) {
   std::vector<double> values(static_cast<std::size_t>(options.replicates));
   tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t replicate) {
+    Interruption::check();
     KeyedRandom random(options.seed, replicate);
     std::vector<std::size_t> drawn(n_clusters);
     for (std::size_t& cluster : drawn) cluster = random.below(n_clusters);

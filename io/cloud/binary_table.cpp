@@ -23,11 +23,11 @@ class BinaryTableSource : public CloudSource {
   }
 
   [[nodiscard]] bool is_light() const override {
-    return std::holds_alternative<MappedFile>(table_.storage);
+    return !std::holds_alternative<std::vector<std::byte>>(table_.storage);
   }
 
   void release_blocks(std::size_t first, std::size_t count) const override {
-    if (!is_light()) return;
+    if (!std::holds_alternative<MappedFile>(table_.storage)) return;
     const std::size_t row_size = table_.columns.front().stride;  // the file's rows, one by one
     const std::size_t begin = std::min(first * kBlockSize * row_size, table_.bytes.size());
     const std::size_t size = std::min(count * kBlockSize * row_size, table_.bytes.size() - begin);

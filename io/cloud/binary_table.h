@@ -24,8 +24,8 @@ struct TableColumn {
 
 /// Rows of numbers, row by row (PLY, PCD binary) or column by column (PCD binary_compressed).
 struct BinaryTable {
-  /// Holds `bytes` alive: the mapped file, or numbers unpacked from it.
-  std::variant<MappedFile, std::vector<std::byte>> storage;
+  /// Holds `bytes` alive: the mapped file, or numbers unpacked from it; or nothing does but the caller.
+  std::variant<MappedFile, std::vector<std::byte>, std::monostate> storage;
   std::span<const std::byte> bytes{};
   std::vector<TableColumn> columns{};
   bool is_big_endian = false;

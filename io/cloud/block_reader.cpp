@@ -2,6 +2,7 @@
 #include "io/cloud/block_reader.h"
 
 #include "io/error.h"
+#include "reconstruct/geometry/interruption.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -116,6 +117,7 @@ void for_each_block(const CloudSource& source,
                  std::size_t{1}, kMaxBlocksAhead);
   std::array<Block, kMaxBlocksAhead> wave;
   for (std::size_t first = 0; first < source.n_blocks(); first += n_ahead) {
+    Interruption::check();
     const std::size_t count = std::min(n_ahead, source.n_blocks() - first);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       try {

@@ -24,8 +24,7 @@ namespace {
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-void check_options(const std::vector<std::string>& paths, const ReadOptions& options) {
-  check(!paths.empty(), "read_cloud: no file given, must be at least one");
+void check_options(const ReadOptions& options) {
   check(!options.bounds_in_world || !options.bounds_in_world->isEmpty(),
         "read_cloud: bounds_in_world is empty, must have min <= max");
   check(options.max_resolution_m >= 0.0 && std::isfinite(options.max_resolution_m),
@@ -55,16 +54,30 @@ CloudFiles::CloudFiles(const std::vector<std::string>& paths_or_patterns,
                        const ReadOptions& options)
     : options_(options) {
   const std::vector<std::string> paths = expand_patterns(paths_or_patterns);
-  check_options(paths, options);
-  std::vector<CloudFileInfo> infos;
+  check(!paths.empty(), "read_cloud: no file given, must be at least one");
+  check_options(options);
   for (const std::string& path : paths) {
     File& file = files_.emplace_back();
     file.info.path = path;
     file.info = open(file).info();
     close_if_heavy(file);
-    infos.push_back(file.info);
   }
-  CommonCrs common = find_common_crs(infos, options.assume_crs);
+  begin();
+}
+
+CloudFiles::CloudFiles(std::unique_ptr<CloudSource> source, const ReadOptions& options)
+    : options_(options) {
+  check_options(options);
+  File& file = files_.emplace_back();
+  file.info = source->info();
+  file.source = std::move(source);
+  begin();
+}
+
+void CloudFiles::begin() {
+  std::vector<CloudFileInfo> infos;
+  for (const File& file : files_) infos.push_back(file.info);
+  CommonCrs common = find_common_crs(infos, options_.assume_crs);
   crs_ = std::move(common.crs);
   warnings_ = std::move(common.warnings);
   for (std::size_t i = 0; i < files_.size(); ++i) files_[i].unit_m = common.unit_m[i];

@@ -25,6 +25,8 @@ class CloudFiles {
   /// Opens every file. `options.near` has no meaning here: it is given with each reading.
   /// Throws as read_cloud().
   CloudFiles(const std::vector<std::string>& paths_or_patterns, const ReadOptions& options);
+  /// A cloud that is open, such as one in memory.
+  CloudFiles(std::unique_ptr<CloudSource> source, const ReadOptions& options);
   ~CloudFiles();
 
   /// The options' frame, else by the origin rule of suggest_frame().
@@ -62,6 +64,7 @@ class CloudFiles {
     std::optional<Eigen::AlignedBox3d> confirmed_bounds;  ///< file units; set if checked and right
   };
 
+  void begin();
   void refuse_degrees(File& file);
   void find_frame();
   CloudSource& open(File& file) const;

@@ -24,6 +24,7 @@ struct CloudFileInfo {
   Crs crs{};
   /// Metres per coordinate unit by axis, from the CRS or the file's own unit keys.
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
+  bool has_sure_unit = false;  ///< without a reference system that says so
   bool is_geographic = false;
   std::uint64_t n_points = 0;
   bool has_float_coordinates = false;  ///< stored as float32: a step of 0.5 m at UTM northings

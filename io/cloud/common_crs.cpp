@@ -68,6 +68,7 @@ CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assum
   if (reference == nullptr) {
     for (const CloudFileInfo& info : files) {
       common.unit_m.push_back(info.unit_m);
+      if (info.has_sure_unit) continue;
       common.warnings.push_back(
           fmt::format("{}: states no reference system; its coordinate unit is taken as {} m",
                       info.path, info.unit_m.x()));

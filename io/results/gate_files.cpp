@@ -33,10 +33,10 @@ evaluate::Gate gate_of(const io::GateEntry& entry) {
   return gate;
 }
 
-/// The gates of a file; what is wrong with one is said with its line.
-std::vector<evaluate::Gate> read_gates(const std::string& file) {
+std::vector<evaluate::Gate> gates_of(const std::vector<io::GateEntry>& entries,
+                                     const std::string& file) {
   std::vector<evaluate::Gate> gates;
-  for (const io::GateEntry& entry : io::read_gates_file(file)) {
+  for (const io::GateEntry& entry : entries) {
     gates.push_back(gate_of(entry));
     try {
       validate(gates.back());
@@ -48,6 +48,14 @@ std::vector<evaluate::Gate> read_gates(const std::string& file) {
 }
 
 }  // namespace
+
+std::vector<evaluate::Gate> read_gates(const std::string& file) {
+  return gates_of(io::read_gates_file(file), file);
+}
+
+std::vector<evaluate::Gate> parse_gates(const std::string& content, const std::string& name) {
+  return gates_of(io::parse_gates(content, name), name);
+}
 
 evaluate::GateReport apply_gate_files(const std::string& gates_file,
                                       const std::string& results_folder,

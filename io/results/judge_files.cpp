@@ -177,9 +177,20 @@ void refuse_mismatch(std::string_view what,
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
-  JudgedFiles judged;
-  judged.line_sets = read_line_files(options);
+  LinesToJudge lines{.sets = read_line_files(options), .references = {}};
+  if (options.reference_lines) {
+    lines.references = io::read_lines(*options.reference_lines, options.lines);
+  }
   io::CloudFiles cloud(options.cloud_paths, options.cloud);
+  return judge_lines(std::move(lines), cloud, options, record);
+}
+
+JudgedFiles judge_lines(LinesToJudge to_judge,
+                        io::CloudFiles& cloud,
+                        const JudgeFilesOptions& options,
+                        RunRecord& record) {
+  JudgedFiles judged;
+  judged.line_sets = std::move(to_judge.sets);
   judged.frame = cloud.frame();
   if (options.patch && options.patch->crs.known()) {
     const io::PatchFile& patch = *options.patch;
@@ -208,8 +219,8 @@ JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
     }
   }
   std::optional<std::vector<evaluate::ReferenceLine>> references;
-  if (options.reference_lines) {
-    io::LineSet set = io::read_lines(*options.reference_lines, options.lines);
+  if (to_judge.references) {
+    io::LineSet& set = *to_judge.references;
     take_unit_of(cloud, set);
     refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
     references = reference_lines_of(set, judged.frame);

@@ -4,6 +4,7 @@
 #include "evaluate/judge/judged_planes.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/statistics/evaluation.h"
+#include "io/cloud/cloud_files.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
 #include "io/patch.h"
@@ -45,10 +46,22 @@ struct JudgedFiles {
   std::vector<std::string> unread_clouds;  ///< files of which no line is near
 };
 
+/// The lines of one run, as read, each set named by its path.
+struct LinesToJudge {
+  std::vector<io::LineSet> sets;
+  std::optional<io::LineSet> references;  ///< true lines
+};
+
 /// Files -> judged lines: lines, the points near them, one local frame for all, the judge, the
 /// figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines
 /// that are not in the frame of the cloud.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
+
+/// The same of lines and a cloud that are read already, or come from elsewhere; the options' paths serve messages.
+JudgedFiles judge_lines(LinesToJudge lines,
+                        io::CloudFiles& cloud,
+                        const JudgeFilesOptions& options,
+                        RunRecord& record);
 
 /// Throws IoError for the file at `path`, naming both reference systems, if its own and the other do not agree.
 /// `what`: both, "lines and cloud". What one of them leaves open becomes a warning.

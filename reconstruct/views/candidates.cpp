@@ -2,6 +2,7 @@
 #include "reconstruct/views/candidates.h"
 
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
@@ -152,8 +153,10 @@ Candidates match_candidates(const SearchedPair& pair,
                    SegmentIndex(ideal_segments(pair.right))};
   const std::vector<EdgeSegment>& left = pair.left.segments;
   Candidates candidates(left.size());
-  tbb::parallel_for(std::size_t{0}, left.size(),
-                    [&](std::size_t i) { candidates[i] = candidates_of(all, left[i]); });
+  tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
+    Interruption::check();
+    candidates[i] = candidates_of(all, left[i]);
+  });
   return candidates;
 }
 

@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/close_edges/separate_edges.h"
 
 #include "reconstruct/beyond/close_edges/close_edges.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/extract/edge_blur.h"
 #include "reconstruct/ok2011/extract/regression_line.h"
@@ -102,6 +103,7 @@ std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Ma
   const CloseEdgeFinder finder(edge_blur_px(image, transformed(edges, line_through)));
   std::vector<std::vector<Part>> found(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    Interruption::check();
     found[i] = parts_of(std::move(edges[i]), image, finder);
   });
   std::vector<Part> parts;

@@ -3,6 +3,7 @@
 
 #include "reconstruct/beyond/guided_matches/mate_prediction.h"
 #include "reconstruct/beyond/guided_matches/step_along.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/ok2011/extract/edge_segments.h"
 #include "reconstruct/views/edge_look.h"
@@ -73,6 +74,7 @@ std::vector<Step> steps_of(const StereoPair& pair,
   const std::vector<char> is_matched = has_mate(pair, known, from);
   std::vector<std::optional<EdgeTrace>> found(guides.size());
   tbb::parallel_for(std::size_t{0}, guides.size(), [&](std::size_t i) {
+    Interruption::check();
     const Segment2& guide = guides[i].line.segment;
     if (is_matched[i] != 0 || length(guide) < kShortest_px) return;
     if (const auto mate = prediction.of(guide)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/junction_cuts/junctions.h"
 
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/ok2011/extract/line_sums.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
@@ -148,6 +149,7 @@ std::vector<EdgeTrace> cut_at_junctions(std::vector<EdgeTrace> edges,
   const Ends ends = ends_of(edges);
   std::vector<std::vector<Run>> runs(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    Interruption::check();
     const Points points = positions(edges[i]);
     runs[i] = runs_between(points, axes[i], junctions_of(i, edges, axes, ends));
     join_short(runs[i], points, kShortestPart * options.edges.min_length_px);

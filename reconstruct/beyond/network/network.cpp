@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/network/network.h"
 
 #include "reconstruct/beyond/network/adjustment.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -129,6 +130,7 @@ std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
   std::vector<AdjustedInNetwork> results(lines.size());
   const std::vector<Group> groups = connected_groups(lines.size(), meetings);
   tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
+    Interruption::check();
     adjust_group(stereo, lines, groups[g], heights_m, options, results);
   });
   return results;

@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/parabola.h"
 #include "reconstruct/views/epipolar_overlap.h"
 #include "reconstruct/views/strip_look.h"
@@ -82,6 +83,7 @@ std::vector<ComparedProfiles> compare_profiles(const StereoPair& pair,
                                              ImageSampler(pair.views[1].image)};
   std::vector<ComparedProfiles> profiles(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    Interruption::check();
     const EdgeSegment& left = pair.views[0].segments.at(static_cast<std::size_t>(matches[i].left));
     const EdgeSegment& right =
         pair.views[1].segments.at(static_cast<std::size_t>(matches[i].right));

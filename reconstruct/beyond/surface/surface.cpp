@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/surface/surface.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/views/edge_look.h"
 #include "reconstruct/views/strip_look.h"
 
@@ -191,8 +192,10 @@ std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOption
       tiles.push_back(cv::Rect(x, y, options.tile_px, options.tile_px) & cv::Rect({}, r->size));
     }
   }
-  tbb::parallel_for(std::size_t{0}, tiles.size(),
-                    [&](std::size_t t) { matching.match(tiles[t], surface.disparity_px); });
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t t) {
+    Interruption::check();
+    matching.match(tiles[t], surface.disparity_px);
+  });
   return surface;
 }
 

@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/ok2011/estimate/adjust_line.h"
 #include "reconstruct/ok2011/estimate/line_geometry.h"
 #include "reconstruct/ok2011/estimate/line_support.h"
@@ -211,6 +212,7 @@ std::vector<ReconstructedLine> reconstruct_lines(
   }
   std::vector<std::vector<JointLine>> by_match(matches.size());
   tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+    Interruption::check();
     if (results[i].line_class != LineClass::kAligned) {
       by_match[i] = {{results[i], LineSupport{.seen = observed[i]}}};  // the images alone
       return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/extract/edge_detection.h"
 
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/ok2011/extract/colour_diffusion.h"
 #include "reconstruct/ok2011/extract/colour_gradient.h"
 
@@ -78,6 +79,7 @@ GradientImage gradient_image(const cv::Mat& image, const ExtractOptions& options
   cv::Mat gradient(image.size(), CV_32FC2);
   const std::vector<cv::Rect> all = tiles(image.size());
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+    Interruption::check();
     // the filter sees the pixels around the tile, as it is a part of the image
     colour_gradient(image(all[i]), options.gradient_sigma_px).copyTo(gradient(all[i]));
   });

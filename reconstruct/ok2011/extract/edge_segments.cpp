@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/extract/edge_segments.h"
 
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/ok2011/extract/regression_line.h"
 #include "reconstruct/views/flanks.h"
 
@@ -83,6 +84,7 @@ std::vector<EdgeSegment> edge_segments(const std::vector<EdgeTrace>& edges,
   const SystematicError systematic{options.systematic_across_px, options.systematic_ends_px};
   std::vector<EdgeSegment> segments(lines.size());
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    Interruption::check();
     segments[i] = segment_of(lines[i], noise, systematic, image);
   });
   return segments;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/match_pairwise.h"
 
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/ok2011/match/final_choice.h"
 #include "reconstruct/ok2011/match/similarity_voting.h"
 
@@ -11,8 +12,10 @@ namespace {
 
 std::vector<PairMatch> all_pair_matches(const PairScene& scene, std::span<const BasePair> pairs) {
   std::vector<std::vector<PairMatch>> found(pairs.size());
-  tbb::parallel_for(std::size_t{0}, pairs.size(),
-                    [&](std::size_t p) { found[p] = pair_matches(scene, pairs[p]); });
+  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t p) {
+    Interruption::check();
+    found[p] = pair_matches(scene, pairs[p]);
+  });
   std::vector<PairMatch> all;
   for (const std::vector<PairMatch>& matches : found) {
     all.insert(all.end(), matches.begin(), matches.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/match/similarity_voting.h"
 
+#include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/segment_index.h"
 
 #include <tbb/parallel_for.h>
@@ -233,6 +234,7 @@ Supports similarity_votes(const MatchChoices& choices,
   for (std::size_t c = 0; c < n; ++c) probability[c] = graph.candidates[c]->similarity;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
+      Interruption::check();
       Support support;
       add_votes(graph, probability, static_cast<Flat>(c), support);
       support.height = height_support(graph, probability, static_cast<Flat>(c));

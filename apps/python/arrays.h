@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <pybind11/numpy.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::python {
+
+template <typename T>
+using Array = pybind11::array_t<T, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// A matrix as it lies in an array of C's order.
+template <int R, int C>
+using RowMajor = Eigen::Matrix<double, R, C, Eigen::RowMajor>;
+
+/// An array of doubles of this shape, all NaN.
+pybind11::array_t<double> nan_array(std::vector<pybind11::ssize_t> shape);
+
+/// A list of text(row) for every row.
+template <typename Rows, typename Text>
+pybind11::list text_list(const Rows& rows, const Text& text) {
+  pybind11::list list;
+  for (const auto& row : rows) list.append(text(row));
+  return list;
+}
+
+/// An array of number(row) for every row; NaN where there is none.
+template <typename Rows, typename Number>
+pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
+  pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size())});
+  auto out = array.mutable_unchecked<1>();
+  pybind11::ssize_t i = 0;
+  for (const auto& row : rows) {
+    if (const std::optional<double> value = number(row)) out(i) = *value;
+    ++i;
+  }
+  return array;
+}
+
+/// An array (n, R, C) of matrix(row), an optional matrix, for every row; NaN where there is none.
+template <int R, int C, typename Rows, typename MatrixOf>
+pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_of) {
+  pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size()), R, C});
+  double* out = array.mutable_data();
+  for (const auto& row : rows) {
+    const std::optional<Eigen::Matrix<double, R, C>> matrix = matrix_of(row);
+    if (matrix) Eigen::Map<RowMajor<R, C>>{out} = *matrix;
+    out += R * C;
+  }
+  return array;
+}
+
+/// The i-th matrix of such an array; nothing if it begins with NaN.
+template <int R, int C>
+std::optional<Eigen::Matrix<double, R, C>> matrix_at(const Array<double>& array, std::size_t i) {
+  const double* in = array.data() + static_cast<std::ptrdiff_t>(i) * R * C;
+  if (std::isnan(*in)) return std::nullopt;
+  return Eigen::Map<const RowMajor<R, C>>{in};
+}
+
+/// An entry of a dict of arrays as an array of that shape (-1: any length); nothing for None and a missing key.
+/// Throws std::invalid_argument naming the entry for another shape.
+std::optional<Array<double>> find_array(const pybind11::dict& entries,
+                                        const char* name,
+                                        const std::vector<pybind11::ssize_t>& shape);
+
+/// "(3, 2)" of an array.
+std::string shape_text(const pybind11::array& array);
+
+}  // namespace ridgeline::python

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/parameters.h"
+#include "apps/python/bindings.h"
+#include "apps/python/clouds.h"
+#include "apps/python/entries.h"
+#include "apps/python/in_memory.h"
+#include "apps/python/interruptible.h"
+#include "apps/python/judged.h"
+#include "apps/python/lines.h"
+#include "io/lines/line_checks.h"
+#include "io/results/cloud_name.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ridgeline::python {
+namespace py = pybind11;
+namespace {
+
+/// The path of a file of lines, or lines in memory.
+using LineSource = std::variant<std::string, io::LineSet>;
+
+LineSource line_source(const py::object& lines, const char* name) {
+  if (py::isinstance<py::str>(lines)) return lines.cast<std::string>();
+  return line_set_of(lines.cast<py::dict>(), name);
+}
+
+io::LineSet read_source(const LineSource& source, const io::ReadLinesOptions& options) {
+  if (const auto* path = std::get_if<std::string>(&source)) return io::read_lines(*path, options);
+  io::LineSet set = std::get<io::LineSet>(source);
+  if (options.assume_crs.known()) set.crs = options.assume_crs;
+  io::refuse_degrees(set);
+  io::add_coordinate_warnings(set);
+  return set;
+}
+
+apps::Parameters parameters_of(const py::dict& entries) {
+  apps::ParameterArguments arguments;
+  take(entries, "config", arguments.config);
+  take(entries, "config_text", arguments.config_text);
+  return read_parameters(arguments);
+}
+
+results::JudgeFilesOptions judge_options(const py::dict& entries) {
+  results::JudgeFilesOptions options;
+  options.cloud = read_options(entries);
+  options.lines.assume_crs = options.cloud.assume_crs;
+  take(entries, "vertex_pairs", options.lines.vertex_pairs);
+  take(entries, "cloud_memory_mib", options.cloud_memory_mib);
+  take(entries, "patch_name", options.patch_name);
+  options.judge = parameters_of(entries).judge;
+  take(entries, "gross_m", options.summary.gross_m);
+  take(entries, "sigma_sys_m", options.summary.sigma_sys_m);
+  take(entries, "bootstrap_replicates", options.summary.bootstrap.replicates);
+  take(entries, "bootstrap_seed", options.summary.bootstrap.seed);
+  take(entries, "bca", options.summary.bootstrap.bca);
+  validate(options.summary);
+  std::string patch;
+  take(entries, "patch", patch);
+  if (!patch.empty()) {
+    options.patch = io::read_patch(patch);
+    if (options.cloud.assume_crs.known()) options.patch->crs = options.cloud.assume_crs;
+    if (options.patch_name.empty()) options.patch_name = options.patch->id;
+  }
+  return options;
+}
+
+/// Files, or an array.
+struct CloudInput {
+  std::vector<std::string> paths;
+  std::optional<PointsInMemory> points;
+
+  /// Points in memory that state no reference system are in that of the lines.
+  [[nodiscard]] io::CloudFiles open(const io::ReadOptions& options,
+                                    const io::Crs& crs_of_lines) const {
+    if (!points) return {paths, options};
+    return {open_points(*points, points->crs.known() ? points->crs : crs_of_lines), options};
+  }
+};
+
+CloudInput cloud_input(const py::object& cloud, const py::dict& entries) {
+  if (!py::isinstance<py::array>(cloud)) return {cloud.cast<std::vector<std::string>>(), {}};
+  CloudInput input{{}, points_in_memory(cloud.cast<py::array>())};
+  take(entries, "cloud_crs", input.points->crs.definition);
+  return input;
+}
+
+std::vector<results::InputFile> input_files(const LineSource& lines,
+                                            const std::optional<LineSource>& references,
+                                            const results::JudgeFilesOptions& options,
+                                            const py::dict& entries) {
+  std::vector<results::InputFile> files;
+  const auto add = [&](const char* role, const LineSource& source) {
+    if (const auto* path = std::get_if<std::string>(&source)) files.push_back({role, *path});
+  };
+  add("lines", lines);
+  for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
+    files.push_back({"cloud", path});
+  }
+  if (options.patch) files.push_back({"patch", options.patch->path});
+  if (references) add("reference", *references);
+  std::string config;
+  take(entries, "config", config);
+  if (!config.empty()) files.push_back({"config", config});
+  return files;
+}
+
+/// `lines`, `references`: path, dict of arrays, or None (references only). `cloud`: list of paths, or an array whose
+/// reference system is an entry `cloud_crs`.
+Judged evaluate_lines(const py::object& lines,
+                      const py::object& cloud,
+                      const py::object& references,
+                      const py::dict& entries) {
+  results::JudgeFilesOptions options = judge_options(entries);
+  const LineSource source = line_source(lines, kLinesInMemory);
+  std::optional<LineSource> truth;
+  if (!references.is_none()) truth = line_source(references, kReferencesInMemory);
+  const CloudInput input = cloud_input(cloud, entries);
+  options.cloud_paths = input.paths;
+  if (options.patch_name.empty()) {
+    options.patch_name = input.points ? kCloudInMemory : results::cloud_name(input.paths);
+  }
+  Judged judged;
+  judged.inputs = input_files(source, truth, options, entries);
+  interruptibly([&] {
+    results::LinesToJudge to_judge;
+    to_judge.sets.push_back(read_source(source, options.lines));
+    if (truth) to_judge.references = read_source(*truth, options.lines);
+    io::LineSet& set = to_judge.sets.front();
+    io::CloudFiles files = input.open(options.cloud, set.crs);
+    if (std::holds_alternative<io::LineSet>(source) && !set.crs.known()) set.crs = files.crs();
+    judged.files = results::judge_lines(std::move(to_judge), files, options, judged.record);
+  });
+  std::erase_if(judged.inputs, [&](const results::InputFile& file) {
+    return std::ranges::find(judged.files.unread_clouds, file.path) !=
+           judged.files.unread_clouds.end();
+  });
+  judged.record.set_options({{"judge", echo(apps::Parameters{{}, options.judge})["judge"]}});
+  return judged;
+}
+
+}  // namespace
+
+void add_evaluation(py::module_& core) {
+  add_judged(core);
+  core.attr("judge_options") = apps::judge_parameter_names();
+  core.def("evaluate", &evaluate_lines, py::arg("lines"), py::arg("cloud"), py::arg("references"),
+           py::arg("options"));
+}
+
+}  // namespace ridgeline::python

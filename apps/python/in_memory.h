@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/common/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace ridgeline::python {
+
+// What stands in messages for the path of what is in memory.
+inline constexpr const char* kCloudInMemory = "cloud";
+inline constexpr const char* kGatesInMemory = "gates";
+inline constexpr const char* kLinesInMemory = "lines";
+inline constexpr const char* kReferencesInMemory = "reference_lines";
+
+/// Whether a path is one of these names: a fault there is the caller's, not a file's.
+inline bool is_in_memory(std::string_view path) {
+  constexpr std::array<std::string_view, 5> kNames{kCloudInMemory, kGatesInMemory, kLinesInMemory,
+                                                   kReferencesInMemory, apps::kConfigInMemory};
+  return std::ranges::find(kNames, path) != kNames.end();
+}
+
+}  // namespace ridgeline::python

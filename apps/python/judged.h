@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/results/judge_files.h"
+#include "io/results/run_record.h"
+
+#include <pybind11/pybind11.h>
+
+#include <vector>
+
+namespace ridgeline::python {
+
+/// What evaluate() made of one set of lines, behind ridgeline.Result.
+struct Judged {
+  results::JudgedFiles files;
+  results::RunRecord record{"evaluate"};
+  std::vector<results::InputFile> inputs{};
+
+  [[nodiscard]] const evaluate::Evaluation& evaluation() const { return files.evaluations.front(); }
+};
+
+/// The class `Judged`: its figures as dicts and tables, and the files that it writes.
+void add_judged(pybind11::module_& core);
+
+}  // namespace ridgeline::python

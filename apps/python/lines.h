@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/line_set.h"
+
+#include <pybind11/pybind11.h>
+
+namespace ridgeline::python {
+
+/// A set as arrays: segments (n, 2, 3), covariance_m2 (n, 6, 6), left_px and right_px (n, 2, 2), epipolar_angle_deg (n);
+/// lists of n texts: ids, line_class, status, method, kind, building; crs. NaN and "" where there is nothing.
+pybind11::dict dict_of(const io::LineSet& set);
+
+/// The other way; all but `segments` may be missing. `name` stands for a path.
+/// Throws std::invalid_argument for arrays of another shape.
+io::LineSet line_set_of(const pybind11::dict& arrays, const std::string& name);
+
+}  // namespace ridgeline::python

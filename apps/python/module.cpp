@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/python/bindings.h"
+#include "io/results/version.h"
+
+PYBIND11_MODULE(_core, core) {
+  using namespace ridgeline;
+  core.attr("version") = results::kVersion;
+  python::add_exceptions(core);
+  python::add_clouds(core);
+  python::add_lines(core);
+  python::add_evaluation(core);
+  python::add_gates(core);
+  python::add_reconstruction(core);
+}

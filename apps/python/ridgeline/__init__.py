@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""3D line segments from oriented aerial images, judged against LIDAR.
+
+    result = ridgeline.evaluate("roofs.gpkg", "tile.laz")
+    print(result)                                # the table of accuracy
+    result.lines["mean_distance_m"]              # an array, one number a line
+    result.to_geopackage("judged.gpkg")          # the map of errors
+
+Coordinates are those of the map, in the units of the files; distances are metres. A wrong value raises ValueError, a
+wrong file InputFileError (an OSError) or FileNotFoundError. Long calls release the GIL and stop at Ctrl-C.
+"""
+
+from ridgeline._core import InputFileError
+from ridgeline._core import version as __version__
+from ridgeline.cloud import Cloud, read_cloud
+from ridgeline.evaluation import Result, evaluate
+from ridgeline.gates import GateReport, gate
+from ridgeline.lines import Lines, read_lines, write_lines
+from ridgeline.reconstruction import View, reconstruct
+
+__all__ = [
+    "Cloud",
+    "GateReport",
+    "InputFileError",
+    "Lines",
+    "Result",
+    "View",
+    "__version__",
+    "evaluate",
+    "gate",
+    "read_cloud",
+    "read_lines",
+    "reconstruct",
+    "write_lines",
+]

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Point clouds in NumPy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ridgeline import _core
+from ridgeline._arguments import Path, paths_of, warn
+
+
+@dataclass(frozen=True, eq=False)
+class Cloud:
+    """Points of a laser scan.
+
+    points: a structured array (n,) with the fields x, y, z (float64, coordinates of the map in its units), intensity,
+        classification (ASPRS: 2 ground, 6 building), return_number, number_of_returns, flags, source_id. A part of it,
+        `points[mask]`, makes a Cloud as well.
+    crs: the reference system, as WKT, code or PROJ string; "" if unknown.
+    counts: points read and dropped, by reason.
+    """
+
+    points: NDArray[Any]
+    crs: str = ""
+    counts: Mapping[str, int] = field(default_factory=lambda: MappingProxyType({}))
+
+    def __post_init__(self) -> None:
+        points = np.asarray(self.points)
+        if points.dtype != _core.point_dtype or points.ndim != 1:
+            raise ValueError(f"points: {points.dtype} {points.shape}; must be those of read_cloud() or Cloud.of()")
+        object.__setattr__(self, "points", np.ascontiguousarray(points))
+
+    @classmethod
+    def of(cls, xyz: ArrayLike, *, classification: ArrayLike = 0, crs: str = "") -> Cloud:
+        """A cloud of coordinates (n, 3), each the only return of its pulse; `classification`: (n,), or one for all."""
+        x = np.asarray(xyz, dtype=np.float64)
+        if x.ndim != 2 or x.shape[1] != 3:
+            raise ValueError(f"xyz: the shape is {x.shape}; must be (n, 3)")
+        points = np.zeros(len(x), dtype=_core.point_dtype)
+        points["x"], points["y"], points["z"] = x.T
+        points["classification"] = classification
+        points["return_number"] = points["number_of_returns"] = 1
+        return cls(points, crs)
+
+    @property
+    def xyz(self) -> NDArray[np.float64]:
+        """The coordinates (n, 3) as a view of `points`."""
+        row = self.points.dtype.itemsize
+        return np.ndarray((len(self.points), 3), np.float64, self.points, strides=(row, 8))
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+
+def read_cloud(
+    paths: Path | Sequence[Path],
+    *,
+    bounds: Sequence[float] | None = None,
+    classes: Iterable[int] | None = None,
+    include_withheld: bool = False,
+    last_returns: bool = False,
+    max_resolution_m: float = 0.0,
+    max_points: int = 0,
+    assume_crs: str = "",
+    strict: bool = False,
+    salvage: bool = False,
+) -> Cloud:
+    """Reads LAS, LAZ, COPC, PCD, PLY or text into one cloud.
+
+    paths: a file, or several; patterns such as "tiles/*.laz" are expanded.
+    bounds: (x_min, y_min, x_max, y_max) in metres of the reference system; of COPC only the nodes inside are decoded.
+    classes: ASPRS classes to keep; by default all but noise (7, 18).
+    include_withheld: keep points that their producer marked as not to be used.
+    last_returns: keep the last return of each pulse only.
+    max_resolution_m: read COPC down to this point distance only; 0: all.
+    max_points: refuse to keep more; 0: no limit.
+    assume_crs: reference system of the files, whatever they state.
+    strict: refuse coordinates damaged by float32. salvage: read what is there of a file cut short.
+    Warns of what deserves attention. Raises FileNotFoundError, InputFileError and ValueError.
+    """
+    options = {
+        "assume_crs": assume_crs,
+        "bounds": None if bounds is None else [float(b) for b in bounds],
+        "classes": None if classes is None else list(classes),
+        "include_withheld": include_withheld,
+        "last_returns": last_returns,
+        "max_points": max_points,
+        "max_resolution_m": max_resolution_m,
+        "salvage": salvage,
+        "strict": strict,
+    }
+    points, crs, messages, counts = _core.read_cloud(paths_of(paths), options)
+    warn(messages)
+    return Cloud(points, crs, MappingProxyType(counts))

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lines judged against a point cloud."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ridgeline import _core
+from ridgeline._arguments import Config, Path, config_entries, is_path, paths_of, warn
+from ridgeline.cloud import Cloud
+from ridgeline.lines import Lines, segments_of
+
+#: What evaluate() takes as lines.
+LinesLike = Path | Lines | ArrayLike
+
+
+class Result:
+    """What evaluate() found. print() shows the table of accuracy."""
+
+    def __init__(self, judged: _core.Judged) -> None:
+        self._judged = judged
+
+    @cached_property
+    def lines(self) -> dict[str, Any]:
+        """Every line, in the order given: arrays (n,) by name, which pandas.DataFrame() takes as they are.
+
+        id, line_class, kind ("step", "ridge" or ""), status ("evaluated", or why not) and its reason; flags and
+        plane_ids, a list each; length_m; mean_distance_m, the mean orthogonal distance from the planes beside the line,
+        max_distance_m, signed_mean_m; sigma_plane_m, sigma_line_m, z, their standard deviations and the distance over
+        them; horizontal_m and vertical_m, the error of a ridge across it in plan and in height; epipolar_angle_deg.
+        Distances are metres, and NaN for a line that was not evaluated.
+        """
+        columns = dict(self._judged.lines())
+        for name in ("id", "line_class", "kind", "status", "reason"):
+            columns[name] = np.array(columns[name], dtype=np.str_)
+        return columns
+
+    @cached_property
+    def segments(self) -> NDArray[np.float64]:
+        """The lines (n, 2, 3) as they were given."""
+        segments: NDArray[np.float64] = self._judged.segments()["segments"]
+        return segments
+
+    @cached_property
+    def planes(self) -> list[dict[str, Any]]:
+        """The LIDAR planes that judged lines, a dict each.
+
+        id; normal (3,), upwards, and offset_m: normal . x + offset_m = 0 in map coordinates, metres; n_points and rms_m
+        of its points; n_lines judged by it; outline (k, 3), the hull of its points.
+        """
+        return self._judged.planes()
+
+    @cached_property
+    def classes(self) -> dict[str, dict[str, Any]]:
+        """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m, median_m, q95_m, ..."""
+        figures: dict[str, dict[str, Any]] = self.to_dict()["summary"]
+        return figures
+
+    @cached_property
+    def tables(self) -> dict[str, list[dict[str, Any]]]:
+        """The tables by name, a dict each row: table2 and parts; tolerances; with reference lines reference_errors,
+        reference_completeness and wireframe. Columns as in the files of that name (docs/outputs.md)."""
+        return {name: [_typed(row) for row in csv.DictReader(io.StringIO(text))] for name, text in self._judged.tables()}
+
+    @cached_property
+    def warnings(self) -> list[str]:
+        """What deserves attention in the inputs."""
+        return self._judged.warnings()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything, as in the file evaluation.METHOD.json."""
+        everything: dict[str, Any] = json.loads(self._judged.json())
+        return everything
+
+    def to_geopackage(self, path: Path, *, schema: str = "plain") -> None:
+        """Writes the map: the lines, coloured by distance, their planes and error vectors, with styles for QGIS.
+
+        schema: "plain" or "fkb". What stands at the path is replaced, unless it was an input.
+        """
+        self._judged.write_map(os.fspath(path), schema)
+
+    def write(self, folder: Path, *, schema: str = "plain") -> None:
+        """Writes what `ridgeline evaluate` writes into a folder: map, tables and run.json, for gates and reports."""
+        self._judged.write(os.fspath(folder), schema)
+
+    def __str__(self) -> str:
+        return self._judged.text()
+
+    def __repr__(self) -> str:
+        total = self.classes["total"]
+        rms = total["rms_m"]
+        shown = "none" if rms is None else f"{rms:.3f} m"
+        return f"<ridgeline.Result: {total['n_evaluated']} of {total['n_lines']} lines judged, RMS {shown}>"
+
+
+def evaluate(
+    lines: LinesLike,
+    cloud: Path | Sequence[Path] | Cloud | NDArray[np.float64],
+    *,
+    patch: Path | None = None,
+    reference_lines: LinesLike | None = None,
+    config: Config | None = None,
+    bounds: Sequence[float] | None = None,
+    classes: Iterable[int] | None = None,
+    include_withheld: bool = False,
+    last_returns: bool = False,
+    max_resolution_m: float = 0.0,
+    max_points: int = 0,
+    assume_crs: str = "",
+    strict: bool = False,
+    salvage: bool = False,
+    vertex_pairs: bool = False,
+    cloud_memory_mib: int = 512,
+    name: str | None = None,
+    gross_m: float = 1.0,
+    sigma_sys_m: float = 0.0,
+    bootstrap_replicates: int = 2000,
+    bootstrap_seed: int = 1,
+    bca: bool = False,
+    **judge: float | str,
+) -> Result:
+    """Judges 3D lines by the orthogonal distances from the LIDAR planes beside them, as `ridgeline evaluate` does.
+
+    lines: a file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6), start and end of each.
+    cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are those of the map.
+    patch: a patch file, whose cameras class the lines as aligned and not_aligned and tell where their edges are.
+    reference_lines: true lines, as `lines`: errors, precision and completeness beside the distances.
+    config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
+    bounds ... salvage: of the cloud, as for read_cloud(). vertex_pairs: as for read_lines().
+    cloud_memory_mib: for points held at a time; beyond, lines are judged in batches of neighbours.
+    name: of the patch in the tables; by default that of the patch file or the cloud.
+    gross_m: a line farther off is a gross error. sigma_sys_m: systematic part of the cloud's accuracy.
+    bootstrap_replicates, bootstrap_seed, bca: of the 95 % intervals.
+    judge: parameters of the judge by their names in `ridgeline config`: lidar_sigma_m (range noise of the cloud),
+        corridor_half_width_m, inlier_distance_m, min_points, seed, ...
+    Warns of what deserves attention in the inputs. Raises FileNotFoundError, InputFileError and ValueError.
+    """
+    for option in judge:
+        if option not in _core.judge_options:
+            known = ", ".join(_core.judge_options)
+            raise TypeError(f"evaluate() has no argument {option!r}; parameters of the judge are {known}")
+    options = {
+        "assume_crs": assume_crs,
+        "bca": bca,
+        "bootstrap_replicates": bootstrap_replicates,
+        "bootstrap_seed": bootstrap_seed,
+        "bounds": None if bounds is None else [float(b) for b in bounds],
+        "classes": None if classes is None else list(classes),
+        "cloud_memory_mib": cloud_memory_mib,
+        "gross_m": gross_m,
+        "include_withheld": include_withheld,
+        "last_returns": last_returns,
+        "max_points": max_points,
+        "max_resolution_m": max_resolution_m,
+        "patch": None if patch is None else os.fspath(patch),
+        "patch_name": name,
+        "salvage": salvage,
+        "sigma_sys_m": sigma_sys_m,
+        "strict": strict,
+        "vertex_pairs": vertex_pairs,
+        **config_entries(config, judge),
+    }
+    points: Any
+    if isinstance(cloud, Cloud):
+        points, options["cloud_crs"] = cloud.points, cloud.crs
+    elif isinstance(cloud, np.ndarray):
+        points = np.ascontiguousarray(cloud, dtype=np.float64)
+    else:
+        points = paths_of(cloud)
+    references = None if reference_lines is None else _source(reference_lines)
+    result = Result(_core.evaluate(_source(lines), points, references, options))
+    warn(result.warnings)
+    return result
+
+
+def _source(lines: LinesLike) -> str | dict[str, Any]:
+    if is_path(lines):
+        return os.fspath(lines)  # type: ignore[arg-type]
+    given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))  # type: ignore[arg-type]
+    return given._entries()
+
+
+def _typed(row: dict[str, str]) -> dict[str, Any]:
+    return {name: _number(text) for name, text in row.items()}
+
+
+def _number(text: str) -> int | float | str | None:
+    if text == "":
+        return None
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text

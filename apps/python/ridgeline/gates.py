@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gates on accuracy."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ridgeline import _core
+from ridgeline._arguments import Path, is_path, text_of, warn
+from ridgeline.evaluation import Result
+
+
+@dataclass(frozen=True)
+class GateReport:
+    """The verdicts. True if every gate passed; a gate that checked nothing has not.
+
+    gates: a dict for each rule and figure: rule, patch, method, class, metric, value, limit, verdict, explanation, ...
+    junit: JUnit XML. markdown: for the page of a CI job.
+    """
+
+    passed: bool
+    gates: list[dict[str, Any]]
+    warnings: list[str]
+    junit: str
+    markdown: str
+
+    def __bool__(self) -> bool:
+        return self.passed
+
+    def __str__(self) -> str:
+        return self.markdown
+
+
+def gate(
+    results: Result | Path,
+    gates: Path | Sequence[Mapping[str, Any]] | Mapping[str, Any],
+    *,
+    baseline: Path | None = None,
+) -> GateReport:
+    """Checks figures against limits, as `ridgeline gate` does.
+
+    results: of evaluate(), or the folder that evaluate, run or Result.write() wrote.
+    gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m", "max": 0.3}, ...].
+    baseline: folder of an earlier run on the same data, for gates that refer to it; results are then a folder as well.
+    Raises ValueError for a gate that cannot decide, FileNotFoundError and InputFileError.
+    """
+    text = "" if is_path(gates) else text_of(gates if isinstance(gates, Mapping) else {"gates": list(gates)})
+    file = os.fspath(gates) if is_path(gates) else ""  # type: ignore[arg-type]
+    source = results._judged if isinstance(results, Result) else os.fspath(results)
+    found = _core.gate(source, file, text, None if baseline is None else os.fspath(baseline))
+    report = json.loads(found["json"])
+    warn(report["warnings"])
+    return GateReport(found["passed"], report["gates"], report["warnings"], found["junit"], found["markdown"])

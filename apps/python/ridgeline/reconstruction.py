@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""3D lines of oriented images."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ridgeline import _core
+from ridgeline._arguments import Config, Path, config_entries, is_path
+from ridgeline.lines import Lines, lines_of
+
+
+@dataclass(eq=False)
+class View:
+    """An oriented image without distortion.
+
+    image: (height, width) or (height, width, bands), uint8 or uint16, 1 to 4 bands.
+    matrix: (3, 4), takes homogeneous map coordinates (x, y, z, 1) to homogeneous pixels (column, row, 1). The middle of
+        the top-left pixel is (0, 0).
+    id: for messages.
+    """
+
+    image: NDArray[Any]
+    matrix: NDArray[np.float64]
+    id: str = "image"
+
+
+def reconstruct(
+    views: Path | Sequence[View],
+    height_range_m: Sequence[float] | None = None,
+    *,
+    method: str = "joint",
+    preset: str = "default",
+    matchers: Sequence[str] = ("pairwise",),
+    config: Config | None = None,
+    crs: str = "",
+) -> Lines:
+    """Reconstructs the 3D lines that two oriented images show, as `ridgeline reconstruct` does.
+
+    views: two of them, the first is the base image; or a patch file, which has heights and reference system as well.
+    height_range_m: lowest and highest height of objects, in metres of the map.
+    method: "direct", "joint", "network" or "planes". preset: "default" (the best known) or "published" (the papers').
+    matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping {"match": {...}, ...}.
+    crs: reference system of the matrices, for the lines.
+    Returns lines with class, status, covariance and image segments; NaN coordinates where the images do not tell the
+    depth. Raises ValueError, and for files FileNotFoundError and InputFileError.
+    """
+    options: dict[str, Any] = {
+        "matchers": [matchers] if isinstance(matchers, str) else list(matchers),
+        "method": method,
+        "preset": preset,
+        **config_entries(config),
+    }
+    if is_path(views):
+        if height_range_m is not None or crs:
+            raise ValueError("height_range_m, crs: stand in the patch file; must not be given beside it")
+        return lines_of(_core.reconstruct_patch(os.fspath(views), options))  # type: ignore[arg-type]
+    if height_range_m is None:
+        raise ValueError("height_range_m: must be given beside views")
+    given = [
+        (view.id, np.ascontiguousarray(view.image), np.asarray(view.matrix, dtype=np.float64))
+        for view in views  # type: ignore[union-attr]
+    ]
+    heights = [float(height) for height in height_range_m]
+    if len(heights) != 2:
+        raise ValueError(f"height_range_m: {len(heights)} numbers; must be the lowest and the highest height")
+    return lines_of(_core.reconstruct_views(given, heights, crs, options))

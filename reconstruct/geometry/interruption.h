@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <stdexcept>
+
+namespace ridgeline {
+
+/// Thrown by a computation that was asked to stop. Nothing is half done: it has no result.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Stops the long computations of this process on behalf of a program that must answer its user meanwhile (Ctrl-C in
+/// Python). Their loops call check(); the request stands until it is cleared.
+class Interruption {
+ public:
+  static void request() { requested_ = true; }
+  static void clear() { requested_ = false; }
+  /// Throws Interrupted if a request stands. From any thread; costs no more than a read of memory.
+  static void check() {
+    if (requested_.load(std::memory_order_relaxed)) throw Interrupted();
+  }
+
+ private:
+  static inline std::atomic<bool> requested_ = false;
+};
+
+}  // namespace ridgeline
