@@ -14,14 +14,15 @@ ROOT = Path(__file__).parent.resolve()
 
 
 class CMakeBuild(build_ext):
-    """Builds the target `ridgeline_python` in build/python and takes the extension module from there."""
+    """Builds the target `ridgeline_python` in build/python, or in the configured RIDGELINE_BUILD_DIR."""
 
     def build_extension(self, ext: Extension) -> None:
-        build = ROOT / "build" / "python"
-        subprocess.run(
-            ["cmake", "--preset", "release", "-B", build, "-DRIDGELINE_BUILD_PYTHON=ON",
-             "-DRIDGELINE_BUILD_TESTS=OFF", "-DRIDGELINE_WERROR=OFF", f"-DPython_EXECUTABLE={sys.executable}"],
-            cwd=ROOT, check=True)
+        build = Path(os.environ.get("RIDGELINE_BUILD_DIR", ROOT / "build" / "python"))
+        if "RIDGELINE_BUILD_DIR" not in os.environ:
+            options = {"BUILD_PYTHON": "ON", "BUILD_TESTS": "OFF", "WERROR": "OFF"}
+            defined = [f"-DRIDGELINE_{name}={value}" for name, value in options.items()]
+            subprocess.run(["cmake", "--preset", "release", "-B", build, f"-DPython_EXECUTABLE={sys.executable}",
+                            *defined], cwd=ROOT, check=True)
         subprocess.run(["cmake", "--build", build, "--target", "ridgeline_python"], check=True)
         built = next((build / "apps" / "python" / "ridgeline").glob("_core.*.so"))
         target = Path(self.get_ext_fullpath(ext.name))
@@ -31,7 +32,12 @@ class CMakeBuild(build_ext):
 
 def version() -> str:
     """The one of the CMake project."""
-    return re.search(r"project\(ridgeline VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+    found = re.search(r"project\(ridgeline VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())
+    assert found
+    return found.group(1)
 
 
-setup(version=version(), ext_modules=[Extension("ridgeline._core", sources=[])], cmdclass={"build_ext": CMakeBuild})
+os.chdir(ROOT)
+(ROOT / "build").mkdir(exist_ok=True)
+setup(version=version(), ext_modules=[Extension("ridgeline._core", sources=[])], cmdclass={"build_ext": CMakeBuild},
+      options={"egg_info": {"egg_base": "build"}})

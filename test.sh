@@ -5,9 +5,9 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/packages.sh
 
-ensure_packages "${build_packages[@]}" "${test_packages[@]}"
+ensure_packages "${build_packages[@]}" "${python_packages[@]}" "${test_packages[@]}"
 prepare_node_tests
-cmake --preset release -DRIDGELINE_BUILD_TESTS=ON -DRIDGELINE_BUILD_BENCHMARKS=ON
+cmake --preset release -DRIDGELINE_BUILD_TESTS=ON -DRIDGELINE_BUILD_BENCHMARKS=ON "${python_options[@]}"
 echo "Building"
 cmake --build build/release
 exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

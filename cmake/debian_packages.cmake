@@ -1,6 +1,6 @@
 # The target `packages` makes Debian packages in build/.../packages: `ridgeline`, the program with its manual,
-# completion and sample data, and `libridgeline-dev`, the libraries with their headers, CMake files and examples.
-# It needs help2man and dpkg-dev.
+# completion and sample data, `libridgeline-dev`, the libraries with their headers, CMake files and examples, and with
+# RIDGELINE_BUILD_PYTHON `python3-ridgeline`. It needs help2man and dpkg-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "Ridgeline developers <developers@ridgeline.invalid>")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
@@ -33,6 +33,20 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION
 oriented aerial images and to judge lines against point clouds of PCL, from
 C++20. The command find_package(ridgeline) of CMake finds them.")
 
+if(RIDGELINE_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ridgeline)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")  # an extension module is of one minor version
+  string(JOIN ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python_VERSION_MINOR}~)" "python3 (<< 3.${next_minor})" python3-numpy proj-data)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"Judges 3D lines against point clouds, reconstructs them from oriented aerial
+images and reads LAS, LAZ and COPC, from Python and in NumPy arrays: distances,
+tables, maps and accuracy gates of the program ridgeline.")
+endif()
+
 set(debian ${PROJECT_BINARY_DIR}/debian)
 add_custom_target(debian_files
   COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:ridgeline> -DVERSION=${PROJECT_VERSION} -DOUT=${debian}
@@ -45,8 +59,17 @@ install(FILES apps/completion.bash DESTINATION share/bash-completion/completions
 install(FILES tests/consumer/CMakeLists.txt tests/consumer/main.cpp
         DESTINATION share/doc/libridgeline-dev/examples COMPONENT dev)
 
+if(RIDGELINE_BUILD_PYTHON)
+  install(DIRECTORY ${debian}/doc/ DESTINATION share/doc/python3-ridgeline COMPONENT python OPTIONAL)
+  install(DIRECTORY $<TARGET_FILE_DIR:ridgeline_python> DESTINATION lib/python3/dist-packages COMPONENT python
+          PATTERN __pycache__ EXCLUDE)
+endif()
+
 include(CPack)
 add_custom_target(packages
   COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)
 add_dependencies(packages debian_files ridgeline ridgeline_results ridgeline_reconstruct)
+if(RIDGELINE_BUILD_PYTHON)
+  add_dependencies(packages ridgeline_python)
+endif()

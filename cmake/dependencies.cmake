@@ -18,6 +18,12 @@ pkg_check_modules(PCL REQUIRED IMPORTED_TARGET
 pkg_check_modules(PROJ_PC REQUIRED IMPORTED_TARGET proj)
 find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc features2d calib3d)
 
+if(RIDGELINE_BUILD_PYTHON)
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module NumPy)
+  set(PYBIND11_NOPYTHON ON)  # the Python is the one found above
+  find_package(pybind11 2.10 REQUIRED CONFIG)
+endif()
+
 # OpenCV's shared libraries bring Mesa and LLVM for windows that the program never opens: 46 packages.
 option(RIDGELINE_STATIC_OPENCV "Link OpenCV's archives, for a program that needs none of its packages" OFF)
 if(RIDGELINE_STATIC_OPENCV)

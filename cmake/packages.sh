@@ -7,7 +7,9 @@ build_packages=(
   libgdal-dev libsqlite3-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin)
+python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3-setuptools python3-pip)
+python_options=(-DRIDGELINE_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)  # for which python3-numpy is
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin python3-matplotlib mypy)
 # for the tests with Node, which are skipped without; of any origin will do
 node_packages=()
 command -v npm >/dev/null || node_packages=(nodejs npm)

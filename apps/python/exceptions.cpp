@@ -28,6 +28,8 @@ PyObject* type_of(const io::IoError& error) {
 /// A file's fault is an OSError, of a file that is not there FileNotFoundError. The caller's is a ValueError already.
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
+  file_error.attr("__doc__") =
+      "A file is not what it should be; the message names it, what is wrong and the rule.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     if (!thrown) return;
     try {

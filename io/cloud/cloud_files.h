@@ -34,6 +34,9 @@ class CloudFiles {
 
   [[nodiscard]] const Crs& crs() const { return crs_; }
 
+  /// The first file's.
+  [[nodiscard]] const std::string& path() const { return files_.front().info.path; }
+
   /// Metres per coordinate unit by axis: of the CRS, else of the first file's own unit keys.
   [[nodiscard]] const Eigen::Vector3d& unit_m() const { return files_.front().unit_m; }
 

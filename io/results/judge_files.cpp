@@ -86,13 +86,12 @@ Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
 
 void refuse_foreign_frame(const Evaluation& evaluation,
                           const io::LineSet& set,
-                          io::CloudFiles& cloud,
-                          const JudgeFilesOptions& options) {
+                          io::CloudFiles& cloud) {
   const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
   if (check.same_frame) return;
   const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
   if (cloud_box.isEmpty()) {
-    throw io::IoError(options.cloud_paths.front(),
+    throw io::IoError(cloud.path(),
                       "no point lies within --bounds; must be given in the cloud's CRS");
   }
   const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
@@ -126,14 +125,14 @@ nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::Clou
   return json;
 }
 
-void refuse_empty(const io::PointCloud& cloud, const JudgeFilesOptions& options) {
+void refuse_empty(const io::PointCloud& cloud, const std::string& path) {
   if (cloud.n_read == 0) {
-    throw io::IoError(options.cloud_paths.front(), "holds no points; nothing to judge lines by");
+    throw io::IoError(path, "holds no points; nothing to judge lines by");
   }
   const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
                                  cloud.n_dropped_return + cloud.n_dropped_non_finite;
   if (filtered < cloud.n_read) return;
-  throw io::IoError(options.cloud_paths.front(),
+  throw io::IoError(path,
                     fmt::format("no point of {} is left: {} dropped by class, {} withheld, {} not "
                                 "last returns, {} not finite; ask `ridgeline info` for its classes",
                                 cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
@@ -210,7 +209,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   record.set("cloud", cloud_facts(batches.readings, cloud));
   record.end_stage("judge");
 
-  refuse_empty(facts, options);
+  refuse_empty(facts, cloud.path());
   judged.warnings.insert(judged.warnings.begin(), facts.warnings.begin(), facts.warnings.end());
   judged.unread_clouds = cloud.unread_paths();
   for (const io::LineSet& set : judged.line_sets) {
@@ -234,7 +233,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
     judged.evaluations.push_back(
         evaluation_of(judged.line_sets[i], std::move(batches.results[i]), judged.frame, options));
-    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud, options);
+    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
     judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
   }
   record.end_stage("statistics");

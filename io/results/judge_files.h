@@ -57,7 +57,7 @@ struct LinesToJudge {
 /// that are not in the frame of the cloud.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
 
-/// The same of lines and a cloud that are read already, or come from elsewhere; the options' paths serve messages.
+/// The same of lines and a cloud that are read already, or come from elsewhere; paths of the options are not read.
 JudgedFiles judge_lines(LinesToJudge lines,
                         io::CloudFiles& cloud,
                         const JudgeFilesOptions& options,

@@ -58,7 +58,7 @@ TEST_F(ExtractCommand, RefusesWrongInput) {
   EXPECT_REFUSED(run({"extract", "missing.png", "--out", "a.csv"}), HasSubstr("does not exist"));
   write(path("p.yaml"), "extract: {min_length_px: -4}\n");
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--config", "p.yaml"}),
-                 HasSubstr("p.yaml: line 1: -4, must be in [3, 100000]"));
+                 HasSubstr("p.yaml: line 1: min_length_px = -4, must be in [3, 100000]"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "square.png"}),
                  HasSubstr("would be written over"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--image-id", "left"}),

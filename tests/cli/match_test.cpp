@@ -87,7 +87,7 @@ TEST_F(Match, SaysWhatIsWrongWithItsInput) {
   EXPECT_REFUSED(run({"match", "none.yaml", "--out", "m.csv"}), HasSubstr("none.yaml"));
   write(path("p.yaml"), "match:\n  min_overlap: 2\n");
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--config", "p.yaml"}),
-                 HasSubstr("p.yaml: line 2: 2, must be in [0, 1]"));
+                 HasSubstr("p.yaml: line 2: min_overlap = 2, must be in [0, 1]"));
   for (const char* input : {"pair/patch.yaml", "pair/left.tif", "pair/matches.csv"}) {
     EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", input}),
                    AllOf(HasSubstr(input), HasSubstr("would be written over")));

@@ -15,14 +15,10 @@ Path: TypeAlias = str | os.PathLike[str]
 Config: TypeAlias = Path | Mapping[str, Mapping[str, Any]]
 
 
-def is_path(value: object) -> bool:
-    return isinstance(value, (str, os.PathLike))
-
-
 def paths_of(value: Path | Sequence[Path]) -> list[str]:
-    if is_path(value):
-        return [os.fspath(value)]  # type: ignore[arg-type]
-    return [os.fspath(path) for path in value]  # type: ignore[union-attr]
+    if isinstance(value, (str, os.PathLike)):
+        return [os.fspath(value)]
+    return [os.fspath(path) for path in value]
 
 
 def _plain(value: Any) -> Any:
@@ -41,15 +37,22 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
     """A config file, or a mapping as `ridgeline config` prints it, and the parameters of its group `judge`."""
     entries: dict[str, Any] = {}
     groups: dict[str, Any] = {}
-    if is_path(config):
-        entries["config"] = os.fspath(config)  # type: ignore[arg-type]
+    if isinstance(config, (str, os.PathLike)):
+        entries["config"] = os.fspath(config)
     elif config is not None:
-        groups = {name: dict(group) for name, group in config.items()}  # type: ignore[union-attr]
+        groups = {name: dict(group) for name, group in config.items()}
     if judge:
         groups["judge"] = {**groups.get("judge", {}), **judge}
     if groups:
         entries["config_text"] = text_of(groups)
     return entries
+
+
+def new_file(path: Path, overwrite: bool) -> str:
+    """Nothing that stands there is lost unless the user says so."""
+    if os.path.lexists(path) and not overwrite:
+        raise FileExistsError(f"{os.fspath(path)}: stands there and would be written over; overwrite=True allows it")
+    return os.fspath(path)
 
 
 def warn(messages: Iterable[str]) -> None:

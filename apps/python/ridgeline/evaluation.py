@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Config, Path, config_entries, is_path, paths_of, warn
+from ridgeline._arguments import Config, Path, config_entries, new_file, paths_of, warn
 from ridgeline.cloud import Cloud
 from ridgeline.lines import Lines, segments_of
 
@@ -81,15 +81,15 @@ class Result:
         everything: dict[str, Any] = json.loads(self._judged.json())
         return everything
 
-    def to_geopackage(self, path: Path, *, schema: str = "plain") -> None:
+    def to_geopackage(self, path: Path, *, schema: str = "plain", overwrite: bool = False) -> None:
         """Writes the map: the lines, coloured by distance, their planes and error vectors, with styles for QGIS.
 
-        schema: "plain" or "fkb". What stands at the path is replaced, unless it was an input.
+        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. An input is never written over.
         """
-        self._judged.write_map(os.fspath(path), schema)
+        self._judged.write_map(new_file(path, overwrite), schema)
 
     def write(self, folder: Path, *, schema: str = "plain") -> None:
-        """Writes what `ridgeline evaluate` writes into a folder: map, tables and run.json, for gates and reports."""
+        """Writes the files of `ridgeline evaluate` into a folder, for gates and `ridgeline report`."""
         self._judged.write(os.fspath(folder), schema)
 
     def __str__(self) -> str:
@@ -183,9 +183,9 @@ def evaluate(
 
 
 def _source(lines: LinesLike) -> str | dict[str, Any]:
-    if is_path(lines):
-        return os.fspath(lines)  # type: ignore[arg-type]
-    given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))  # type: ignore[arg-type]
+    if isinstance(lines, (str, os.PathLike)):
+        return os.fspath(lines)
+    given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))
     return given._entries()
 
 
@@ -196,9 +196,11 @@ def _typed(row: dict[str, str]) -> dict[str, Any]:
 def _number(text: str) -> int | float | str | None:
     if text == "":
         return None
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ridgeline import _core
-from ridgeline._arguments import Path, is_path, text_of, warn
+from ridgeline._arguments import Path, text_of, warn
 from ridgeline.evaluation import Result
 
 
@@ -48,10 +48,16 @@ def gate(
     baseline: folder of an earlier run on the same data, for gates that refer to it; results are then a folder as well.
     Raises ValueError for a gate that cannot decide, FileNotFoundError and InputFileError.
     """
-    text = "" if is_path(gates) else text_of(gates if isinstance(gates, Mapping) else {"gates": list(gates)})
-    file = os.fspath(gates) if is_path(gates) else ""  # type: ignore[arg-type]
-    source = results._judged if isinstance(results, Result) else os.fspath(results)
-    found = _core.gate(source, file, text, None if baseline is None else os.fspath(baseline))
+    file = text = ""
+    if isinstance(gates, (str, os.PathLike)):
+        file = os.fspath(gates)
+    else:
+        text = text_of(gates if isinstance(gates, Mapping) else {"gates": list(gates)})
+    before = None if baseline is None else os.fspath(baseline)
+    if isinstance(results, Result):
+        found = _core.gate(results._judged, file, text, before)
+    else:
+        found = _core.gate(os.fspath(results), file, text, before)
     report = json.loads(found["json"])
     warn(report["warnings"])
     return GateReport(found["passed"], report["gates"], report["warnings"], found["junit"], found["markdown"])

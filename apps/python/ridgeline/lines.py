@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Path, warn
+from ridgeline._arguments import Path, new_file, warn
 
 
 @dataclass(eq=False)
@@ -85,15 +85,15 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False) 
     return lines_of(entries)
 
 
-def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = None) -> int:
+def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = None, overwrite: bool = False) -> int:
     """Writes lines with their attributes; returns how many the format has no place for, as they have no geometry.
 
-    format: geojson, gpkg, dxf, shp, wkt_csv, csv, obj or ply; by default by the ending of the path. A file that stands
-    there is replaced.
+    format: by its name in `ridgeline reconstruct --help`; by default by the ending of the path.
+    Raises FileExistsError unless overwrite.
     """
     given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))
     name = format or _format_of(os.fspath(path))
-    return _core.write_lines(os.fspath(path), given._entries(), name)
+    return _core.write_lines(new_file(path, overwrite), given._entries(), name)
 
 
 def _format_of(path: str) -> str:

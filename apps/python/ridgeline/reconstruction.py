@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Config, Path, config_entries, is_path
+from ridgeline._arguments import Config, Path, config_entries
 from ridgeline.lines import Lines, lines_of
 
 
@@ -57,15 +57,15 @@ def reconstruct(
         "preset": preset,
         **config_entries(config),
     }
-    if is_path(views):
+    if isinstance(views, (str, os.PathLike)):
         if height_range_m is not None or crs:
             raise ValueError("height_range_m, crs: stand in the patch file; must not be given beside it")
-        return lines_of(_core.reconstruct_patch(os.fspath(views), options))  # type: ignore[arg-type]
+        return lines_of(_core.reconstruct_patch(os.fspath(views), options))
     if height_range_m is None:
         raise ValueError("height_range_m: must be given beside views")
     given = [
         (view.id, np.ascontiguousarray(view.image), np.asarray(view.matrix, dtype=np.float64))
-        for view in views  # type: ignore[union-attr]
+        for view in views
     ]
     heights = [float(height) for height in height_range_m]
     if len(heights) != 2:

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import numpy as np
+import ridgeline
+from support import CLOUD, LINES, ROOT, Case
+
+
+class ErrorsAreOfTheRightKind(Case):
+    def test_a_missing_file_is_named(self):
+        for call in (lambda f: ridgeline.evaluate(f, CLOUD), lambda f: ridgeline.evaluate(LINES, f),
+                     ridgeline.read_cloud, ridgeline.read_lines, ridgeline.reconstruct,
+                     lambda f: ridgeline.evaluate(LINES, CLOUD, config=f),
+                     lambda f: ridgeline.gate(f, [{"max": 1.0}])):
+            with self.assertRaisesRegex(FileNotFoundError, "nowhere.xyz"):
+                call("nowhere.xyz")
+
+    def test_a_wrong_file_is_an_input_file_error(self):
+        for call in (lambda f: ridgeline.evaluate(LINES, f), ridgeline.read_cloud, ridgeline.read_lines,
+                     ridgeline.reconstruct):
+            with self.assertRaisesRegex(ridgeline.InputFileError, "LICENSE: "):
+                call(ROOT / "LICENSE")
+        self.assertTrue(issubclass(ridgeline.InputFileError, OSError))
+
+    def test_a_value_out_of_range_is_named_with_its_rule(self):
+        for rule, options in ((r"lidar_sigma_m = -1, must be in \[0, 10\]", {"lidar_sigma_m": -1}),
+                              ("seed = 1.5, must be a whole number", {"seed": 1.5}),
+                              (r"classes: 300; must be in \[0, 255\]", {"classes": [300]}),
+                              ("bounds: 3 numbers", {"bounds": (1, 2, 3)}),
+                              ("bounds: .* must not be inverted", {"bounds": (1, 1, 0, 0)}),
+                              ("sample_consensus = x, must be msac", {"sample_consensus": "x"}),
+                              ("unknown key 'sigma'", {"config": {"judge": {"sigma": 1}}})):
+            with self.assertRaisesRegex(ValueError, rule):
+                ridgeline.evaluate(LINES, CLOUD, **options)
+
+    def test_an_unknown_argument_is_a_type_error(self):
+        with self.assertRaisesRegex(TypeError, "'sigma'; parameters of the judge are lidar_sigma_m"):
+            ridgeline.evaluate(LINES, CLOUD, sigma=1)
+        with self.assertRaisesRegex(TypeError, "gross_m: 'x', is of another type"):
+            ridgeline.evaluate(LINES, CLOUD, gross_m="x")
+
+    def test_arrays_of_another_shape_are_value_errors(self):
+        segments = ridgeline.read_lines(LINES).segments
+        cloud = ridgeline.read_cloud(CLOUD)
+        for rule, call in (
+            (r"lines: the shape is \(3, 4\); must be \(n, 2, 3\) or \(n, 6\)",
+             lambda: ridgeline.evaluate(np.zeros((3, 4)), cloud)),
+            (r"cloud: the shape is \(3, 2\); must be \(n, 3\)", lambda: ridgeline.evaluate(LINES, np.zeros((3, 2)))),
+            (r"covariance_m2: the shape is \(2, 6\); must be \(89, 6, 6\)",
+             lambda: ridgeline.evaluate(ridgeline.Lines(segments, covariance_m2=np.zeros((2, 6))), cloud)),
+            ("ids: 1 texts; must be one for each of 89 lines",
+             lambda: ridgeline.evaluate(ridgeline.Lines(segments, ids=["a"]), cloud)),
+            ("lines: .* degrees", lambda: ridgeline.evaluate(segments / 1e6, cloud)),
+            ("lines: lines and cloud are not in the same frame", lambda: ridgeline.evaluate(segments + 1e5, cloud)),
+            ("cloud: holds no points", lambda: ridgeline.evaluate(segments, np.zeros((0, 3)))),
+        ):
+            with self.assertRaisesRegex(ValueError, rule):
+                call()
+
+    def test_what_deserves_attention_is_a_warning(self):
+        segments = np.array(ridgeline.read_lines(LINES).segments)
+        segments[0] = np.nan
+        with self.assertWarnsRegex(UserWarning, "lines: .*not finite"):
+            result = ridgeline.evaluate(segments, CLOUD)
+        self.assertEqual(result.lines["status"][0], "non_finite")
+        self.assertTrue(any("not finite" in text for text in result.warnings))
+
+
+#: Enough lines to be judged for several seconds.
+MANY_LINES = """
+import numpy as np, ridgeline, sys, threading, time
+lines = ridgeline.read_lines(sys.argv[1]).segments
+cloud = ridgeline.read_cloud(sys.argv[2])
+many = np.concatenate([lines] * 1000)
+"""
+
+
+class LongCallsLeavePythonAlone(unittest.TestCase):
+    def test_ctrl_c_stops_a_judgement(self):
+        code = MANY_LINES + """
+print("ready", flush=True)
+try:
+    ridgeline.evaluate(many, cloud)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+print(ridgeline.evaluate(lines, cloud).classes["total"]["n_lines"])
+"""
+        with subprocess.Popen([sys.executable, "-c", code, LINES, CLOUD], stdout=subprocess.PIPE, text=True) as run:
+            self.assertEqual(run.stdout.readline(), "ready\n")
+            time.sleep(0.5)
+            asked = time.monotonic()
+            os.kill(run.pid, signal.SIGINT)
+            self.assertEqual(run.stdout.readline(), "interrupted\n")
+            self.assertLess(time.monotonic() - asked, 1.0)  # s; a judgement of all takes over ten
+            self.assertEqual(run.stdout.readline(), "89\n")  # later calls work
+
+    def test_other_threads_run_meanwhile(self):
+        many = np.concatenate([ridgeline.read_lines(LINES).segments] * 20)
+        cloud = ridgeline.read_cloud(CLOUD)
+        seconds = []
+
+        def judge():
+            begin = time.monotonic()
+            ridgeline.evaluate(many, cloud)
+            seconds.append(time.monotonic() - begin)
+
+        worker = threading.Thread(target=judge)
+        worker.start()
+        longest, before = 0.0, time.monotonic()
+        while worker.is_alive():
+            time.sleep(0.001)
+            longest, before = max(longest, time.monotonic() - before), time.monotonic()
+        worker.join()
+        self.assertLess(longest, 0.5 * seconds[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

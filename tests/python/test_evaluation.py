@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import json
+import sqlite3
+import unittest
+
+import numpy as np
+import ridgeline
+from support import CLOUD, LINES, PATCH, Case, program
+
+#: Points are reduced to the local frame from map coordinates either way, which rounds them differently.
+ROUNDING_M = 1e-9
+
+
+class EvaluateJudgesAsTheProgramDoes(Case):
+    def test_files_give_the_same_figures_bit_by_bit(self):
+        program("evaluate", "--lines", LINES, "--cloud", CLOUD, "--out", self.folder / "out", "--no-report")
+        written = json.loads((self.folder / "out" / "evaluation.lines.fair.json").read_text())
+        self.assertEqual(ridgeline.evaluate(LINES, CLOUD).to_dict(), written)
+
+    def test_options_reach_the_judge(self):
+        program("evaluate", "--lines", LINES, "--cloud", CLOUD, "--patch", PATCH, "--lidar-sigma-m", 0.02, "--classes",
+                "2,6", "--bounds", "513000,5403000,513030,5403065", "--gross-m", 0.2, "--bootstrap-seed", 7, "--out",
+                self.folder / "out", "--no-report")
+        written = json.loads((self.folder / "out" / "evaluation.lines.fair.json").read_text())
+        result = ridgeline.evaluate(LINES, CLOUD, patch=PATCH, lidar_sigma_m=0.02, classes=[2, 6],
+                                    bounds=(513000, 5403000, 513030, 5403065), gross_m=0.2, bootstrap_seed=7)
+        self.assertEqual(result.to_dict(), written)
+
+    def test_the_folder_it_writes_is_that_of_the_program(self):
+        program("evaluate", "--lines", LINES, "--cloud", CLOUD, "--out", self.folder / "out", "--no-report")
+        ridgeline.evaluate(LINES, CLOUD).write(self.folder / "ours")
+        for file in (self.folder / "out").iterdir():
+            if file.name == "run.json":  # has times
+                continue
+            self.assertEqual(file.read_bytes(), (self.folder / "ours" / file.name).read_bytes(), file.name)
+        run = json.loads((self.folder / "ours" / "run.json").read_text())
+        self.assertEqual([entry["role"] for entry in run["inputs"]], ["lines", "cloud"])
+
+
+class EvaluateTakesArrays(Case):
+    def setUp(self):
+        super().setUp()
+        self.by_files = ridgeline.evaluate(LINES, CLOUD)
+        self.lines = ridgeline.read_lines(LINES)
+        self.cloud = ridgeline.read_cloud(CLOUD)
+
+    def assert_same(self, result):
+        np.testing.assert_array_equal(result.lines["status"], self.by_files.lines["status"])
+        np.testing.assert_allclose(result.lines["mean_distance_m"], self.by_files.lines["mean_distance_m"],
+                                   rtol=0, atol=ROUNDING_M)
+
+    def test_lines_and_clouds_in_memory_are_judged_as_their_files_are(self):
+        self.assert_same(ridgeline.evaluate(self.lines, self.cloud))
+        self.assert_same(ridgeline.evaluate(LINES, self.cloud))
+        self.assert_same(ridgeline.evaluate(self.lines, CLOUD))
+
+    def test_plain_arrays_are_lines_and_points(self):
+        ids = [str(i) for i in range(len(self.lines))]  # which seed the sample consensus
+        expected = ridgeline.evaluate(ridgeline.Lines(self.lines.segments, ids=ids), CLOUD).lines["mean_distance_m"]
+        result = ridgeline.evaluate(self.lines.segments.reshape(-1, 6), np.array(self.cloud.xyz))
+        np.testing.assert_allclose(result.lines["mean_distance_m"], expected, rtol=0, atol=ROUNDING_M)
+        self.assertEqual(list(result.lines["id"]), ids)
+        self.assertEqual(list(result.classes), ["total"])
+
+    def test_classes_of_a_cloud_in_memory_are_filtered(self):
+        ground = ridgeline.Cloud.of(self.cloud.xyz, classification=2, crs=self.cloud.crs)
+        noise = ridgeline.Cloud.of(self.cloud.xyz + [0, 0, 1], classification=7, crs=self.cloud.crs)
+        both = ridgeline.Cloud(np.concatenate([ground.points, noise.points]), self.cloud.crs)
+        self.assert_same(ridgeline.evaluate(self.lines, both))
+
+    def test_a_part_of_a_cloud_is_a_cloud(self):
+        west = ridgeline.Cloud(self.cloud.points[self.cloud.points["x"] < 513030], self.cloud.crs)
+        by_bounds = ridgeline.evaluate(self.lines, self.cloud, bounds=(0, 0, 513029.999999, 1e7))
+        np.testing.assert_array_equal(ridgeline.evaluate(self.lines, west).lines["status"], by_bounds.lines["status"])
+
+    def test_feet_become_metres(self):
+        foot_m = 1200 / 3937
+        crs = "+proj=utm +zone=32 +ellps=GRS80 +units=us-ft +vunits=us-ft +type=crs"
+        points = ridgeline.Cloud.of(self.cloud.xyz / foot_m, crs=crs)
+        lines = ridgeline.Lines(self.lines.segments / foot_m, ids=self.lines.ids, crs=crs)
+        metres = ridgeline.Lines(self.lines.segments, ids=self.lines.ids)
+        np.testing.assert_allclose(ridgeline.evaluate(lines, points).lines["mean_distance_m"],
+                                   ridgeline.evaluate(metres, np.array(self.cloud.xyz)).lines["mean_distance_m"],
+                                   rtol=0, atol=1e-6)  # a sample consensus sees other roundings
+
+    def test_reference_lines_add_errors(self):
+        shifted = ridgeline.Lines(self.lines.segments + [0, 0, 0.1], ids=self.lines.ids, crs=self.lines.crs)
+        tables = ridgeline.evaluate(shifted, CLOUD, reference_lines=self.lines).tables
+        self.assertIn("reference_errors", tables)
+        self.assertNotIn("reference_errors", self.by_files.tables)
+
+
+class ResultTellsWhatWasFound(Case):
+    def setUp(self):
+        super().setUp()
+        self.result = ridgeline.evaluate(LINES, CLOUD)
+
+    def test_rms_of_the_lines_is_that_of_the_table(self):
+        e = self.result.lines["mean_distance_m"]
+        rms = np.sqrt(np.nanmean(e**2))
+        self.assertAlmostEqual(rms, self.result.classes["total"]["rms_m"], places=12)
+        total = [row for row in self.result.tables["table2"] if row["class"] == "total"][0]
+        self.assertEqual(total["rms_m"], round(rms, 3))
+        self.assertIn(f"{rms:.3f}", str(self.result))
+        self.assertIn(f"{rms:.3f} m", repr(self.result))
+
+    def test_lines_lie_at_their_distance_from_their_planes(self):
+        other_fit_m = 0.05  # a plane of several lines is shown as fitted to the most points
+        planes = {plane["id"]: plane for plane in self.result.planes}
+        n = 0
+        for i, ids in enumerate(self.result.lines["plane_ids"]):
+            if self.result.lines["kind"][i] != "step":
+                continue
+            plane = planes[ids[0]]
+            ends = self.result.segments[i] @ plane["normal"] + plane["offset_m"]
+            if ends[0] * ends[1] > 0:
+                self.assertAlmostEqual(ends.mean(), self.result.lines["signed_mean_m"][i], delta=other_fit_m)
+                n += 1
+            middle = plane["outline"].mean(axis=0)
+            self.assertAlmostEqual(middle @ plane["normal"] + plane["offset_m"], 0.0, places=6)
+        self.assertGreater(n, 20)
+
+    def test_the_map_has_every_line(self):
+        file = self.folder / "map.gpkg"
+        self.result.to_geopackage(file)
+        with sqlite3.connect(file) as map_file:
+            self.assertEqual(map_file.execute("SELECT count(*) FROM lines").fetchone(), (89,))
+
+    def test_nothing_is_written_over(self):
+        file = self.folder / "map.gpkg"
+        file.write_text("mine")
+        with self.assertRaisesRegex(FileExistsError, "overwrite=True"):
+            self.result.to_geopackage(file)
+        self.assertEqual(file.read_text(), "mine")
+        self.result.to_geopackage(file, overwrite=True)
+        lines = self.folder / "lines.geojson"
+        ridgeline.write_lines(lines, ridgeline.read_lines(LINES))
+        judged = ridgeline.evaluate(lines, CLOUD)
+        with self.assertRaisesRegex(OSError, "is an input"):
+            judged.to_geopackage(lines, overwrite=True)
+
+
+if __name__ == "__main__":
+    unittest.main()

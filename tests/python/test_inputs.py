@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import unittest
+
+import numpy as np
+import ridgeline
+from support import CLOUD, LINES, PATCH, SAMPLE, Case, program
+
+EAVES_M, RIDGE_M, HALF_WIDTH_M, HALF_LENGTH_M = 5.0, 8.0, 6.0, 10.0
+
+
+def house_from_above(x_m):
+    """A gabled roof, its ridge along y, from 100 m above (x_m, 0): 600 x 600 pixels of 0.1 m on the ground."""
+    size, samples = 600, 4
+    slope = (RIDGE_M - EAVES_M) / HALF_WIDTH_M
+    pixel = (np.arange(size * samples) + 0.5) / samples - 0.5
+    across = (pixel[None, :] - 300.0) / 1000.0
+    down = (pixel[:, None] - 300.0) / 1000.0
+    image = np.full((size * samples, size * samples), 60.0)
+    for side, grey in ((-1.0, 200.0), (1.0, 130.0)):  # z = RIDGE_M - slope * side * x
+        x = (x_m + across * (100.0 - RIDGE_M)) / (1.0 - slope * side * across)
+        y = -down * (100.0 - RIDGE_M + slope * side * x)
+        image[(side * x >= 0) & (side * x <= HALF_WIDTH_M) & (np.abs(y) <= HALF_LENGTH_M)] = grey
+    image = image.reshape(size, samples, size, samples).mean(axis=(1, 3))
+    matrix = [[1000, 0, -300, 30000 - 1000 * x_m], [0, -1000, -300, 30000], [0, 0, -1, 100]]
+    return ridgeline.View(np.round(image).astype(np.uint8), np.array(matrix), id=f"at {x_m}")
+
+
+class ReadCloud(Case):
+    def test_coordinates_are_those_of_the_file(self):
+        cloud = ridgeline.read_cloud(CLOUD)
+        steps = cloud.xyz / 0.001  # the file's scale
+        np.testing.assert_allclose(steps, np.round(steps), rtol=0, atol=1e-5)
+        self.assertEqual(cloud.counts["read"] - cloud.counts["dropped_class"], len(cloud))
+        self.assertIn("UTM zone 32N", cloud.crs)
+
+    def test_coordinates_are_a_view_of_the_points(self):
+        cloud = ridgeline.read_cloud(CLOUD)
+        np.testing.assert_array_equal(cloud.xyz[:, 2], cloud.points["z"])
+        self.assertTrue(np.shares_memory(cloud.xyz, cloud.points))
+
+    def test_bounds_and_classes_choose(self):
+        whole = ridgeline.read_cloud(CLOUD)
+        bounds = (513010.0, 5403010.0, 513020.0, 5403020.0)
+        part = ridgeline.read_cloud(CLOUD, bounds=bounds, classes=[2])
+        x, y = whole.points["x"], whole.points["y"]
+        inside = (x >= bounds[0]) & (x <= bounds[2]) & (y >= bounds[1]) & (y <= bounds[3])
+        np.testing.assert_array_equal(part.points, whole.points[inside & (whole.points["classification"] == 2)])
+        self.assertGreater(len(part), 100)
+
+    def test_the_points_outlive_the_cloud(self):
+        points = ridgeline.read_cloud(CLOUD).xyz
+        self.assertTrue(np.isfinite(np.array(points)).all())
+
+    def test_patterns_are_expanded(self):
+        self.assertEqual(len(ridgeline.read_cloud([str(SAMPLE / "lid*.las")])), len(ridgeline.read_cloud(CLOUD)))
+
+
+class LinesInFiles(Case):
+    def test_what_is_written_is_read_again(self):
+        lines = ridgeline.read_lines(LINES)
+        file = self.folder / "lines.gpkg"
+        self.assertEqual(ridgeline.write_lines(file, lines), 0)
+        again = ridgeline.read_lines(file)
+        np.testing.assert_allclose(again.segments, lines.segments, rtol=0, atol=1e-4)
+        np.testing.assert_allclose(again.covariance_m2, lines.covariance_m2, rtol=1e-5)
+        self.assertEqual((again.ids, again.line_class), (lines.ids, lines.line_class))
+
+    def test_an_unknown_ending_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "lines.doc: .*must be one of .geojson"):
+            ridgeline.write_lines(self.folder / "lines.doc", np.zeros((1, 6)))
+
+
+class Reconstruct(Case):
+    def test_a_patch_gives_the_lines_of_the_program(self):
+        file = self.folder / "lines.geojson"
+        program("reconstruct", PATCH, "--method", "network", "--out", file)
+        expected = ridgeline.read_lines(file)
+        lines = ridgeline.reconstruct(PATCH, method="network")
+        np.testing.assert_allclose(lines.segments, expected.segments, rtol=0, atol=1e-4)  # m, of the file
+        self.assertEqual((lines.ids, lines.line_class, lines.status),
+                         (expected.ids, expected.line_class, expected.status))
+
+    def test_views_in_memory_show_a_roof_where_it_is(self):
+        views = [house_from_above(x_m) for x_m in (-15.0, 15.0)]
+        lines = ridgeline.reconstruct(views, (-2.0, 12.0), crs="EPSG:25832")
+        self.assertEqual(lines.crs, "EPSG:25832")
+        for x_m, z_m in ((0.0, RIDGE_M), (-HALF_WIDTH_M, EAVES_M), (HALF_WIDTH_M, EAVES_M)):
+            expected = np.array([[x_m, -HALF_LENGTH_M, z_m], [x_m, HALF_LENGTH_M, z_m]])
+            misses = np.abs(np.sort(lines.segments, axis=1) - expected).max(axis=(1, 2))
+            self.assertLess(np.nanmin(misses), 0.2)  # m, two pixels on the ground
+
+    def test_views_are_checked(self):
+        image, matrix = np.zeros((8, 8), np.uint8), np.eye(3, 4)
+        for rule, view in ((r"image of a: type float64; must be uint8 or uint16", (image.astype(float), matrix)),
+                           (r"image of a: the shape is \(8, 8, 5\)", (np.zeros((8, 8, 5), np.uint8), matrix)),
+                           (r"matrix of a: the shape is \(3, 3\); must be \(3, 4\)", (image, np.eye(3)))):
+            with self.assertRaisesRegex(ValueError, rule):
+                ridgeline.reconstruct([ridgeline.View(*view, id="a")] * 2, (0, 10))
+        with self.assertRaisesRegex(ValueError, "height_range_m"):
+            ridgeline.reconstruct([])
+        with self.assertRaisesRegex(ValueError, "method = x, must be one of direct, joint"):
+            ridgeline.reconstruct(PATCH, method="x")
+
+
+if __name__ == "__main__":
+    unittest.main()
