@@ -7,13 +7,13 @@ build_packages=(
   libgdal-dev libsqlite3-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin python3-yaml)
 # for the tests with Node, which are skipped without; of any origin will do
 node_packages=()
 command -v npm >/dev/null || node_packages=(nodejs npm)
 browser_packages=(chromium)
 check_packages=(clang-format-14 clang-tidy-14)
-debian_packages=(help2man dpkg-dev lintian debootstrap)
+debian_packages=(help2man dpkg-dev lintian debootstrap python3-yaml)
 clang_packages=(clang-14 libclang-rt-14-dev)
 
 missing_packages() {
