@@ -9,13 +9,13 @@ build_packages=(
 )
 python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3-setuptools python3-pip)
 python_options=(-DRIDGELINE_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)  # for which python3-numpy is
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin python3-matplotlib mypy)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin python3-matplotlib mypy python3-yaml)
 # for the tests with Node, which are skipped without; of any origin will do
 node_packages=()
 command -v npm >/dev/null || node_packages=(nodejs npm)
 browser_packages=(chromium)
 check_packages=(clang-format-14 clang-tidy-14)
-debian_packages=(help2man dpkg-dev lintian debootstrap)
+debian_packages=(help2man dpkg-dev lintian debootstrap python3-yaml)
 clang_packages=(clang-14 libclang-rt-14-dev)
 
 missing_packages() {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the README says of gates holds as printed: its gates file on the demonstration and on a
-// worsened copy of it, and the steps of its CI job in order.
-#include "tests/cli/ci_job.h"
+// worsened copy of it. tests/action runs its CI job.
 #include "tests/cli/cli_fixture.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <regex>
-#include <sstream>
 
 namespace ridgeline::cli {
 namespace {
@@ -89,27 +87,6 @@ TEST_F(ReadmeGate, FilePassesOnTheDemonstrationAndFailsOnAWorsenedCopy) {
   const ProgramResult failed = gate("worse");
   EXPECT_EQ(failed.exit_code, 3) << failed.out << failed.err;
   EXPECT_THAT(failed.out, HasSubstr("above the limit 0.3"));
-}
-
-TEST_F(ReadmeGate, JobRunsStepByStepAsPrintedAndStopsWorseLines) {
-  const fs::path sample = fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1";
-  fs::create_directory(path("repository"));
-  fs::copy(sample, path("repository"));
-  write(path("repository/gates.yaml"), readme_block("gates"));
-  const CiJob job(readme_block("jobs"), path("repository"));
-
-  const std::vector<StepResult> passed = job.run();
-  for (const StepResult& step : passed) EXPECT_EQ(step.exit_code, 0) << step.name << step.output;
-  EXPECT_THAT(read(job.step_summary()), HasSubstr("Accuracy gate: **passed**"));
-
-  worsen("repository/results", "1");
-  const std::vector<StepResult> failed = job.run_from("ridgeline gate");
-  ASSERT_GE(failed.size(), 2U) << "the summary is to be seen when the gate fails";
-  EXPECT_EQ(failed[0].exit_code, 3) << failed[0].output;
-  for (std::size_t i = 1; i < failed.size(); ++i) {
-    EXPECT_EQ(failed[i].exit_code, 0) << failed[i].name << failed[i].output;
-  }
-  EXPECT_THAT(read(job.step_summary()), HasSubstr("Accuracy gate: **failed**"));
 }
 
 /// Every metric that the program lists for one that it does not know.
