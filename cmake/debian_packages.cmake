@@ -38,6 +38,8 @@ if(RIDGELINE_BUILD_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ridgeline)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/cmake/debian_python/postinst ${PROJECT_SOURCE_DIR}/cmake/debian_python/prerm)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")  # an extension module is of one minor version
   string(JOIN ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}~)" "python3 (<< 3.${next_minor})" python3-numpy proj-data)
@@ -61,7 +63,8 @@ install(FILES tests/consumer/CMakeLists.txt tests/consumer/main.cpp
 
 if(RIDGELINE_BUILD_PYTHON)
   install(DIRECTORY ${debian}/doc/ DESTINATION share/doc/python3-ridgeline COMPONENT python OPTIONAL)
-  install(DIRECTORY $<TARGET_FILE_DIR:ridgeline_python> DESTINATION lib/python3/dist-packages COMPONENT python
+  install(TARGETS ridgeline_python LIBRARY DESTINATION lib/python3/dist-packages/ridgeline COMPONENT python)
+  install(DIRECTORY apps/python/ridgeline DESTINATION lib/python3/dist-packages COMPONENT python
           PATTERN __pycache__ EXCLUDE)
 endif()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples of docs/python.md, run as printed."""
+"""The examples of docs/python.md and README.md, run as printed."""
 
 import contextlib
 import importlib.util
@@ -16,13 +16,13 @@ HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
 
 def examples():
     """Pairs of a block of Python and what the page says it prints, if it does."""
-    text = (ROOT / "docs" / "python.md").read_text()
+    text = (ROOT / "README.md").read_text() + (ROOT / "docs" / "python.md").read_text()
     return re.findall(r"```python\n(.*?)```\n(?:```\n(.*?)```\n)?", text, re.DOTALL)
 
 
 class Manual(Case):
     def test_examples_run_and_print_what_the_page_says(self):
-        self.assertGreater(len(examples()), 4)
+        self.assertGreater(len(examples()), 5)
         (self.folder / "sample_data").symlink_to(ROOT / "sample_data")
         os.environ["MPLBACKEND"] = "Agg"
         before = os.getcwd()
