@@ -39,6 +39,7 @@ std::optional<Array<double>> find_array(const py::dict& entries,
     return true;
   };
   std::vector<std::string> expected;
+  expected.reserve(shape.size());
   for (const py::ssize_t size : shape) expected.push_back(size < 0 ? "n" : std::to_string(size));
   check(fits(), name, ": the shape is ", shape_text(array), "; must be ",
         fmt::format("({})", fmt::join(expected, ", ")));

@@ -51,7 +51,7 @@ pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_
   for (const auto& row : rows) {
     const std::optional<Eigen::Matrix<double, R, C>> matrix = matrix_of(row);
     if (matrix) Eigen::Map<RowMajor<R, C>>{out} = *matrix;
-    out += R * C;
+    out += std::ptrdiff_t{R} * C;
   }
   return array;
 }

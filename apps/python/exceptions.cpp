@@ -30,6 +30,7 @@ void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =
       "A file is not what it should be; the message names it, what is wrong and the rule.";
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
   py::register_exception_translator([](std::exception_ptr thrown) {
     if (!thrown) return;
     try {

@@ -16,15 +16,15 @@ class Interrupted : public std::runtime_error {
 /// Python). Their loops call check(); the request stands until it is cleared.
 class Interruption {
  public:
-  static void request() { requested_ = true; }
-  static void clear() { requested_ = false; }
+  static void request() { is_requested = true; }
+  static void clear() { is_requested = false; }
   /// Throws Interrupted if a request stands. From any thread; costs no more than a read of memory.
   static void check() {
-    if (requested_.load(std::memory_order_relaxed)) throw Interrupted();
+    if (is_requested.load(std::memory_order_relaxed)) throw Interrupted();
   }
 
  private:
-  static inline std::atomic<bool> requested_ = false;
+  static inline std::atomic<bool> is_requested = false;
 };
 
 }  // namespace ridgeline
