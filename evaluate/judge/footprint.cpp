@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/footprint.h"
 
+#include "reconstruct/geometry/check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
