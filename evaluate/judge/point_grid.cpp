@@ -49,16 +49,19 @@ void PointGrid::visit_runs_near(const Segment2& segment,
   const Eigen::Vector2d high = segment.start.cwiseMax(segment.end).array() + radius_m;
   const double reach = radius_m + cell_m_ * 0.7072;  // a cell's centre to its corner
   for (std::ptrdiff_t row = row_of(low.y()); row <= row_of(high.y()); ++row) {
+    // the cells near a segment lie side by side in a row, and so do their points
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
     for (std::ptrdiff_t column = column_of(low.x()); column <= column_of(high.x()); ++column) {
       const Eigen::Vector2d centre =
           lowest_ + cell_m_ * Eigen::Vector2d(static_cast<double>(column) + 0.5,
                                               static_cast<double>(row) + 0.5);
       if (distance(segment, centre) > reach) continue;
       const auto cell = static_cast<std::size_t>(row * columns_ + column);
-      const auto begin = points_.begin() + cell_begin_[cell];
-      const auto end = points_.begin() + cell_begin_[cell + 1];
-      if (begin != end) visit(Run(begin, end));
+      if (begin == end) begin = cell_begin_[cell];
+      end = cell_begin_[cell + 1];
     }
+    if (begin != end) visit(Run(points_).subspan(begin, end - begin));
   }
 }
 
