@@ -53,9 +53,9 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   /// Null unless it was set.
   [[nodiscard]] const SearchPtr& getSearchMethod() const { return search_; }
 
-  /// Normals of the cloud's points, as many as these, for the sample consensus; of any length and either
-  /// sign. A point whose normal is zero or not finite, or whose curvature is not finite, counts by its
-  /// distance alone. A null pointer: no normals.
+  /// Normals for the sample consensus, one a point of the cloud, of any length and either sign. A point whose
+  /// normal is zero or not finite, or whose curvature is not finite, counts by its distance alone; a
+  /// curvature below 0 or above 1 counts as these. A null pointer: no normals.
   void setInputNormals(const PointCloudNConstPtr& normals) { normals_ = normals; }
   [[nodiscard]] const PointCloudNConstPtr& getInputNormals() const { return normals_; }
   /// How much the angle between a point's normal and the plane's counts (radians) against the distance

@@ -269,7 +269,9 @@ void print_table(const std::vector<test::SimulatedSurvey>& surveys) {
   std::puts("\n|---|---|---|---|---|---|---|---|");
   for (std::size_t g = 0; g < groups().size(); ++g) {
     for (std::size_t m = 0; m < methods().size(); ++m) {
-      std::printf("| %d %s | %s |", of_move[0][m][g].n_lines, groups()[g].name, methods()[m].name);
+      const std::string lines =
+          m == 0 ? std::to_string(of_move[0][m][g].n_lines) + " " + groups()[g].name : "";
+      std::printf("| %s | %s |", lines.c_str(), methods()[m].name);
       for (const Tallies& tallies : of_move) tallies[m][g].print();
       std::puts("");
     }

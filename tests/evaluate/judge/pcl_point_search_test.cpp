@@ -90,6 +90,34 @@ TEST(PclPointSearch, VisitsThePointsThatTheGridVisitsOnce) {
   }
 }
 
+/// A corridor of 8 m in three layers of four balls, and points where four balls touch: as far from the
+/// centres as the balls reach, and the centres are no floats.
+TEST(PclPointSearch, LosesNoPointToFloats) {
+  constexpr double kRadius_m = 4.0;
+  test::Random random(9);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Eigen::Vector2d start(random.uniform(5000, 5001), -4000.25);
+    auto cloud = std::make_shared<Cloud>();
+    for (const double s_m : {-4.0, 4.0, 12.0, 20.0, 28.0}) {
+      for (const double t_m : {-kRadius_m, kRadius_m}) {
+        for (const float z_m : {100.0F, 108.0F, 116.0F, 124.0F}) {
+          cloud->emplace_back(static_cast<float>(start.x() + s_m),
+                              static_cast<float>(start.y() + t_m), z_m);
+        }
+      }
+    }
+    const pcl::IndicesPtr indices = all_of(*cloud);
+    const Segment2 segment{start, start + Eigen::Vector2d(24.0, 0.0)};
+    const auto expected =
+        visits_within(grid_of(*cloud, *indices), segment, kRadius_m, cloud->size());
+    for (const Search::Ptr& method : searches()) {
+      const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
+      EXPECT_EQ(visits_within(search, segment, kRadius_m, cloud->size()), expected)
+          << method->getName() << ", trial " << trial;
+    }
+  }
+}
+
 TEST(PclPointSearch, CountsAsTheGridDoes) {
   const Cloud::Ptr cloud = cloud_on_a_hillside();
   const pcl::IndicesPtr indices = all_of(*cloud);
