@@ -58,7 +58,7 @@ install(DIRECTORY ${debian}/man1 DESTINATION share/man COMPONENT program OPTIONA
 install(DIRECTORY ${debian}/doc/ DESTINATION share/doc/ridgeline COMPONENT program OPTIONAL)
 install(DIRECTORY ${debian}/doc/ DESTINATION share/doc/libridgeline-dev COMPONENT dev OPTIONAL)
 install(FILES apps/completion.bash DESTINATION share/bash-completion/completions RENAME ridgeline COMPONENT program)
-install(FILES tests/consumer/CMakeLists.txt tests/consumer/main.cpp
+install(FILES tests/consumer/CMakeLists.txt tests/consumer/main.cpp tests/consumer/pcl_lines.cpp
         DESTINATION share/doc/libridgeline-dev/examples COMPONENT dev)
 
 if(RIDGELINE_BUILD_PYTHON)

@@ -134,12 +134,13 @@ BatchJudge::BatchJudge(std::span<const JudgedLine> lines, const JudgeOptions& op
   validate(options);
 }
 
-void BatchJudge::judge(const PointGrid& grid, std::span<const std::size_t> batch) {
+void BatchJudge::judge(const PointSearch& search, std::span<const std::size_t> batch) {
   const QuietPcl quiet;
   tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t k) {
     Interruption::check();
     const std::size_t i = batch[k];
-    results_[i] = repeated_[i] != 0 ? duplicate(lines_[i]) : judge_line(grid, lines_[i], options_);
+    results_[i] =
+        repeated_[i] != 0 ? duplicate(lines_[i]) : judge_line(search, lines_[i], options_);
   });
 }
 

@@ -18,7 +18,7 @@ class BatchJudge {
   BatchJudge(std::span<const JudgedLine> lines, const JudgeOptions& options);
 
   /// Judges the lines of a batch, by their numbers, in parallel. Every line belongs to one batch.
-  void judge(const PointGrid& grid, std::span<const std::size_t> batch);
+  void judge(const PointSearch& search, std::span<const std::size_t> batch);
 
   /// The i-th result belongs to the i-th line; see judge_lines(). Once, after the last batch.
   std::vector<JudgedResult> take_results();

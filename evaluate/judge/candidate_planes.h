@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/judge/plane_support.h"
+#include "evaluate/judge/point_normals.h"
 #include "evaluate/line_evaluation.h"
 
 #include <cstdint>
@@ -19,6 +20,7 @@ std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
                                              const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
-                                             std::uint64_t key);
+                                             std::uint64_t key,
+                                             const PointNormals& normals = {});
 
 }  // namespace ridgeline::evaluate

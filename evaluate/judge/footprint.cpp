@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/footprint.h"
 
+#include "reconstruct/geometry/check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -20,13 +22,13 @@ Footprint footprint_of(const Segment3& segment) {
   return {p.start, along, Eigen::Vector2d(-along.y(), along.x()), length_m};
 }
 
-std::vector<ZonePoint> points_beside(const PointGrid& grid,
+std::vector<ZonePoint> points_beside(const PointSearch& search,
                                      const Footprint& footprint,
                                      double half_width_m,
                                      double end_m) {
   std::vector<ZonePoint> points;
   const Segment2 axis{footprint.at(-end_m), footprint.at(footprint.length_m + end_m)};
-  grid.visit_near(axis, half_width_m, [&](const PointGrid::Point& point) {
+  search.visit_near(axis, half_width_m, [&](const PointSearch::Point& point) {
     const double s = footprint.s(point.x.head<2>());
     const double t = footprint.t(point.x.head<2>());
     if (std::abs(t) > half_width_m || s < -end_m || s > footprint.length_m + end_m) return;

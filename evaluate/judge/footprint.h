@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "evaluate/judge/point_grid.h"
+#include "evaluate/judge/point_search.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
@@ -41,7 +41,7 @@ struct ZonePoint {
 /// that is metres off in height meets the same points. In the order of x, then y, then z: the same
 /// points give the same zone however they are spread over files and in whatever order they come. Points at
 /// the same place, as tiles that overlap have, are one point.
-std::vector<ZonePoint> points_beside(const PointGrid& grid,
+std::vector<ZonePoint> points_beside(const PointSearch& search,
                                      const Footprint& footprint,
                                      double half_width_m,
                                      double end_m);

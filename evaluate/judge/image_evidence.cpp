@@ -34,12 +34,12 @@ Ray ray_of(const ImageEvidence& images, const Eigen::Vector2d& x_px) {
 }
 
 /// A radius in plan that holds two to three points, from the density around `x`.
-double search_radius_m(const PointGrid& grid, const Eigen::Vector2d& x) {
+double search_radius_m(const PointSearch& search, const Eigen::Vector2d& x) {
   constexpr double kAround_m = 4.0;
   constexpr double kPointsWanted = 2.5;
   constexpr double kSmallest_m = 0.3;
   constexpr double kLargest_m = 1.0;
-  const auto n = static_cast<double>(grid.count_within(x, kAround_m));
+  const auto n = static_cast<double>(search.count_within(x, kAround_m));
   return std::clamp(kAround_m * std::sqrt(kPointsWanted / std::max(n, 1.0)), kSmallest_m,
                     kLargest_m);
 }
@@ -51,7 +51,7 @@ struct Sample {
 
 /// What rays through `n_samples` points of the base segment meet first from above: the highest point
 /// within `radius_m` of each.
-std::vector<Sample> first_hits(const PointGrid& grid,
+std::vector<Sample> first_hits(const PointSearch& search,
                                const ImageEvidence& images,
                                int n_samples,
                                double radius_m) {
@@ -64,7 +64,7 @@ std::vector<Sample> first_hits(const PointGrid& grid,
     rays.push_back(ray_of(images, base.start + share(i) * (base.end - base.start)));
   }
   std::vector<double> highest_m(rays.size(), -HUGE_VAL);
-  const auto meet = [&, low = low, high = high](const PointGrid::Point& p) {
+  const auto meet = [&, low = low, high = high](const PointSearch::Point& p) {
     const double z_m = p.x.z();
     const Eigen::Vector2d x = p.x.head<2>();
     if (!(z_m >= low && z_m <= high)) return;
@@ -78,7 +78,7 @@ std::vector<Sample> first_hits(const PointGrid& grid,
   // A ray's place at a height is up to half a spacing from the next segment of the sweep.
   const double reach_m = 1.5 * radius_m;
   for (const Segment2& segment : plan_sweep(images, radius_m)) {
-    grid.visit_near(segment, reach_m, meet);
+    search.visit_near(segment, reach_m, meet);
   }
   std::vector<Sample> hits;
   for (int i = 0; i < n_samples; ++i) {
@@ -136,15 +136,15 @@ std::vector<Sample> consensus(const std::vector<Sample>& samples) {
 
 }  // namespace
 
-std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& images) {
+std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images) {
   constexpr double kSpacing_m = 0.25;
   constexpr double kLeastShare = 0.5;  // of the samples on the line found
   const Segment3 midway =
       at_height(images, 0.5 * (images.height_range_m[0] + images.height_range_m[1]));
   if (!all_finite(midway)) return std::nullopt;
   const int n_samples = std::clamp(static_cast<int>(length(midway) / kSpacing_m), 4, 40);
-  const double radius_m = search_radius_m(grid, midpoint(plan(midway)));
-  const std::vector<Sample> inliers = consensus(first_hits(grid, images, n_samples, radius_m));
+  const double radius_m = search_radius_m(search, midpoint(plan(midway)));
+  const std::vector<Sample> inliers = consensus(first_hits(search, images, n_samples, radius_m));
   if (static_cast<double>(inliers.size()) < kLeastShare * n_samples) return std::nullopt;
   const HeightLine line = regression(inliers);
   const Segment2& base = images.segments_px[0];

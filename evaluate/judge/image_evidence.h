@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "evaluate/judge/point_grid.h"
+#include "evaluate/judge/point_search.h"
 #include "evaluate/line_evaluation.h"
 #include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
@@ -16,7 +16,7 @@ namespace ridgeline::evaluate {
 /// robustly to the heights so found. Close is a radius in plan that holds about two points.
 /// No answer where most rays meet no point, or no straight line explains them, or the result has no
 /// direction in plan.
-std::optional<Segment3> monoplot(const PointGrid& grid, const ImageEvidence& images);
+std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images);
 
 /// The parts of image_cost(). Two planes are compared by both; whether the images show the line on one
 /// is told by `across` alone, since the segments need not show the same part of the line.

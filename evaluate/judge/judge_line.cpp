@@ -138,13 +138,13 @@ struct Surroundings {
   }
 };
 
-Surroundings surroundings(const PointGrid& grid,
+Surroundings surroundings(const PointSearch& search,
                           const JudgedLine& line,
                           const Footprint& footprint,
                           const JudgeOptions& options) {
   Surroundings around{
       footprint,
-      points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m),
+      points_beside(search, footprint, options.fit_half_width_m, options.fit_half_width_m),
       {},
       {}};
   if (count_in_corridor(around.zone, footprint, options) <
@@ -152,7 +152,7 @@ Surroundings surroundings(const PointGrid& grid,
     return around;
   }
   around.candidates = candidate_planes(around.zone, footprint, line.images, options,
-                                       line_key(line.id, options.seed));
+                                       line_key(line.id, options.seed), search.normals());
   around.decision = decide_edge(around.candidates, footprint, options, line.images);
   return around;
 }
@@ -160,10 +160,10 @@ Surroundings surroundings(const PointGrid& grid,
 /// What lies around the line in plan, if the images show the line on that. A ray that passes the edge
 /// of a roof between two points of the cloud ends on the ground, a metre aside for a house of 8 m. A line
 /// at a wrong height gains by it only where chance brings it within two pixels of a plane.
-std::optional<Surroundings> seen_where_it_lies(const PointGrid& grid,
+std::optional<Surroundings> seen_where_it_lies(const PointSearch& search,
                                                const JudgedLine& line,
                                                const JudgeOptions& options) {
-  Surroundings own = surroundings(grid, line, footprint_of(line.segment), options);
+  Surroundings own = surroundings(search, line, footprint_of(line.segment), options);
   if (own.decision.status != Status::kEvaluated) return std::nullopt;
   for (const std::size_t i : own.decision.planes) {
     const double cost = image_cost_parts(*line.images, own.candidates[i].fit.plane).across;
@@ -212,7 +212,7 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
   return std::nullopt;
 }
 
-JudgedResult judge_line(const PointGrid& grid,
+JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,
                         const JudgeOptions& options) {
   LineEvaluation e = undecided(line);
@@ -221,11 +221,11 @@ JudgedResult judge_line(const PointGrid& grid,
   }
   // by its image segment on the LIDAR surface, so that all methods meet the same points; by the line
   // itself where there is no image or the ray meets no surface
-  const std::optional<Segment3> seen = line.images ? monoplot(grid, *line.images) : std::nullopt;
+  const std::optional<Segment3> seen = line.images ? monoplot(search, *line.images) : std::nullopt;
   Surroundings around =
-      surroundings(grid, line, footprint_of(seen ? *seen : line.segment), options);
+      surroundings(search, line, footprint_of(seen ? *seen : line.segment), options);
   if (seen && around.is_contradicted(line.images)) {
-    if (auto own = seen_where_it_lies(grid, line, options)) around = std::move(*own);
+    if (auto own = seen_where_it_lies(search, line, options)) around = std::move(*own);
   }
   auto& [footprint, zone, candidates, decision] = around;
   const std::size_t n_beside = count_in_corridor(zone, footprint, options);

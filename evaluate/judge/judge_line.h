@@ -39,6 +39,8 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
 /// no plane there, it lies where the line does, provided that the images show it on the plane there (flag
 /// `seen_instead`). A line with a reason_for_doubt() is ambiguous.
 /// Ends in a status whatever the line is; never throws for a bad line.
-JudgedResult judge_line(const PointGrid& grid, const JudgedLine& line, const JudgeOptions& options);
+JudgedResult judge_line(const PointSearch& search,
+                        const JudgedLine& line,
+                        const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

@@ -7,13 +7,13 @@
 
 namespace ridgeline::evaluate {
 
-std::vector<JudgedResult> judge_lines(const PointGrid& grid,
+std::vector<JudgedResult> judge_lines(const PointSearch& search,
                                       std::span<const JudgedLine> lines,
                                       const JudgeOptions& options) {
   BatchJudge judge(lines, options);
   std::vector<std::size_t> all(lines.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  judge.judge(grid, all);
+  judge.judge(search, all);
   return judge.take_results();
 }
 

@@ -13,7 +13,7 @@ namespace ridgeline::evaluate {
 /// status `duplicate_id`. Planes that share their points get one id over all lines, because lines
 /// judged by the same plane are not independent.
 /// Throws std::invalid_argument for an option out of its range.
-std::vector<JudgedResult> judge_lines(const PointGrid& grid,
+std::vector<JudgedResult> judge_lines(const PointSearch& search,
                                       std::span<const JudgedLine> lines,
                                       const JudgeOptions& options);
 

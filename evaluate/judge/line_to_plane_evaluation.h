@@ -6,7 +6,12 @@
 #include <pcl/ModelCoefficients.h>
 #include <pcl/pcl_base.h>
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/search.h>
 
+#include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -20,19 +25,43 @@ namespace ridgeline::evaluate {
 ///   const auto judged = evaluation.compute();
 ///   const pcl::ModelCoefficients roof = evaluation.getModelCoefficients(0).front();
 ///
-/// Instantiated for PointXYZ, PointXYZI and PointXYZL. The sample consensus is PCL's; sums and
-/// final fits run in double. The search structure is a grid of its own (PointGrid): it builds
-/// twelve times faster than a kd-tree and answers corridors, not balls.
+/// Instantiated for PointXYZ, PointXYZI, PointXYZL, PointNormal and PointXYZINormal. The sample consensus is
+/// PCL's; sums and final fits run in double. docs/pcl.md has examples and measurements.
+///
+/// Normals take part only after setInputNormals(), as in pcl::SACSegmentationFromNormals: those of a
+/// PointNormal cloud, too, since these fields are often empty. PointNT is then PointT.
 // NOLINTBEGIN(readability-identifier-naming): PCL's spelling, as PCL's users know it
-template <typename PointT>
+template <typename PointT,
+          typename PointNT =
+              std::conditional_t<pcl::traits::has_normal<PointT>::value, PointT, pcl::Normal>>
 class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
  public:
   using PointCloud = pcl::PointCloud<PointT>;
   using PointCloudConstPtr = typename PointCloud::ConstPtr;
+  using PointCloudNConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
+  using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
   /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts.
   void setInputCloud(const PointCloudConstPtr& cloud) override;
   void setInputLines(std::vector<JudgedLine> lines) { lines_ = std::move(lines); }
+
+  /// How the points near a line are found: pcl::search::KdTree, Octree, BruteForce or any other exact search
+  /// whose const queries may run in several threads. compute() gives it the cloud and the indices, and it
+  /// builds its structure then. Without one, or with a null pointer, a grid of our own serves (PointGrid).
+  /// The results are the same bit by bit.
+  void setSearchMethod(const SearchPtr& search) { search_ = search; }
+  /// Null unless it was set.
+  [[nodiscard]] const SearchPtr& getSearchMethod() const { return search_; }
+
+  /// Normals for the sample consensus, one a point of the cloud, of any length and either sign. A point whose
+  /// normal is zero or not finite, or whose curvature is not finite, counts by its distance alone; a
+  /// curvature below 0 or above 1 counts as these. A null pointer: no normals.
+  void setInputNormals(const PointCloudNConstPtr& normals) { normals_ = normals; }
+  [[nodiscard]] const PointCloudNConstPtr& getInputNormals() const { return normals_; }
+  /// How much the angle between a point's normal and the plane's counts (radians) against the distance
+  /// (metres), from 0 to 1; 0.1 by default, as in PCL. See PointNormals.
+  void setNormalDistanceWeight(double weight) { normal_weight_ = weight; }
+  [[nodiscard]] double getNormalDistanceWeight() const { return normal_weight_; }
 
   /// MSAC by default.
   void setMethodType(SampleConsensus method) { options_.method = method; }
@@ -41,13 +70,14 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   void setMaxIterations(int iterations) { options_.max_iterations = iterations; }
   /// Half width of the corridor around a line, in plan.
   void setSearchHalfWidth(double half_width_m) { options_.corridor_half_width_m = half_width_m; }
-  /// Size of the search grid's cells.
+  /// Size of the own grid's cells; without effect on a search method.
   void setSearchCellSize(double cell_m) { cell_m_ = cell_m; }
   void setOptions(const JudgeOptions& options) { options_ = options; }
   [[nodiscard]] const JudgeOptions& getOptions() const { return options_; }
 
   /// One judgement a line, in the order of the lines.
-  /// Throws std::invalid_argument without a cloud or for an option out of its range.
+  /// Throws std::invalid_argument without a cloud, for an option out of its range, for normals of another
+  /// number than the points, and for a search method that does not find the cloud's points.
   std::vector<LineEvaluation> compute();
 
   /// The planes of a line after compute(): values (nx, ny, nz, d), local frame, normal upwards.
@@ -62,8 +92,14 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   using pcl::PCLBase<PointT>::initCompute;
   using pcl::PCLBase<PointT>::deinitCompute;
 
+  [[nodiscard]] std::unique_ptr<PointSearch> point_search() const;
+  [[nodiscard]] PointNormals point_normals() const;
+
   JudgeOptions options_;
   double cell_m_ = 1.0;
+  SearchPtr search_;
+  PointCloudNConstPtr normals_;
+  double normal_weight_ = PointNormals{}.weight;
   std::vector<JudgedLine> lines_;
   std::vector<JudgedResult> results_;
 };

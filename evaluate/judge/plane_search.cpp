@@ -6,6 +6,7 @@
 #include <pcl/sample_consensus/msac.h>
 #include <pcl/sample_consensus/prosac.h>
 #include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_normal_plane.h>
 #include <pcl/sample_consensus/sac_model_plane.h>
 
 #include <algorithm>
@@ -19,7 +20,9 @@ namespace ridgeline::evaluate {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Model = pcl::SampleConsensusModelPlane<pcl::PointXYZ>;
+using Model = pcl::SampleConsensusModel<pcl::PointXYZ>;
+using PlaneModel = pcl::SampleConsensusModelPlane<pcl::PointXYZ>;
+using NormalPlaneModel = pcl::SampleConsensusModelNormalPlane<pcl::PointXYZ, pcl::Normal>;
 
 /// splitmix64: the same sequence everywhere, unlike the standard distributions.
 std::uint64_t next_random(std::uint64_t& state) {
@@ -57,6 +60,28 @@ Cloud::Ptr recentred_cloud(const std::vector<ZonePoint>& points, const Eigen::Ve
   return cloud;
 }
 
+pcl::PointCloud<pcl::Normal>::Ptr normals_at(const std::vector<ZonePoint>& points,
+                                             const PointNormals& normals) {
+  auto cloud = std::make_shared<pcl::PointCloud<pcl::Normal>>();
+  cloud->reserve(points.size());
+  for (const ZonePoint& point : points) {
+    const PointNormals::Normal& n = normals.of_point[point.index];
+    cloud->emplace_back(n.x, n.y, n.z, n.curvature);
+  }
+  return cloud;
+}
+
+Model::Ptr plane_model(const std::vector<ZonePoint>& points,
+                       const Eigen::Vector3d& centre,
+                       const PointNormals& normals) {
+  const Cloud::Ptr cloud = recentred_cloud(points, centre);
+  if (normals.of_point.empty()) return std::make_shared<PlaneModel>(cloud);
+  auto model = std::make_shared<NormalPlaneModel>(cloud);
+  model->setInputNormals(normals_at(points, normals));
+  model->setNormalDistanceWeight(normals.weight);
+  return model;
+}
+
 std::unique_ptr<pcl::SampleConsensus<pcl::PointXYZ>> sample_consensus(SampleConsensus method,
                                                                       const Model::Ptr& model,
                                                                       double threshold_m) {
@@ -73,9 +98,10 @@ std::unique_ptr<pcl::SampleConsensus<pcl::PointXYZ>> sample_consensus(SampleCons
 
 /// The plane that PCL finds, in the local frame.
 std::optional<Plane3> consensus_plane(const std::vector<ZonePoint>& points,
-                                      const JudgeOptions& options) {
+                                      const JudgeOptions& options,
+                                      const PointNormals& normals) {
   const Eigen::Vector3d centre = points.front().x.array().round();
-  const Model::Ptr model = std::make_shared<Model>(recentred_cloud(points, centre));
+  const Model::Ptr model = plane_model(points, centre, normals);
   const auto consensus = sample_consensus(options.method, model, options.inlier_distance_m);
   consensus->setMaxIterations(options.max_iterations);
   if (!consensus->computeModel(0)) return std::nullopt;
@@ -119,7 +145,8 @@ std::optional<PlaneFit> refine(const std::vector<ZonePoint>& points,
 
 std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
-                                      std::uint64_t key) {
+                                      std::uint64_t key,
+                                      const PointNormals& normals) {
   constexpr std::size_t kMostPlanes = 6;  // two roofs, a dormer, ground and two walls
   const double steepest_rad = options.max_slope_deg * std::numbers::pi / 180.0;
   std::vector<ZonePoint> rest(side.begin(), side.end());
@@ -131,7 +158,7 @@ std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
   std::vector<FoundPlane> planes;
   for (std::size_t trial = 0; trial < kMostPlanes; ++trial) {
     if (rest.size() < static_cast<std::size_t>(options.min_points)) break;
-    const std::optional<Plane3> start = consensus_plane(rest, options);
+    const std::optional<Plane3> start = consensus_plane(rest, options, normals);
     if (!start) break;
     const std::optional<PlaneFit> fit = refine(rest, *start, options);
     if (!fit) break;

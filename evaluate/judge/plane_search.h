@@ -4,6 +4,7 @@
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/options.h"
 #include "evaluate/judge/plane_fit.h"
+#include "evaluate/judge/point_normals.h"
 
 #include <cstdint>
 #include <span>
@@ -24,9 +25,12 @@ struct FoundPlane {
 ///
 /// `key` seeds the order in which PCL draws samples (its own generator has a fixed seed), so the
 /// result depends on the line and the run's seed, never on threads or on the order of lines.
+///
+/// With normals the consensus counts by them, too. The refinement and the inliers go by distance alone.
 std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
-                                      std::uint64_t key);
+                                      std::uint64_t key,
+                                      const PointNormals& normals = {});
 
 /// The key of a line: a hash of its id and the run's seed.
 std::uint64_t line_key(std::string_view id, int seed);

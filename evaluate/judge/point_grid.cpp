@@ -2,7 +2,6 @@
 #include "evaluate/judge/point_grid.h"
 
 #include <algorithm>
-#include <array>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -42,15 +41,28 @@ std::size_t PointGrid::cell_of(const Eigen::Vector3d& x) const {
   return static_cast<std::size_t>(row_of(x.y()) * columns_ + column_of(x.x()));
 }
 
-std::size_t PointGrid::count_within(const Eigen::Vector2d& x, double radius_m) const {
-  std::vector<std::array<double, 3>> places;
-  visit_near({x, x}, radius_m, [&](const Point& point) {
-    if ((point.x.head<2>() - x).squaredNorm() > radius_m * radius_m) return;
-    places.push_back({point.x.x(), point.x.y(), point.x.z()});
-  });
-  std::ranges::sort(places);
-  const auto end = std::unique(places.begin(), places.end());
-  return static_cast<std::size_t>(end - places.begin());
+void PointGrid::visit_runs_near(const Segment2& segment,
+                                double radius_m,
+                                const std::function<void(Run)>& visit) const {
+  if (points_.empty()) return;
+  const Eigen::Vector2d low = segment.start.cwiseMin(segment.end).array() - radius_m;
+  const Eigen::Vector2d high = segment.start.cwiseMax(segment.end).array() + radius_m;
+  const double reach = radius_m + cell_m_ * 0.7072;  // a cell's centre to its corner
+  for (std::ptrdiff_t row = row_of(low.y()); row <= row_of(high.y()); ++row) {
+    // the cells near a segment lie side by side in a row, and so do their points
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    for (std::ptrdiff_t column = column_of(low.x()); column <= column_of(high.x()); ++column) {
+      const Eigen::Vector2d centre =
+          lowest_ + cell_m_ * Eigen::Vector2d(static_cast<double>(column) + 0.5,
+                                              static_cast<double>(row) + 0.5);
+      if (distance(segment, centre) > reach) continue;
+      const auto cell = static_cast<std::size_t>(row * columns_ + column);
+      if (begin == end) begin = cell_begin_[cell];
+      end = cell_begin_[cell + 1];
+    }
+    if (begin != end) visit(Run(points_).subspan(begin, end - begin));
+  }
 }
 
 }  // namespace ridgeline::evaluate

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/judge/point_search.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -16,13 +17,8 @@ namespace ridgeline::evaluate {
 /// A 2D grid of cells over a cloud in compressed row form: the points are stored cell by cell, so a
 /// query reads consecutive memory. Built in O(n); a query's time depends on the local density only.
 /// Within a cell points keep their input order, so results do not depend on threads.
-class PointGrid {
+class PointGrid final : public PointSearch {
  public:
-  struct Point {
-    Eigen::Vector3d x;    ///< local, m
-    std::uint32_t index;  ///< in the input
-  };
-
   /// `count` points, the i-th given by `x_in_local(i)` (Eigen::Vector3d); non-finite ones are left
   /// out. Cells are squares of `cell_m`, enlarged if the extent would need more than about four
   /// cells a point. Throws std::invalid_argument for 2^32 points or more, or a cell size <= 0.
@@ -32,14 +28,10 @@ class PointGrid {
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
-  /// Calls `visit(point)` for every point within `radius_m` of the segment in plan, and for some a
-  /// little farther (whole cells): the caller applies its own exact test.
-  template <typename Visitor>
-  void visit_near(const Segment2& segment, double radius_m, Visitor&& visit) const;
-
-  /// Number of points within `radius_m` of `x` in plan, bounds included; points at the same place are
-  /// one.
-  [[nodiscard]] std::size_t count_within(const Eigen::Vector2d& x, double radius_m) const;
+ protected:
+  void visit_runs_near(const Segment2& segment,
+                       double radius_m,
+                       const std::function<void(Run)>& visit) const override;
 
  private:
   struct Extent {
@@ -88,24 +80,6 @@ PointGrid PointGrid::build(std::size_t count, const Accessor& x_in_local, double
     grid.points_[next[grid.cell_of(x)]++] = {x, static_cast<std::uint32_t>(i)};
   }
   return grid;
-}
-
-template <typename Visitor>
-void PointGrid::visit_near(const Segment2& segment, double radius_m, Visitor&& visit) const {
-  if (points_.empty()) return;
-  const Eigen::Vector2d low = segment.start.cwiseMin(segment.end).array() - radius_m;
-  const Eigen::Vector2d high = segment.start.cwiseMax(segment.end).array() + radius_m;
-  const double reach = radius_m + cell_m_ * 0.7072;  // a cell's centre to its corner
-  for (std::ptrdiff_t row = row_of(low.y()); row <= row_of(high.y()); ++row) {
-    for (std::ptrdiff_t column = column_of(low.x()); column <= column_of(high.x()); ++column) {
-      const Eigen::Vector2d centre =
-          lowest_ + cell_m_ * Eigen::Vector2d(static_cast<double>(column) + 0.5,
-                                              static_cast<double>(row) + 0.5);
-      if (distance(segment, centre) > reach) continue;
-      const auto cell = static_cast<std::size_t>(row * columns_ + column);
-      for (std::uint32_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) visit(points_[p]);
-    }
-  }
 }
 
 }  // namespace ridgeline::evaluate

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time of judging a line against the size of the cloud, and of the grid against PCL's kd-tree.
+// Time of judging a line against the size of the cloud, and of the grid against PCL's searches.
 #include "evaluate/judge/judge_lines.h"
+#include "evaluate/judge/pcl_point_search.h"
 #include "tests/support/random.h"
 #include "tests/support/sampled_roof.h"
 
 #include <benchmark/benchmark.h>
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/search/octree.h>
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -132,6 +136,68 @@ void query_pcl_kdtree(benchmark::State& state) {
   }
 }
 BENCHMARK(query_pcl_kdtree)->Unit(benchmark::kMillisecond);
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+Cloud::Ptr cloud_of(const Town& town) {
+  auto cloud = std::make_shared<Cloud>();
+  for (const Eigen::Vector3d& x : town.points) {
+    const Eigen::Vector3f p = x.cast<float>();
+    cloud->emplace_back(p.x(), p.y(), p.z());
+  }
+  return cloud;
+}
+
+std::unique_ptr<PointSearch> own_grid(const Cloud::Ptr& cloud) {
+  return std::make_unique<PointGrid>(PointGrid::build(cloud->size(), [&](std::size_t i) {
+    return Eigen::Vector3d((*cloud)[i].getVector3fMap().cast<double>());
+  }));
+}
+
+std::unique_ptr<PointSearch> by_pcl(const pcl::search::Search<pcl::PointXYZ>::Ptr& search,
+                                    const Cloud::Ptr& cloud) {
+  auto indices = std::make_shared<pcl::Indices>(cloud->size());
+  std::iota(indices->begin(), indices->end(), 0);
+  return std::make_unique<PclPointSearch<pcl::PointXYZ>>(search, cloud, indices);
+}
+
+std::unique_ptr<PointSearch> pcl_kdtree(const Cloud::Ptr& cloud) {
+  constexpr bool kSorted = false;
+  return by_pcl(std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(kSorted), cloud);
+}
+
+std::unique_ptr<PointSearch> pcl_octree(const Cloud::Ptr& cloud) {
+  constexpr double kResolution_m = 2.0;
+  return by_pcl(std::make_shared<pcl::search::Octree<pcl::PointXYZ>>(kResolution_m), cloud);
+}
+
+using MakeSearch = std::unique_ptr<PointSearch> (*)(const Cloud::Ptr&);
+
+void build_search(benchmark::State& state, MakeSearch make) {
+  const Cloud::Ptr cloud = cloud_of(make_town(static_cast<std::size_t>(state.range(0))));
+  for (auto _ : state) benchmark::DoNotOptimize(make(cloud));
+}
+
+void judge_by_search(benchmark::State& state, MakeSearch make) {
+  const Town town = make_town(static_cast<std::size_t>(state.range(0)));
+  const std::unique_ptr<PointSearch> search = make(cloud_of(town));
+  for (auto _ : state) {
+    for (const JudgedLine& line : town.lines) {
+      benchmark::DoNotOptimize(judge_line(*search, line, {}));
+    }
+  }
+  state.counters["lines"] = static_cast<double>(town.lines.size());
+}
+
+void two_sizes(benchmark::internal::Benchmark* b) {
+  b->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(build_search, grid, own_grid)->Apply(two_sizes);
+BENCHMARK_CAPTURE(build_search, kdtree, pcl_kdtree)->Apply(two_sizes);
+BENCHMARK_CAPTURE(build_search, octree, pcl_octree)->Apply(two_sizes);
+BENCHMARK_CAPTURE(judge_by_search, grid, own_grid)->Apply(two_sizes);
+BENCHMARK_CAPTURE(judge_by_search, kdtree, pcl_kdtree)->Apply(two_sizes);
+BENCHMARK_CAPTURE(judge_by_search, octree, pcl_octree)->Apply(two_sizes);
 
 }  // namespace
 }  // namespace ridgeline::evaluate

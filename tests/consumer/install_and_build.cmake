@@ -17,8 +17,10 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build
                         -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR}/build COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${WORK_DIR}/build/consumer
-                COMMAND_ERROR_IS_FATAL ANY)
+foreach(program consumer pcl_lines)
+  execute_process(COMMAND ${WORK_DIR}/build/${program} WORKING_DIRECTORY ${WORK_DIR}/build
+                  COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 
 # the LAZ library alone
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR}/laz -B ${WORK_DIR}/laz

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/footprint.h"
 
+#include "evaluate/judge/point_grid.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -11,7 +11,8 @@ namespace {
 
 template <typename PointT>
 class LineToPlaneEvaluationOf : public ::testing::Test {};
-using PointTypes = ::testing::Types<pcl::PointXYZ, pcl::PointXYZI, pcl::PointXYZL>;
+using PointTypes = ::testing::
+    Types<pcl::PointXYZ, pcl::PointXYZI, pcl::PointXYZL, pcl::PointNormal, pcl::PointXYZINormal>;
 TYPED_TEST_SUITE(LineToPlaneEvaluationOf, PointTypes);
 
 template <typename PointT>

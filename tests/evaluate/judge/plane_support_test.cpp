@@ -2,6 +2,7 @@
 #include "evaluate/judge/plane_support.h"
 
 #include "evaluate/judge/candidate_planes.h"
+#include "evaluate/judge/point_grid.h"
 #include "tests/support/random.h"
 #include "tests/support/sampled_roof.h"
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Geometry>
+
+namespace ridgeline::evaluate {
+
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius_m;
+};
+
+/// Balls that cover, within an extent, all points within a radius of a segment in plan, whatever their
+/// height: boxes along the segment and over the heights, as wide as the corridor, each in its ball. One ball
+/// over all would take in hundreds of metres of a hilly cloud.
+class BallCover {
+ public:
+  /// No balls if the corridor lies outside the extent. `segment` finite.
+  BallCover(const Segment2& segment, double radius_m, const Eigen::AlignedBox3d& extent);
+
+  [[nodiscard]] int size() const { return along_.count * up_.count; }
+  [[nodiscard]] Ball ball(int i) const;
+  /// The one ball whose box holds the point; for a point outside the boxes the nearest one's.
+  [[nodiscard]] int ball_of(const Eigen::Vector3d& x) const;
+
+ private:
+  /// A range in equal steps; none by default.
+  struct Steps {
+    /// As few as are not longer than `longest_m`, unless these would be very many.
+    static Steps over(double from_m, double to_m, double longest_m);
+    [[nodiscard]] double centre(int i) const { return from_m + (i + 0.5) * step_m; }
+    [[nodiscard]] int at(double x_m) const;
+    double from_m = 0.0, step_m = 0.0;
+    int count = 0;
+  };
+
+  static Steps steps_along(const Segment2& segment,
+                           const Eigen::Vector2d& direction,
+                           double radius_m,
+                           const Eigen::AlignedBox3d& extent);
+
+  Eigen::Vector2d start_;
+  Eigen::Vector2d direction_;
+  Steps along_, up_;
+  double ball_radius_m_;
+};
+
+}  // namespace ridgeline::evaluate
