@@ -83,6 +83,12 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
   reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
   const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
+  if (!surface && a.options.estimation.lines.method == reconstruct::Method::kPlanes) {
+    throw io::IoError(
+        patch.path,
+        "--method planes: there is no surface to find planes in; the images cannot be "
+        "rectified to each other, or --config turns every key off that needs it");
+  }
   if (!a.surface.empty())
     write_whole_surface(a.surface, patch, surface ? surface : dense_surface(pair));
   const std::vector<LineMatch> matches = a.matches.empty() ? matches_of(pair, a.options, surface)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace ridgeline::cli {
 namespace {
@@ -51,6 +52,13 @@ TEST_F(WriteSurface, NamesAFileOfPoints) {
 TEST_F(WriteSurface, DoesNotNeedALineThatTakesIt) {
   EXPECT_EQ(reconstruct({"--preset", "published", "--write-surface", "s.las"}).exit_code, 0);
   EXPECT_GT(cloud("s.las").points.size(), 10000U);
+}
+
+TEST_F(WriteSurface, MethodOfPlanesIsRefusedWithoutASurface) {
+  std::ofstream(path("c.yaml"))
+      << "match: {surface: false, guided: false}\nreconstruct: {surface: false}\n";
+  EXPECT_REFUSED(reconstruct({"--method", "planes", "--config", "c.yaml"}),
+                 HasSubstr("patch.yaml: --method planes: there is no surface"));
 }
 
 }  // namespace

@@ -22,12 +22,19 @@ foreach(program consumer pcl_lines)
                   COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 
-# the LAZ library alone
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR}/laz -B ${WORK_DIR}/laz
-                        -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
-                        -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
-                COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR}/laz COMMAND_ERROR_IS_FATAL ANY)
+# the README's example, and the LAZ library alone
+foreach(project readme laz)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE_DIR}/${project} -B ${WORK_DIR}/${project}
+                          -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
+                          -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
+                          -DREADME=${SOURCE_DIR}/../../README.md
+                  COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK_DIR}/${project} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND ${WORK_DIR}/readme/readme_example OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+if(NOT printed MATCHES "^eave 0\\.1.*\n.* 270")
+  message(FATAL_ERROR "The README's example prints: ${printed}")
+endif()
 execute_process(COMMAND ${WORK_DIR}/laz/laz_consumer ${SOURCE_DIR}/../../sample_data/1/lidar.las
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${prefix}/bin/ridgeline --version COMMAND_ERROR_IS_FATAL ANY)
