@@ -151,6 +151,10 @@ void add_config_option(CLI::App& app, std::string& config) {
 void add_method_options(CLI::App& app, ParameterArguments& arguments) {
   add_preset_option(app, arguments.preset);
   add_config_option(app, arguments.config);
+  add_class_option(app, arguments);
+}
+
+void add_class_option(CLI::App& app, ParameterArguments& arguments) {
   app.add_option("--max-aligned-angle-deg", arguments.max_aligned_angle_deg,
                  "lines up to this angle to the epipolar line are aligned; default: 10")
       ->check(in_range(0.0, 90.0));

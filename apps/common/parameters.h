@@ -34,6 +34,8 @@ struct ParameterArguments {
 void add_preset_option(CLI::App& app, std::string& preset);
 /// Unless the command has it already.
 void add_config_option(CLI::App& app, std::string& config);
+/// `--max-aligned-angle-deg`.
+void add_class_option(CLI::App& app, ParameterArguments& arguments);
 /// `--preset --config --max-aligned-angle-deg`.
 void add_method_options(CLI::App& app, ParameterArguments& arguments);
 /// `--config --lidar-sigma-m`.

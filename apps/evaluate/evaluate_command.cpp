@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
+#include "apps/common/evaluation_echo.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
@@ -177,32 +178,13 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
-  options.judge = read_parameters(a.parameters).judge;
+  const Parameters parameters = read_parameters(a.parameters);
+  options.max_aligned_angle_deg = parameters.method.estimation.lines.max_aligned_angle_deg;
+  options.judge = parameters.judge;
   options.judge.keep_points = !a.write_points.empty();
   options.summary = a.summary;
   validate(options.summary);
   return options;
-}
-
-nlohmann::ordered_json echo_arguments(const EvaluateArguments& a,
-                                      const evaluate::JudgeOptions& judge) {
-  nlohmann::ordered_json json;
-  json["lines"] = a.lines;
-  json["cloud"] = a.clouds;
-  json["patch"] = a.patch;
-  json["classes"] = a.classes;
-  json["exclude_withheld"] = a.exclude_withheld;
-  json["last_returns"] = a.last_returns;
-  json["bounds"] = a.bounds;
-  json["max_resolution_m"] = a.max_resolution_m;
-  json["assume_crs"] = a.assume_crs;
-  json["vertex_pairs"] = a.vertex_pairs;
-  json["judge"] = echo(Parameters{{}, judge})["judge"];
-  json["gross_m"] = a.summary.gross_m;
-  json["sigma_sys_m"] = a.summary.sigma_sys_m;
-  json["bootstrap_replicates"] = a.summary.bootstrap.replicates;
-  json["bootstrap_seed"] = a.summary.bootstrap.seed;
-  return json;
 }
 
 std::vector<results::InputFile> inputs_of(const EvaluateArguments& a,
@@ -230,7 +212,7 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
 int run_evaluate(const EvaluateArguments& arguments) {
   results::RunRecord record("evaluate");
   const results::JudgeFilesOptions options = judge_files_options(arguments);
-  record.set_options(echo_arguments(arguments, options.judge));
+  record.set_options(echo(options));
   const std::vector<results::InputFile> inputs = inputs_of(arguments, options);
   const std::vector<std::string> paths = results::paths_of(inputs);
   const results::OutputFolder out(arguments.out, paths);
@@ -275,6 +257,7 @@ Run add_evaluate(CLI::App& subcommand) {
   add_inputs(subcommand, *arguments);
   add_cloud_filters(subcommand, *arguments);
   add_judge_options(subcommand, arguments->parameters);
+  add_class_option(subcommand, arguments->parameters);
   add_statistics_options(subcommand, *arguments);
   return [arguments] { return run_evaluate(*arguments); };
 }

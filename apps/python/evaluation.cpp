@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "apps/common/evaluation_echo.h"
 #include "apps/common/parameters.h"
 #include "apps/python/bindings.h"
 #include "apps/python/clouds.h"
@@ -46,6 +47,7 @@ apps::Parameters parameters_of(const py::dict& entries) {
   apps::ParameterArguments arguments;
   take(entries, "config", arguments.config);
   take(entries, "config_text", arguments.config_text);
+  take(entries, "max_aligned_angle_deg", arguments.max_aligned_angle_deg);
   return read_parameters(arguments);
 }
 
@@ -56,7 +58,9 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   take(entries, "vertex_pairs", options.lines.vertex_pairs);
   take(entries, "cloud_memory_mib", options.cloud_memory_mib);
   take(entries, "patch_name", options.patch_name);
-  options.judge = parameters_of(entries).judge;
+  const apps::Parameters parameters = parameters_of(entries);
+  options.max_aligned_angle_deg = parameters.method.estimation.lines.max_aligned_angle_deg;
+  options.judge = parameters.judge;
   take(entries, "gross_m", options.summary.gross_m);
   take(entries, "sigma_sys_m", options.summary.sigma_sys_m);
   take(entries, "bootstrap_replicates", options.summary.bootstrap.replicates);
@@ -124,6 +128,7 @@ Judged evaluate_lines(const py::object& lines,
   std::optional<LineSource> truth;
   if (!references.is_none()) truth = line_source(references, kReferencesInMemory);
   const CloudInput input = cloud_input(cloud, entries);
+  if (const auto* path = std::get_if<std::string>(&source)) options.line_paths = {*path};
   options.cloud_paths = input.paths;
   if (options.patch_name.empty()) {
     options.patch_name = input.points ? kCloudInMemory : results::cloud_name(input.paths);
@@ -143,7 +148,7 @@ Judged evaluate_lines(const py::object& lines,
     return std::ranges::find(judged.files.unread_clouds, file.path) !=
            judged.files.unread_clouds.end();
   });
-  judged.record.set_options({{"judge", echo(apps::Parameters{{}, options.judge})["judge"]}});
+  judged.record.set_options(apps::echo(options));
   return judged;
 }
 

@@ -199,7 +199,8 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   for (io::LineSet& set : judged.line_sets) {
     take_unit_of(cloud, set);
     refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
-    lines.push_back(judged_lines_of(set, judged.frame, options.patch));
+    lines.push_back(
+        judged_lines_of(set, judged.frame, options.patch, options.max_aligned_angle_deg));
   }
   record.end_stage("read_lines");
 

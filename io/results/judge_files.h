@@ -23,8 +23,9 @@ struct JudgeFilesOptions {
   std::vector<std::string> line_paths;
   std::vector<std::string> cloud_paths;  ///< files and patterns
   std::optional<io::PatchFile> patch;    ///< its cameras class the lines aligned / not_aligned
-  std::string patch_name;                ///< in the tables
-  std::optional<std::string> reference_lines;  ///< true lines: precision and completeness
+  double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< of the class aligned
+  std::string patch_name;                               ///< in the tables
+  std::optional<std::string> reference_lines;           ///< true lines: precision and completeness
   io::ReadOptions cloud;
   io::ReadLinesOptions lines;
   evaluate::JudgeOptions judge;

@@ -20,10 +20,12 @@ Segment3 metric_segment(const io::Line& line, const Eigen::Vector3d& unit_m) {
           line.segment_in_world.end.cwiseProduct(unit_m)};
 }
 
-std::string class_of(const io::Line& line, std::optional<double> epipolar_angle_deg) {
+std::string class_of(const io::Line& line,
+                     std::optional<double> epipolar_angle_deg,
+                     double max_aligned_angle_deg) {
   if (!line.line_class.empty()) return line.line_class;
   if (!epipolar_angle_deg) return "all";
-  return *epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
+  return *epipolar_angle_deg <= max_aligned_angle_deg ? "aligned" : "not_aligned";
 }
 
 /// The image segments of a line that states them, with the cameras of the patch's pair.
@@ -40,7 +42,8 @@ JudgedLine judged_line(const io::Line& line,
                        const Eigen::Vector3d& unit_m,
                        const LocalFrame& frame,
                        const std::optional<io::PatchFile>& patch,
-                       const std::vector<ProjectionMatrix>& cameras) {
+                       const std::vector<ProjectionMatrix>& cameras,
+                       double max_aligned_angle_deg) {
   JudgedLine judged;
   judged.id = line.id;
   judged.segment = segment_in_local(line, unit_m, frame);
@@ -54,7 +57,7 @@ JudgedLine judged_line(const io::Line& line,
     judged.epipolar_angle_deg =
         epipolar_angle_rad(cameras, metric_segment(line, unit_m)) * 180.0 / std::numbers::pi;
   }
-  judged.line_class = class_of(line, judged.epipolar_angle_deg);
+  judged.line_class = class_of(line, judged.epipolar_angle_deg, max_aligned_angle_deg);
   return judged;
 }
 
@@ -105,13 +108,14 @@ io::LineSet in_metres(io::LineSet set) {
 
 std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
                                         const LocalFrame& frame,
-                                        const std::optional<io::PatchFile>& patch) {
+                                        const std::optional<io::PatchFile>& patch,
+                                        double max_aligned_angle_deg) {
   const std::vector<ProjectionMatrix> cameras = cameras_of(patch);
   const Eigen::Vector3d unit_m = unit_m_of(set);
   std::vector<JudgedLine> lines;
   lines.reserve(set.lines.size());
   for (const io::Line& line : set.lines) {
-    lines.push_back(judged_line(line, unit_m, frame, patch, cameras));
+    lines.push_back(judged_line(line, unit_m, frame, patch, cameras, max_aligned_angle_deg));
   }
   return lines;
 }

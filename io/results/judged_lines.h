@@ -27,10 +27,12 @@ Segment3 segment_in_local(const io::Line& line,
 io::LineSet in_metres(io::LineSet set);
 
 /// The lines of a file in metres of the local frame. The patch's cameras class those without a
-/// class; lines that state their image segments take these along as evidence.
-std::vector<evaluate::JudgedLine> judged_lines_of(const io::LineSet& set,
-                                                  const LocalFrame& frame,
-                                                  const std::optional<io::PatchFile>& patch);
+/// class: aligned up to `max_aligned_angle_deg`; lines that state their image segments take these along as evidence.
+std::vector<evaluate::JudgedLine> judged_lines_of(
+    const io::LineSet& set,
+    const LocalFrame& frame,
+    const std::optional<io::PatchFile>& patch,
+    double max_aligned_angle_deg = kMaxAlignedAngle_deg);
 
 /// The true lines of a file; those with coordinates that are not finite are left out.
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,

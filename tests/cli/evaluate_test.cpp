@@ -214,16 +214,25 @@ TEST_F(Evaluate, PatchClassesLinesAndNamesTheCloud) {
         "[[1000, 0, -512, -512614400], [0, -1000, -512, 5403409600], [0, 0, -1, 800]]}\n"
         "  - {id: right, path: r.tif, projection_matrix: "
         "[[1000, 0, -512, -512664400], [0, -1000, -512, 5403409600], [0, 0, -1, 800]]}\n");
-  const ProgramResult result =
-      run({"evaluate", "--lines", "plain.geojson", "--patch", "patch.yaml", "--out", "out"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(read(path("out/table2.csv")),
-              AllOf(HasSubstr("north,plain,aligned,"), HasSubstr("north,plain,not_aligned,")));
-  const nlohmann::json evaluation = read_json(path("out/evaluation.plain.json"));
-  for (const auto& line : evaluation["lines"]) {
-    const bool aligned = line["epipolar_angle_deg"].get<double>() <= 10.0;
-    EXPECT_EQ(line["class"], aligned ? "aligned" : "not_aligned") << line["id"];
-  }
+  write(path("config.yaml"), "reconstruct: {max_aligned_angle_deg: 30}\n");
+  const std::vector<std::string> common{"evaluate", "--lines",    "plain.geojson", "--patch",
+                                        "patch.yaml", "--out", "out"};
+  const auto expect_classes_up_to = [&](double angle_deg, const std::vector<std::string>& more) {
+    std::vector<std::string> words = common;
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult result = run(words);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(read(path("out/table2.csv")),
+                AllOf(HasSubstr("north,plain,aligned,"), HasSubstr("north,plain,not_aligned,")));
+    const nlohmann::json evaluation = read_json(path("out/evaluation.plain.json"));
+    for (const auto& line : evaluation["lines"]) {
+      const bool aligned = line["epipolar_angle_deg"].get<double>() <= angle_deg;
+      EXPECT_EQ(line["class"], aligned ? "aligned" : "not_aligned") << line["id"];
+    }
+  };
+  expect_classes_up_to(10.0, {});
+  expect_classes_up_to(30.0, {"--config", "config.yaml"});
+  expect_classes_up_to(60.0, {"--config", "config.yaml", "--max-aligned-angle-deg", "60"});
 }
 
 TEST_F(Evaluate, NeverWritesOverAnInput) {

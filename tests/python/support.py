@@ -15,9 +15,9 @@ CLOUD = SAMPLE / "lidar.las"
 PATCH = SAMPLE / "patch.yaml"
 
 
-def program(*arguments: object) -> None:
+def program(*arguments: object) -> "subprocess.CompletedProcess[bytes]":
     """Runs the program that was built beside the package."""
-    subprocess.run([os.environ["RIDGELINE_BINARY"], *map(str, arguments)], check=True, capture_output=True)
+    return subprocess.run([os.environ["RIDGELINE_BINARY"], *map(str, arguments)], check=True, capture_output=True)
 
 
 class Case(unittest.TestCase):

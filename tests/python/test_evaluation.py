@@ -37,6 +37,16 @@ class EvaluateJudgesAsTheProgramDoes(Case):
         self.assertEqual([entry["role"] for entry in run["inputs"]], ["lines", "cloud"])
 
 
+    def test_a_report_of_the_folder_shows_lines_and_points(self):
+        options = {"classes": [6], "bounds": (513000, 5403000, 513060, 5403065)}
+        ridgeline.evaluate(LINES, CLOUD, **options).write(self.folder / "ours")
+        self.assertEqual(program("report", self.folder / "ours").stderr, b"")  # or what it cannot show
+        program("evaluate", "--lines", LINES, "--cloud", CLOUD, "--out", self.folder / "out", "--no-report",
+                "--classes", 6, "--bounds", ",".join(map(str, options["bounds"])))
+        ours, theirs = (json.loads((self.folder / name / "run.json").read_text()) for name in ("ours", "out"))
+        self.assertEqual(ours["options"], theirs["options"])
+
+
 class EvaluateTakesArrays(Case):
     def setUp(self):
         super().setUp()

@@ -121,6 +121,7 @@ def evaluate(
     vertex_pairs: bool = False,
     cloud_memory_mib: int = 512,
     name: str | None = None,
+    max_aligned_angle_deg: float | None = None,
     gross_m: float = 1.0,
     sigma_sys_m: float = 0.0,
     bootstrap_replicates: int = 2000,
@@ -138,6 +139,7 @@ def evaluate(
     bounds ... salvage: of the cloud, as for read_cloud(). vertex_pairs: as for read_lines().
     cloud_memory_mib: for points held at a time; beyond, lines are judged in batches of neighbours.
     name: of the patch in the tables; by default that of the patch file or the cloud.
+    max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that of config, or 10.
     gross_m: a line farther off is a gross error. sigma_sys_m: systematic part of the cloud's accuracy.
     bootstrap_replicates, bootstrap_seed, bca: of the 95 % intervals.
     judge: parameters of the judge by their names in `ridgeline config`: lidar_sigma_m (range noise of the cloud),
@@ -159,6 +161,7 @@ def evaluate(
         "gross_m": gross_m,
         "include_withheld": include_withheld,
         "last_returns": last_returns,
+        "max_aligned_angle_deg": max_aligned_angle_deg,
         "max_points": max_points,
         "max_resolution_m": max_resolution_m,
         "patch": None if patch is None else os.fspath(patch),

@@ -20,31 +20,47 @@ constexpr double kSteepest = 0.6;    // change of disparity per pixel; walls hav
 constexpr double kLeastKnown = 0.5;  // share of the pixels of a cell
 constexpr int kFewestCells = 12;
 
-/// Sums over pixels, from which planes follow and how far off them the pixels lie.
+/// Moments of pixels (x, y, disparity), from which planes follow and how far off them the pixels lie. About their mean, so
+/// that a small face far from the first pixel loses no digits.
 struct PlaneSums {
   double n = 0.0;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  double squares = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
 
   void add(const Eigen::Vector2d& x_px, double d_px) {
-    const Eigen::Vector3d by = x_px.homogeneous();
+    const Eigen::Vector3d pixel(x_px.x(), x_px.y(), d_px);
     n += 1.0;
-    normal += by * by.transpose();
-    right += d_px * by;
-    squares += d_px * d_px;
+    const Eigen::Vector3d before = pixel - mean;
+    mean += before / n;
+    scatter += before * (pixel - mean).transpose();
   }
   PlaneSums& operator+=(const PlaneSums& other) {
+    if (other.n == 0.0) return *this;
+    const Eigen::Vector3d apart = other.mean - mean;
+    const double share = other.n / (n + other.n);
+    scatter += other.scatter + n * share * apart * apart.transpose();
+    mean += share * apart;
     n += other.n;
-    normal += other.normal;
-    right += other.right;
-    squares += other.squares;
     return *this;
   }
-  [[nodiscard]] Eigen::Vector3d plane() const { return normal.ldlt().solve(right); }
+  [[nodiscard]] Eigen::Vector3d plane() const {
+    const Eigen::Vector2d slope =
+        scatter.topLeftCorner<2, 2>().ldlt().solve(scatter.topRightCorner<2, 1>());
+    return {slope.x(), slope.y(), mean.z() - slope.dot(mean.head<2>())};
+  }
   [[nodiscard]] double rms_px(const Eigen::Vector3d& plane) const {
-    const double sum = squares - 2.0 * plane.dot(right) + plane.dot(normal * plane);
-    return std::sqrt(std::max(0.0, sum) / n);
+    const Eigen::Vector3d across(plane.x(), plane.y(), -1.0);
+    const double mean_px = across.dot(mean) + plane.z();
+    return std::sqrt(std::max(0.0, across.dot(scatter * across)) / n + mean_px * mean_px);
+  }
+  /// Of a, b, c, for observations of unit weight.
+  [[nodiscard]] Eigen::Matrix3d cofactors() const {
+    const Eigen::Matrix2d of_slope = scatter.topLeftCorner<2, 2>().inverse();
+    Eigen::Matrix<double, 3, 2> by_slope;  // the plane passes through the mean
+    by_slope << Eigen::Matrix2d::Identity(), -mean.head<2>().transpose();
+    Eigen::Matrix3d all = by_slope * of_slope * by_slope.transpose();
+    all(2, 2) += 1.0 / n;
+    return all;
   }
 };
 
@@ -180,7 +196,7 @@ class Growing {
     constexpr double kTogether = 100.0;  // pixels
     constexpr double kLeastSigma_px = 0.05;
     const double sigma_px = std::max(kLeastSigma_px, all.rms_px(plane));
-    return kTogether * sigma_px * sigma_px * all.normal.inverse();
+    return kTogether * sigma_px * sigma_px * all.cofactors();
   }
 
   int rows_, columns_;

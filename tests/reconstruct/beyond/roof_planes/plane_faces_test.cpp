@@ -27,7 +27,7 @@ Surface surface_of(const std::function<double(const Eigen::Vector2d&)>& disparit
 }
 
 TEST(PlaneFaces, OfAGableAreItsRoofPlanesAndTheGround) {
-  constexpr double kOfFloats_px = 2e-3;  // sums of squares of disparities, which are float
+  constexpr double kOfFloats_px = 1e-4;  // disparities are float
   const test::GableSurface gable(30.0);
   const PlaneFaces found = plane_faces(gable.surface());
   ASSERT_EQ(found.faces.size(), 3U);
@@ -45,6 +45,33 @@ TEST(PlaneFaces, OfAGableAreItsRoofPlanesAndTheGround) {
     };
     EXPECT_EQ(std::ranges::count_if(found.faces, is_plane), 1);
   }
+}
+
+TEST(PlaneFaces, AreAsExactFarFromTheFirstPixel) {
+  constexpr double kOfFloats_px =
+      1e-6;  // disparities are float, and as small as this where the face lies
+  constexpr int kFar_px = 24000, kSide_px = 48;
+  const Eigen::Vector2d middle(kFar_px - kSide_px / 2, kSide_px / 2);
+  const Eigen::Vector2d slope(0.3, -0.2);
+  Surface surface;
+  surface.disparity_px =
+      cv::Mat(kSide_px, kFar_px, CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  for (int row = 0; row < kSide_px; ++row) {
+    for (int column = kFar_px - kSide_px; column < kFar_px; ++column) {
+      surface.disparity_px.at<float>(row, column) =
+          static_cast<float>(slope.dot(Eigen::Vector2d(column, row) - middle));
+    }
+  }
+  const PlaneFaces found = plane_faces(surface);
+  ASSERT_EQ(found.faces.size(), 1U);
+  EXPECT_NEAR(found.faces[0].disparity_px(middle), 0.0, kOfFloats_px);
+  EXPECT_LT((found.faces[0].plane.head<2>() - slope).norm(), kOfFloats_px);
+  const Eigen::Vector3d x = middle.homogeneous();
+  const int n_inner = found.faces[0].n_cells - 4 * (kSide_px / kCell_px - 1);
+  constexpr double kSigma_px = 0.05,
+                   kTogether = 100.0;  // least that is assumed; pixels that err together
+  EXPECT_NEAR(x.dot(found.faces[0].cov * x),
+              kTogether * kSigma_px * kSigma_px / (n_inner * kCell_px * kCell_px), 1e-7);
 }
 
 TEST(PlaneFaces, HoldTheCellsThatLieOnThem) {
