@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 from setuptools import Extension, setup
@@ -24,7 +25,7 @@ class CMakeBuild(build_ext):
             subprocess.run(["cmake", "--preset", "release", "-B", build, f"-DPython_EXECUTABLE={sys.executable}",
                             *defined], cwd=ROOT, check=True)
         subprocess.run(["cmake", "--build", build, "--target", "ridgeline_python"], check=True)
-        built = next((build / "apps" / "python" / "ridgeline").glob("_core.*.so"))
+        built = build / "apps" / "python" / "ridgeline" / f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
         target = Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(os.fspath(built), os.fspath(target))

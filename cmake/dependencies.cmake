@@ -19,7 +19,7 @@ pkg_check_modules(PROJ_PC REQUIRED IMPORTED_TARGET proj)
 find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc features2d calib3d)
 
 if(RIDGELINE_BUILD_PYTHON)
-  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module NumPy)
+  find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
   set(PYBIND11_NOPYTHON ON)  # the Python is the one found above
   find_package(pybind11 2.10 REQUIRED CONFIG)
 endif()

@@ -223,7 +223,7 @@ std::vector<ColmapImage> read_images_binary(const std::string& path, const Camer
 
 std::vector<ColmapImage> read_colmap(const std::string& folder) {
   const std::filesystem::path path(folder);
-  if (!std::filesystem::is_directory(path)) throw IoError(folder, "no such folder");
+  if (!std::filesystem::is_directory(path)) throw MissingFileError(folder, "no such folder");
   const bool binary = std::filesystem::exists(path / "images.bin");
   std::vector<ColmapImage> images =
       binary ? read_images_binary((path / "images.bin").string(),

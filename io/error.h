@@ -18,4 +18,10 @@ class IoError : public std::runtime_error {
   std::string path_;
 };
 
+/// The file or folder is not there.
+class MissingFileError : public IoError {
+ public:
+  using IoError::IoError;
+};
+
 }  // namespace ridgeline::io

@@ -51,7 +51,7 @@ std::string shortened(std::string text) {
 GDALDatasetUniquePtr open(const std::string& path, const QuietGdal& quiet) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw IoError(path, "does not exist");
+  if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
   if (std::filesystem::is_directory(status)) throw IoError(path, "is a folder, not an image");
   if (!std::filesystem::is_regular_file(status)) {
     throw IoError(path, "is a device, pipe or socket; an image must be a file");

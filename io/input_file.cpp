@@ -23,7 +23,7 @@ bool is_open_pipe(const std::string& path, const std::filesystem::file_status& s
 std::filesystem::file_status status_of(const std::string& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw IoError(path, "no such file");
+  if (!std::filesystem::exists(status)) throw MissingFileError(path, "no such file");
   if (std::filesystem::is_directory(status)) throw IoError(path, "is a folder, a file is expected");
   return status;
 }

@@ -99,6 +99,14 @@ std::vector<Registration> registrations_of(const StereoPair& pair,
 
 void check_views(std::span<const View> views, std::span<const ViewPair> pairs) {
   check(views.size() >= 2, "reconstruct: views = ", views.size(), ", must be 2 or more");
+  for (const View& view : views) {
+    const ProjectionMatrix& p = view.image_from_world;
+    check(p.allFinite() && p.leftCols<3>().fullPivLu().isInvertible(), "view ", view.id,
+          ": the matrix that takes the world to its pixels must be finite and show space");
+    check(view.image.channels() == views[0].image.channels(), "view ", view.id,
+          ": bands = ", view.image.channels(), ", must be as many as those of view ", views[0].id,
+          ", ", views[0].image.channels());
+  }
   for (const ViewPair& pair : pairs) {
     check(pair.base != pair.search && std::max(pair.base, pair.search) < views.size(),
           "reconstruct: pair of views ", pair.base, " and ", pair.search,
@@ -137,6 +145,10 @@ Reconstruction reconstruct(std::span<const View> views,
   constexpr std::array kFirstTwo{ViewPair{0, 1}};
   if (pairs.empty()) pairs = kFirstTwo;
   check_views(views, pairs);
+  check(std::isfinite(height_range_m[0]) && std::isfinite(height_range_m[1]) &&
+            height_range_m[0] < height_range_m[1],
+        "height_range_m = ", height_range_m[0], " to ", height_range_m[1],
+        ", must be the lowest and the highest height, finite");
   validate(options);
   Reconstruction result;
   const cv::Mat& base = views[0].image;
@@ -158,6 +170,10 @@ Reconstruction reconstruct(std::span<const View> views,
     StereoPair pair{{matched_view(views_of_pair.base), matched_view(views_of_pair.search)},
                     {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
     const std::optional<Surface> surface = surface_of(pair, options);
+    check(surface || options.estimation.lines.method != Method::kPlanes,
+          "method planes: there is no surface to find planes in; the images cannot be rectified to "
+          "each other, or "
+          "every option that needs it is off");
     Matches matches = match(pair, options.matching, surface);
     guide(pair, matches, options, surface);
     std::vector<ReconstructedLine> lines = estimate(

@@ -95,7 +95,8 @@ struct Reconstruction {
 /// @param height_range_m  lowest and highest height of objects, world
 /// @param pairs           default: the first two views
 /// Deterministic for any number of threads. Throws std::invalid_argument for fewer than two views, a pair that names none
-/// of them, options or heights out of range, images of other types or different numbers of bands.
+/// of them, options or heights out of range, images of other types or different numbers of bands, and Method::kPlanes of
+/// a pair without a surface.
 Reconstruction reconstruct(std::span<const View> views,
                            const std::array<double, 2>& height_range_m,
                            const Options& options = {},

@@ -7,9 +7,10 @@ list() { sed 's/^[[:space:]]*//; s/[[:space:]]*$//; /^$/d' <<<"$1"; }
 mapfile -t lines < <(list "$INPUT_LINES")
 mapfile -t clouds < <(list "$INPUT_CLOUD")
 mapfile -t patches < <(list "$INPUT_PATCH")
-words=$(xargs -r printf '%s\n' <<<"$INPUT_ARGUMENTS")  # understands quotes, expands nothing
-arguments=()
-[ -z "$words" ] || mapfile -t arguments <<<"$words"
+words=$(mktemp)
+xargs -r printf '%s\0' <<<"$INPUT_ARGUMENTS" >"$words"  # understands quotes, expands nothing
+mapfile -d '' -t arguments <"$words"
+rm "$words"
 
 # An option without values is left out; the program says what is missing.
 add_option() { [ "$#" -eq 1 ] || command+=("$@"); }
@@ -22,7 +23,8 @@ else
 fi
 add_option --cloud "${clouds[@]}"
 
-rm -f "$INPUT_OUT/gates.xml" "$INPUT_OUT/gates.md"  # of an earlier use of this folder
+# of an earlier use of this folder
+rm -f "$INPUT_OUT"/gates.{xml,md} "$INPUT_OUT"/table{1,2}.md "$INPUT_OUT/report.html"
 ridgeline "${command[@]}" --out "$INPUT_OUT" "${arguments[@]}"
 
 echo "results=$INPUT_OUT" >>"$GITHUB_OUTPUT"

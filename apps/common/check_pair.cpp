@@ -27,8 +27,9 @@ struct CheckedPair {
   double limit_px;
 };
 
-reconstruct::PairGeometry geometry_of(const io::PatchFile& patch) {
-  const LocalFrame frame = patch_frame(patch);
+reconstruct::PairGeometry geometry_of(const io::PatchFile& patch, const cv::Mat& base) {
+  const LocalFrame frame = reconstruct::local_frame(patch.images[0].image_from_world,
+                                                    {base.cols, base.rows}, patch.height_range_m);
   reconstruct::PairGeometry geometry{
       io::cameras_in_local(patch, frame), io::heights_in_local_m(patch, frame), {}};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -118,8 +119,11 @@ std::optional<std::string> check_pair(const io::PatchFile& patch,
   constexpr std::size_t kFewestPoints = 30;
   constexpr double kUsualShare = 0.5;
   if (max_y_parallax_px == 0.0) return std::nullopt;
-  CheckedPair pair{
-      patch, geometry_of(patch), reconstruct::match_points(images), {}, max_y_parallax_px};
+  CheckedPair pair{patch,
+                   geometry_of(patch, images[0]),
+                   reconstruct::match_points(images),
+                   {},
+                   max_y_parallax_px};
   for (std::size_t i = 0; i < 2; ++i) pair.sizes_px[i] = {images[i].cols, images[i].rows};
   const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
   if (fit.n_points < kFewestPoints) {

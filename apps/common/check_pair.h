@@ -17,8 +17,8 @@ constexpr double kDefaultMaxYParallax_px = 3.0;
 /// other (median at most `max_y_parallax_px`; 0: no check) and must not fit far better with the images swapped or
 /// turned. Else IoError, which names what would fit. Where too few points are found to tell, as in images without
 /// texture, and where their heights are not those of the patch, a warning is returned. `images`: patch_images().
-std::optional<std::string> check_pair(const io::PatchFile& patch,
-                                      const std::array<cv::Mat, 2>& images,
-                                      double max_y_parallax_px);
+[[nodiscard]] std::optional<std::string> check_pair(const io::PatchFile& patch,
+                                                    const std::array<cv::Mat, 2>& images,
+                                                    double max_y_parallax_px);
 
 }  // namespace ridgeline::apps

@@ -20,6 +20,13 @@ py::array_t<double> nan_array(std::vector<py::ssize_t> shape) {
   return array;
 }
 
+py::str python_text(const std::string& text) {
+  PyObject* decoded =
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "replace");
+  if (decoded == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(decoded);
+}
+
 std::string shape_text(const py::array& array) {
   return fmt::format(
       "({})", fmt::join(std::span(array.shape(), static_cast<std::size_t>(array.ndim())), ", "));
@@ -30,7 +37,7 @@ std::optional<Array<double>> find_array(const py::dict& entries,
                                         const std::vector<py::ssize_t>& shape) {
   if (!entries.contains(name) || entries[name].is_none()) return std::nullopt;
   const auto array = Array<double>::ensure(entries[name]);
-  if (!array) throw py::error_already_set();
+  check(static_cast<bool>(array), name, ": must be an array of numbers");
   const auto fits = [&] {
     if (array.ndim() != static_cast<py::ssize_t>(shape.size())) return false;
     for (std::size_t d = 0; d < shape.size(); ++d) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace ridgeline::python {
@@ -22,11 +23,20 @@ using RowMajor = Eigen::Matrix<double, R, C, Eigen::RowMajor>;
 /// An array of doubles of this shape, all NaN.
 pybind11::array_t<double> nan_array(std::vector<pybind11::ssize_t> shape);
 
-/// A list of text(row) for every row.
-template <typename Rows, typename Text>
-pybind11::list text_list(const Rows& rows, const Text& text) {
+/// Text of a file; bytes that are not UTF-8 are replaced.
+pybind11::str python_text(const std::string& text);
+
+/// A list of value(row) for every row; texts as by python_text().
+template <typename Rows, typename ValueOf>
+pybind11::list list_of(const Rows& rows, const ValueOf& value_of) {
   pybind11::list list;
-  for (const auto& row : rows) list.append(text(row));
+  for (const auto& row : rows) {
+    if constexpr (std::is_convertible_v<decltype(value_of(row)), std::string>) {
+      list.append(python_text(value_of(row)));
+    } else {
+      list.append(value_of(row));
+    }
+  }
   return list;
 }
 

@@ -12,10 +12,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -43,6 +44,7 @@ std::vector<io::TableColumn> point_columns() {
            kRow},
           {PointAttribute::kNumberOfReturns, ScalarType::kUint8,
            offsetof(CloudPoint, number_of_returns), kRow},
+          {PointAttribute::kFlags, ScalarType::kUint8, offsetof(CloudPoint, flags), kRow},
           {PointAttribute::kSourceId, ScalarType::kUint16, offsetof(CloudPoint, source_id), kRow}};
 }
 
@@ -93,6 +95,16 @@ py::tuple read_cloud(const std::vector<std::string>& paths, const py::dict& entr
                         counts);
 }
 
+std::set<std::uint8_t> class_set(const std::vector<int>& classes) {
+  check(!classes.empty(), "classes: none, must be at least one");
+  std::set<std::uint8_t> set;
+  for (const int c : classes) {
+    check(c >= 0 && c <= 255, "classes: ", c, "; must be in [0, 255]");
+    set.insert(static_cast<std::uint8_t>(c));
+  }
+  return set;
+}
+
 Eigen::AlignedBox3d bounds_box(const std::vector<double>& b) {
   check(b.size() == 4, "bounds: ", b.size(), " numbers; must be x_min, y_min, x_max, y_max");
   check(b[0] <= b[2] && b[1] <= b[3],
@@ -104,16 +116,12 @@ Eigen::AlignedBox3d bounds_box(const std::vector<double>& b) {
 
 io::ReadOptions read_options(const py::dict& entries) {
   io::ReadOptions options;
-  std::vector<int> classes;
+  std::optional<std::vector<int>> classes;
   take(entries, "classes", classes);
-  for (const int c : classes) {
-    check(c >= 0 && c <= 255, "classes: ", c, "; must be in [0, 255]");
-    if (!options.classes) options.classes.emplace();
-    options.classes->insert(static_cast<std::uint8_t>(c));
-  }
-  std::vector<double> bounds;
+  if (classes) options.classes = class_set(*classes);
+  std::optional<std::vector<double>> bounds;
   take(entries, "bounds", bounds);
-  if (!bounds.empty()) options.bounds_in_world = bounds_box(bounds);
+  if (bounds) options.bounds_in_world = bounds_box(*bounds);
   bool include_withheld = false;
   take(entries, "include_withheld", include_withheld);
   options.exclude_withheld = !include_withheld;

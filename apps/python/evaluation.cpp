@@ -8,8 +8,10 @@
 #include "apps/python/interruptible.h"
 #include "apps/python/judged.h"
 #include "apps/python/lines.h"
+#include "apps/python/views.h"
 #include "io/lines/line_checks.h"
 #include "io/results/cloud_name.h"
+#include "reconstruct/geometry/check.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -57,7 +59,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   options.lines.assume_crs = options.cloud.assume_crs;
   take(entries, "vertex_pairs", options.lines.vertex_pairs);
   take(entries, "cloud_memory_mib", options.cloud_memory_mib);
-  take(entries, "patch_name", options.patch_name);
+  take(entries, "name", options.patch_name);
   const apps::Parameters parameters = parameters_of(entries);
   options.max_aligned_angle_deg = parameters.method.estimation.lines.max_aligned_angle_deg;
   options.judge = parameters.judge;
@@ -69,8 +71,9 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   validate(options.summary);
   std::string patch;
   take(entries, "patch", patch);
+  if (!patch.empty()) options.patch = io::read_patch(patch);
+  if (entries.contains("views")) options.patch = patch_of_views(entries);
   if (!patch.empty()) {
-    options.patch = io::read_patch(patch);
     if (options.cloud.assume_crs.known()) options.patch->crs = options.cloud.assume_crs;
     if (options.patch_name.empty()) options.patch_name = options.patch->id;
   }
@@ -91,7 +94,11 @@ struct CloudInput {
 };
 
 CloudInput cloud_input(const py::object& cloud, const py::dict& entries) {
-  if (!py::isinstance<py::array>(cloud)) return {cloud.cast<std::vector<std::string>>(), {}};
+  if (!py::isinstance<py::array>(cloud)) {
+    CloudInput files{cloud.cast<std::vector<std::string>>(), {}};
+    check(!files.paths.empty(), "cloud: no file given, must be at least one");
+    return files;
+  }
   CloudInput input{{}, points_in_memory(cloud.cast<py::array>())};
   take(entries, "cloud_crs", input.points->crs.definition);
   return input;
@@ -109,12 +116,19 @@ std::vector<results::InputFile> input_files(const LineSource& lines,
   for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
     files.push_back({"cloud", path});
   }
-  if (options.patch) files.push_back({"patch", options.patch->path});
+  if (options.patch && options.patch->path != kViewsInMemory) {
+    files.push_back({"patch", options.patch->path});
+  }
   if (references) add("reference", *references);
   std::string config;
   take(entries, "config", config);
   if (!config.empty()) files.push_back({"config", config});
   return files;
+}
+
+/// Lines in memory that state no reference system are in that of the cloud.
+void take_crs(const io::Crs& of_cloud, const LineSource& source, io::LineSet& set) {
+  if (std::holds_alternative<io::LineSet>(source) && !set.crs.known()) set.crs = of_cloud;
 }
 
 /// `lines`, `references`: path, dict of arrays, or None (references only). `cloud`: list of paths, or an array whose
@@ -139,9 +153,9 @@ Judged evaluate_lines(const py::object& lines,
     results::LinesToJudge to_judge;
     to_judge.sets.push_back(read_source(source, options.lines));
     if (truth) to_judge.references = read_source(*truth, options.lines);
-    io::LineSet& set = to_judge.sets.front();
-    io::CloudFiles files = input.open(options.cloud, set.crs);
-    if (std::holds_alternative<io::LineSet>(source) && !set.crs.known()) set.crs = files.crs();
+    io::CloudFiles files = input.open(options.cloud, to_judge.sets.front().crs);
+    take_crs(files.crs(), source, to_judge.sets.front());
+    if (truth) take_crs(files.crs(), *truth, *to_judge.references);
     judged.files = results::judge_lines(std::move(to_judge), files, options, judged.record);
   });
   std::erase_if(judged.inputs, [&](const results::InputFile& file) {

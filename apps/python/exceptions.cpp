@@ -4,9 +4,12 @@
 #include "io/error.h"
 #include "reconstruct/geometry/interruption.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <system_error>
+#include <regex>
+#include <stdexcept>
+#include <string>
 
 namespace ridgeline::python {
 namespace py = pybind11;
@@ -16,11 +19,36 @@ namespace {
 
 py::handle file_error;
 
-/// ValueError for what is in memory.
+/// A fault of what is in memory is its caller's.
 PyObject* type_of(const io::IoError& error) {
   if (is_in_memory(error.path())) return PyExc_ValueError;
-  std::error_code ignored;
-  return fs::exists(error.path(), ignored) ? file_error.ptr() : PyExc_FileNotFoundError;
+  const bool is_missing = dynamic_cast<const io::MissingFileError*>(&error) != nullptr;
+  return is_missing ? PyExc_FileNotFoundError : file_error.ptr();
+}
+
+/// What is in memory has no lines: gates are written one a line, a config on one.
+std::string without_lines(const io::IoError& error) {
+  const std::string text = error.what();
+  if (error.path() == kGatesInMemory)
+    return std::regex_replace(text, std::regex("^gates: line "), "gates: entry ");
+  if (error.path() == apps::kConfigInMemory)
+    return std::regex_replace(text, std::regex("^config: line 1: "), "");
+  return text;
+}
+
+/// Options of the program by the names that they have as arguments: --sigma-sys-m is sigma_sys_m.
+std::string with_arguments(const std::string& message) {
+  static const std::regex option("--([a-z][a-z-]*[a-z])");
+  std::string text;
+  auto from = message.begin();
+  for (std::sregex_iterator it(message.begin(), message.end(), option), end; it != end; ++it) {
+    text.append(from, (*it)[0].first);
+    std::string name = (*it)[1];
+    std::ranges::replace(name, '-', '_');
+    text += name;
+    from = (*it)[0].second;
+  }
+  return text.append(from, message.end());
 }
 
 }  // namespace
@@ -31,12 +59,14 @@ void add_exceptions(py::module_& core) {
   file_error.attr("__doc__") =
       "A file is not what it should be; the message names it, what is wrong and the rule.";
   // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is pybind11's
-  py::register_exception_translator([](std::exception_ptr thrown) {
+  py::register_local_exception_translator([](std::exception_ptr thrown) {
     if (!thrown) return;
     try {
       std::rethrow_exception(thrown);
     } catch (const io::IoError& error) {
-      PyErr_SetString(type_of(error), error.what());
+      PyErr_SetString(type_of(error), with_arguments(without_lines(error)).c_str());
+    } catch (const std::invalid_argument& error) {
+      PyErr_SetString(PyExc_ValueError, with_arguments(error.what()).c_str());
     } catch (const Interrupted&) {
       PyErr_SetNone(PyExc_KeyboardInterrupt);
     } catch (const fs::filesystem_error& error) {

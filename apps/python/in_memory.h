@@ -14,11 +14,13 @@ inline constexpr const char* kCloudInMemory = "cloud";
 inline constexpr const char* kGatesInMemory = "gates";
 inline constexpr const char* kLinesInMemory = "lines";
 inline constexpr const char* kReferencesInMemory = "reference_lines";
+inline constexpr const char* kViewsInMemory = "views";
 
 /// Whether a path is one of these names: a fault there is the caller's, not a file's.
 inline bool is_in_memory(std::string_view path) {
-  constexpr std::array<std::string_view, 5> kNames{kCloudInMemory, kGatesInMemory, kLinesInMemory,
-                                                   kReferencesInMemory, apps::kConfigInMemory};
+  constexpr std::array<std::string_view, 6> kNames{kCloudInMemory, kGatesInMemory,
+                                                   kLinesInMemory, kReferencesInMemory,
+                                                   kViewsInMemory, apps::kConfigInMemory};
   return std::ranges::find(kNames, path) != kNames.end();
 }
 

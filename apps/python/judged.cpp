@@ -36,13 +36,13 @@ py::dict lines_dict(const Judged& judged) {
   const std::vector<LineEvaluation>& lines = judged.evaluation().lines;
   py::dict d;
   using L = LineEvaluation;
-  d["id"] = text_list(lines, [](const L& l) { return l.id; });
-  d["line_class"] = text_list(lines, [](const L& l) { return l.line_class; });
-  d["status"] = text_list(lines, [](const L& l) { return std::string(name(l.status)); });
-  d["reason"] = text_list(lines, [](const L& l) { return l.reason; });
-  d["kind"] = text_list(lines, [](const L& l) { return std::string(name(l.kind)); });
-  d["flags"] = text_list(lines, [](const L& l) { return py::cast(l.flags); });
-  d["plane_ids"] = text_list(lines, [](const L& l) {
+  d["id"] = list_of(lines, [](const L& l) { return l.id; });
+  d["line_class"] = list_of(lines, [](const L& l) { return l.line_class; });
+  d["status"] = list_of(lines, [](const L& l) { return std::string(name(l.status)); });
+  d["reason"] = list_of(lines, [](const L& l) { return l.reason; });
+  d["kind"] = list_of(lines, [](const L& l) { return std::string(name(l.kind)); });
+  d["flags"] = list_of(lines, [](const L& l) { return py::cast(l.flags); });
+  d["plane_ids"] = list_of(lines, [](const L& l) {
     py::list ids;
     for (const evaluate::JudgingPlane& plane : l.planes) ids.append(plane.id);
     return ids;
@@ -105,13 +105,16 @@ std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
 
 void write_map(const Judged& judged, const std::string& path, const std::string& schema) {
   const std::string file = results::output_file(path, results::paths_of(judged.inputs));
+  const results::MapSchema columns = results::map_schema_named(schema);
+  const py::gil_scoped_release release;
   results::write_judged_map(file, judged.files.line_sets.front(), judged.files.cloud_crs,
-                            judged.evaluation(), judged.files.planes.front(),
-                            results::map_schema_named(schema));
+                            judged.evaluation(), judged.files.planes.front(), columns);
 }
 
 void write_folder(const Judged& judged, const std::string& folder, const std::string& schema) {
+  const py::gil_scoped_release release;
   results::RunRecord record = judged.record;
+  record.resume();
   const results::OutputFolder out(folder, results::paths_of(judged.inputs));
   for (const std::string& name : results::result_names({judged.evaluation().method})) {
     (void)out.path(name);

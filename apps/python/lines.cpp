@@ -3,6 +3,7 @@
 
 #include "apps/python/arrays.h"
 #include "apps/python/bindings.h"
+#include "apps/python/entries.h"
 #include "apps/python/interruptible.h"
 #include "io/lines/read_lines.h"
 #include "io/lines/write_lines.h"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,10 +80,15 @@ void take_array(const py::dict& arrays,
 }
 
 void take_arrays(const py::dict& arrays, std::vector<Line>& lines) {
-  take_array(arrays, "covariance_m2", {6, 6}, lines,
-             [](Line& line, std::size_t i, const Array<double>& array) {
-               line.covariance_m2 = matrix_at<6, 6>(array, i);
-             });
+  take_array(
+      arrays, "covariance_m2", {6, 6}, lines,
+      [](Line& line, std::size_t i, const Array<double>& array) {
+        line.covariance_m2 = matrix_at<6, 6>(array, i);
+        if (!line.covariance_m2) return;
+        check(line.covariance_m2->allFinite() && line.covariance_m2->diagonal().minCoeff() >= 0.0,
+              "covariance_m2: that of line ", i,
+              " is no covariance, must be finite with variances of 0 or above, or all NaN");
+      });
   for (const auto& [name, member] : kImageSegments) {
     take_array(arrays, name, {2, 2}, lines,
                [m = member](Line& line, std::size_t i, const Array<double>& array) {
@@ -107,8 +114,7 @@ std::size_t write_lines(const std::string& path,
                         const py::dict& arrays,
                         const std::string& format) {
   const std::optional<io::LineFormat> known = io::line_format(format);
-  if (!known)
-    throw std::invalid_argument("format: " + format + "; is none that lines are written in");
+  check(known.has_value(), "format = ", format, ", must be the name of one in line_formats");
   const io::LineSet set = line_set_of(arrays, path);
   return interruptibly([&] { return io::write_lines(path, set, *known); });
 }
@@ -120,7 +126,7 @@ py::dict dict_of(const io::LineSet& set) {
   arrays["segments"] = matrix_array<2, 3>(
       set.lines, [](const Line& line) { return ends_of(line.segment_in_world); });
   for (const auto& [name, member] : kTexts) {
-    arrays[name] = text_list(set.lines, [m = member](const Line& line) { return line.*m; });
+    arrays[name] = list_of(set.lines, [m = member](const Line& line) { return line.*m; });
   }
   arrays["epipolar_angle_deg"] =
       number_array(set.lines, [](const Line& line) { return line.epipolar_angle_deg; });
@@ -141,7 +147,7 @@ io::LineSet line_set_of(const py::dict& arrays, const std::string& name) {
   io::LineSet set;
   set.path = name;
   set.format = "array";
-  if (arrays.contains("crs")) set.crs.definition = arrays["crs"].cast<std::string>();
+  take(arrays, "crs", set.crs.definition);
   set.lines.resize(static_cast<std::size_t>(segments->shape(0)));
   for (std::size_t i = 0; i < set.lines.size(); ++i) {
     set.lines[i].id = std::to_string(i);

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -15,18 +16,33 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// PCL prints every degenerate sample to stderr; silenced while lines are judged.
+/// PCL prints every degenerate sample to stderr; silenced while lines are judged, by any thread: its level is one for
+/// all.
 class QuietPcl {
  public:
-  QuietPcl() : level_(pcl::console::getVerbosityLevel()) {
+  QuietPcl() {
+    const std::scoped_lock lock(holders().mutex);
+    if (holders().count++ > 0) return;
+    holders().level = pcl::console::getVerbosityLevel();
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   }
-  ~QuietPcl() { pcl::console::setVerbosityLevel(level_); }
+  ~QuietPcl() {
+    const std::scoped_lock lock(holders().mutex);
+    if (--holders().count == 0) pcl::console::setVerbosityLevel(holders().level);
+  }
   QuietPcl(const QuietPcl&) = delete;
   QuietPcl& operator=(const QuietPcl&) = delete;
 
  private:
-  pcl::console::VERBOSITY_LEVEL level_;
+  struct Holders {
+    std::mutex mutex;
+    int count = 0;
+    pcl::console::VERBOSITY_LEVEL level = pcl::console::L_INFO;  ///< before the first
+  };
+  static Holders& holders() {
+    static Holders all;
+    return all;
+  }
 };
 
 std::vector<char> repeated_ids(std::span<const JudgedLine> lines) {

@@ -11,7 +11,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Of unit length; level and of curvature 1, so that it does not count, where the point has no normal.
+/// The normal of unit length. Where the point has none: a level one of curvature 1, which does not count.
 template <typename PointNT>
 PointNormals::Normal usable_normal(const PointNT& point) {
   const Eigen::Vector3d n(point.normal_x, point.normal_y, point.normal_z);
@@ -60,6 +60,7 @@ PointNormals LineToPlaneEvaluation<PointT, PointNT>::point_normals() const {
 
 template <typename PointT, typename PointNT>
 std::vector<LineEvaluation> LineToPlaneEvaluation<PointT, PointNT>::compute() {
+  results_.clear();
   check(initCompute(), "LineToPlaneEvaluation: no input cloud, call setInputCloud() first");
   const std::unique_ptr<PointSearch> search = point_search();
   search->set_normals(point_normals());

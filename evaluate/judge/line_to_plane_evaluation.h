@@ -43,7 +43,10 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
 
   /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts.
   void setInputCloud(const PointCloudConstPtr& cloud) override;
-  void setInputLines(std::vector<JudgedLine> lines) { lines_ = std::move(lines); }
+  void setInputLines(std::vector<JudgedLine> lines) {
+    lines_ = std::move(lines);
+    results_.clear();
+  }
 
   /// How the points near a line are found: pcl::search::KdTree, Octree, BruteForce or any other exact search
   /// whose const queries may run in several threads. compute() gives it the cloud and the indices, and it

@@ -57,6 +57,8 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
   // backwards: a point that is listed twice has its first place, as in PointGrid
   for (std::size_t place = indices->size(); place-- > 0;) {
     const pcl::index_t i = (*indices)[place];
+    check(i >= 0 && static_cast<std::size_t>(i) < cloud_->size(), "setIndices: index = ", i,
+          ", must be one of the cloud's ", cloud_->size(), " points");
     place_in_indices_[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(place);
     if (!position(i).allFinite()) continue;
     extent_.extend(position(i));

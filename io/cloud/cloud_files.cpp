@@ -68,6 +68,7 @@ CloudFiles::CloudFiles(const std::vector<std::string>& paths_or_patterns,
 CloudFiles::CloudFiles(std::unique_ptr<CloudSource> source, const ReadOptions& options)
     : options_(options) {
   check_options(options);
+  check(source->is_light(), "CloudFiles: ", source->info().path, " is heavy, must stay open");
   File& file = files_.emplace_back();
   file.info = source->info();
   file.source = std::move(source);

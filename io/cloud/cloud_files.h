@@ -25,7 +25,7 @@ class CloudFiles {
   /// Opens every file. `options.near` has no meaning here: it is given with each reading.
   /// Throws as read_cloud().
   CloudFiles(const std::vector<std::string>& paths_or_patterns, const ReadOptions& options);
-  /// A cloud that is open, such as one in memory.
+  /// A cloud that is open, such as one in memory. Throws std::invalid_argument unless it is_light().
   CloudFiles(std::unique_ptr<CloudSource> source, const ReadOptions& options);
   ~CloudFiles();
 

@@ -18,7 +18,7 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   glob_t found{};
   const std::unique_ptr<glob_t, decltype(&globfree)> release(&found, &globfree);
   const int status = glob(pattern.c_str(), 0, nullptr, &found);
-  if (status == GLOB_NOMATCH) throw IoError(pattern, "matches no file");
+  if (status == GLOB_NOMATCH) throw MissingFileError(pattern, "matches no file");
   if (status != 0) throw IoError(pattern, "cannot be searched; check the folder's permissions");
   std::vector<std::string> names(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   std::ranges::sort(names);  // by bytes: glob's own order depends on the locale

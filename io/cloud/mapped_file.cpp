@@ -23,7 +23,7 @@ struct MappedFile::Mapping {
 MappedFile::MappedFile(const std::string& path) : mapping_(std::make_unique<Mapping>()) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw IoError(path, "does not exist");
+  if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
   if (!std::filesystem::is_regular_file(status)) throw IoError(path, "is not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) throw IoError(path, "cannot be read: " + error.message());

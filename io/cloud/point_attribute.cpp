@@ -76,6 +76,9 @@ void set_attribute(PointAttribute attribute,
     case PointAttribute::kClassification:
       point.classification = code<std::uint8_t>(value);
       break;
+    case PointAttribute::kFlags:
+      point.flags = code<std::uint8_t>(value);
+      break;
     case PointAttribute::kReturnNumber:
       point.return_number = code<std::uint8_t>(value);
       break;

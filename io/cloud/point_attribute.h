@@ -18,6 +18,7 @@ enum class PointAttribute {
   kClassification,
   kReturnNumber,
   kNumberOfReturns,
+  kFlags,
   kSourceId
 };
 

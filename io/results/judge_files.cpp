@@ -155,6 +155,38 @@ Evaluation evaluation_of(const io::LineSet& set,
   return evaluate::with_summaries(std::move(evaluation));
 }
 
+/// In the frame and the units of the cloud.
+std::vector<evaluate::ReferenceLine> references_beside(const io::CloudFiles& cloud,
+                                                       io::LineSet set,
+                                                       std::vector<std::string>& warnings) {
+  take_unit_of(cloud, set);
+  refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &warnings);
+  return reference_lines_of(set, cloud.frame());
+}
+
+LineSets lines_beside(const io::CloudFiles& cloud,
+                      const JudgeFilesOptions& options,
+                      JudgedFiles& judged) {
+  LineSets lines;
+  for (io::LineSet& set : judged.line_sets) {
+    take_unit_of(cloud, set);
+    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
+    lines.push_back(
+        judged_lines_of(set, cloud.frame(), options.patch, options.max_aligned_angle_deg));
+  }
+  return lines;
+}
+
+/// Those of the cloud first, then those of both together, then those of the lines.
+void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
+  judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
+  for (const io::LineSet& set : judged.line_sets) {
+    for (const std::string& warning : set.warnings) {
+      judged.warnings.push_back(set.path + ": " + warning);
+    }
+  }
+}
+
 }  // namespace
 
 void refuse_mismatch(std::string_view what,
@@ -195,13 +227,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
     const io::PatchFile& patch = *options.patch;
     refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
   }
-  LineSets lines;
-  for (io::LineSet& set : judged.line_sets) {
-    take_unit_of(cloud, set);
-    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
-    lines.push_back(
-        judged_lines_of(set, judged.frame, options.patch, options.max_aligned_angle_deg));
-  }
+  const LineSets lines = lines_beside(cloud, options, judged);
   record.end_stage("read_lines");
 
   JudgedBatches batches =
@@ -211,19 +237,11 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   record.end_stage("judge");
 
   refuse_empty(facts, cloud.path());
-  judged.warnings.insert(judged.warnings.begin(), facts.warnings.begin(), facts.warnings.end());
+  add_warnings(facts, judged);
   judged.unread_clouds = cloud.unread_paths();
-  for (const io::LineSet& set : judged.line_sets) {
-    for (const std::string& warning : set.warnings) {
-      judged.warnings.push_back(set.path + ": " + warning);
-    }
-  }
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   if (to_judge.references) {
-    io::LineSet& set = *to_judge.references;
-    take_unit_of(cloud, set);
-    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
-    references = reference_lines_of(set, judged.frame);
+    references = references_beside(cloud, std::move(*to_judge.references), judged.warnings);
   }
   judged.cloud_crs = cloud.crs();
   judged.cloud_unit_m = cloud.unit_m();

@@ -5,6 +5,7 @@
 #include "io/geopackage_writer.h"
 #include "io/results/judged_lines.h"
 #include "io/results/map_style.h"
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <fmt/format.h>
@@ -336,6 +337,7 @@ io::MapLayer vectors_layer(const io::LineSet& set,
 std::string map_name(const std::string& method) { return fmt::format("judged.{}.gpkg", method); }
 
 MapSchema map_schema_named(const std::string& name) {
+  check(name == "plain" || name == "fkb", "schema = ", name, ", must be plain or fkb");
   return name == "fkb" ? MapSchema::kFkb : MapSchema::kPlain;
 }
 

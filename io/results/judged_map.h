@@ -20,7 +20,7 @@ enum class MapSchema : std::uint8_t {
   kFkb,  ///< objtype, nøyaktighet, nøyaktighetHøyde (cm) of the Norwegian FKB-Bygning
 };
 
-/// "plain" | "fkb".
+/// "plain" | "fkb". Throws std::invalid_argument for another name.
 MapSchema map_schema_named(const std::string& name);
 
 /// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with

@@ -45,10 +45,10 @@ evaluate::Table1 read_matching(const fs::path& folder, bool of_files) {
 }
 
 evaluate::ResultFolder read_result_folder(const std::string& folder) {
-  if (!fs::is_directory(folder)) {
-    throw io::IoError(folder,
-                      "is no folder of results; must be the --out of run, demo or evaluate");
-  }
+  constexpr const char* kWhat =
+      "is no folder of results; must be the --out of run, demo or evaluate";
+  if (!fs::exists(folder)) throw io::MissingFileError(folder, kWhat);
+  if (!fs::is_directory(folder)) throw io::IoError(folder, kWhat);
   evaluate::ResultFolder results;
   results.name = fs::path(folder).lexically_normal().string();
   const Json run = read_run_json(folder);

@@ -79,6 +79,12 @@ void RunRecord::add_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) warnings_.push_back(warning);
 }
 
+void RunRecord::resume() {
+  const Clock::time_point now = Clock::now();
+  start_ += now - stage_start_;
+  stage_start_ = now;
+}
+
 void RunRecord::end_stage(const std::string& name) {
   stages_.push_back({{"stage", name},
                      {"seconds", seconds_since(stage_start_)},

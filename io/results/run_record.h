@@ -34,6 +34,8 @@ class RunRecord {
   void add_input(const InputFile& file);
   void add_warnings(const std::vector<std::string>& warnings);
   [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
+  /// Leaves out the time since the last stage ended, in which its program did something else.
+  void resume();
   /// Ends the stage that runs now: its wall time since the last one, and the peak memory so far.
   void end_stage(const std::string& name);
 

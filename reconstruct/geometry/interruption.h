@@ -18,6 +18,7 @@ class Interruption {
  public:
   static void request() { is_requested = true; }
   static void clear() { is_requested = false; }
+  [[nodiscard]] static bool is_standing() { return is_requested; }
   /// Throws Interrupted if a request stands. From any thread; costs no more than a read of memory.
   static void check() {
     if (is_requested.load(std::memory_order_relaxed)) throw Interrupted();

@@ -35,14 +35,17 @@ class ErrorsAreOfTheRightKind(Case):
                               ("bounds: 3 numbers", {"bounds": (1, 2, 3)}),
                               ("bounds: .* must not be inverted", {"bounds": (1, 1, 0, 0)}),
                               ("sample_consensus = x, must be msac", {"sample_consensus": "x"}),
-                              ("unknown key 'sigma'", {"config": {"judge": {"sigma": 1}}})):
+                              ("^unknown key 'sigma'", {"config": {"judge": {"sigma": 1}}}),
+                              ("^gross_m = nan, must be", {"gross_m": float("nan")}),
+                              ("max_points = -1, must be neither negative", {"max_points": -1}),
+                              ("patch, views: both are given", {"patch": "p.yaml", "views": []})):
             with self.assertRaisesRegex(ValueError, rule):
                 ridgeline.evaluate(LINES, CLOUD, **options)
 
     def test_an_unknown_argument_is_a_type_error(self):
         with self.assertRaisesRegex(TypeError, "'sigma'; parameters of the judge are lidar_sigma_m"):
             ridgeline.evaluate(LINES, CLOUD, sigma=1)
-        with self.assertRaisesRegex(TypeError, "gross_m: 'x', is of another type"):
+        with self.assertRaisesRegex(TypeError, "gross_m = 'x', must be a number"):
             ridgeline.evaluate(LINES, CLOUD, gross_m="x")
 
     def test_arrays_of_another_shape_are_value_errors(self):
@@ -58,10 +61,28 @@ class ErrorsAreOfTheRightKind(Case):
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, ids=["a"]), cloud)),
             ("lines: .* degrees", lambda: ridgeline.evaluate(segments / 1e6, cloud)),
             ("lines: lines and cloud are not in the same frame", lambda: ridgeline.evaluate(segments + 1e5, cloud)),
+            ("cloud: no file given", lambda: ridgeline.evaluate(segments, [])),
+            ("epipolar_angle_deg: must be an array of numbers",
+             lambda: ridgeline.evaluate(ridgeline.Lines(segments, epipolar_angle_deg=["a"] * 89), cloud)),
+            ("covariance_m2: that of line 0 is no covariance",
+             lambda: ridgeline.evaluate(ridgeline.Lines(segments, covariance_m2=np.tile(-np.eye(6), (89, 1, 1))), cloud)),
+            ("schema = x, must be plain or fkb",
+             lambda: ridgeline.evaluate(segments, cloud).to_geopackage(self.folder / "x.gpkg", schema="x")),
+            ("gates: entry 2: unknown key", lambda: ridgeline.gate(ridgeline.evaluate(segments, cloud), [{"max": 1}, {"mx": 1}])),
             ("cloud: holds no points", lambda: ridgeline.evaluate(segments, np.zeros((0, 3)))),
         ):
             with self.assertRaisesRegex(ValueError, rule):
                 call()
+
+    def test_digits_that_float32_has_lost_are_noticed(self):
+        lines, cloud = ridgeline.read_lines(LINES), ridgeline.read_cloud(CLOUD)
+        with self.assertWarnsRegex(UserWarning, "cloud: float32 holds these numbers in steps of 0.5"):
+            ridgeline.evaluate(lines, cloud.xyz.astype(np.float32))
+        with self.assertRaisesRegex(ValueError, "cloud: float32"):
+            ridgeline.evaluate(lines, cloud.xyz.astype(np.float32), strict=True)
+        with self.assertWarnsRegex(UserWarning, "lines: float32"):
+            ridgeline.Lines(lines.segments.astype(np.float32))
+        ridgeline.Lines((lines.segments - lines.segments[0, 0]).astype(np.float32))  # local ones are fine
 
     def test_what_deserves_attention_is_a_warning(self):
         segments = np.array(ridgeline.read_lines(LINES).segments)
@@ -99,6 +120,31 @@ print(ridgeline.evaluate(lines, cloud).classes["total"]["n_lines"])
             self.assertEqual(run.stdout.readline(), "interrupted\n")
             self.assertLess(time.monotonic() - asked, 1.0)  # s; a judgement of all takes over ten
             self.assertEqual(run.stdout.readline(), "89\n")  # later calls work
+
+    def test_calls_of_other_threads_give_their_results_nonetheless(self):
+        code = MANY_LINES + """
+import concurrent.futures, signal
+few = np.concatenate([lines] * 30)
+with concurrent.futures.ThreadPoolExecutor(1) as pool:
+    future = pool.submit(ridgeline.evaluate, few, cloud)
+    try:
+        signal.alarm(1)
+        signal.signal(signal.SIGALRM, signal.default_int_handler)
+        ridgeline.evaluate(many, cloud)
+    except KeyboardInterrupt:
+        print("interrupted")
+    print(future.result().classes["total"]["n_lines"])
+"""
+        run = subprocess.run([sys.executable, "-c", code, LINES, CLOUD], capture_output=True, text=True, check=True)
+        self.assertEqual(run.stdout.split(), ["interrupted", str(89 * 30)])
+
+    def test_a_thread_that_works_does_not_break_the_end_of_python(self):
+        code = MANY_LINES + """
+threading.Thread(target=ridgeline.evaluate, args=(many, cloud), daemon=True).start()
+time.sleep(0.3)
+"""
+        run = subprocess.run([sys.executable, "-c", code, LINES, CLOUD], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_other_threads_run_meanwhile(self):
         many = np.concatenate([ridgeline.read_lines(LINES).segments] * 20)

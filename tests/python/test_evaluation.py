@@ -1,11 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import json
+import re
 import sqlite3
 import unittest
 
 import numpy as np
 import ridgeline
 from support import CLOUD, LINES, PATCH, Case, program
+
+
+
+def sample_views():
+    """The cameras of sample patch 1; images are not needed."""
+    rows = [[float(number) for number in row.split(",")] for row in re.findall(r"- \[(.*)\]", PATCH.read_text())]
+    image = np.zeros((1, 1), np.uint8)
+    return [ridgeline.View(image, np.array(rows[:3]), "left"), ridgeline.View(image, np.array(rows[3:]), "right")], (229, 280)
+
 
 #: Points are reduced to the local frame from map coordinates either way, which rounds them differently.
 ROUNDING_M = 1e-9
@@ -78,7 +88,24 @@ class EvaluateTakesArrays(Case):
         both = ridgeline.Cloud(np.concatenate([ground.points, noise.points]), self.cloud.crs)
         self.assert_same(ridgeline.evaluate(self.lines, both))
 
+    def test_withheld_points_are_left_out_unless_asked_for(self):
+        withheld = self.cloud.points.copy()
+        withheld["flags"] = 4
+        with self.assertRaisesRegex(ValueError, "cloud: no point of 21544 is left: .* 21544 withheld"):
+            ridgeline.evaluate(self.lines, ridgeline.Cloud(withheld, self.cloud.crs))
+        self.assert_same(ridgeline.evaluate(self.lines, ridgeline.Cloud(withheld, self.cloud.crs), include_withheld=True))
+
+    def test_cameras_in_memory_are_evidence_as_those_of_a_patch_are(self):
+        views, heights = sample_views()
+        found = ridgeline.reconstruct(PATCH)
+        by_patch = ridgeline.evaluate(found, self.cloud, patch=PATCH)
+        by_views = ridgeline.evaluate(found, self.cloud, views=views, height_range_m=heights)
+        np.testing.assert_array_equal(by_views.lines["status"], by_patch.lines["status"])
+        np.testing.assert_allclose(by_views.lines["mean_distance_m"], by_patch.lines["mean_distance_m"],
+                                   rtol=0, atol=ROUNDING_M)
+
     def test_a_part_of_a_cloud_is_a_cloud(self):
+        self.assert_same(ridgeline.evaluate(self.lines, self.cloud.points))
         west = ridgeline.Cloud(self.cloud.points[self.cloud.points["x"] < 513030], self.cloud.crs)
         by_bounds = ridgeline.evaluate(self.lines, self.cloud, bounds=(0, 0, 513029.999999, 1e7))
         np.testing.assert_array_equal(ridgeline.evaluate(self.lines, west).lines["status"], by_bounds.lines["status"])
@@ -136,7 +163,17 @@ class ResultTellsWhatWasFound(Case):
         with sqlite3.connect(file) as map_file:
             self.assertEqual(map_file.execute("SELECT count(*) FROM lines").fetchone(), (89,))
 
+    def test_texts_of_tables_stay_texts(self):
+        named = ridgeline.evaluate(LINES, CLOUD, name="007")
+        self.assertEqual(named.tables["table2"][0]["patch"], "007")
+
     def test_nothing_is_written_over(self):
+        folder = self.folder / "mine"
+        folder.mkdir()
+        (folder / "quality.csv").write_text("mine")
+        with self.assertRaisesRegex(FileExistsError, "mine: is not empty; overwrite=True"):
+            self.result.write(folder)
+        self.assertEqual((folder / "quality.csv").read_text(), "mine")
         file = self.folder / "map.gpkg"
         file.write_text("mine")
         with self.assertRaisesRegex(FileExistsError, "overwrite=True"):

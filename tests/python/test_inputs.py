@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import copy
+import pickle
 import unittest
+import warnings
 
 import numpy as np
 import ridgeline
@@ -51,8 +54,43 @@ class ReadCloud(Case):
         points = ridgeline.read_cloud(CLOUD).xyz
         self.assertTrue(np.isfinite(np.array(points)).all())
 
+    def test_a_cloud_can_be_sent_to_another_process(self):
+        cloud = ridgeline.read_cloud(CLOUD)
+        np.testing.assert_array_equal(pickle.loads(pickle.dumps(cloud)).points, cloud.points)
+        self.assertEqual(copy.deepcopy(cloud).counts, cloud.counts)
+
+    def test_no_class_and_codes_that_are_none_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "classes: none, must be at least one"):
+            ridgeline.read_cloud(CLOUD, classes=[])
+        with self.assertRaisesRegex(ValueError, "bounds: 0 numbers"):
+            ridgeline.read_cloud(CLOUD, bounds=[])
+        for codes in (300, -1, 2.5):
+            with self.assertRaisesRegex(ValueError, "classification: must be whole numbers from 0 to 255"):
+                ridgeline.Cloud.of(np.zeros((2, 3)), classification=codes)
+
     def test_patterns_are_expanded(self):
         self.assertEqual(len(ridgeline.read_cloud([str(SAMPLE / "lid*.las")])), len(ridgeline.read_cloud(CLOUD)))
+
+
+class LinesInMemory(Case):
+    def test_a_mask_makes_lines_of_a_part(self):
+        lines = ridgeline.read_lines(LINES)
+        aligned = lines[lines.line_class == "aligned"]
+        self.assertEqual(len(aligned), 19)
+        self.assertEqual(set(aligned.line_class), {"aligned"})
+        np.testing.assert_array_equal(aligned.covariance_m2, lines.covariance_m2[lines.line_class == "aligned"])
+        self.assertEqual((len(lines[:5]), repr(lines[[3]])), (5, "<ridgeline.Lines: 1 lines>"))
+
+    def test_texts_are_one_for_each_line(self):
+        segments = np.zeros((2, 2, 3))
+        self.assertEqual(list(ridgeline.Lines(segments, ids=[7, 8]).ids), ["7", "8"])
+        for ids in ("ab", [None, "b"], [b"a", "b"]):
+            with self.assertRaisesRegex(TypeError, "ids: "):
+                ridgeline.Lines(segments, ids=ids)
+
+    def test_masked_ends_are_not_finite(self):
+        lines = ridgeline.Lines(np.ma.masked_equal(np.arange(6.0).reshape(1, 6), 2.0))
+        self.assertTrue(np.isnan(lines.segments[0, 0, 2]))
 
 
 class LinesInFiles(Case):
@@ -63,7 +101,8 @@ class LinesInFiles(Case):
         again = ridgeline.read_lines(file)
         np.testing.assert_allclose(again.segments, lines.segments, rtol=0, atol=1e-4)
         np.testing.assert_allclose(again.covariance_m2, lines.covariance_m2, rtol=1e-5)
-        self.assertEqual((again.ids, again.line_class), (lines.ids, lines.line_class))
+        np.testing.assert_array_equal(again.ids, lines.ids)
+        np.testing.assert_array_equal(again.line_class, lines.line_class)
 
     def test_an_unknown_ending_is_refused(self):
         with self.assertRaisesRegex(ValueError, "lines.doc: .*must be one of .geojson"):
@@ -77,12 +116,13 @@ class Reconstruct(Case):
         expected = ridgeline.read_lines(file)
         lines = ridgeline.reconstruct(PATCH, method="network")
         np.testing.assert_allclose(lines.segments, expected.segments, rtol=0, atol=1e-4)  # m, of the file
-        self.assertEqual((lines.ids, lines.line_class, lines.status),
-                         (expected.ids, expected.line_class, expected.status))
+        for name in ("ids", "line_class", "status"):
+            np.testing.assert_array_equal(getattr(lines, name), getattr(expected, name))
 
     def test_views_in_memory_show_a_roof_where_it_is(self):
         views = [house_from_above(x_m) for x_m in (-15.0, 15.0)]
-        lines = ridgeline.reconstruct(views, (-2.0, 12.0), crs="EPSG:25832")
+        with self.assertWarnsRegex(UserWarning, "views: .* show only 4 points"):  # of a house without texture
+            lines = ridgeline.reconstruct(views, (-2.0, 12.0), crs="EPSG:25832")
         self.assertEqual(lines.crs, "EPSG:25832")
         for x_m, z_m in ((0.0, RIDGE_M), (-HALF_WIDTH_M, EAVES_M), (HALF_WIDTH_M, EAVES_M)):
             expected = np.array([[x_m, -HALF_LENGTH_M, z_m], [x_m, HALF_LENGTH_M, z_m]])
@@ -96,8 +136,21 @@ class Reconstruct(Case):
                            (r"matrix of a: the shape is \(3, 3\); must be \(3, 4\)", (image, np.eye(3)))):
             with self.assertRaisesRegex(ValueError, rule):
                 ridgeline.reconstruct([ridgeline.View(*view, id="a")] * 2, (0, 10))
-        with self.assertRaisesRegex(ValueError, "height_range_m"):
+        for rule, heights, matrices in (("height_range_m = 10 to 0", (10, 0), [house_from_above(0).matrix] * 2),
+                                        ("height_range_m: 1 numbers", (0,), [matrix] * 2),
+                                        ("view a: the matrix .* must be finite", (0, 10), [np.full((3, 4), np.nan)] * 2),
+                                        ("views: 1, must be two", (0, 10), [matrix])):
+            with self.assertRaisesRegex(ValueError, rule), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                ridgeline.reconstruct([ridgeline.View(image, m, id="a") for m in matrices], heights)
+        with self.assertRaisesRegex(ValueError, "height_range_m: must be given"):
             ridgeline.reconstruct([])
+        with self.assertRaisesRegex(TypeError, "must be View objects"):
+            ridgeline.reconstruct([(image, matrix)] * 2, (0, 10))
+        with self.assertRaisesRegex(ValueError, "view b: bands = 3, must be as many as those of view a, 1"):
+            left, right = (house_from_above(x_m) for x_m in (-15.0, 15.0))
+            ridgeline.reconstruct([ridgeline.View(left.image, left.matrix, "a"),
+                                   ridgeline.View(np.dstack([right.image] * 3), right.matrix, "b")], (-2, 12))
         with self.assertRaisesRegex(ValueError, "method = x, must be one of direct, joint"):
             ridgeline.reconstruct(PATCH, method="x")
 

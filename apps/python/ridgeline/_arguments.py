@@ -10,15 +10,37 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 Path: TypeAlias = str | os.PathLike[str]
+#: Coarsest tolerable step of coordinates: a quarter of the tolerance of planes.
+LARGEST_STEP_M = 0.025
 Config: TypeAlias = Path | Mapping[str, Mapping[str, Any]]
 
 
-def paths_of(value: Path | Sequence[Path]) -> list[str]:
+def paths_of(value: Path | Sequence[Path], name: str = "paths") -> list[str]:
     if isinstance(value, (str, os.PathLike)):
         return [os.fspath(value)]
-    return [os.fspath(path) for path in value]
+    try:
+        return [os.fspath(path) for path in value]
+    except TypeError:
+        raise TypeError(f"{name}: {type(value).__name__}, must be the path of a file or a list of paths") from None
+
+
+def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[np.float64]:
+    """Contiguous doubles; masked entries become NaN. Says if float32 has lost digits of map coordinates."""
+    given: Any = np.asarray(array)
+    if isinstance(array, np.ma.MaskedArray):
+        given = np.where(array.mask, np.nan, given)
+    if given.dtype in (np.float16, np.float32):
+        largest = np.max(np.abs(given[np.isfinite(given)]), initial=0.0)
+        step = float(np.spacing(given.dtype.type(largest)))
+        if step > LARGEST_STEP_M:
+            message = f"{name}: {given.dtype} holds these numbers in steps of {step:g}; digits are lost, use float64"
+            if strict:
+                raise ValueError(message)
+            warnings.warn(message, UserWarning, stacklevel=4)
+    return np.ascontiguousarray(given, dtype=np.float64)
 
 
 def _plain(value: Any) -> Any:
@@ -33,6 +55,12 @@ def text_of(value: Any) -> str:
     return json.dumps(value, default=_plain)
 
 
+def _group(name: str, group: Any) -> dict[str, Any]:
+    if not isinstance(group, Mapping):
+        raise TypeError(f"config: {name} = {group!r}, must be a mapping of parameters")
+    return dict(group)
+
+
 def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """A config file, or a mapping as `ridgeline config` prints it, and the parameters of its group `judge`."""
     entries: dict[str, Any] = {}
@@ -40,7 +68,7 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
     if isinstance(config, (str, os.PathLike)):
         entries["config"] = os.fspath(config)
     elif config is not None:
-        groups = {name: dict(group) for name, group in config.items()}
+        groups = {name: _group(name, group) for name, group in config.items()}
     if judge:
         groups["judge"] = {**groups.get("judge", {}), **judge}
     if groups:
@@ -51,11 +79,11 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
 def new_file(path: Path, overwrite: bool) -> str:
     """Nothing that stands there is lost unless the user says so."""
     if os.path.lexists(path) and not overwrite:
-        raise FileExistsError(f"{os.fspath(path)}: stands there and would be written over; overwrite=True allows it")
+        raise FileExistsError(f"{os.fspath(path)}: exists already; overwrite=True replaces it")
     return os.fspath(path)
 
 
 def warn(messages: Iterable[str]) -> None:
-    """Of a function that the user calls."""
+    """Warns at the line that calls the package."""
     for message in messages:
         warnings.warn(message, UserWarning, stacklevel=3)

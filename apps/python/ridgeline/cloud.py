@@ -5,17 +5,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Path, paths_of, warn
+from ridgeline._arguments import Path, double_of, paths_of, warn
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Cloud:
     """Points of a laser scan.
 
@@ -28,7 +27,7 @@ class Cloud:
 
     points: NDArray[Any]
     crs: str = ""
-    counts: Mapping[str, int] = field(default_factory=lambda: MappingProxyType({}))
+    counts: Mapping[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         points = np.asarray(self.points)
@@ -39,12 +38,15 @@ class Cloud:
     @classmethod
     def of(cls, xyz: ArrayLike, *, classification: ArrayLike = 0, crs: str = "") -> Cloud:
         """A cloud of coordinates (n, 3), each the only return of its pulse; `classification`: (n,), or one for all."""
-        x = np.asarray(xyz, dtype=np.float64)
+        x = double_of(xyz, "xyz")
+        codes = np.asarray(classification)
+        if codes.dtype.kind not in "iu" or (codes < 0).any() or (codes > 255).any():
+            raise ValueError("classification: must be whole numbers from 0 to 255")
         if x.ndim != 2 or x.shape[1] != 3:
             raise ValueError(f"xyz: the shape is {x.shape}; must be (n, 3)")
         points = np.zeros(len(x), dtype=_core.point_dtype)
         points["x"], points["y"], points["z"] = x.T
-        points["classification"] = classification
+        points["classification"] = codes
         points["return_number"] = points["number_of_returns"] = 1
         return cls(points, crs)
 
@@ -56,6 +58,20 @@ class Cloud:
 
     def __len__(self) -> int:
         return len(self.points)
+
+    def __repr__(self) -> str:
+        return f"<ridgeline.Cloud: {len(self)} points>"
+
+
+def cloud_options(
+    bounds: Sequence[float] | None, classes: Iterable[int] | None, **others: float | bool | str
+) -> dict[str, Any]:
+    """The options of reading a cloud for the extension module."""
+    return {
+        "bounds": None if bounds is None else [float(b) for b in bounds],
+        "classes": None if classes is None else [int(c) for c in classes],
+        **others,
+    }
 
 
 def read_cloud(
@@ -84,17 +100,17 @@ def read_cloud(
     strict: refuse coordinates damaged by float32. salvage: read what is there of a file cut short.
     Warns of what deserves attention. Raises FileNotFoundError, InputFileError and ValueError.
     """
-    options = {
-        "assume_crs": assume_crs,
-        "bounds": None if bounds is None else [float(b) for b in bounds],
-        "classes": None if classes is None else list(classes),
-        "include_withheld": include_withheld,
-        "last_returns": last_returns,
-        "max_points": max_points,
-        "max_resolution_m": max_resolution_m,
-        "salvage": salvage,
-        "strict": strict,
-    }
+    options = cloud_options(
+        bounds,
+        classes,
+        include_withheld=include_withheld,
+        last_returns=last_returns,
+        max_resolution_m=max_resolution_m,
+        max_points=max_points,
+        assume_crs=assume_crs,
+        strict=strict,
+        salvage=salvage,
+    )
     points, crs, messages, counts = _core.read_cloud(paths_of(paths), options)
     warn(messages)
-    return Cloud(points, crs, MappingProxyType(counts))
+    return Cloud(points, crs, counts)

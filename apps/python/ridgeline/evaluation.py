@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import os
+import re
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any
@@ -15,9 +16,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Config, Path, config_entries, new_file, paths_of, warn
-from ridgeline.cloud import Cloud
+from ridgeline._arguments import Config, Path, config_entries, double_of, new_file, paths_of, warn
+from ridgeline.cloud import Cloud, cloud_options
 from ridgeline.lines import Lines, segments_of
+from ridgeline.reconstruction import View, view_entries
+
+#: Columns of the tables that are texts whatever they look like.
+TEXTS = ("patch", "method", "class", "kind", "reference")
 
 #: What evaluate() takes as lines.
 LinesLike = Path | Lines | ArrayLike
@@ -34,7 +39,7 @@ class Result:
         """Every line, in the order given: arrays (n,) by name, which pandas.DataFrame() takes as they are.
 
         id, line_class, kind ("step", "ridge" or ""), status ("evaluated", or why not) and its reason; flags and
-        plane_ids, a list each; length_m; mean_distance_m, the mean orthogonal distance from the planes beside the line,
+        plane_ids, a list for each line; length_m; mean_distance_m, the mean orthogonal distance from the planes beside the line,
         max_distance_m, signed_mean_m; sigma_plane_m, sigma_line_m, z, their standard deviations and the distance over
         them; horizontal_m and vertical_m, the error of a ridge across it in plan and in height; epipolar_angle_deg.
         Distances are metres, and NaN for a line that was not evaluated.
@@ -42,6 +47,10 @@ class Result:
         columns = dict(self._judged.lines())
         for name in ("id", "line_class", "kind", "status", "reason"):
             columns[name] = np.array(columns[name], dtype=np.str_)
+        for name in ("flags", "plane_ids"):
+            column = np.empty(len(columns[name]), dtype=object)
+            column[:] = columns[name]
+            columns[name] = column
         return columns
 
     @cached_property
@@ -84,12 +93,18 @@ class Result:
     def to_geopackage(self, path: Path, *, schema: str = "plain", overwrite: bool = False) -> None:
         """Writes the map: the lines, coloured by distance, their planes and error vectors, with styles for QGIS.
 
-        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. An input is never written over.
+        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. A file that evaluate()
+        was given by its path is never written over.
         """
         self._judged.write_map(new_file(path, overwrite), schema)
 
-    def write(self, folder: Path, *, schema: str = "plain") -> None:
-        """Writes the files of `ridgeline evaluate` into a folder, for gates and `ridgeline report`."""
+    def write(self, folder: Path, *, schema: str = "plain", overwrite: bool = False) -> None:
+        """Writes the files of `ridgeline evaluate --no-report` into a folder, for gates and `ridgeline report`.
+
+        Raises FileExistsError for a folder that is not empty, unless overwrite.
+        """
+        if not overwrite and os.path.isdir(folder) and os.listdir(folder):
+            raise FileExistsError(f"{os.fspath(folder)}: is not empty; overwrite=True replaces files in it")
         self._judged.write(os.fspath(folder), schema)
 
     def __str__(self) -> str:
@@ -107,6 +122,8 @@ def evaluate(
     cloud: Path | Sequence[Path] | Cloud | NDArray[np.float64],
     *,
     patch: Path | None = None,
+    views: Sequence[View] | None = None,
+    height_range_m: Sequence[float] | None = None,
     reference_lines: LinesLike | None = None,
     config: Config | None = None,
     bounds: Sequence[float] | None = None,
@@ -133,7 +150,8 @@ def evaluate(
 
     lines: a file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6), start and end of each.
     cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are those of the map.
-    patch: a patch file, whose cameras class the lines as aligned and not_aligned and tell where their edges are.
+    patch: a patch file, whose cameras class the lines as aligned and not_aligned and show where their edges lie.
+    views, height_range_m: the same of views in memory, as for reconstruct().
     reference_lines: true lines, as `lines`: errors, precision and completeness beside the distances.
     config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
     bounds ... salvage: of the cloud, as for read_cloud(). vertex_pairs: as for read_lines().
@@ -144,41 +162,50 @@ def evaluate(
     bootstrap_replicates, bootstrap_seed, bca: of the 95 % intervals.
     judge: parameters of the judge by their names in `ridgeline config`: lidar_sigma_m (range noise of the cloud),
         corridor_half_width_m, inlier_distance_m, min_points, seed, ...
-    Warns of what deserves attention in the inputs. Raises FileNotFoundError, InputFileError and ValueError.
+    Arrays must not be changed meanwhile. Warns of what deserves attention in the inputs. Raises FileNotFoundError,
+    InputFileError, and ValueError or TypeError for a value that cannot be.
     """
     for option in judge:
         if option not in _core.judge_options:
             known = ", ".join(_core.judge_options)
             raise TypeError(f"evaluate() has no argument {option!r}; parameters of the judge are {known}")
     options = {
-        "assume_crs": assume_crs,
+        **cloud_options(
+            bounds,
+            classes,
+            include_withheld=include_withheld,
+            last_returns=last_returns,
+            max_resolution_m=max_resolution_m,
+            max_points=max_points,
+            assume_crs=assume_crs,
+            strict=strict,
+            salvage=salvage,
+        ),
         "bca": bca,
         "bootstrap_replicates": bootstrap_replicates,
         "bootstrap_seed": bootstrap_seed,
-        "bounds": None if bounds is None else [float(b) for b in bounds],
-        "classes": None if classes is None else list(classes),
         "cloud_memory_mib": cloud_memory_mib,
         "gross_m": gross_m,
-        "include_withheld": include_withheld,
-        "last_returns": last_returns,
         "max_aligned_angle_deg": max_aligned_angle_deg,
-        "max_points": max_points,
-        "max_resolution_m": max_resolution_m,
+        "name": name,
         "patch": None if patch is None else os.fspath(patch),
-        "patch_name": name,
-        "salvage": salvage,
         "sigma_sys_m": sigma_sys_m,
-        "strict": strict,
         "vertex_pairs": vertex_pairs,
         **config_entries(config, judge),
     }
+    if views is not None:
+        if patch is not None:
+            raise ValueError("patch, views: both are given; must be one of them")
+        options |= view_entries(views, height_range_m)
     points: Any
+    if isinstance(cloud, np.ndarray) and cloud.dtype == _core.point_dtype:
+        cloud = Cloud(cloud)
     if isinstance(cloud, Cloud):
         points, options["cloud_crs"] = cloud.points, cloud.crs
     elif isinstance(cloud, np.ndarray):
-        points = np.ascontiguousarray(cloud, dtype=np.float64)
+        points = double_of(cloud, "cloud", strict=strict)
     else:
-        points = paths_of(cloud)
+        points = paths_of(cloud, "cloud")
     references = None if reference_lines is None else _source(reference_lines)
     result = Result(_core.evaluate(_source(lines), points, references, options))
     warn(result.warnings)
@@ -193,17 +220,12 @@ def _source(lines: LinesLike) -> str | dict[str, Any]:
 
 
 def _typed(row: dict[str, str]) -> dict[str, Any]:
-    return {name: _number(text) for name, text in row.items()}
+    return {name: text if name in TEXTS else _number(text) for name, text in row.items()}
 
 
 def _number(text: str) -> int | float | str | None:
     if text == "":
         return None
-    try:
+    if re.fullmatch(r"-?\d+", text):
         return int(text)
-    except ValueError:
-        pass
-    try:
-        return float(text)
-    except ValueError:
-        return text
+    return float(text) if re.fullmatch(r"-?\d+\.\d*(e[+-]?\d+)?", text) else text

@@ -14,6 +14,13 @@ from ridgeline._arguments import Path, text_of, warn
 from ridgeline.evaluation import Result
 
 
+def _text_of_gates(gates: Mapping[str, Any]) -> str:
+    """The i-th entry on the i-th line, so that a fault can be found."""
+    entries = ",\n".join(text_of(gate) for gate in gates.get("gates", ()))
+    others = "".join(f", {text_of(key)}: {text_of(value)}" for key, value in gates.items() if key != "gates")
+    return f'{{"gates": [{entries}]{others}}}'
+
+
 @dataclass(frozen=True)
 class GateReport:
     """The verdicts. True if every gate passed; a gate that checked nothing has not.
@@ -46,13 +53,14 @@ def gate(
     results: of evaluate(), or the folder that evaluate, run or Result.write() wrote.
     gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m", "max": 0.3}, ...].
     baseline: folder of an earlier run on the same data, for gates that refer to it; results are then a folder as well.
+        Both must have been judged from files: a run on arrays records no hash of its data.
     Raises ValueError for a gate that cannot decide, FileNotFoundError and InputFileError.
     """
     file = text = ""
     if isinstance(gates, (str, os.PathLike)):
         file = os.fspath(gates)
     else:
-        text = text_of(gates if isinstance(gates, Mapping) else {"gates": list(gates)})
+        text = _text_of_gates(gates if isinstance(gates, Mapping) else {"gates": gates})
     before = None if baseline is None else os.fspath(baseline)
     if isinstance(results, Result):
         found = _core.gate(results._judged, file, text, before)

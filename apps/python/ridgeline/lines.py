@@ -13,16 +13,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Path, new_file, warn
+from ridgeline._arguments import Path, double_of, new_file, warn
 
 
-@dataclass(eq=False)
+TEXTS = ("ids", "line_class", "status", "method", "kind", "building")
+
+
+@dataclass(eq=False, repr=False)
 class Lines:
-    """3D line segments with what is known of them; None and NaN where there is nothing.
+    """3D line segments with what is known of them; None, "" and NaN where there is nothing.
+
+    Texts are arrays (n,), so that `lines[lines.status == "joint"]` makes Lines of a part.
 
     segments: (n, 2, 3), start and end, coordinates of the map in its units; (n, 6) is taken as well.
     ids: by default "0", "1", ...
-    line_class: "aligned" (within 10 degrees of the epipolar line), "not_aligned" or the file's own.
+    line_class: "aligned" (within 10 degrees of the epipolar line) or "not_aligned"; lines of any other class count in
+        the figures of "total" alone.
     status: how a reconstructed line came about; one without geometry has NaN coordinates.
     method, kind, building: as in the files (docs/patch-file.md).
     epipolar_angle_deg: (n,), degrees.
@@ -32,12 +38,12 @@ class Lines:
     """
 
     segments: NDArray[np.float64]
-    ids: Sequence[str] | None = None
-    line_class: Sequence[str] | None = None
-    status: Sequence[str] | None = None
-    method: Sequence[str] | None = None
-    kind: Sequence[str] | None = None
-    building: Sequence[str] | None = None
+    ids: Sequence[str] | NDArray[np.str_] | None = None
+    line_class: Sequence[str] | NDArray[np.str_] | None = None
+    status: Sequence[str] | NDArray[np.str_] | None = None
+    method: Sequence[str] | NDArray[np.str_] | None = None
+    kind: Sequence[str] | NDArray[np.str_] | None = None
+    building: Sequence[str] | NDArray[np.str_] | None = None
     epipolar_angle_deg: NDArray[np.float64] | None = None
     covariance_m2: NDArray[np.float64] | None = None
     left_px: NDArray[np.float64] | None = None
@@ -46,22 +52,49 @@ class Lines:
 
     def __post_init__(self) -> None:
         self.segments = segments_of(self.segments)
+        for name in TEXTS:
+            if getattr(self, name) is not None:
+                setattr(self, name, _texts(getattr(self, name), name))
 
     def __len__(self) -> int:
         return len(self.segments)
 
+    def __getitem__(self, index: Any) -> Lines:
+        """The lines of a mask, a slice or an array of places."""
+        if isinstance(index, (int, np.integer)):
+            raise TypeError("lines[i] makes Lines of a part; one line is lines[[i]]")
+        part: dict[str, Any] = {"crs": self.crs}
+        for name in (f.name for f in fields(self) if f.name != "crs"):
+            values = getattr(self, name)
+            part[name] = None if values is None else np.asarray(values)[index]
+        return Lines(**part)
+
+    def __repr__(self) -> str:
+        return f"<ridgeline.Lines: {len(self)} lines>"
+
     def _entries(self) -> dict[str, Any]:
-        texts = ("ids", "line_class", "status", "method", "kind", "building")
         entries = {f.name: getattr(self, f.name) for f in fields(self)}
-        for name in texts:
+        for name in TEXTS:
             if entries[name] is not None:
-                entries[name] = [str(text) for text in entries[name]]
+                entries[name] = entries[name].tolist()
         return entries
+
+
+def _texts(texts: Any, name: str) -> NDArray[np.str_]:
+    """One for each line; numbers become texts."""
+    if isinstance(texts, (str, bytes)):
+        raise TypeError(f"{name}: {texts!r}, must be a list of texts, one for each line")
+    given = list(texts)
+    if any(text is None or isinstance(text, bytes) for text in given):
+        raise TypeError(f"{name}: None or bytes among the texts; must be texts or numbers")
+    return np.array([str(text) for text in given], dtype=np.str_)
 
 
 def segments_of(array: ArrayLike) -> NDArray[np.float64]:
     """(n, 2, 3) of (n, 2, 3) or (n, 6)."""
-    segments = np.ascontiguousarray(array, dtype=np.float64)
+    segments = double_of(array, "lines")
+    if segments.size == 0:
+        return segments.reshape(0, 2, 3)
     if segments.ndim == 2 and segments.shape[1] == 6:
         return segments.reshape(-1, 2, 3)
     if segments.ndim != 3 or segments.shape[1:] != (2, 3):
@@ -70,7 +103,7 @@ def segments_of(array: ArrayLike) -> NDArray[np.float64]:
 
 
 def lines_of(entries: dict[str, Any]) -> Lines:
-    """Of what the extension module returns."""
+    """The Lines of a dict that the extension module returns."""
     return Lines(**{f.name: entries[f.name] for f in fields(Lines)})
 
 
@@ -86,7 +119,7 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False) 
 
 
 def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = None, overwrite: bool = False) -> int:
-    """Writes lines with their attributes; returns how many the format has no place for, as they have no geometry.
+    """Writes lines with their attributes. Returns the number of lines left out because they have no geometry.
 
     format: by its name in `ridgeline reconstruct --help`; by default by the ending of the path.
     Raises FileExistsError unless overwrite.

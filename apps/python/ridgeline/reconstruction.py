@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ridgeline import _core
-from ridgeline._arguments import Config, Path, config_entries
+from ridgeline._arguments import Config, Path, config_entries, double_of, warn
 from ridgeline.lines import Lines, lines_of
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class View:
     """An oriented image without distortion.
 
@@ -29,6 +29,22 @@ class View:
     image: NDArray[Any]
     matrix: NDArray[np.float64]
     id: str = "image"
+
+    def __repr__(self) -> str:
+        return f"<ridgeline.View {self.id}: {np.shape(self.image)}>"
+
+
+def view_entries(views: Sequence[View], height_range_m: Sequence[float] | None) -> dict[str, Any]:
+    """Cameras and heights for the extension module."""
+    if height_range_m is None:
+        raise ValueError("height_range_m: must be given beside views")
+    given = list(views)
+    if not all(isinstance(view, View) for view in given):
+        raise TypeError("views: must be View objects, View(image, matrix)")
+    return {
+        "height_range_m": [float(height) for height in height_range_m],
+        "views": [(str(view.id), double_of(view.matrix, f"matrix of {view.id}")) for view in given],
+    }
 
 
 def reconstruct(
@@ -45,9 +61,10 @@ def reconstruct(
 
     views: two of them, the first is the base image; or a patch file, which has heights and reference system as well.
     height_range_m: lowest and highest height of objects, in metres of the map.
-    method: "direct", "joint", "network" or "planes". preset: "default" (the best known) or "published" (the papers').
+    method: "direct", "joint", "network", or "planes" for the ridges, hips and valleys that no edge shows. preset: "default" (the best known) or "published" (the papers').
     matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping {"match": {...}, ...}.
     crs: reference system of the matrices, for the lines.
+    The images are checked against their cameras: Warns, or raises if they fit far better swapped or turned.
     Returns lines with class, status, covariance and image segments; NaN coordinates where the images do not tell the
     depth. Raises ValueError, and for files FileNotFoundError and InputFileError.
     """
@@ -59,15 +76,11 @@ def reconstruct(
     }
     if isinstance(views, (str, os.PathLike)):
         if height_range_m is not None or crs:
-            raise ValueError("height_range_m, crs: stand in the patch file; must not be given beside it")
-        return lines_of(_core.reconstruct_patch(os.fspath(views), options))
-    if height_range_m is None:
-        raise ValueError("height_range_m: must be given beside views")
-    given = [
-        (view.id, np.ascontiguousarray(view.image), np.asarray(view.matrix, dtype=np.float64))
-        for view in views
-    ]
-    heights = [float(height) for height in height_range_m]
-    if len(heights) != 2:
-        raise ValueError(f"height_range_m: {len(heights)} numbers; must be the lowest and the highest height")
-    return lines_of(_core.reconstruct_views(given, heights, crs, options))
+            raise ValueError("height_range_m, crs: the patch file states them; do not give them as well")
+        found = _core.reconstruct_patch(os.fspath(views), options)
+    else:
+        options |= view_entries(views, height_range_m)
+        options |= {"crs": crs, "images": [np.ascontiguousarray(view.image) for view in views]}
+        found = _core.reconstruct_views(options)
+    warn(found["warnings"])
+    return lines_of(found)

@@ -51,7 +51,7 @@ TEST(PlaneFaces, AreAsExactFarFromTheFirstPixel) {
   constexpr double kOfFloats_px =
       1e-6;  // disparities are float, and as small as this where the face lies
   constexpr int kFar_px = 24000, kSide_px = 48;
-  const Eigen::Vector2d middle(kFar_px - kSide_px / 2, kSide_px / 2);
+  const Eigen::Vector2d middle(kFar_px - 0.5 * kSide_px - 0.5, 0.5 * kSide_px - 0.5);
   const Eigen::Vector2d slope(0.3, -0.2);
   Surface surface;
   surface.disparity_px =
