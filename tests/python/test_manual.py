@@ -12,6 +12,13 @@ import warnings
 from support import ROOT, Case
 
 HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
+NAMES_OF_OTHERS = {"plt": "matplotlib", "yaml": "yaml"}
+
+
+def can_run(code):
+    """Whether everything is installed that a block uses."""
+    return all(importlib.util.find_spec(module) or not re.search(rf"\b{name}\b", code)
+               for name, module in NAMES_OF_OTHERS.items())
 
 
 def examples():
@@ -31,7 +38,7 @@ class Manual(Case):
         warnings.simplefilter("ignore")  # of the gates, on how well the sample's sigmas fit
         names = {}
         for code, expected in examples():
-            if "matplotlib" in code and not HAS_MATPLOTLIB:
+            if not can_run(code):
                 continue
             printed = io.StringIO()
             with contextlib.redirect_stdout(printed):

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -143,6 +144,27 @@ TEST(SetSearchMethod, GivesTheSearchTheCloudAsItIsWhenComputing) {
   constexpr double kTol_m = 1e-3;  // the sample consensus draws in another order
   EXPECT_NEAR(after_m - before_m, kLift_m * test::SampledRoof().normal_z(), 0.05 + kTol_m);
   EXPECT_EQ(search->getInputCloud(), cloud);
+}
+
+TEST(SetSearchMethod, RefusesAnIndexThatIsNoPoint) {
+  const Cloud::Ptr cloud = cloud_with_faults();
+  for (const pcl::index_t wrong : {-1, static_cast<int>(cloud->size())}) {
+    Evaluation evaluation;
+    evaluation.setInputCloud(cloud);
+    evaluation.setIndices(std::make_shared<pcl::Indices>(pcl::Indices{0, 1, 2, wrong}));
+    evaluation.setSearchMethod(std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
+    EXPECT_THROW(evaluation.compute(), std::invalid_argument) << wrong;
+  }
+}
+
+TEST(LineToPlaneEvaluation, ForgetsTheResultsOfOtherLines) {
+  Evaluation evaluation;
+  evaluation.setInputCloud(cloud_with_faults());
+  evaluation.setInputLines(lines_of({}));
+  (void)evaluation.compute();
+  EXPECT_NO_THROW((void)evaluation.getInliers(0));
+  evaluation.setInputLines(lines_of({}));
+  EXPECT_THROW((void)evaluation.getInliers(0), std::out_of_range);
 }
 
 }  // namespace

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines and points in memory are judged as their files are.
+#include "io/cloud/binary_table.h"
+#include "io/lines/read_lines.h"
+#include "io/results/judge_files.h"
+#include "reconstruct/geometry/interruption.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+namespace ridgeline::results {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kSample = std::string(RIDGELINE_SOURCE_DIR) + "/sample_data/1/";
+
+JudgeFilesOptions sample_options() {
+  JudgeFilesOptions options;
+  options.line_paths = {kSample + "lines.fair.geojson"};
+  options.cloud_paths = {kSample + "lidar.las"};
+  return options;
+}
+
+/// Over points that must outlive it.
+std::unique_ptr<io::CloudSource> open_points(const std::vector<double>& xyz) {
+  constexpr std::size_t kSize = sizeof(double), kRow = 3 * kSize;
+  using io::PointAttribute;
+  return io::open_binary_table(
+      {.storage = std::monostate{},
+       .bytes = std::as_bytes(std::span(xyz)),
+       .columns = {{PointAttribute::kX, io::ScalarType::kFloat64, 0, kRow},
+                   {PointAttribute::kY, io::ScalarType::kFloat64, kSize, kRow},
+                   {PointAttribute::kZ, io::ScalarType::kFloat64, 2 * kSize, kRow}}},
+      {.path = "memory", .format = "array", .has_sure_unit = true, .n_points = xyz.size() / 3});
+}
+
+std::vector<double> sample_points() {
+  io::ReadOptions as_in_the_file;
+  as_in_the_file.frame = LocalFrame{};
+  const io::PointCloud cloud = io::read_cloud({kSample + "lidar.las"}, as_in_the_file);
+  std::vector<double> xyz;
+  for (const io::CloudPoint& p : cloud.points) xyz.insert(xyz.end(), {p.x, p.y, p.z});
+  return xyz;
+}
+
+TEST(JudgeLines, InMemoryGivesTheDistancesOfTheFiles) {
+  constexpr double kRounding_m = 1e-9;  // of the reduction to the local frame
+  const JudgeFilesOptions options = sample_options();
+  RunRecord record("test");
+  const JudgedFiles by_files = judge_files(options, record);
+  const std::vector<double> xyz = sample_points();
+  io::CloudFiles cloud(open_points(xyz), {});
+  const JudgedFiles in_memory =
+      judge_lines({{io::read_lines(options.line_paths[0])}, {}}, cloud, options, record);
+  const auto& expected = by_files.evaluations[0].lines;
+  const auto& judged = in_memory.evaluations[0].lines;
+  ASSERT_EQ(judged.size(), expected.size());
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    EXPECT_EQ(judged[i].status, expected[i].status) << judged[i].id;
+    EXPECT_NEAR(judged[i].mean_distance_m, expected[i].mean_distance_m, kRounding_m);
+  }
+  for (const std::string& warning : in_memory.warnings) {
+    EXPECT_THAT(warning, Not(HasSubstr("its coordinate unit is taken as")));
+  }
+}
+
+TEST(JudgeLines, StopWhenTheyAreAskedTo) {
+  RunRecord record("test");
+  Interruption::request();
+  EXPECT_THROW(judge_files(sample_options(), record), Interrupted);
+  Interruption::clear();
+  EXPECT_EQ(judge_files(sample_options(), record).evaluations[0].lines.size(), 89U);
+}
+
+TEST(RunRecord, LeavesOutTheTimeBeforeItIsResumed) {
+  RunRecord record("test");
+  record.end_stage("work");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  record.resume();
+  record.end_stage("write");
+  const auto json = nlohmann::json::parse(record.to_json());
+  constexpr double kLess_s = 0.2;
+  EXPECT_LT(json["seconds"].get<double>(), kLess_s);
+  EXPECT_LT(json["stages"][1]["seconds"].get<double>(), kLess_s);
+}
+
+}  // namespace
+}  // namespace ridgeline::results
