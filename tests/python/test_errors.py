@@ -61,6 +61,8 @@ class ErrorsAreOfTheRightKind(Case):
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, ids=["a"]), cloud)),
             ("lines: .* degrees", lambda: ridgeline.evaluate(segments / 1e6, cloud)),
             ("lines: lines and cloud are not in the same frame", lambda: ridgeline.evaluate(segments + 1e5, cloud)),
+            ("lines: lines and cloud do not match: .*UTM zone 32N.*UTM zone 33N.* with assume_crs",
+             lambda: ridgeline.evaluate(ridgeline.read_lines(LINES), ridgeline.Cloud(cloud.points, "EPSG:25833"))),
             ("cloud: no file given", lambda: ridgeline.evaluate(segments, [])),
             ("epipolar_angle_deg: must be an array of numbers",
              lambda: ridgeline.evaluate(ridgeline.Lines(segments, epipolar_angle_deg=["a"] * 89), cloud)),
