@@ -215,8 +215,8 @@ TEST_F(Evaluate, PatchClassesLinesAndNamesTheCloud) {
         "  - {id: right, path: r.tif, projection_matrix: "
         "[[1000, 0, -512, -512664400], [0, -1000, -512, 5403409600], [0, 0, -1, 800]]}\n");
   write(path("config.yaml"), "reconstruct: {max_aligned_angle_deg: 30}\n");
-  const std::vector<std::string> common{"evaluate", "--lines",    "plain.geojson", "--patch",
-                                        "patch.yaml", "--out", "out"};
+  const std::vector<std::string> common{
+      "evaluate", "--lines", "plain.geojson", "--patch", "patch.yaml", "--out", "out"};
   const auto expect_classes_up_to = [&](double angle_deg, const std::vector<std::string>& more) {
     std::vector<std::string> words = common;
     words.insert(words.end(), more.begin(), more.end());

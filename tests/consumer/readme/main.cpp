@@ -23,8 +23,7 @@ ridgeline::ProjectionMatrix camera_at(double x) {
 cv::Mat photograph(const ridgeline::ProjectionMatrix& camera) {
   cv::Mat image(400, 400, CV_8UC1, cv::Scalar(60));
   const auto pixel = [&](double x, double y) {
-    const Eigen::Vector2d x_px =
-        (camera * Eigen::Vector3d(x, y, 270).homogeneous()).hnormalized();
+    const Eigen::Vector2d x_px = (camera * Eigen::Vector3d(x, y, 270).homogeneous()).hnormalized();
     return cv::Point(cvRound(x_px.x()), cvRound(x_px.y()));
   };
   cv::rectangle(image, pixel(-8, 8), pixel(8, -8), cv::Scalar(200), cv::FILLED);
