@@ -97,7 +97,8 @@ class ErrorsAreOfTheRightKind(Case):
 
 #: Enough lines to be judged for several seconds.
 MANY_LINES = """
-import numpy as np, ridgeline, sys, threading, time
+import numpy as np, ridgeline, signal, sys, threading, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell turns off in the background
 lines = ridgeline.read_lines(sys.argv[1]).segments
 cloud = ridgeline.read_cloud(sys.argv[2])
 many = np.concatenate([lines] * 1000)

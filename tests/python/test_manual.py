@@ -17,7 +17,7 @@ NAMES_OF_OTHERS = {"plt": "matplotlib", "yaml": "yaml"}
 
 def can_run(code):
     """Whether everything is installed that a block uses."""
-    return all(importlib.util.find_spec(module) or not re.search(rf"\b{name}\b", code)
+    return all(importlib.util.find_spec(module) or not re.search(rf"\b{name}\.", code)
                for name, module in NAMES_OF_OTHERS.items())
 
 
