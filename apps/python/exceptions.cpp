@@ -28,7 +28,7 @@ PyObject* type_of(const io::IoError& error) {
 
 /// What is in memory has no lines: gates are written one a line, a config on one.
 std::string without_lines(const io::IoError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   if (error.path() == kGatesInMemory)
     return std::regex_replace(text, std::regex("^gates: line "), "gates: entry ");
   if (error.path() == apps::kConfigInMemory)
