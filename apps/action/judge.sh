@@ -23,8 +23,7 @@ else
 fi
 add_option --cloud "${clouds[@]}"
 
-# of an earlier use of this folder
-rm -f "$INPUT_OUT"/gates.{xml,md} "$INPUT_OUT"/table{1,2}.md "$INPUT_OUT/report.html"
+rm -f "$INPUT_OUT"/gates.{xml,md}  # of an earlier use of this folder
 ridgeline "${command[@]}" --out "$INPUT_OUT" "${arguments[@]}"
 
 echo "results=$INPUT_OUT" >>"$GITHUB_OUTPUT"

@@ -141,13 +141,7 @@ io::ReadOptions read_options(const EvaluateArguments& a) {
   if (!a.classes.empty()) options.classes.emplace(a.classes.begin(), a.classes.end());
   options.exclude_withheld = a.exclude_withheld;
   options.last_returns = a.last_returns;
-  if (!a.bounds.empty()) {
-    check(a.bounds[0] <= a.bounds[2] && a.bounds[1] <= a.bounds[3],
-          "--bounds: x_min,y_min,x_max,y_max must not be inverted");
-    options.bounds_in_world =
-        Eigen::AlignedBox3d(Eigen::Vector3d(a.bounds[0], a.bounds[1], -HUGE_VAL),
-                            Eigen::Vector3d(a.bounds[2], a.bounds[3], HUGE_VAL));
-  }
+  if (!a.bounds.empty()) options.bounds_in_world = io::plan_bounds(a.bounds);
   if (!a.origin.empty()) options.frame = frame_of(a.origin);
   options.assume_crs.definition = a.assume_crs;
   options.max_points = a.max_points;

@@ -12,7 +12,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -105,13 +104,6 @@ std::set<std::uint8_t> class_set(const std::vector<int>& classes) {
   return set;
 }
 
-Eigen::AlignedBox3d bounds_box(const std::vector<double>& b) {
-  check(b.size() == 4, "bounds: ", b.size(), " numbers; must be x_min, y_min, x_max, y_max");
-  check(b[0] <= b[2] && b[1] <= b[3],
-        "bounds: x_min, y_min, x_max, y_max must not be inverted or NaN");
-  return {Eigen::Vector3d(b[0], b[1], -HUGE_VAL), Eigen::Vector3d(b[2], b[3], HUGE_VAL)};
-}
-
 }  // namespace
 
 io::ReadOptions read_options(const py::dict& entries) {
@@ -121,7 +113,7 @@ io::ReadOptions read_options(const py::dict& entries) {
   if (classes) options.classes = class_set(*classes);
   std::optional<std::vector<double>> bounds;
   take(entries, "bounds", bounds);
-  if (bounds) options.bounds_in_world = bounds_box(*bounds);
+  if (bounds) options.bounds_in_world = io::plan_bounds(*bounds);
   bool include_withheld = false;
   take(entries, "include_withheld", include_withheld);
   options.exclude_withheld = !include_withheld;

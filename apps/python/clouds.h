@@ -11,21 +11,21 @@
 
 namespace ridgeline::python {
 
-/// Of the entries assume_crs, bounds, classes, include_withheld, last_returns, max_points, max_resolution_m, salvage and
+/// Takes the entries assume_crs, bounds, classes, include_withheld, last_returns, max_points, max_resolution_m, salvage and
 /// strict; each may be missing. Throws std::invalid_argument for a value that cannot be.
 io::ReadOptions read_options(const pybind11::dict& entries);
 
-/// Points of an array, which must outlive it.
+/// Points that lie in an array, which must outlive this.
 struct PointsInMemory {
   std::span<const std::byte> bytes;
   bool has_attributes = false;  ///< rows of io::CloudPoint, else three doubles
   io::Crs crs{};
 };
 
-/// Of an array as read_cloud() gives it, or of doubles (n, 3). Throws std::invalid_argument for another array.
+/// The array is one that read_cloud() gave, or holds doubles (n, 3). Throws std::invalid_argument for another array.
 PointsInMemory points_in_memory(const pybind11::array& array);
 
-/// Throws std::invalid_argument for a reference system that PROJ cannot read.
+/// A source over the points. Throws std::invalid_argument for a reference system that PROJ cannot read.
 std::unique_ptr<io::CloudSource> open_points(const PointsInMemory& points, const io::Crs& crs);
 
 }  // namespace ridgeline::python

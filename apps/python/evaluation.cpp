@@ -71,11 +71,12 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   validate(options.summary);
   std::string patch;
   take(entries, "patch", patch);
-  if (!patch.empty()) options.patch = io::read_patch(patch);
-  if (entries.contains("views")) options.patch = patch_of_views(entries);
   if (!patch.empty()) {
+    options.patch = io::read_patch(patch);
     if (options.cloud.assume_crs.known()) options.patch->crs = options.cloud.assume_crs;
     if (options.patch_name.empty()) options.patch_name = options.patch->id;
+  } else if (entries.contains("views")) {
+    options.patch = patch_of_views(entries);
   }
   return options;
 }

@@ -2,7 +2,6 @@
 #include "apps/python/bindings.h"
 #include "apps/python/in_memory.h"
 #include "io/error.h"
-#include "reconstruct/geometry/interruption.h"
 
 #include <algorithm>
 #include <exception>
@@ -53,7 +52,8 @@ std::string with_arguments(const std::string& message) {
 
 }  // namespace
 
-/// A file's fault is an OSError, of a file that is not there FileNotFoundError. The caller's is a ValueError already.
+/// Errors of C++ become those of Python: a file that is missing FileNotFoundError, another fault of a file InputFileError (an
+/// OSError), a fault of the caller ValueError.
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =
@@ -67,8 +67,6 @@ void add_exceptions(py::module_& core) {
       PyErr_SetString(type_of(error), with_arguments(without_lines(error)).c_str());
     } catch (const std::invalid_argument& error) {
       PyErr_SetString(PyExc_ValueError, with_arguments(error.what()).c_str());
-    } catch (const Interrupted&) {
-      PyErr_SetNone(PyExc_KeyboardInterrupt);
     } catch (const fs::filesystem_error& error) {
       PyErr_SetString(PyExc_OSError, error.what());
     }

@@ -27,8 +27,6 @@ namespace ridgeline::python {
 namespace py = pybind11;
 namespace {
 
-using reconstruct::View;
-
 reconstruct::Options options_of(const py::dict& entries) {
   apps::ParameterArguments arguments;
   take(entries, "preset", arguments.preset);
@@ -47,53 +45,41 @@ reconstruct::Options options_of(const py::dict& entries) {
   return options;
 }
 
-py::dict lines_of(std::span<const View> views,
-                  const std::array<double, 2>& height_range_m,
+/// The lines of a patch whose images `read` gives, normalised. They are checked against their cameras.
+template <typename Read>
+py::dict lines_of(const io::PatchFile& patch,
                   const reconstruct::Options& options,
-                  const io::Crs& crs,
-                  const std::optional<std::string>& warning = {}) {
+                  const Read& read) {
   return dict_of(interruptibly([&] {
+    const std::array<cv::Mat, 2> images = read();
+    const std::optional<std::string> doubt =
+        apps::check_pair(patch, images, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found =
-        reconstruct::reconstruct(views, height_range_m, options);
-    io::LineSet set = apps::line_set_of(found.pairs.front().lines, found.frame, crs,
+        reconstruct::reconstruct(apps::patch_views(patch, images), patch.height_range_m, options);
+    io::LineSet set = apps::line_set_of(found.pairs.front().lines, found.frame, patch.crs,
                                         options.estimation.lines.method);
-    if (warning) set.warnings.push_back(*warning);
+    if (doubt) set.warnings.push_back(*doubt);
     return set;
   }));
 }
 
-/// The images of a patch are checked against its cameras.
-py::dict lines_of_patch(const io::PatchFile& patch,
-                        const std::array<cv::Mat, 2>& images,
-                        const reconstruct::Options& options) {
-  std::optional<std::string> warning;
-  const std::vector<View> views = interruptibly([&] {
-    warning = apps::check_pair(patch, images, apps::kDefaultMaxYParallax_px);
-    return apps::patch_views(patch, images);
-  });
-  return lines_of(views, patch.height_range_m, options, patch.crs, warning);
-}
-
-/// `entries`: those of patch_of_views(), and `images`, a list of contiguous arrays.
+/// `entries`: those of patch_of_views(), and `images`, a list of two contiguous arrays.
 py::dict reconstruct_views(const py::dict& entries) {
   const io::PatchFile patch = patch_of_views(entries);
-  const reconstruct::Options options = options_of(entries);
   const auto arrays = entries["images"].cast<std::vector<py::array>>();
-  std::array<cv::Mat, 2> images;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    images[i] = reconstruct::normalised_image(image_of(arrays.at(i), patch.images[i].id));
-  }
-  return lines_of_patch(patch, images, options);
+  const std::array raw{image_of(arrays.at(0), patch.images[0].id),
+                       image_of(arrays.at(1), patch.images[1].id)};
+  return lines_of(patch, options_of(entries), [&] {
+    return std::array{reconstruct::normalised_image(raw[0]), reconstruct::normalised_image(raw[1])};
+  });
 }
 
 py::dict reconstruct_patch(const std::string& path, const py::dict& entries) {
-  const reconstruct::Options options = options_of(entries);
   const io::PatchFile patch = io::read_patch(path);
-  return lines_of_patch(patch, interruptibly([&] {
-                          apps::check_patch(patch);
-                          return apps::patch_images(patch);
-                        }),
-                        options);
+  return lines_of(patch, options_of(entries), [&] {
+    apps::check_patch(patch);
+    return apps::patch_images(patch);
+  });
 }
 
 }  // namespace

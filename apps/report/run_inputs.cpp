@@ -126,9 +126,7 @@ io::ReadOptions RunInputs::cloud_options() const {
   options.assume_crs.definition = options_.value("assume_crs", "");
   options.max_resolution_m = options_.value("max_resolution_m", 0.0);
   if (options_.contains("bounds") && !options_["bounds"].empty()) {
-    const auto b = options_["bounds"].get<std::array<double, 4>>();
-    options.bounds_in_world = Eigen::AlignedBox3d(Eigen::Vector3d(b[0], b[1], -HUGE_VAL),
-                                                  Eigen::Vector3d(b[2], b[3], HUGE_VAL));
+    options.bounds_in_world = io::plan_bounds(options_["bounds"].get<std::vector<double>>());
   }
   return options;
 }

@@ -15,6 +15,15 @@ LocalFrame suggest_frame(const std::vector<std::string>& paths_or_patterns,
   return CloudFiles(paths_or_patterns, unframed).frame();
 }
 
+Eigen::AlignedBox3d plan_bounds(std::span<const double> bounds) {
+  check(bounds.size() == 4, "bounds: ", bounds.size(),
+        " numbers; must be x_min, y_min, x_max, y_max");
+  check(bounds[0] <= bounds[2] && bounds[1] <= bounds[3],
+        "bounds: x_min, y_min, x_max, y_max must not be inverted or NaN");
+  return {Eigen::Vector3d(bounds[0], bounds[1], -HUGE_VAL),
+          Eigen::Vector3d(bounds[2], bounds[3], HUGE_VAL)};
+}
+
 PointCloud read_cloud(const std::vector<std::string>& paths_or_patterns,
                       const ReadOptions& options) {
   check(!options.near || options.frame,

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct ReadOptions {
   /// Coarsest tolerable step of stored coordinates: a quarter of the 0.1 m plane tolerance.
   double max_coordinate_step_m = 0.025;
 };
+
+/// A box of all heights for ReadOptions::bounds_in_world, of x_min, y_min, x_max, y_max.
+/// Throws std::invalid_argument for other than four numbers, and for inverted ones or NaN.
+Eigen::AlignedBox3d plan_bounds(std::span<const double> bounds);
 
 /// The points of all files as one cloud, in metres in one local frame: files in the order given
 /// (those of a pattern with * ? [ ] sorted by name), points in file order whatever the number of

@@ -6,8 +6,9 @@ import warnings
 
 import numpy as np
 import ridgeline
-from support import CLOUD, LINES, PATCH, SAMPLE, Case, program
+from support import CLOUD, LINES, PATCH, ROOT, SAMPLE, Case, program
 
+SHARED = ROOT.parent / "shared" / "data"
 EAVES_M, RIDGE_M, HALF_WIDTH_M, HALF_LENGTH_M = 5.0, 8.0, 6.0, 10.0
 
 
@@ -53,6 +54,18 @@ class ReadCloud(Case):
     def test_the_points_outlive_the_cloud(self):
         points = ridgeline.read_cloud(CLOUD).xyz
         self.assertTrue(np.isfinite(np.array(points)).all())
+
+    @unittest.skipUnless(SHARED.exists(), "shared/data is not beside the checkout")
+    def test_real_laz_and_copc_hold_the_points_of_their_las(self):
+        ign = SHARED / "ign" / "test_data_77060_627760_LA93_IGN69.las"
+        np.testing.assert_array_equal(ridgeline.read_cloud(ign.with_suffix(".laz")).points, ridgeline.read_cloud(ign).points)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # these state no reference system
+            las = ridgeline.read_cloud(SHARED / "las_samples" / "laspy_simple.las").points
+            copc = ridgeline.read_cloud(SHARED / "las_samples" / "laspy_simple.copc.laz").points
+        self.assertEqual(len(copc), len(las))
+        for name in ("x", "y", "z", "intensity"):  # nodes are in another order
+            np.testing.assert_array_equal(np.sort(copc[name]), np.sort(las[name]))
 
     def test_a_cloud_can_be_sent_to_another_process(self):
         cloud = ridgeline.read_cloud(CLOUD)

@@ -5,14 +5,23 @@
 #include "apps/simulate/render.h"
 #include "apps/simulate/sensor.h"
 #include "apps/simulate/truth.h"
+#include "reconstruct/geometry/interruption.h"
 #include "tests/support/scene.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <opencv2/core.hpp>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ridgeline::reconstruct {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr std::array<double, 2> kHeights_m{-5.0, 20.0};
 
@@ -145,6 +154,38 @@ TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
   options = {};
   options.matching.matchers.clear();
   EXPECT_THROW((void)reconstruct(views(), heights_m(), options), std::invalid_argument);
+}
+
+TEST_F(TwoViews, AreRefusedByNameIfTheyCannotBeAPair) {
+  const auto message_of = [&](const std::vector<View>& views, std::array<double, 2> range_m,
+                              const Options& options = {}) -> std::string {
+    try {
+      (void)reconstruct(views, range_m, options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(message_of(views(), {10.0, 0.0}), HasSubstr("height_range_m = 10 to 0"));
+  EXPECT_THAT(message_of(views(), {NAN, 0.0}), HasSubstr("height_range_m = nan"));
+  std::vector<View> wrong = views();
+  cv::merge(std::vector{wrong[1].image, wrong[1].image}, wrong[1].image);
+  EXPECT_THAT(message_of(wrong, heights_m()), HasSubstr("view " + wrong[1].id + ": bands = "));
+  wrong = views();
+  wrong[0].image_from_world.col(0) = wrong[0].image_from_world.col(1);
+  EXPECT_THAT(message_of(wrong, heights_m()), HasSubstr("view " + wrong[0].id + ": the matrix"));
+  Options no_surface;
+  no_surface.estimation.lines.method = Method::kPlanes;
+  no_surface.estimation.beyond.surface = false;
+  no_surface.matching.beyond.surface = no_surface.matching.beyond.guided = false;
+  EXPECT_THAT(message_of(views(), heights_m(), no_surface), HasSubstr("there is no surface"));
+}
+
+TEST_F(TwoViews, AreLeftWhenInterrupted) {
+  Interruption::request();
+  EXPECT_THROW((void)reconstruct(views(), heights_m()), Interrupted);
+  Interruption::clear();
+  EXPECT_FALSE(reconstruct(views(), heights_m()).pairs[0].lines.empty());
 }
 
 }  // namespace

@@ -38,10 +38,12 @@ class Result:
     def lines(self) -> dict[str, Any]:
         """Every line, in the order given: arrays (n,) by name, which pandas.DataFrame() takes as they are.
 
-        id, line_class, kind ("step", "ridge" or ""), status ("evaluated", or why not) and its reason; flags and
-        plane_ids, a list for each line; length_m; mean_distance_m, the mean orthogonal distance from the planes beside the line,
-        max_distance_m, signed_mean_m; sigma_plane_m, sigma_line_m, z, their standard deviations and the distance over
-        them; horizontal_m and vertical_m, the error of a ridge across it in plan and in height; epipolar_angle_deg.
+        id, line_class, kind: "step", "ridge" or "". status: "evaluated", or why not, with a reason.
+        flags, plane_ids: a list for each line.
+        length_m, epipolar_angle_deg.
+        mean_distance_m: the mean orthogonal distance from the planes beside the line; max_distance_m, signed_mean_m.
+        sigma_plane_m, sigma_line_m: standard deviations of planes and line; z: the signed distance over both.
+        horizontal_m, vertical_m: the error of a ridge, across it in plan and in height.
         Distances are metres, and NaN for a line that was not evaluated.
         """
         columns = dict(self._judged.lines())
@@ -93,8 +95,8 @@ class Result:
     def to_geopackage(self, path: Path, *, schema: str = "plain", overwrite: bool = False) -> None:
         """Writes the map: the lines, coloured by distance, their planes and error vectors, with styles for QGIS.
 
-        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. A file that evaluate()
-        was given by its path is never written over.
+        schema: "plain" or "fkb". Raises FileExistsError unless overwrite. A file that evaluate() was given by its path
+        is never written over.
         """
         self._judged.write_map(new_file(path, overwrite), schema)
 

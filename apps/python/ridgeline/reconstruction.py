@@ -61,10 +61,11 @@ def reconstruct(
 
     views: two of them, the first is the base image; or a patch file, which has heights and reference system as well.
     height_range_m: lowest and highest height of objects, in metres of the map.
-    method: "direct", "joint", "network", or "planes" for the ridges, hips and valleys that no edge shows. preset: "default" (the best known) or "published" (the papers').
+    method: "direct", "joint", "network", or "planes" for the ridges, hips and valleys that no edge shows.
+    preset: "default" (the best known) or "published" (the papers').
     matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping {"match": {...}, ...}.
     crs: reference system of the matrices, for the lines.
-    The images are checked against their cameras: Warns, or raises if they fit far better swapped or turned.
+    Warns if the images show too little to check their cameras, and raises if they do not fit them.
     Returns lines with class, status, covariance and image segments; NaN coordinates where the images do not tell the
     depth. Raises ValueError, and for files FileNotFoundError and InputFileError.
     """

@@ -2,14 +2,13 @@
 #include "evaluate/judge/pcl_point_search.h"
 
 #include "evaluate/judge/point_grid.h"
+#include "tests/evaluate/judge/pcl_searches.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
 #include <pcl/console/print.h>
 #include <pcl/point_types.h>
-#include <pcl/search/brute_force.h>
 #include <pcl/search/kdtree.h>
-#include <pcl/search/octree.h>
 #include <pcl/search/organized.h>
 
 #include <cmath>
@@ -22,13 +21,6 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Search = pcl::search::Search<pcl::PointXYZ>;
-
-std::vector<Search::Ptr> searches() {
-  constexpr double kResolution_m = 2.0;
-  return {std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(),
-          std::make_shared<pcl::search::Octree<pcl::PointXYZ>>(kResolution_m),
-          std::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>()};
-}
 
 /// Far from the origin as local coordinates may be; steep, so that balls are stacked; every tenth
 /// point is not finite.
@@ -74,7 +66,7 @@ TEST(PclPointSearch, VisitsThePointsThatTheGridVisitsOnce) {
   const Cloud::Ptr cloud = cloud_on_a_hillside();
   const pcl::IndicesPtr indices = all_of(*cloud);
   const PointGrid grid = grid_of(*cloud, *indices);
-  for (const Search::Ptr& method : searches()) {
+  for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
     test::Random random(5);
     const auto place = [&] {
@@ -110,7 +102,7 @@ TEST(PclPointSearch, LosesNoPointToFloats) {
     const Segment2 segment{start, start + Eigen::Vector2d(24.0, 0.0)};
     const auto expected =
         visits_within(grid_of(*cloud, *indices), segment, kRadius_m, cloud->size());
-    for (const Search::Ptr& method : searches()) {
+    for (const Search::Ptr& method : test::pcl_searches()) {
       const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
       EXPECT_EQ(visits_within(search, segment, kRadius_m, cloud->size()), expected)
           << method->getName() << ", trial " << trial;
@@ -122,7 +114,7 @@ TEST(PclPointSearch, CountsAsTheGridDoes) {
   const Cloud::Ptr cloud = cloud_on_a_hillside();
   const pcl::IndicesPtr indices = all_of(*cloud);
   const PointGrid grid = grid_of(*cloud, *indices);
-  for (const Search::Ptr& method : searches()) {
+  for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
     test::Random random(6);
     for (int query = 0; query < 50; ++query) {
@@ -141,7 +133,7 @@ TEST(PclPointSearch, GivesPlacesInTheIndicesInWhateverOrderTheyAre) {
   indices->push_back(2999);  // listed twice: its first place counts
   const Segment2 segment{{5000, -4030}, {5060, -4030}};
   const auto places = visits_within(grid_of(*cloud, *indices), segment, 5.0, indices->size());
-  for (const Search::Ptr& method : searches()) {
+  for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
     search.visit_near(segment, 5.0, [&](const PointSearch::Point& p) {
       const auto i = static_cast<std::size_t>((*indices)[p.index]);
@@ -156,7 +148,7 @@ TEST(PclPointSearch, GivesPlacesInTheIndicesInWhateverOrderTheyAre) {
 TEST(PclPointSearch, FindsNothingAmongPointsThatAreNotFinite) {
   auto cloud = std::make_shared<Cloud>();
   cloud->emplace_back(0.0F, 0.0F, HUGE_VALF);
-  for (const Search::Ptr& method : searches()) {
+  for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, all_of(*cloud));
     EXPECT_EQ(search.count_within({0, 0}, 1e3), 0U) << method->getName();
   }

@@ -2,13 +2,12 @@
 // Whatever finds the points, the judge gives the same bits.
 #include "evaluate/judge/line_to_plane_evaluation.h"
 #include "tests/evaluate/judge/nadir_pair.h"
+#include "tests/evaluate/judge/pcl_searches.h"
 #include "tests/support/sampled_roof.h"
 
 #include <gtest/gtest.h>
 #include <pcl/point_types.h>
-#include <pcl/search/brute_force.h>
 #include <pcl/search/kdtree.h>
-#include <pcl/search/octree.h>
 
 #include <cmath>
 #include <memory>
@@ -22,13 +21,6 @@ namespace {
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Evaluation = LineToPlaneEvaluation<pcl::PointXYZ>;
 using Search = pcl::search::Search<pcl::PointXYZ>;
-
-std::vector<Search::Ptr> searches() {
-  constexpr double kResolution_m = 2.0;
-  return {std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(),
-          std::make_shared<pcl::search::Octree<pcl::PointXYZ>>(kResolution_m),
-          std::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>()};
-}
 
 /// A house, twice where tiles overlap, with points that are not finite and some high above all.
 Cloud::Ptr cloud_with_faults() {
@@ -99,7 +91,7 @@ void expect_same_bits_by_every_search(Evaluation& evaluation, std::size_t least_
     n_evaluated += expected[i].status == Status::kEvaluated ? 1 : 0;
   }
   EXPECT_GE(n_evaluated, least_evaluated);
-  for (const Search::Ptr& search : searches()) {
+  for (const Search::Ptr& search : test::pcl_searches()) {
     evaluation.setSearchMethod(search);
     const auto judged = evaluation.compute();
     ASSERT_EQ(judged.size(), expected.size());
