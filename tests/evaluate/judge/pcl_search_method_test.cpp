@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever finds the points, the judge gives the same bits.
 #include "evaluate/judge/line_to_plane_evaluation.h"
+#include "reconstruct/geometry/interruption.h"
 #include "tests/evaluate/judge/nadir_pair.h"
 #include "tests/evaluate/judge/pcl_searches.h"
 #include "tests/support/sampled_roof.h"
@@ -147,6 +148,16 @@ TEST(SetSearchMethod, RefusesAnIndexThatIsNoPoint) {
     evaluation.setSearchMethod(std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
     EXPECT_THROW(evaluation.compute(), std::invalid_argument) << wrong;
   }
+}
+
+TEST(LineToPlaneEvaluation, IsLeftWhenInterrupted) {
+  Evaluation evaluation;
+  evaluation.setInputCloud(cloud_with_faults());
+  evaluation.setInputLines(lines_of({}));
+  Interruption::request();
+  EXPECT_THROW(evaluation.compute(), Interrupted);
+  Interruption::clear();
+  EXPECT_EQ(evaluation.compute().size(), lines_of({}).size());
 }
 
 TEST(LineToPlaneEvaluation, ForgetsTheResultsOfOtherLines) {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -351,6 +352,21 @@ TEST_F(ReadCloud, CountsPointsThatAreNotFinite) {
   const PointCloud cloud = read_cloud({path});
   EXPECT_EQ(cloud.points.size(), 1U);
   EXPECT_EQ(cloud.n_dropped_non_finite, 2U);
+}
+
+TEST(PlanBounds, HoldAllHeightsBetweenTheirCorners) {
+  const Eigen::AlignedBox3d box = plan_bounds(std::array{1.0, 2.0, 3.0, 4.0});
+  EXPECT_TRUE(box.contains(Eigen::Vector3d(1.0, 4.0, -1e9)));
+  EXPECT_FALSE(box.contains(Eigen::Vector3d(0.9, 3.0, 0.0)));
+  EXPECT_FALSE(box.contains(Eigen::Vector3d(2.0, 4.1, 0.0)));
+}
+
+TEST(PlanBounds, AreFourNumbersInOrder) {
+  EXPECT_NO_THROW((void)plan_bounds(std::array{1.0, 2.0, 1.0, 2.0}));
+  EXPECT_THROW((void)plan_bounds(std::array{3.0, 2.0, 1.0, 4.0}), std::invalid_argument);
+  EXPECT_THROW((void)plan_bounds(std::array{1.0, 4.0, 3.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW((void)plan_bounds(std::array{1.0, 2.0, NAN, 4.0}), std::invalid_argument);
+  EXPECT_THROW((void)plan_bounds(std::array{1.0, 2.0, 3.0}), std::invalid_argument);
 }
 
 }  // namespace
