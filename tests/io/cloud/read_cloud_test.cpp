@@ -12,6 +12,7 @@
 #include <tbb/global_control.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -365,7 +366,7 @@ TEST(PlanBounds, AreFourNumbersInOrder) {
   EXPECT_NO_THROW((void)plan_bounds(std::array{1.0, 2.0, 1.0, 2.0}));
   EXPECT_THROW((void)plan_bounds(std::array{3.0, 2.0, 1.0, 4.0}), std::invalid_argument);
   EXPECT_THROW((void)plan_bounds(std::array{1.0, 4.0, 3.0, 2.0}), std::invalid_argument);
-  EXPECT_THROW((void)plan_bounds(std::array{1.0, 2.0, NAN, 4.0}), std::invalid_argument);
+  EXPECT_THROW((void)plan_bounds(std::array<double, 4>{1.0, 2.0, NAN, 4.0}), std::invalid_argument);
   EXPECT_THROW((void)plan_bounds(std::array{1.0, 2.0, 3.0}), std::invalid_argument);
 }
 
