@@ -1,4 +1,7 @@
-# Debian / Ubuntu packages, read by demo.sh, test.sh and .ci/run; and the functions that install them.
+# Debian / Ubuntu packages, read by demo.sh, test.sh and the scripts in .ci; the functions that install them, and the
+# folder of what later builds and checks of this user can use again, in whatever checkout.
+ridgeline_cache=${XDG_CACHE_HOME:-$HOME/.cache}/ridgeline
+export CCACHE_DIR=${CCACHE_DIR:-$ridgeline_cache/ccache}
 
 build_packages=(
   g++ cmake ninja-build pkg-config git ccache

@@ -6,6 +6,7 @@
 // clustered bootstrap over planes.
 #include "tests/other_scenes/write_scene.h"
 #include "tests/support/csv_rows.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 #include <fmt/format.h>
@@ -191,7 +192,7 @@ std::map<std::string, double> run_variants(const fs::path& folder,
     std::vector<std::string> arguments{"run",       "--out",         variant.name, "--no-report",
                                        "--methods", "joint,network", "--config",   config.string()};
     arguments.insert(arguments.end(), patches.begin(), patches.end());
-    const auto result = ridgeline::test::run_program(RIDGELINE_BINARY, arguments, folder);
+    const auto result = ridgeline::test::run_program(ridgeline::test::program(), arguments, folder);
     check(result.exit_code == 0, result.err);
     seconds[variant.name] = result.seconds;
     std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name,
@@ -258,7 +259,7 @@ std::vector<std::string> make_villages(const fs::path& folder) {
     const int seed = i < 8 ? i + 1 : i + 13;  // 1 to 8 and 21 to 28
     const std::string name = std::to_string(seed);
     const auto result = ridgeline::test::run_program(
-        RIDGELINE_BINARY,
+        ridgeline::test::program(),
         {"simulate", "--out", name, "--seed", name, "--extent-m", "80,80", "--street-azimuth-deg",
          std::to_string(17 * (seed - 1) % 90)},
         folder);

@@ -4,6 +4,7 @@
 // what the iteration adds, beside the numbers of the paper, whose images and housing are others. The
 // one threshold of ours that decides most, min_similarity, was set on seeds 1 to 12 and 201 to 230.
 #include "tests/support/csv_rows.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -45,7 +46,7 @@ class ChioWang2000 : public testing::Test {
   ~ChioWang2000() override { fs::remove_all(folder_); }
 
   void run(const std::vector<std::string>& arguments) const {
-    const test::ProgramResult result = test::run_program(RIDGELINE_BINARY, arguments, folder_);
+    const test::ProgramResult result = test::run_program(test::program(), arguments, folder_);
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
 

@@ -5,6 +5,7 @@
 #include "io/cloud/read_cloud.h"
 #include "tests/acceptance/judge_cloud.h"
 #include "tests/acceptance/roof_ridges.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +75,7 @@ class IgnTile : public ::testing::TestWithParam<Tile> {};
 TEST_P(IgnTile, RanksRidgesByHowFarTheyWereRaised) {
   constexpr double kTolerance_m = 0.03;  // a plane of a whole roof to the one beside the line
   const std::filesystem::path path =
-      std::filesystem::path(RIDGELINE_SHARED_DATA_DIR) / "ign" / GetParam().file;
+      std::filesystem::path(test::shared_data_dir()) / "ign" / GetParam().file;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path.parent_path() << " is absent";
   const io::PointCloud cloud = io::read_cloud({path.string()});
   const std::vector<Segment3> ridges = roof_ridges(building_points(cloud));

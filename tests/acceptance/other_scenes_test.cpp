@@ -12,6 +12,7 @@
 #include "tests/other_scenes/edge_profile.h"
 #include "tests/other_scenes/write_scene.h"
 #include "tests/support/csv_rows.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -83,7 +84,7 @@ class OtherScenes : public testing::Test {
     for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kScenes; ++seed) {
       arguments.push_back((make_scene(seed) / "patch.yaml").string());
     }
-    const test::ProgramResult result = test::run_program(RIDGELINE_BINARY, arguments, folder_);
+    const test::ProgramResult result = test::run_program(test::program(), arguments, folder_);
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
 

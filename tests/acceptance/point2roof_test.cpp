@@ -6,6 +6,7 @@
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
 #include "tests/acceptance/judge_cloud.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ Score score(const std::vector<LineEvaluation>& lines, const std::vector<Segment3
 class Point2Roof : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(RIDGELINE_SHARED_DATA_DIR) / "point2roof" /
+    folder_ = std::filesystem::path(test::shared_data_dir()) / "point2roof" /
               ("roof" + std::to_string(GetParam()));
     if (!std::filesystem::exists(folder_)) GTEST_SKIP() << folder_ << " is absent";
     cloud_ = io::read_cloud({(folder_ / "points.xyz").string()});

@@ -7,6 +7,7 @@
 // to 0.20 m without gross errors of 195), less a few matches. What is aimed at is more: 85 % of the roof
 // lines; not_aligned lines to 0.06 m; aligned lines to 0.15 m.
 #include "tests/support/csv_rows.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 #include <gmock/gmock.h>
@@ -67,7 +68,7 @@ class ReconstructionAccuracy : public testing::Test {
   ~ReconstructionAccuracy() override { fs::remove_all(folder_); }
 
   void run(const std::vector<std::string>& arguments) const {
-    const test::ProgramResult result = test::run_program(RIDGELINE_BINARY, arguments, folder_);
+    const test::ProgramResult result = test::run_program(test::program(), arguments, folder_);
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/cli/cli_fixture.h"
 
+#include "tests/support/paths.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -45,9 +47,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-fs::path shared_data(std::string_view folder) {
-  return fs::path(RIDGELINE_SHARED_DATA_DIR) / folder;
-}
+fs::path shared_data(std::string_view folder) { return fs::path(test::shared_data_dir()) / folder; }
 
 testing::AssertionResult is_refusal(const ProgramResult& result) {
   const auto lines = std::count(result.err.begin(), result.err.end(), '\n');
@@ -65,7 +65,7 @@ Cli::~Cli() { fs::remove_all(folder_); }
 void Cli::SetUpTestSuite() {
   scene_of_suite = temporary_folder();
   const ProgramResult result = test::run_program(
-      RIDGELINE_BINARY,
+      test::program(),
       {"simulate", "--out", ".", "--seed", "3", "--extent-m", "60,60", "--no-images"},
       scene_of_suite);
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -75,7 +75,7 @@ void Cli::TearDownTestSuite() { fs::remove_all(scene_of_suite); }
 
 ProgramResult Cli::run(const std::vector<std::string>& arguments,
                        const std::vector<std::string>& environment) const {
-  return test::run_program(RIDGELINE_BINARY, arguments, folder_, environment);
+  return test::run_program(test::program(), arguments, folder_, environment);
 }
 
 ProgramResult Cli::evaluate(const std::string& lines,

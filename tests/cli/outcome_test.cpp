@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs whose lines are not judged.
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 namespace ridgeline::cli {
 namespace {
@@ -14,9 +15,7 @@ using ::testing::Not;
 /// The first sample patch, in patch/.
 class Outcome : public Cli {
  protected:
-  void SetUp() override {
-    fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch"));
-  }
+  void SetUp() override { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
 
   void remove_lidar() const {
     std::string text = read(path("patch/patch.yaml"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What becomes of files and streams that results are written to.
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -26,18 +27,19 @@ class Outputs : public Cli {
   [[nodiscard]] ProgramResult shell(const std::string& command) const {
     return test::run_program("/bin/sh", {"-c", command}, path(""));
   }
-  static std::string program() { return RIDGELINE_BINARY; }
 };
 
 TEST_F(Outputs, FullStandardOutputIsAnErrorOfEveryKindOfAnswer) {
   for (const char* command : {"--help", "--version", "info scene/lidar.las", "evaluate --help"}) {
-    EXPECT_REFUSED(shell(program() + " " + command + " > /dev/full"), HasSubstr("standard output"));
-    EXPECT_REFUSED(shell(program() + " " + command + " >&-"), HasSubstr("standard output"));
+    EXPECT_REFUSED(shell(test::program() + " " + command + " > /dev/full"),
+                   HasSubstr("standard output"));
+    EXPECT_REFUSED(shell(test::program() + " " + command + " >&-"), HasSubstr("standard output"));
   }
 }
 
 TEST_F(Outputs, ReaderThatHasSeenEnoughIsNoFault) {
-  const ProgramResult result = shell("(" + program() + " --help; echo $? > code) | true; cat code");
+  const ProgramResult result =
+      shell("(" + test::program() + " --help; echo $? > code) | true; cat code");
   EXPECT_EQ(result.out, "0\n");
   EXPECT_EQ(result.err, "");
 }
@@ -121,7 +123,7 @@ TEST_F(Outputs, SimulateWritesOverItsOwnFilesAlone) {
 /// Copies of sample patch 1 under other ids.
 class PatchIds : public Cli {
  protected:
-  PatchIds() { fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch")); }
+  PatchIds() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
 
   [[nodiscard]] ProgramResult run_with_id(const std::string& id) const {
     std::string text = read(path("patch/patch.yaml"));

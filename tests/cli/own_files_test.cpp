@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files named by an option: those that the program wrote before are replaced, others are refused.
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <utility>
 
@@ -13,7 +14,7 @@ using ::testing::HasSubstr;
 
 class OwnFiles : public Cli {
  protected:
-  OwnFiles() { fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch")); }
+  OwnFiles() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
 
   /// `file`, an output of the command, may be written twice, but not over what a user has there.
   void expect_only_own_is_replaced(const std::vector<std::string>& arguments,

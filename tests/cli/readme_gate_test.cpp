@@ -2,6 +2,7 @@
 // What the README says of gates holds as printed: its gates file on the demonstration and on a
 // worsened copy of it. tests/action runs its CI job.
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
@@ -17,7 +18,7 @@ using ::testing::HasSubstr;
 
 /// The YAML code block of the README's section on gates that has this key on top.
 std::string readme_block(const std::string& key) {
-  const std::string readme = read(fs::path(RIDGELINE_SOURCE_DIR) / "README.md");
+  const std::string readme = read(fs::path(test::source_dir()) / "README.md");
   const std::string section = readme.substr(readme.find("\n## Accuracy gates in CI\n") + 1);
   const std::string text = section.substr(0, section.find("\n## "));
   const std::string fence = "\n```yaml\n";
@@ -55,7 +56,7 @@ class ReadmeGate : public Cli {
     }
     const std::string moved = fmt::format("moved/{}.geojson", method);
     write(path(moved), lines.dump());
-    const fs::path patch = fs::path(RIDGELINE_SOURCE_DIR) / "sample_data" / patch_id / "patch.yaml";
+    const fs::path patch = fs::path(test::source_dir()) / "sample_data" / patch_id / "patch.yaml";
     const ProgramResult again = run({"evaluate", "--lines", moved, "--patch", patch.string(),
                                      "--out", "moved/results", "--no-report"});
     ASSERT_EQ(again.exit_code, 0) << again.err;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/read_cloud.h"
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 namespace ridgeline::cli {
 namespace {
@@ -15,7 +16,7 @@ using ::testing::Not;
 /// Sample patch 1 in `patch/`, run into `out/`.
 class Report : public Cli {
  protected:
-  Report() { fs::copy(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1", path("patch")); }
+  Report() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
 
   void run_patch(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", "out"};

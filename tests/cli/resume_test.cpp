@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are killed, and two runs into one folder.
 #include "tests/cli/run_fixture.h"
+#include "tests/support/paths.h"
 
 #include <map>
 #include <utility>
@@ -21,7 +22,7 @@ class Resume : public RunPatch {
                                      const std::string& file,
                                      const std::vector<std::string>& more) const {
     std::vector<std::string> words{
-        "-c", script, file, RIDGELINE_BINARY, "run", "patch/patch.yaml", "--out", "out", "--quiet"};
+        "-c", script, file, test::program(), "run", "patch/patch.yaml", "--out", "out", "--quiet"};
     words.insert(words.end(), more.begin(), more.end());
     return test::run_program("/bin/bash", words, path("."));
   }

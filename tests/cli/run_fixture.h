@@ -3,6 +3,7 @@
 
 #include "io/sha256.h"
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <filesystem>
 #include <map>
@@ -16,7 +17,7 @@ namespace ridgeline::cli {
 class RunPatch : public Cli {
  protected:
   RunPatch() {
-    std::filesystem::copy(std::filesystem::path(RIDGELINE_SOURCE_DIR) / "sample_data/1",
+    std::filesystem::copy(std::filesystem::path(test::source_dir()) / "sample_data/1",
                           path("patch"));
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <algorithm>
 #include <cctype>
@@ -93,7 +94,7 @@ TEST_F(Usage, SimulateWithOneSeedWritesTheSameBytes) {
 }
 
 TEST_F(Usage, ProgramNeedsNeitherVtkNorQt) {
-  const ProgramResult result = test::run_program("/usr/bin/ldd", {RIDGELINE_BINARY}, path("."));
+  const ProgramResult result = test::run_program("/usr/bin/ldd", {test::program()}, path("."));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("libpcl_sample_consensus"));
   EXPECT_THAT(result.out, Not(HasSubstr("libvtk")));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images that do not fit their cameras.
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -20,7 +21,7 @@ class WrongPair : public Cli {
     fs::create_directories(path("pair"));
     for (const char* name :
          {"patch.yaml", "lidar.las", "matches.csv", "truth.geojson", "left.tif", "right.tif"}) {
-      fs::copy_file(fs::path(RIDGELINE_SOURCE_DIR) / "sample_data/1" / name, path("pair") / name);
+      fs::copy_file(fs::path(test::source_dir()) / "sample_data/1" / name, path("pair") / name);
     }
   }
 

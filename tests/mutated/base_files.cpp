@@ -6,6 +6,7 @@
 #include "io/lines/write_lines.h"
 #include "tests/io/laz/copc_builder.h"
 #include "tests/io/laz/laz_builder.h"
+#include "tests/support/paths.h"
 #include "tests/support/random.h"
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ void write_line_files(Writer& out) {
     out.add(name, kLineCommands);
   }
   for (const char* kind : {"line_text", "line_mesh"}) {
-    const fs::path seeds = fs::path(RIDGELINE_SOURCE_DIR) / "tests/fuzz/seeds" / kind;
+    const fs::path seeds = fs::path(test::source_dir()) / "tests/fuzz/seeds" / kind;
     for (const auto& entry : fs::directory_iterator(seeds)) {
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string content{std::istreambuf_iterator<char>(stream), {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/mutated/base_files.h"
 #include "tests/mutated/mutate.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ class MutatedFiles : public testing::Test {
          {std::vector<std::string>{"simulate", "--out", ".", "--seed", "5", "--extent-m", "40,40",
                                    "--samples-per-side", "1"},
           {"run", "patch.yaml", "--out", "results"}}) {
-      const ProgramResult made = test::run_program(RIDGELINE_BINARY, command, folder_);
+      const ProgramResult made = test::run_program(test::program(), command, folder_);
       if (made.exit_code != 0) throw std::runtime_error(made.err);
     }
     std::string patch;
@@ -78,7 +79,7 @@ class MutatedFiles : public testing::Test {
       if (word == "FILE") word = file;
       if (word.starts_with("OUT")) word = "out" + word.substr(3);
     }
-    return test::run_program(RIDGELINE_BINARY, command, folder_, {}, kTimeLimit_s);
+    return test::run_program(test::program(), command, folder_, {}, kTimeLimit_s);
   }
 
   static void remove_outputs() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which room of `reconstruct` may include which: the papers never see what goes beyond them, and nothing sees the
 // method as a whole.
+#include "tests/support/paths.h"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -47,7 +49,7 @@ bool is_allowed(const std::string& included, const std::string& room) {
 }
 
 TEST(Rooms, IncludeOnlyWhatTheyMay) {
-  const fs::path root = fs::path(RIDGELINE_SOURCE_DIR) / "reconstruct";
+  const fs::path root = fs::path(test::source_dir()) / "reconstruct";
   int n_files = 0;
   for (const auto& [room, others] : allowed()) {
     for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
@@ -62,7 +64,7 @@ TEST(Rooms, IncludeOnlyWhatTheyMay) {
 }
 
 TEST(Rooms, AreAllThereIs) {
-  for (const auto& entry : fs::directory_iterator(fs::path(RIDGELINE_SOURCE_DIR) / "reconstruct")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(test::source_dir()) / "reconstruct")) {
     if (!entry.is_directory()) continue;
     EXPECT_TRUE(allowed().contains(entry.path().filename())) << entry.path();
   }

@@ -13,7 +13,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-double bell(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
+double bell_density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
 
 /// The parameters of two blurred steps with tilts: x_1, tilt_1, x_2, tilt_2, then c_0, c_1, c_2 of
 /// each band.
@@ -72,7 +72,7 @@ class TwoSteps {
       const double z =
           (s.across_px - parameters_[offset] - parameters_[offset + 1] * s.tau) / blur_px_;
       response[i] = step_response(z);
-      slope[i] = colours_only ? 0.0 : -bell(z) / blur_px_;
+      slope[i] = colours_only ? 0.0 : -bell_density(z) / blur_px_;
     }
     for (int band = 0; band < n_bands_; ++band) {
       const Eigen::Index at = 4 + 3 * band;

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int kCell_px = PlaneFaces::kCell_px;
 constexpr double kLeastBend = 0.08;  // difference of the planes' slopes, disparity per pixel
-constexpr double kBeside_px = 1.0 * kCell_px;  // of the border from the intersection
-constexpr double kLeastOnLine = 0.6;           // share of the border
+constexpr double kFromIntersection_px = 1.0 * kCell_px;  // of the border from the intersection
+constexpr double kLeastOnLine = 0.6;                     // share of the border
 constexpr double kLargestGap_px = 2.5 * kCell_px;
-constexpr double kShortest_px = 20.0;
+constexpr double kShortestIntersection_px = 20.0;
 constexpr double kSigmaEnd_px = 0.5 * kCell_px;  // along the line: where the faces end
 
 /// Where two faces border on each other: middles between their cells.
@@ -61,7 +61,8 @@ std::optional<Segment2> crease(const PlaneFace& a,
   const Eigen::Vector2d along(-line.y(), line.x());
   std::vector<double> on_line;
   for (const Eigen::Vector2d& x : border) {
-    if (std::abs(line.dot(x.homogeneous())) <= kBeside_px) on_line.push_back(along.dot(x));
+    if (std::abs(line.dot(x.homogeneous())) <= kFromIntersection_px)
+      on_line.push_back(along.dot(x));
   }
   if (static_cast<double>(on_line.size()) < kLeastOnLine * static_cast<double>(border.size()))
     return std::nullopt;
@@ -72,7 +73,7 @@ std::optional<Segment2> crease(const PlaneFace& a,
     if (i > 0 && on_line[i] - on_line[i - 1] > kLargestGap_px) from = on_line[i];
     if (on_line[i] - from > longest[1] - longest[0]) longest = {from, on_line[i]};
   }
-  if (longest[1] - longest[0] + kCell_px < kShortest_px) return std::nullopt;
+  if (longest[1] - longest[0] + kCell_px < kShortestIntersection_px) return std::nullopt;
   const Eigen::Vector2d foot = -line.z() * line.head<2>();
   return Segment2{foot + longest[0] * along, foot + longest[1] * along};
 }

@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Eigenvalues>
 

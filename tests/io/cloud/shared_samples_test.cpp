@@ -4,6 +4,7 @@
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
 #include "tests/io/lines/temp_folder.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,16 +25,14 @@ class SharedSamples : public testing::Test {
     if (!std::filesystem::exists(folder_)) GTEST_SKIP() << folder_ << " is absent";
   }
 
-  static std::string path(const std::string& name) {
-    return std::string(RIDGELINE_SHARED_DATA_DIR) + "/" + name;
-  }
+  static std::string path(const std::string& name) { return test::shared_data_dir() + "/" + name; }
   static PointCloud read(const std::string& name) { return read_cloud({path(name)}); }
   static std::string error_of(const std::string& name) {
     return io_error_of([&] { read(name); });
   }
 
  private:
-  std::filesystem::path folder_ = RIDGELINE_SHARED_DATA_DIR;
+  std::filesystem::path folder_ = test::shared_data_dir();
 };
 
 TEST_F(SharedSamples, IgnTileHasItsPublishedFacts) {

@@ -4,14 +4,13 @@
 #include "io/cloud/las_header.h"
 #include "io/cloud/laz/laz_points.h"
 #include "io/cloud/mapped_file.h"
+#include "tests/support/paths.h"
 
 #include <filesystem>
 
 namespace ridgeline::io::laz {
 
-std::string shared_file(const std::string& name) {
-  return std::string(RIDGELINE_SHARED_DATA_DIR) + "/" + name;
-}
+std::string shared_file(const std::string& name) { return test::shared_data_dir() + "/" + name; }
 
 bool have_shared_file(const std::string& name) {
   return std::filesystem::exists(shared_file(name));

@@ -3,6 +3,7 @@
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
 #include "tests/io/lines/temp_folder.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const ReadLinesOptions kDefaults;
-const std::string kShared = RIDGELINE_SHARED_DATA_DIR;
+const std::string kShared = test::shared_data_dir();
 
 LineSet read(std::string_view name,
              std::string_view content,

@@ -2,6 +2,7 @@
 #include "io/patch.h"
 
 #include "tests/io/lines/temp_folder.h"
+#include "tests/support/paths.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -176,7 +177,7 @@ TEST(ReadPatch, RefusesFilesThatAreNoPatch) {
 }
 
 TEST(ReadPatch, ReadsTheVaihingenPatch) {
-  const std::string path = RIDGELINE_SHARED_DATA_DIR "/vaihingen/patch.yaml";
+  const std::string path = test::shared_data_dir() + "/vaihingen/patch.yaml";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
   const PatchFile patch = read_patch(path);
   ASSERT_EQ(patch.images.size(), 2U);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/cloud_name.h"
 
+#include "tests/support/paths.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,7 +10,7 @@
 namespace ridgeline::results {
 namespace {
 
-const std::string kSamples = std::filesystem::path(RIDGELINE_SOURCE_DIR) / "sample_data";
+const std::string kSamples = std::filesystem::path(test::source_dir()) / "sample_data";
 
 TEST(CloudName, OfOneFileIsItsNameWithoutExtension) {
   EXPECT_EQ(cloud_name({kSamples + "/1/lidar.las"}), "lidar");

@@ -4,6 +4,7 @@
 #include "io/lines/read_lines.h"
 #include "io/results/judge_files.h"
 #include "reconstruct/geometry/interruption.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kSample = std::string(RIDGELINE_SOURCE_DIR) + "/sample_data/1/";
+const std::string kSample = test::source_dir() + "/sample_data/1/";
 
 JudgeFilesOptions sample_options() {
   JudgeFilesOptions options;

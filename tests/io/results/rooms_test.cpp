@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What docs/architecture.md says that io may include, read from its sources.
+#include "tests/support/paths.h"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -15,7 +17,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 TEST(Rooms, ReadersAndWritersKnowNoJudge) {
-  const fs::path io = fs::path(RIDGELINE_SOURCE_DIR) / "io";
+  const fs::path io = fs::path(test::source_dir()) / "io";
   int n_files = 0;
   for (auto it = fs::recursive_directory_iterator(io); it != fs::end(it); ++it) {
     if (it->path() == io / "results") it.disable_recursion_pending();

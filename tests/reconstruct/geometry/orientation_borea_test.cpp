@@ -2,6 +2,7 @@
 // Real omega-phi-kappa orientations with tie points, whose published coordinates are the
 // intersections of another tool.
 #include "reconstruct/geometry/orientation.h"
+#include "tests/support/paths.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -92,7 +93,7 @@ double median_absolute_deviation(std::vector<double> values) {
 }
 
 TEST(ProjectionMatrixOfOrientation, MakesRealRaysMeetInThePublishedPoints) {
-  const std::string folder = RIDGELINE_SHARED_DATA_DIR "/borea";
+  const std::string folder = test::shared_data_dir() + "/borea";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
   const Borea data = read_borea(folder);
   ASSERT_EQ(data.shots.size(), 20U);

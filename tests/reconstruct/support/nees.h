@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "tests/reconstruct/support/line_geometry.h"
 
 #include <Eigen/Cholesky>
 
@@ -11,14 +12,14 @@ namespace ridgeline::test {
 /// freedom.
 inline double nees(const reconstruct::ReconstructedLine& line, const Segment3& truth) {
   Vector6d error;
-  error << line.segment_in_local->start - truth.start, line.segment_in_local->end - truth.end;
+  error << segment_of(line).start - truth.start, segment_of(line).end - truth.end;
   const Eigen::Matrix<double, 3, 2> across =
       tangent_basis<3>(Eigen::Vector3d(truth.end - truth.start));
   Eigen::Matrix<double, 6, 4> basis = Eigen::Matrix<double, 6, 4>::Zero();
   basis.topLeftCorner<3, 2>() = across;
   basis.bottomRightCorner<3, 2>() = across;
   const Eigen::Vector4d deviation = basis.transpose() * error;
-  const Eigen::Matrix4d cov = basis.transpose() * *line.covariance_m2 * basis;
+  const Eigen::Matrix4d cov = basis.transpose() * covariance_of(line) * basis;
   return deviation.dot(cov.ldlt().solve(deviation));
 }
 

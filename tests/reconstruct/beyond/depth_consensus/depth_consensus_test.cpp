@@ -3,6 +3,7 @@
 #include "reconstruct/beyond/depth_consensus/depth_consensus.h"
 
 #include "reconstruct/beyond/depth_consensus/depth_profiles.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 
 #include <gmock/gmock.h>
@@ -10,10 +11,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using test::covariance_of;
 using test::kDegree;
 using test::LineGroup;
 using test::make_group;
 using test::NeighbourSpec;
+using test::segment_of;
 using test::SegmentSpec;
 
 constexpr double kHeightM = 6.0;
@@ -44,8 +47,8 @@ void add_ground_line(LineGroup& group, double parameter, double angle_deg) {
 }
 
 double worst_error_m(const LineGroup& group, const ReconstructedLine& line) {
-  return std::max((line.segment_in_local->start - group.truth[0].start).norm(),
-                  (line.segment_in_local->end - group.truth[0].end).norm());
+  return std::max((segment_of(line).start - group.truth[0].start).norm(),
+                  (segment_of(line).end - group.truth[0].end).norm());
 }
 
 TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
@@ -90,9 +93,9 @@ TEST(DepthConsensus, CountsHowFarLinesThatMeetMissEachOther) {
                                      options.beyond.sigma_meeting_m, test::scaled({}, 0.2), random);
     const ReconstructedLine line = group.reconstruct(options)[0];
     if (line.status != Status::kJoint) continue;
-    const Segment3& s = *line.segment_in_local;
+    const Segment3& s = segment_of(line);
     const double off_m = test::height_error_m(group.scene, group.truth[0], point_at(s, 0.5));
-    const auto& cov = *line.covariance_m2;
+    const auto& cov = covariance_of(line);
     sum += off_m * off_m / (0.25 * (cov(2, 2) + cov(5, 5) + 2.0 * cov(2, 5)));
     ++n;
   }
@@ -123,9 +126,9 @@ TEST(DepthConsensus, HorizontalitySteadiesPointsThatAgreeOnIt) {
     const ReconstructedLine line = group.reconstruct(options)[0];
     EXPECT_EQ(line.status, Status::kJoint);
     Vector6d rise = Vector6d::Zero();
-    rise[2] = -1.0 / length(*line.segment_in_local);
+    rise[2] = -1.0 / length(segment_of(line));
     rise[5] = -rise[2];
-    return std::sqrt(rise.dot(*line.covariance_m2 * rise));
+    return std::sqrt(rise.dot(covariance_of(line) * rise));
   };
   const EstimationOptions options;
   EXPECT_LE(sigma_slope(options), options.beyond.sigma_slope);
@@ -263,8 +266,8 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
     options.beyond.min_depth_margin = 0.0;  // a weak reason alone
     const ReconstructedLine line = with.reconstruct(options)[0];
     ASSERT_TRUE(line.segment_in_local) << height_m;
-    EXPECT_NEAR(line.segment_in_local->start.z(), height_m, 0.1) << height_m;
-    EXPECT_NEAR(line.segment_in_local->end.z(), height_m, 0.1) << height_m;
+    EXPECT_NEAR(segment_of(line).start.z(), height_m, 0.1) << height_m;
+    EXPECT_NEAR(segment_of(line).end.z(), height_m, 0.1) << height_m;
   }
 }
 
@@ -303,7 +306,7 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
   EXPECT_TRUE(lines[1].between_right_ends);
   EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m: known well enough to be compared with
-  return {lines[0].segment_in_local->start.z(), lines[0].segment_in_local->end.z()};
+  return {segment_of(lines[0]).start.z(), segment_of(lines[0]).end.z()};
 }
 
 TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
@@ -327,8 +330,8 @@ TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
   const ReconstructedLine published = group.reconstruct(test::published())[0];
   const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kDirect);
-  EXPECT_EQ(line.segment_in_local->start, published.segment_in_local->start);
-  EXPECT_EQ(line.segment_in_local->end, published.segment_in_local->end);
+  EXPECT_EQ(segment_of(line).start, segment_of(published).start);
+  EXPECT_EQ(segment_of(line).end, segment_of(published).end);
 }
 
 TEST(DepthConsensus, NeverLosesALineThatDirectHasUnlessItIsAmbiguous) {

@@ -2,6 +2,7 @@
 // Aligned matches that show several lines: straight in both images, but not in space.
 #include "reconstruct/beyond/depth_consensus/depth_profiles.h"
 
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@ namespace {
 
 using test::kDegree;
 using test::LineGroup;
+using test::segment_of;
 
 constexpr double kRecoveredM = 1e-6;
 constexpr double kAssumedM = 1e-3;  // horizontality is weighted, not forced
@@ -64,8 +66,8 @@ LineGroup gable() {
 }
 
 double worst_error_m(const Segment3& truth, const ReconstructedLine& line) {
-  return std::max((line.segment_in_local->start - truth.start).norm(),
-                  (line.segment_in_local->end - truth.end).norm());
+  return std::max((segment_of(line).start - truth.start).norm(),
+                  (segment_of(line).end - truth.end).norm());
 }
 
 TEST(MatchOfSeveralLines, GivesBothVergesOfAGable) {

@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/depth_consensus/surface_depth.h"
 
 #include "reconstruct/geometry/orientation.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,8 @@
 
 namespace ridgeline::reconstruct {
 namespace {
+
+using test::segment_of;
 
 constexpr double kSurface_m = 0.1;  // what the exact surface is known to: the prior of its slopes
 constexpr int kSize_px = 400;
@@ -60,8 +63,8 @@ ReconstructedLine reconstructed(const test::LineGroup& group,
 }
 
 double error_m(const test::LineGroup& group, const ReconstructedLine& line) {
-  return std::max(std::abs(line.segment_in_local->start.z() - group.truth[0].start.z()),
-                  std::abs(line.segment_in_local->end.z() - group.truth[0].end.z()));
+  return std::max(std::abs(segment_of(line).start.z() - group.truth[0].start.z()),
+                  std::abs(segment_of(line).end.z() - group.truth[0].end.z()));
 }
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
@@ -146,7 +149,7 @@ TEST(SurfaceDepth, OfNothingChangesNothing) {
   const ReconstructedLine with = reconstructed(group, &surface);
   const ReconstructedLine without = reconstructed(group, nullptr);
   ASSERT_TRUE(with.segment_in_local && without.segment_in_local);
-  EXPECT_EQ(with.segment_in_local->start, without.segment_in_local->start);
+  EXPECT_EQ(segment_of(with).start, segment_of(without).start);
   EXPECT_EQ(with.status, without.status);
 }
 

@@ -4,6 +4,7 @@
 
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "tests/reconstruct/support/conditioned_scene.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/reconstruct/support/nees.h"
 
@@ -17,10 +18,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using test::covariance_of;
 using test::kThreeNeighbours;
 using test::line_at;
 using test::LineGroup;
 using test::make_group;
+using test::segment_of;
 
 /// More than `joint` takes points of, so that `network` knows more.
 const std::vector<test::NeighbourSpec> kFiveNeighbours{
@@ -34,15 +37,15 @@ EstimationOptions network_options() {
 }
 
 double largest_error_m(const ReconstructedLine& line, const Segment3& truth) {
-  return std::max((line.segment_in_local->start - truth.start).norm(),
-                  (line.segment_in_local->end - truth.end).norm());
+  return std::max((segment_of(line).start - truth.start).norm(),
+                  (segment_of(line).end - truth.end).norm());
 }
 
 /// Larger distance of the two ends from the true line; along it they scatter with those of the image.
 double error_across_m(const ReconstructedLine& line, const Segment3& truth) {
   const Eigen::Vector3d along = (truth.end - truth.start).normalized();
-  return std::max((line.segment_in_local->start - truth.start).cross(along).norm(),
-                  (line.segment_in_local->end - truth.start).cross(along).norm());
+  return std::max((segment_of(line).start - truth.start).cross(along).norm(),
+                  (segment_of(line).end - truth.start).cross(along).norm());
 }
 
 /// The neighbours, ends on the line, miss it by as much as such do: half of sigma_meeting_m.
@@ -78,8 +81,8 @@ TEST(Network, LinesThatMeetNoneStayAsTheyAre) {
   const auto actual = group.reconstruct(network_options());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(actual[i].status, expected[i].status);
-    EXPECT_EQ(actual[i].segment_in_local->start, expected[i].segment_in_local->start);
-    EXPECT_EQ(*actual[i].covariance_m2, *expected[i].covariance_m2);
+    EXPECT_EQ(segment_of(actual[i]).start, segment_of(expected[i]).start);
+    EXPECT_EQ(covariance_of(actual[i]), covariance_of(expected[i]));
   }
 }
 
@@ -91,7 +94,7 @@ TEST(Network, LineThatHasNoMoreMeetingsThanPointsStaysAsJointGivesIt) {
   const auto actual = group.reconstruct(network_options());
   ASSERT_EQ(expected[0].points.size(), 2U);
   EXPECT_EQ(actual[0].status, Status::kJoint);
-  EXPECT_EQ(actual[0].segment_in_local->start, expected[0].segment_in_local->start);
+  EXPECT_EQ(segment_of(actual[0]).start, segment_of(expected[0]).start);
   EXPECT_EQ(actual[1].status, Status::kNetwork);
 }
 
@@ -227,7 +230,7 @@ TEST(Network, GroupsThatNothingConnectsDoNotInfluenceEachOther) {
   for (const PairConnection& c : second.connections) both.connections.push_back({4 + c.i, 4 + c.k});
   const auto together = both.reconstruct(network_options());
   for (std::size_t i = 0; i < alone.size(); ++i) {
-    EXPECT_LT(largest_error_m(together[i], *alone[i].segment_in_local), kSecondOrder_m);
+    EXPECT_LT(largest_error_m(together[i], segment_of(alone[i])), kSecondOrder_m);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "tests/reconstruct/beyond/roof_planes/gable_surface.h"
 #include "tests/reconstruct/support/finite_difference.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/nees.h"
 
 #include <Eigen/Cholesky>
@@ -13,6 +14,10 @@
 
 namespace ridgeline::reconstruct {
 namespace {
+
+using test::covariance_of;
+using test::right_segment_of;
+using test::segment_of;
 
 constexpr double kSigmaPlan_m = 0.02;
 constexpr double kSigmaHeight_m = 0.5;
@@ -57,12 +62,12 @@ TEST(FacesBeside, RidgesAndVergesComeToTheHeightOfTheirFaces) {
     for (const Segment3& truth : {gable.ridge(), verge(gable)}) {
       ReconstructedLine line = line_at(moved(truth, {0.0, 0.0, 0.3}));
       line.right_segment_in_local =
-          Segment3{point_at(*line.segment_in_local, 0.25), point_at(*line.segment_in_local, 1.25)};
+          Segment3{point_at(segment_of(line), 0.25), point_at(segment_of(line), 1.25)};
       adjust_to_faces_beside(gable.rectification(), faces, line);
-      EXPECT_LT(largest_distance_m(*line.segment_in_local, truth), kFromFaces_m) << azimuth_deg;
-      EXPECT_LT((*line.covariance_m2)(2, 2), 0.1 * kSigmaHeight_m * kSigmaHeight_m);
-      EXPECT_LT((line.right_segment_in_local->start - point_at(truth, 0.25)).norm(), kFromFaces_m);
-      EXPECT_LT((line.right_segment_in_local->end - point_at(truth, 1.25)).norm(), kFromFaces_m);
+      EXPECT_LT(largest_distance_m(segment_of(line), truth), kFromFaces_m) << azimuth_deg;
+      EXPECT_LT(covariance_of(line)(2, 2), 0.1 * kSigmaHeight_m * kSigmaHeight_m);
+      EXPECT_LT((right_segment_of(line).start - point_at(truth, 0.25)).norm(), kFromFaces_m);
+      EXPECT_LT((right_segment_of(line).end - point_at(truth, 1.25)).norm(), kFromFaces_m);
     }
   }
 }
@@ -73,7 +78,7 @@ TEST(FacesBeside, LinesThatTheFacesContradictStay) {
   const auto stays = [&](ReconstructedLine line) {
     const ReconstructedLine before = line;
     adjust_to_faces_beside(gable.rectification(), faces, line);
-    return largest_distance_m(*line.segment_in_local, *before.segment_in_local) == 0.0 &&
+    return largest_distance_m(segment_of(line), segment_of(before)) == 0.0 &&
            line.covariance_m2 == before.covariance_m2;
   };
   EXPECT_FALSE(stays(line_at(gable.ridge())));
@@ -98,7 +103,7 @@ TEST(FacesBeside, EaveAboveAStreetComesToTheNearerFace) {
   const Segment3 eave = moved(ridge, to_eave_m * down);
   ReconstructedLine line = line_at(moved(eave, {0.0, 0.0, -0.3}));
   adjust_to_faces_beside(gable.rectification(), plane_faces(gable.surface()), line);
-  EXPECT_LT(largest_distance_m(*line.segment_in_local, eave), kFromFaces_m);
+  EXPECT_LT(largest_distance_m(segment_of(line), eave), kFromFaces_m);
 }
 
 TEST(FacesBeside, NearerOfTwoFacesWinsALineBetweenThem) {
@@ -125,8 +130,8 @@ TEST(FacesBeside, NearerOfTwoFacesWinsALineBetweenThem) {
     };
     ReconstructedLine line = line_at({at(50.0), at(150.0)});
     adjust_to_faces_beside(r, faces, line);
-    EXPECT_NEAR(r.disparity_px(line.segment_in_local->start), high_px, kLeft * (high_px - low_px));
-    EXPECT_NEAR(r.disparity_px(line.segment_in_local->end), high_px, kLeft * (high_px - low_px));
+    EXPECT_NEAR(r.disparity_px(segment_of(line).start), high_px, kLeft * (high_px - low_px));
+    EXPECT_NEAR(r.disparity_px(segment_of(line).end), high_px, kLeft * (high_px - low_px));
   }
 }
 
@@ -170,8 +175,8 @@ TEST(FacesBeside, CovarianceHoldsForErrorsAsStated) {
       rise(2) = -1.0;
       rise(5) = 1.0;
       Vector6d error;
-      error << line.segment_in_local->start - truth.start, line.segment_in_local->end - truth.end;
-      sum_of_slopes += std::pow(rise.dot(error), 2.0) / rise.dot(*line.covariance_m2 * rise);
+      error << segment_of(line).start - truth.start, segment_of(line).end - truth.end;
+      sum_of_slopes += std::pow(rise.dot(error), 2.0) / rise.dot(covariance_of(line) * rise);
     }
     EXPECT_NEAR(sum / kTrials, kFreedom, test::chi_square_mean_band(kFreedom, kTrials));
     EXPECT_NEAR(sum_of_slopes / kTrials, 1.0, test::chi_square_mean_band(1.0, kTrials));

@@ -4,6 +4,7 @@
 #include "reconstruct/beyond/roof_planes/plane_intersection.h"
 #include "tests/reconstruct/beyond/roof_planes/gable_surface.h"
 #include "tests/reconstruct/support/finite_difference.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/nees.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 
 namespace ridgeline::reconstruct {
 namespace {
+
+using test::segment_of;
 
 constexpr double kMaxAligned_deg = 10.0;
 
@@ -39,7 +42,7 @@ TEST(PlaneLines, RidgeOfAGableIsWhereItsRoofPlanesMeet) {
     const test::GableSurface gable(azimuth_deg);
     const std::vector<ReconstructedLine> lines = lines_of(gable);
     ASSERT_EQ(lines.size(), 1U) << azimuth_deg;  // none at the eaves and verges, which are steps
-    const Segment3& found = *lines[0].segment_in_local;
+    const Segment3& found = segment_of(lines[0]);
     for (const Eigen::Vector3d& end : {found.start, found.end})
       EXPECT_LT(distance_from_axis_m(gable.ridge(), end), kOfFloats_m) << azimuth_deg;
     EXPECT_NEAR(length(found), length(gable.ridge()), kOfCells_m);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
 
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/reconstruct/support/nees.h"
 
@@ -10,6 +11,9 @@
 
 namespace ridgeline::reconstruct {
 namespace {
+
+using test::covariance_of;
+using test::segment_of;
 
 constexpr int kTrials = 4000;
 constexpr double kSharedShift_px = 0.1;
@@ -60,10 +64,10 @@ TEST(SharedErrors, CovarianceHoldsForErrorsThatBothImagesShare) {
 TEST(SharedErrors, SharedErrorIsAcrossTheRaysAndTheLine) {
   test::LineGroup group = test::make_group(test::line_at(60.0), {});
   ReconstructedLine line = group.reconstruct(test::direct_options())[0];
-  const Matrix6d before = *line.covariance_m2;
+  const Matrix6d before = covariance_of(line);
   add_shared_error(group.scene.cameras[0], line);
-  const Eigen::Matrix3d added = (*line.covariance_m2 - before).topLeftCorner<3, 3>();
-  const Segment3& segment = *line.segment_in_local;
+  const Eigen::Matrix3d added = (covariance_of(line) - before).topLeftCorner<3, 3>();
+  const Segment3& segment = segment_of(line);
   const Eigen::Vector3d ray =
       (segment.start - projection_centre(group.scene.cameras[0]).hnormalized()).normalized();
   const Eigen::Vector3d along = (segment.end - segment.start).normalized();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must not change the lines: scales and signs of cameras, the object frame, orders, threads.
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/support/random.h"
 
@@ -15,8 +16,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using test::covariance_of;
 using test::kDegree;
 using test::LineGroup;
+using test::right_segment_of;
+using test::segment_of;
 
 constexpr double kTolM = 1e-6;
 constexpr double kRelativeTol = 1e-5;  // of covariances
@@ -51,9 +55,9 @@ void expect_near(const ReconstructedLine& a, const ReconstructedLine& b) {
   ASSERT_EQ(a.segment_in_local.has_value(), b.segment_in_local.has_value());
   ASSERT_EQ(a.covariance_m2.has_value(), b.covariance_m2.has_value());
   if (!b.covariance_m2) return;
-  EXPECT_LT((a.segment_in_local->start - b.segment_in_local->start).norm(), kTolM);
-  EXPECT_LT((a.segment_in_local->end - b.segment_in_local->end).norm(), kTolM);
-  EXPECT_LT((*a.covariance_m2 - *b.covariance_m2).norm(), kRelativeTol * b.covariance_m2->norm());
+  EXPECT_LT((segment_of(a).start - segment_of(b).start).norm(), kTolM);
+  EXPECT_LT((segment_of(a).end - segment_of(b).end).norm(), kTolM);
+  EXPECT_LT((covariance_of(a) - covariance_of(b)).norm(), kRelativeTol * covariance_of(b).norm());
 }
 
 void expect_equal(const ReconstructedLine& a, const ReconstructedLine& b) {
@@ -62,9 +66,9 @@ void expect_equal(const ReconstructedLine& a, const ReconstructedLine& b) {
   ASSERT_EQ(a.segment_in_local.has_value(), b.segment_in_local.has_value());
   ASSERT_EQ(a.covariance_m2.has_value(), b.covariance_m2.has_value());
   if (!b.covariance_m2) return;
-  EXPECT_EQ(a.segment_in_local->start, b.segment_in_local->start);
-  EXPECT_EQ(a.segment_in_local->end, b.segment_in_local->end);
-  EXPECT_EQ(*a.covariance_m2, *b.covariance_m2);
+  EXPECT_EQ(segment_of(a).start, segment_of(b).start);
+  EXPECT_EQ(segment_of(a).end, segment_of(b).end);
+  EXPECT_EQ(covariance_of(a), covariance_of(b));
 }
 
 /// As many lines, most of them with a geometry.
@@ -140,9 +144,9 @@ TEST_P(Invariance, OfRotationOfTheObjectFrame) {
   back.topLeftCorner<3, 3>() = b_from_a.transpose();
   back.bottomRightCorner<3, 3>() = b_from_a.transpose();
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    Segment3& s = *actual[i].segment_in_local;
+    Segment3& s = actual[i].segment_in_local.value();
     s = {b_from_a.transpose() * s.start, b_from_a.transpose() * s.end};
-    actual[i].covariance_m2 = back * *actual[i].covariance_m2 * back.transpose();
+    actual[i].covariance_m2 = back * covariance_of(actual[i]) * back.transpose();
     expect_near(actual[i], expected[i]);
   }
 }
@@ -158,9 +162,9 @@ TEST_P(Invariance, OfTheUnitOfTheObjectFrame) {
   const auto expected = group.reconstruct(options());
   auto actual = in_feet.reconstruct(in_unit);
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    Segment3& s = *actual[i].segment_in_local;
+    Segment3& s = actual[i].segment_in_local.value();
     s = {s.start / kFeet, s.end / kFeet};
-    *actual[i].covariance_m2 /= kFeet * kFeet;
+    actual[i].covariance_m2.value() /= kFeet * kFeet;
     expect_near(actual[i], expected[i]);
   }
 }
@@ -184,10 +188,8 @@ TEST_P(InvarianceOfEveryPath, OfTheDirectionOfSegments) {
     EXPECT_EQ(actual[i].status, expected[i].status);
     ASSERT_EQ(actual[i].segment_in_local.has_value(), expected[i].segment_in_local.has_value());
     if (!expected[i].segment_in_local) continue;
-    EXPECT_LT((actual[i].segment_in_local->start - expected[i].segment_in_local->end).norm(),
-              kTolM);
-    EXPECT_LT((actual[i].segment_in_local->end - expected[i].segment_in_local->start).norm(),
-              kTolM);
+    EXPECT_LT((segment_of(actual[i]).start - segment_of(expected[i]).end).norm(), kTolM);
+    EXPECT_LT((segment_of(actual[i]).end - segment_of(expected[i]).start).norm(), kTolM);
   }
 }
 
@@ -203,11 +205,8 @@ TEST_P(Invariance, OfTheOrderOfImages) {
     if (expected[i].status != Status::kNetwork && expected[i].line_class == LineClass::kAligned) {
       continue;
     }
-    EXPECT_LT(
-        (actual[i].segment_in_local->start - expected[i].right_segment_in_local->start).norm(),
-        kTolM);
-    EXPECT_LT((actual[i].segment_in_local->end - expected[i].right_segment_in_local->end).norm(),
-              kTolM);
+    EXPECT_LT((segment_of(actual[i]).start - right_segment_of(expected[i]).start).norm(), kTolM);
+    EXPECT_LT((segment_of(actual[i]).end - right_segment_of(expected[i]).end).norm(), kTolM);
   }
 }
 

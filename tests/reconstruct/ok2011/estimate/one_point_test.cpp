@@ -7,6 +7,7 @@
 // The height error of a line is the larger one of both true endpoints, along the left rays; a line
 // without reconstruction counts as infinitely wrong.
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/support/random.h"
 
@@ -21,6 +22,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using test::covariance_of;
 using test::kDegree;
 using test::LineGroup;
 
@@ -93,7 +95,7 @@ TEST_P(OnePoint, NeverStatesLessPrecisionThanDirect) {
     const ReconstructedLine line = group.reconstruct(options)[0];
     if (line.status != Status::kOnePoint) continue;
     const double sigma_z_m =
-        std::sqrt(std::max((*line.covariance_m2)(2, 2), (*line.covariance_m2)(5, 5)));
+        std::sqrt(std::max(covariance_of(line)(2, 2), covariance_of(line)(5, 5)));
     EXPECT_LE(sigma_z_m, (1.0 + kRounding) * *line.direct_sigma_z_m);
     ++compared;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/support/random.h"
 
@@ -17,6 +18,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using test::covariance_of;
 using test::direct_options;
 using test::kDegree;
 using test::kThreeNeighbours;
@@ -24,6 +26,8 @@ using test::line_at;
 using test::LineGroup;
 using test::make_group;
 using test::NeighbourSpec;
+using test::right_segment_of;
+using test::segment_of;
 using test::SegmentSpec;
 
 constexpr double kRecoveredM = 1e-6;
@@ -32,8 +36,8 @@ constexpr double kRecoveredPx = 1e-8;
 const test::StereoScene kScene;
 
 double error_m(const ReconstructedLine& line, const Segment3& truth) {
-  return std::max((line.segment_in_local->start - truth.start).norm(),
-                  (line.segment_in_local->end - truth.end).norm());
+  return std::max((segment_of(line).start - truth.start).norm(),
+                  (segment_of(line).end - truth.end).norm());
 }
 
 TEST(ReconstructLines, DirectRecoversLinesWithoutNoise) {
@@ -44,7 +48,7 @@ TEST(ReconstructLines, DirectRecoversLinesWithoutNoise) {
     EXPECT_LT(error_m(line, group.truth[0]), kRecoveredM) << theta_deg;
     const auto truth = group.scene.images(group.truth[0]);
     for (std::size_t j = 0; j < 2; ++j) {
-      const Segment2 image = project(group.scene.cameras[j], *line.segment_in_local);
+      const Segment2 image = project(group.scene.cameras[j], segment_of(line));
       EXPECT_LT((image.start - truth[j].start).norm(), kRecoveredPx) << theta_deg;
       EXPECT_LT((image.end - truth[j].end).norm(), kRecoveredPx) << theta_deg;
     }
@@ -58,7 +62,7 @@ TEST(ReconstructLines, JointRecoversAlignedLinesWithoutNoise) {
     const ReconstructedLine line = group.reconstruct()[0];
     ASSERT_EQ(line.status, Status::kJoint) << theta_deg;
     EXPECT_LT(error_m(line, group.truth[0]), kRecoveredM) << theta_deg;
-    EXPECT_LT((line.right_segment_in_local->end - group.truth[0].end).norm(), kRecoveredM);
+    EXPECT_LT((right_segment_of(line).end - group.truth[0].end).norm(), kRecoveredM);
     EXPECT_LT(line.omega, 1e-6);
   }
 }
@@ -97,11 +101,11 @@ TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
   const double seen_m = kShare * length(group.truth[0]);
   const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kDirect);
-  EXPECT_NEAR(length(*line.segment_in_local), seen_m, 0.1);  // the scale along the line changes
-  EXPECT_LT((line.segment_in_local->start - group.truth[0].start).norm(), kRecoveredM);
+  EXPECT_NEAR(length(segment_of(line)), seen_m, 0.1);  // the scale along the line changes
+  EXPECT_LT((segment_of(line).start - group.truth[0].start).norm(), kRecoveredM);
 
   const ReconstructedLine published = group.reconstruct(direct_options())[0];
-  EXPECT_NEAR(length(*published.segment_in_local), length(group.truth[0]), kRecoveredM);
+  EXPECT_NEAR(length(segment_of(published)), length(group.truth[0]), kRecoveredM);
   EXPECT_GT(*published.direct_sigma_z_m, EstimateExtensionOptions{}.max_end_sigma_m);
   EXPECT_LT(*line.direct_sigma_z_m, 0.3 * *published.direct_sigma_z_m);
 }
@@ -132,9 +136,9 @@ TEST(ReconstructLines, JointLeavesNotAlignedLinesBitwiseAsDirect) {
     const ReconstructedLine direct = group.reconstruct(direct_options())[0];
     const ReconstructedLine joint = group.reconstruct()[0];
     EXPECT_EQ(joint.status, Status::kDirect);
-    EXPECT_EQ(joint.segment_in_local->start, direct.segment_in_local->start);
-    EXPECT_EQ(joint.segment_in_local->end, direct.segment_in_local->end);
-    EXPECT_EQ(*joint.covariance_m2, *direct.covariance_m2);
+    EXPECT_EQ(segment_of(joint).start, segment_of(direct).start);
+    EXPECT_EQ(segment_of(joint).end, segment_of(direct).end);
+    EXPECT_EQ(covariance_of(joint), covariance_of(direct));
     EXPECT_TRUE(joint.points.empty());
   }
 }
@@ -145,8 +149,8 @@ TEST(ReconstructLines, JointWithoutPointsIsDirect) {
   const ReconstructedLine direct = group.reconstruct(direct_options())[0];
   const ReconstructedLine joint = group.reconstruct()[0];
   EXPECT_EQ(joint.status, Status::kNoPoints);
-  EXPECT_EQ(joint.segment_in_local->start, direct.segment_in_local->start);
-  EXPECT_EQ(*joint.covariance_m2, *direct.covariance_m2);
+  EXPECT_EQ(segment_of(joint).start, segment_of(direct).start);
+  EXPECT_EQ(covariance_of(joint), covariance_of(direct));
 }
 
 TEST(ReconstructLines, StatusTellsTheNumberOfPoints) {
@@ -258,12 +262,12 @@ TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
     std::vector<Registration> registrations(4);
     registrations[0].right_shift_px = kShiftPx;
     const ReconstructedLine truth = good.reconstruct(options)[0];
-    EXPECT_GT(error_m(group.reconstruct(options)[0], *truth.segment_in_local), 0.1);
+    EXPECT_GT(error_m(group.reconstruct(options)[0], segment_of(truth)), 0.1);
     const ReconstructedLine line = group.reconstruct(options, registrations)[0];
-    EXPECT_LT(error_m(line, *truth.segment_in_local), kRecoveredM) << name(method);
+    EXPECT_LT(error_m(line, segment_of(truth)), kRecoveredM) << name(method);
     EXPECT_LT((line.seen_px[1].start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
-    EXPECT_LT((*line.covariance_m2 - *truth.covariance_m2).norm(),
-              kRecoveredM * truth.covariance_m2->norm());
+    EXPECT_LT((covariance_of(line) - covariance_of(truth)).norm(),
+              kRecoveredM * covariance_of(truth).norm());
   }
 }
 
@@ -277,14 +281,13 @@ TEST(ReconstructLines, SigmaScaleMultipliesTheErrorsAcrossTheLine) {
     const ReconstructedLine plain = group.reconstruct(options)[0];
     const std::vector<Registration> registrations(4, Registration{0.0, kScale});
     const ReconstructedLine scaled = group.reconstruct(options, registrations)[0];
-    EXPECT_EQ(scaled.segment_in_local->start, plain.segment_in_local->start);
-    const Eigen::Vector3d along =
-        (plain.segment_in_local->end - plain.segment_in_local->start).normalized();
+    EXPECT_EQ(segment_of(scaled).start, segment_of(plain).start);
+    const Eigen::Vector3d along = (segment_of(plain).end - segment_of(plain).start).normalized();
     Matrix6d across = Matrix6d::Zero();
     across.topLeftCorner<3, 3>() = Eigen::Matrix3d::Identity() - along * along.transpose();
     across.bottomRightCorner<3, 3>() = across.topLeftCorner<3, 3>();
-    const Matrix6d expected = kScale * kScale * across * *plain.covariance_m2 * across;
-    EXPECT_LT((across * *scaled.covariance_m2 * across - expected).norm(), 1e-6 * expected.norm());
+    const Matrix6d expected = kScale * kScale * across * covariance_of(plain) * across;
+    EXPECT_LT((across * covariance_of(scaled) * across - expected).norm(), 1e-6 * expected.norm());
   }
 }
 
@@ -295,11 +298,11 @@ TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
     const std::vector<ReconstructedLine> plain = group.reconstruct(options);
     const std::vector<ReconstructedLine> moved = group.reconstruct(options, registrations);
     ASSERT_TRUE(plain[0].segment_in_local && moved[0].segment_in_local);
-    EXPECT_EQ(moved[0].segment_in_local->start, plain[0].segment_in_local->start);
-    EXPECT_EQ(moved[0].segment_in_local->end, plain[0].segment_in_local->end);
-    EXPECT_EQ(*moved[0].covariance_m2, *plain[0].covariance_m2);
+    EXPECT_EQ(segment_of(moved[0]).start, segment_of(plain[0]).start);
+    EXPECT_EQ(segment_of(moved[0]).end, segment_of(plain[0]).end);
+    EXPECT_EQ(covariance_of(moved[0]), covariance_of(plain[0]));
     for (const std::size_t neighbour : {1U, 2U, 3U}) {
-      EXPECT_GT(error_m(moved[neighbour], *plain[neighbour].segment_in_local), 0.1);
+      EXPECT_GT(error_m(moved[neighbour], segment_of(plain[neighbour])), 0.1);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How large the errors of lines are, and what their covariances say of them: Monte Carlo.
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/support/random.h"
 
@@ -15,11 +16,13 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using test::covariance_of;
 using test::direct_options;
 using test::kThreeNeighbours;
 using test::line_at;
 using test::LineGroup;
 using test::make_group;
+using test::segment_of;
 using test::SegmentSpec;
 
 TEST(ReconstructionPrecision, DirectStatesItsErrorsWithCentroidCovariances) {
@@ -33,9 +36,9 @@ TEST(ReconstructionPrecision, DirectStatesItsErrorsWithCentroidCovariances) {
         make_group(line_at(random.uniform(30, 90)), {}, test::scaled({}, 0.5), &random);
     const ReconstructedLine line = group.reconstruct(options)[0];
     Vector6d error;
-    error << line.segment_in_local->start - group.truth[0].start,
-        line.segment_in_local->end - group.truth[0].end;
-    sum += error.dot(line.covariance_m2->ldlt().solve(error));
+    error << segment_of(line).start - group.truth[0].start,
+        segment_of(line).end - group.truth[0].end;
+    sum += error.dot(covariance_of(line).ldlt().solve(error));
   }
   EXPECT_NEAR(sum / kTrials, 6.0, test::chi_square_mean_band(6.0, kTrials));  // false alarm 1 %
 }
@@ -65,9 +68,9 @@ TEST(ReconstructionPrecision, JointIsFarMoreAccurateThanDirectOnAlignedLines) {
         make_group(line_at(random.uniform(1, 9)), kThreeNeighbours, {}, &random);
     const Eigen::Vector3d end = group.truth[0].end;
     direct_errors.push_back(std::abs(test::height_error_m(
-        group.scene, *group.reconstruct(direct_options())[0].segment_in_local, end)));
+        group.scene, segment_of(group.reconstruct(direct_options())[0]), end)));
     joint_errors.push_back(
-        std::abs(test::height_error_m(group.scene, *group.reconstruct()[0].segment_in_local, end)));
+        std::abs(test::height_error_m(group.scene, segment_of(group.reconstruct()[0]), end)));
   }
   std::nth_element(direct_errors.begin(), direct_errors.begin() + kTrials / 2, direct_errors.end());
   std::nth_element(joint_errors.begin(), joint_errors.begin() + kTrials / 2, joint_errors.end());
@@ -89,14 +92,14 @@ TEST(ReconstructionPrecision, JointIsOptimisticBecauseItsPointsReuseTheLine) {
     const ReconstructedLine line = group.reconstruct(options)[0];
     const Segment3& truth = group.truth[0];
     Vector6d error;
-    error << line.segment_in_local->start - truth.start, line.segment_in_local->end - truth.end;
+    error << segment_of(line).start - truth.start, segment_of(line).end - truth.end;
     const Eigen::Matrix<double, 3, 2> across =
         tangent_basis<3>(Eigen::Vector3d(truth.end - truth.start));
     Eigen::Matrix<double, 6, 4> basis = Eigen::Matrix<double, 6, 4>::Zero();
     basis.topLeftCorner<3, 2>() = across;
     basis.bottomRightCorner<3, 2>() = across;
     const Eigen::Vector4d deviation = basis.transpose() * error;
-    const Eigen::Matrix4d cov = basis.transpose() * *line.covariance_m2 * basis;
+    const Eigen::Matrix4d cov = basis.transpose() * covariance_of(line) * basis;
     sum += deviation.dot(cov.ldlt().solve(deviation));
   }
   EXPECT_GT(sum / kTrials, 5.0);
