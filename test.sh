@@ -5,9 +5,12 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . cmake/packages.sh
 
+part "Packages"
 ensure_packages "${build_packages[@]}" "${python_packages[@]}" "${test_packages[@]}"
 prepare_node_tests
-cmake --preset release -DRIDGELINE_BUILD_TESTS=ON -DRIDGELINE_BUILD_BENCHMARKS=ON "${python_options[@]}"
-echo "Building"
+part "Building"
+cmake --preset release -DRIDGELINE_BUILD_TESTS=ON -DRIDGELINE_BUILD_BENCHMARKS=ON "${python_options[@]}" \
+  -DRIDGELINE_TEST_SHARDS="${RIDGELINE_TEST_SHARDS:-0}"
 cmake --build build/release
+part "Tests"
 exec ctest --test-dir build/release --output-on-failure --parallel "$(nproc)" "$@"

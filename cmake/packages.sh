@@ -1,7 +1,6 @@
 # Debian / Ubuntu packages, read by demo.sh, test.sh and the scripts in .ci; the functions that install them, and the
-# folder of what later builds and checks of this user can use again, in whatever checkout.
+# folder of what later checks of this user can use again, in whatever checkout.
 ridgeline_cache=${XDG_CACHE_HOME:-$HOME/.cache}/ridgeline
-export CCACHE_DIR=${CCACHE_DIR:-$ridgeline_cache/ccache}
 
 build_packages=(
   g++ cmake ninja-build pkg-config git ccache
@@ -20,6 +19,9 @@ browser_packages=(chromium)
 check_packages=(clang-format-14 clang-tidy-14)
 debian_packages=(help2man dpkg-dev lintian debootstrap python3-yaml)
 clang_packages=(clang-14 libclang-rt-14-dev)
+
+# A part of a script begins: its name and the seconds since the script began.
+part() { printf -- '-- %s (after %s s)\n' "$1" "$SECONDS"; }
 
 missing_packages() {
   local package

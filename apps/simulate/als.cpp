@@ -16,7 +16,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-enum Stream : std::uint64_t { kPulseStream = 100, kStripStream };
+enum AlsStream : std::uint64_t { kPulseStream = 100, kStripStream };
 
 constexpr std::uint8_t kOutlierClass = 7;
 constexpr std::uint8_t kWithheldFlag = 4;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/flight_plan.h"
 
+#include "reconstruct/geometry/degrees.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,7 +10,6 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 /// Largest vertical distance of anything in the scene to the mean terrain.
 double relief_m(const Scene& scene) {
   double relief = kHighestOutlierM;

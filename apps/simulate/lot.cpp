@@ -2,6 +2,7 @@
 #include "apps/simulate/lot.h"
 
 #include "apps/simulate/houses.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,6 @@
 
 namespace ridgeline::simulate {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 HouseShape random_shape(const VillageOptions& options, const Site& site, Random& random) {
   HouseShape shape;

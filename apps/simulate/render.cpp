@@ -3,6 +3,7 @@
 
 #include "apps/simulate/noise.h"
 #include "apps/simulate/point_spread.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
 #include <oneapi/tbb/blocked_range.h>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace ridgeline::simulate {
@@ -32,7 +32,6 @@ Spectrum sky_colour() { return {0.75F, 1.00F, 1.40F, 0.40F}; }
 }  // namespace
 
 Eigen::Vector3d sun_direction(const RenderOptions& options) {
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
   const double azimuth = kRadPerDeg * options.sun_azimuth_deg;
   const double elevation = kRadPerDeg * options.sun_elevation_deg;
   return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth),

@@ -12,7 +12,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-enum Stream : std::uint64_t { kRadiometryStream = 0x73656e736f72, kNoiseStream };
+enum SensorStream : std::uint64_t { kRadiometryStream = 0x73656e736f72, kNoiseStream };
 
 /// Bands of the radiance in order of the file.
 std::vector<int> file_bands(const std::string& bands) {

@@ -7,6 +7,7 @@
 #include "apps/simulate/random.h"
 #include "apps/simulate/terrain.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
 
@@ -18,11 +19,10 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kHalfRowM = kHalfStreetM + kLotSizeM;
 
 /// Streams of random numbers: what one lot bears does not depend on its neighbours.
-enum Stream : std::uint64_t { kTerrainStream, kLotStream };
+enum VillageStream : std::uint64_t { kTerrainStream, kLotStream };
 
 void check_share(const char* name, double value) {
   check(value >= 0.0 && value <= 1.0, name, " = ", value, ", must be in [0, 1]");

@@ -13,9 +13,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kStep_px = 0.25;  // across the line
-constexpr int kFarthest = 8;       // steps: 2 px
-constexpr int kReach = 10;         // of the derivative, steps
+constexpr double kOffsetStep_px = 0.25;  // across the line
+constexpr int kFarthestOffset = 8;       // steps: 2 px
+constexpr int kReach = 10;               // of the derivative, steps
 constexpr double kSmoothing_px = 0.8;
 constexpr double kExpected_px = 0.5;        // of a line that a surface predicts, standard deviation
 constexpr double kLeastSignificance = 3.5;  // standard deviations
@@ -26,7 +26,7 @@ constexpr double kLeastStrength = 0.5;      // of the mean step
 constexpr double kLeastFill = 0.75;         // of the line
 constexpr std::size_t kFewest_px = 10;
 
-constexpr int kOffsets = 2 * kFarthest + 1;
+constexpr int kOffsets = 2 * kFarthestOffset + 1;
 constexpr int kSamples = kOffsets + 2 * kReach;
 
 /// Gradient across the line, per band and offset.
@@ -38,7 +38,7 @@ Eigen::Matrix<double, kSamples, kOffsets> derivative() {
   Eigen::Matrix<double, 2 * kReach + 1, 1> weights;
   double of_ramp = 0.0;
   for (int i = 0; i < weights.size(); ++i) {
-    const double x_px = (i - kReach) * kStep_px;
+    const double x_px = (i - kReach) * kOffsetStep_px;
     weights[i] = x_px * std::exp(-0.5 * std::pow(x_px / kSmoothing_px, 2.0));
     of_ramp += weights[i] * x_px;
   }
@@ -64,8 +64,8 @@ LineGradients gradients_along(const ImageSampler& image, const Segment2& line) {
     bool is_inside = true;
     for (int i = 0; i < kSamples && is_inside; ++i) {
       Colour colour{};
-      is_inside =
-          image.sample(line.start + t * u + (i - kFarthest - kReach) * kStep_px * n, colour);
+      is_inside = image.sample(
+          line.start + t * u + (i - kFarthestOffset - kReach) * kOffsetStep_px * n, colour);
       for (int band = 0; band < kMaxBands; ++band)
         colours(band, i) = double{colour[static_cast<std::size_t>(band)]};
     }
@@ -93,7 +93,7 @@ std::optional<int> expected_step(const LineGradients& line, const Gradients& mea
     const double significance =
         strength[i] / std::sqrt(squares[i] * kTogether_px / (n * n) + 1e-12);
     if (significance < kLeastSignificance) continue;
-    const double off_px = (i - kFarthest) * kStep_px;
+    const double off_px = (i - kFarthestOffset) * kOffsetStep_px;
     const double score = significance * std::exp(-0.5 * std::pow(off_px / kExpected_px, 2.0));
     if (score <= most) continue;
     most = score;
@@ -138,8 +138,9 @@ std::optional<EdgeTrace> step_along(const ImageSampler& image, const Segment2& e
     const auto peak = nearest_peak(strength, *at, least);
     if (!peak) continue;
     const double offset_px =
-        kStep_px * (*peak - kFarthest +
-                    vertex_of_parabola(strength[*peak - 1], strength[*peak], strength[*peak + 1]));
+        kOffsetStep_px *
+        (*peak - kFarthestOffset +
+         vertex_of_parabola(strength[*peak - 1], strength[*peak], strength[*peak + 1]));
     const Eigen::Vector2d x =
         expected.start + line.t_px[static_cast<std::size_t>(i)] * u + offset_px * normal_of(u);
     trace.push_back({x, strength[*peak], static_cast<int>(std::lround(is_steep ? x.y() : x.x()))});

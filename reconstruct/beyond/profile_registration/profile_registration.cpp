@@ -16,10 +16,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kStep_px = 0.125;
-constexpr int kHalfWidth = 16;  // of the left profile, steps: 2 px
-constexpr int kFarthest = 20;   // shift, steps: 2.5 px
-constexpr int kMostAlong = 40;  // rows that a profile is the mean of
+constexpr double kShiftStep_px = 0.125;
+constexpr int kHalfWidth = 16;      // of the left profile, steps: 2 px
+constexpr int kFarthestShift = 20;  // shift, steps: 2.5 px
+constexpr int kMostAlong = 40;      // rows that a profile is the mean of
 
 /// Profiles as alike as this show the same surfaces on both sides ...
 constexpr double kLeastNcc = 0.985;
@@ -32,22 +32,23 @@ std::vector<Colour> profile_across(const ImageSampler& image,
                                    const std::vector<Eigen::Vector2d>& on_line,
                                    const Eigen::Vector2d& side,
                                    int n) {
-  const StripGrid grid{
-      .first_offset_px = -n * kStep_px, .offset_step_px = kStep_px, .n_offsets = 2 * n + 1};
+  const StripGrid grid{.first_offset_px = -n * kShiftStep_px,
+                       .offset_step_px = kShiftStep_px,
+                       .n_offsets = 2 * n + 1};
   return mean_profile(sample_strip(image, on_line, side, grid), grid);
 }
 
 /// Where the right profile, which is longer, shows the left one.
 ComparedProfiles compared(std::span<const Colour> left, std::span<const Colour> right) {
-  std::array<double, 2 * kFarthest + 1> at{};
+  std::array<double, 2 * kFarthestShift + 1> at{};
   for (std::size_t k = 0; k < at.size(); ++k)
     at[k] = correlation(left, right.subspan(k, left.size()));
   const auto best = std::max_element(at.begin(), at.end());
-  const ComparedProfiles unmoved{0.0, at[kFarthest]};
+  const ComparedProfiles unmoved{0.0, at[kFarthestShift]};
   if (best == at.begin() || best == at.end() - 1) return unmoved;
-  if (*best < kLeastNcc || *best - at[kFarthest] < kLeastGain) return unmoved;
-  return {kStep_px * (static_cast<double>(best - at.begin()) - kFarthest +
-                      vertex_of_parabola(best[-1], *best, best[1])),
+  if (*best < kLeastNcc || *best - at[kFarthestShift] < kLeastGain) return unmoved;
+  return {kShiftStep_px * (static_cast<double>(best - at.begin()) - kFarthestShift +
+                           vertex_of_parabola(best[-1], *best, best[1])),
           *best};
 }
 
@@ -66,7 +67,7 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
   const std::vector<Colour> seen_left =
       profile_across(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
   const std::vector<Colour> seen_right =
-      profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthest);
+      profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthestShift);
   if (seen_left.empty() || seen_right.empty()) return {};
   ComparedProfiles both = compared(seen_left, seen_right);
   both.right_shift_px *= sign;

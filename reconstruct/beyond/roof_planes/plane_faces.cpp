@@ -13,11 +13,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kCell_px = PlaneFaces::kCell_px;
-constexpr double kSeed_px = 0.25;    // root mean square of three by three cells about their plane
-constexpr double kOnPlane_px = 0.4;  // the same of a cell about the plane of a face
-constexpr double kSteepest = 0.6;    // change of disparity per pixel; walls have more
-constexpr double kLeastKnown = 0.5;  // share of the pixels of a cell
+constexpr double kSeed_px = 0.25;      // root mean square of three by three cells about their plane
+constexpr double kOnPlane_px = 0.4;    // the same of a cell about the plane of a face
+constexpr double kSteepestFace = 0.6;  // change of disparity per pixel; walls have more
+constexpr double kLeastKnown = 0.5;    // share of the pixels of a cell
 constexpr int kFewestCells = 12;
 
 /// Moments of pixels (x, y, disparity), from which planes follow and how far off them the pixels lie. About their mean, so
@@ -64,13 +63,13 @@ struct PlaneSums {
   }
 };
 
-bool is_steep(const Eigen::Vector3d& plane) { return plane.head<2>().norm() > kSteepest; }
+bool is_steep(const Eigen::Vector3d& plane) { return plane.head<2>().norm() > kSteepestFace; }
 
 class Growing {
  public:
   explicit Growing(const Surface& surface)
-      : rows_(surface.disparity_px.rows / kCell_px),
-        columns_(surface.disparity_px.cols / kCell_px),
+      : rows_(surface.disparity_px.rows / PlaneFaces::kCell_px),
+        columns_(surface.disparity_px.cols / PlaneFaces::kCell_px),
         cells_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_)) {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column)
@@ -94,8 +93,8 @@ class Growing {
 
   static PlaneSums sums(const Surface& surface, int row, int column) {
     PlaneSums sums;
-    for (int y = row * kCell_px; y < (row + 1) * kCell_px; ++y) {
-      for (int x = column * kCell_px; x < (column + 1) * kCell_px; ++x) {
+    for (int y = row * PlaneFaces::kCell_px; y < (row + 1) * PlaneFaces::kCell_px; ++y) {
+      for (int x = column * PlaneFaces::kCell_px; x < (column + 1) * PlaneFaces::kCell_px; ++x) {
         if (const auto d = surface.at(Eigen::Vector2d(x, y))) sums.add(Eigen::Vector2d(x, y), *d);
       }
     }
@@ -109,7 +108,8 @@ class Growing {
   int& face_of(int row, int column) { return result_.face_of_cell.at<int>(row, column); }
   bool is_free(int row, int column) {
     return row >= 0 && column >= 0 && row < rows_ && column < columns_ &&
-           face_of(row, column) < 0 && cell(row, column).n >= kLeastKnown * kCell_px * kCell_px;
+           face_of(row, column) < 0 &&
+           cell(row, column).n >= kLeastKnown * PlaneFaces::kCell_px * PlaneFaces::kCell_px;
   }
 
   /// The free cells among three by three about a place; none unless all are.
@@ -207,7 +207,7 @@ class Growing {
 }  // namespace
 
 int PlaneFaces::at(const Eigen::Vector2d& x_px) const {
-  const Eigen::Array2d cell = ((x_px.array() + 0.5) / kCell_px).floor();
+  const Eigen::Array2d cell = ((x_px.array() + 0.5) / PlaneFaces::kCell_px).floor();
   const bool is_inside =
       (cell >= 0.0).all() && cell.x() < face_of_cell.cols && cell.y() < face_of_cell.rows;
   return is_inside ? face_of_cell.at<int>(static_cast<int>(cell.y()), static_cast<int>(cell.x()))

@@ -14,13 +14,13 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kCell_px = PlaneFaces::kCell_px;
 constexpr double kLeastBend = 0.08;  // difference of the planes' slopes, disparity per pixel
-constexpr double kFromIntersection_px = 1.0 * kCell_px;  // of the border from the intersection
-constexpr double kLeastOnLine = 0.6;                     // share of the border
-constexpr double kLargestGap_px = 2.5 * kCell_px;
+constexpr double kFromIntersection_px =
+    1.0 * PlaneFaces::kCell_px;       // of the border from the intersection
+constexpr double kLeastOnLine = 0.6;  // share of the border
+constexpr double kLargestGap_px = 2.5 * PlaneFaces::kCell_px;
 constexpr double kShortestIntersection_px = 20.0;
-constexpr double kSigmaEnd_px = 0.5 * kCell_px;  // along the line: where the faces end
+constexpr double kSigmaEnd_px = 0.5 * PlaneFaces::kCell_px;  // along the line: where the faces end
 
 /// Where two faces border on each other: middles between their cells.
 using Borders = std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>>;
@@ -73,7 +73,8 @@ std::optional<Segment2> crease(const PlaneFace& a,
     if (i > 0 && on_line[i] - on_line[i - 1] > kLargestGap_px) from = on_line[i];
     if (on_line[i] - from > longest[1] - longest[0]) longest = {from, on_line[i]};
   }
-  if (longest[1] - longest[0] + kCell_px < kShortestIntersection_px) return std::nullopt;
+  if (longest[1] - longest[0] + PlaneFaces::kCell_px < kShortestIntersection_px)
+    return std::nullopt;
   const Eigen::Vector2d foot = -line.z() * line.head<2>();
   return Segment2{foot + longest[0] * along, foot + longest[1] * along};
 }

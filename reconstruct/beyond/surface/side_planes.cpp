@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kNearest_px = 3;    // half a block of the matching clear of the step at the line
 constexpr int kFarthest_px = 12;  // still on the roof
-constexpr double kOnPlane_px = 0.6;
-constexpr double kSteepest = 0.6;  // change of disparity per pixel; walls have more
+constexpr double kOnSide_px = 0.6;
+constexpr double kSteepestSide = 0.6;  // change of disparity per pixel; walls have more
 
 struct Sample {
   Eigen::Vector3d by;  ///< 1, t, s
@@ -52,7 +52,7 @@ std::optional<Eigen::Vector3d> plane_through(const std::array<const Sample*, 3>&
   }
   if (std::abs(by.determinant()) < 1.0) return std::nullopt;
   const Eigen::Vector3d plane = by.inverse() * d;
-  if (plane.tail<2>().cwiseAbs().maxCoeff() > kSteepest) return std::nullopt;
+  if (plane.tail<2>().cwiseAbs().maxCoeff() > kSteepestSide) return std::nullopt;
   return plane;
 }
 
@@ -60,7 +60,7 @@ std::optional<Eigen::Vector3d> plane_through(const std::array<const Sample*, 3>&
 double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples) {
   double cost = 0.0;
   for (const Sample& s : samples) {
-    const double off = (plane.dot(s.by) - s.d) / kOnPlane_px;
+    const double off = (plane.dot(s.by) - s.d) / kOnSide_px;
     cost += std::min(1.0, off * off);
   }
   return cost;
@@ -122,7 +122,7 @@ std::optional<SidePlane> side_plane(const Surface& surface, const Segment2& rect
   const auto best = best_plane(samples);
   if (!best) return std::nullopt;
   std::erase_if(samples,
-                [&](const Sample& s) { return std::abs(best->dot(s.by) - s.d) > kOnPlane_px; });
+                [&](const Sample& s) { return std::abs(best->dot(s.by) - s.d) > kOnSide_px; });
   SidePlane plane = fitted(samples, *best);
   plane.share = static_cast<double>(samples.size()) / static_cast<double>(n_all);
   return plane;

@@ -63,7 +63,7 @@ void sum_bands(const float* dx, const float* dy, int n_bands, TensorRow& row) {
 }
 
 /// The principal axis of each tensor with length sqrt(lambda_1), on the side of the grey gradient.
-void principal_axes(const TensorRow& row, float* axes) {
+void principal_axes_of_row(const TensorRow& row, float* axes) {
   for (std::size_t i = 0; i < row.xx.size(); ++i) {
     const float xy = row.xy[i];
     const float half_difference = 0.5F * (row.xx[i] - row.yy[i]);
@@ -100,7 +100,7 @@ cv::Mat colour_gradient(const cv::Mat& image, double sigma_px) {
   TensorRow row(image.cols);
   for (int y = 0; y < image.rows; ++y) {
     sum_bands(dx.ptr<float>(y), dy.ptr<float>(y), n_bands, row);
-    principal_axes(row, gradient.ptr<float>(y));
+    principal_axes_of_row(row, gradient.ptr<float>(y));
   }
   return gradient;
 }
