@@ -4,8 +4,8 @@
 #include "io/error.h"
 #include "io/lines/ogr_support.h"
 #include "io/lines/scratch_folder.h"
+#include "io/utf8.h"
 
-#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -37,14 +37,6 @@ OGRFieldType ogr_type(ColumnType type) {
     default:
       return OFTString;
   }
-}
-
-std::string as_utf8(const std::string& text) {
-  if (CPLIsUTF8(text.c_str(), static_cast<int>(text.size())) != 0) return text;
-  char* const recoded = CPLRecode(text.c_str(), CPL_ENC_ISO8859_1, CPL_ENC_UTF8);
-  std::string utf8 = recoded;
-  CPLFree(recoded);
-  return utf8;
 }
 
 void set_value(const Value& value, int field, ColumnType type, OGRFeature& feature) {

@@ -55,7 +55,8 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "patch file: its cameras class the lines aligned / not_aligned, its lidar is the "
                  "cloud where --cloud is not given");
   app.add_option("--reference-lines", a.reference_lines,
-                 "true 3D lines: precision and completeness at tolerances beside the distances");
+                 "true 3D lines, or polygons with heights, whose edges are taken: precision and "
+                 "completeness at tolerances beside the distances");
   app.add_option("--assume-crs", a.assume_crs,
                  "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
   app.add_option(

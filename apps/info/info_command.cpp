@@ -103,6 +103,7 @@ void print_lines(const std::string& path) {
   print_bounds(facts.bounds);
   fmt::print("  attributes  {}\n", fmt::join(facts.attributes, " "));
   print_crs(set.crs);
+  if (!set.stated_unit.empty()) fmt::print("  $INSUNITS   {}\n", set.stated_unit);
   print_warnings(set.warnings);
 }
 

@@ -40,8 +40,7 @@ io::LineSet read_source(const LineSource& source, const io::ReadLinesOptions& op
   if (const auto* path = std::get_if<std::string>(&source)) return io::read_lines(*path, options);
   io::LineSet set = std::get<io::LineSet>(source);
   if (options.assume_crs.known()) set.crs = options.assume_crs;
-  io::refuse_degrees(set);
-  io::add_coordinate_warnings(set);
+  io::check_lines(set);
   return set;
 }
 

@@ -203,10 +203,11 @@ class PatchRun {
                                     stages_.frame(), patch_);
   }
 
-  [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() const {
+  [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() {
     const io::LineSet set =
         io::read_lines(*patch_.reference_lines, {.assume_crs = options_.assume_crs});
     results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch_.crs);
+    record_.add_warnings(results::own_warnings(set));
     return results::reference_lines_of(set, stages_.frame());
   }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::io {
@@ -47,71 +48,59 @@ json unwrapped(const json& value) {
   return inner.is_discarded() ? value : inner;
 }
 
-[[noreturn]] void refuse(const std::string& where,
-                         std::string_view name,
-                         const json& value,
-                         std::string_view rule) {
-  throw IoError(where, fmt::format("{} = {}; must be {}", name, excerpt(value), rule));
-}
+/// A value of another shape than ours, so of a column of another tool.
+struct OtherShape {
+  std::string rule;  ///< that ours obey
+};
 
-double number_of(const json& value, std::string_view name, const std::string& where) {
+double number_of(const json& value) {
   if (value.is_number()) return value.get<double>();
   if (value.is_string()) {
     const std::optional<double> number = to_double(value.get_ref<const std::string&>());
     if (number) return *number;
   }
-  refuse(where, name, value, "a number");
+  throw OtherShape{"a number"};
 }
 
-int integer_of(const json& value, std::string_view name, const std::string& where) {
-  const double number = number_of(value, name, where);
+int integer_of(const json& value) {
+  const double number = number_of(value);
   const bool fits =
       std::floor(number) == number && std::abs(number) <= std::numeric_limits<int>::max();
-  if (!fits) refuse(where, name, value, "an integer");
+  if (!fits) throw OtherShape{"an integer"};
   return static_cast<int>(number);
 }
 
-void flatten(const json& value,
-             std::string_view name,
-             const std::string& where,
-             std::vector<double>& numbers) {
-  if (!value.is_array()) return numbers.push_back(number_of(value, name, where));
-  for (const json& element : value) flatten(element, name, where, numbers);
+void flatten(const json& value, std::vector<double>& numbers) {
+  if (!value.is_array()) return numbers.push_back(number_of(value));
+  for (const json& element : value) flatten(element, numbers);
 }
 
-std::vector<double> numbers_of(const json& value,
-                               std::string_view name,
-                               std::size_t count,
-                               const std::string& where) {
+std::vector<double> numbers_of(const json& value, std::size_t count) {
   std::vector<double> numbers;
-  flatten(unwrapped(value), name, where, numbers);
-  if (numbers.size() != count) refuse(where, name, value, fmt::format("{} numbers", count));
+  try {
+    flatten(unwrapped(value), numbers);
+  } catch (const OtherShape&) {
+    numbers.clear();
+  }
+  if (numbers.size() != count) throw OtherShape{fmt::format("{} numbers", count)};
   return numbers;
 }
 
-Matrix6d covariance_of(const json& value, const std::string& where) {
-  const std::vector<double> numbers = numbers_of(value, "covariance", 36, where);
+Matrix6d covariance_of(const json& value) {
+  const std::vector<double> numbers = numbers_of(value, 36);
   return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(numbers.data());
 }
 
-Matrix6d covariance_of_sigmas(const json& start, const json& end, const std::string& where) {
-  Eigen::Matrix<double, 6, 1> sigma_m;
-  const std::vector<double> first = numbers_of(start, "sigma_start_m", 3, where);
-  const std::vector<double> second = numbers_of(end, "sigma_end_m", 3, where);
-  sigma_m << first[0], first[1], first[2], second[0], second[1], second[2];
-  return sigma_m.cwiseAbs2().asDiagonal();
-}
-
-std::vector<int> plane_ids_of(const json& value, const std::string& where) {
+std::vector<int> plane_ids_of(const json& value) {
   const json ids = unwrapped(value);
-  if (!ids.is_array()) return {integer_of(ids, "plane_ids", where)};
+  if (!ids.is_array()) return {integer_of(ids)};
   std::vector<int> planes;
-  for (const json& id : ids) planes.push_back(integer_of(id, "plane_ids", where));
+  for (const json& id : ids) planes.push_back(integer_of(id));
   return planes;
 }
 
-Segment2 segment_of(const json& value, std::string_view name, const std::string& where) {
-  const std::vector<double> ends = numbers_of(value, name, 4, where);
+Segment2 segment_of(const json& value) {
+  const std::vector<double> ends = numbers_of(value, 4);
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 
@@ -123,6 +112,40 @@ json with_lower_case_names(const json& properties) {
   // The name that fits the ten characters of a Shapefile's column.
   if (lower.contains("epi_deg")) lower.emplace("epipolar_angle_deg", lower["epi_deg"]);
   return lower;
+}
+
+void clear_attribute(std::string_view name, Line& line) {
+  if (name == "epipolar_angle_deg") line.epipolar_angle_deg.reset();
+  if (name == "n_points") line.n_points.reset();
+  if (name == "n_images") line.n_images.reset();
+  if (name == "plane_ids") line.plane_ids.clear();
+  if (name == "covariance" || name.starts_with("sigma_")) line.covariance_m2.reset();
+  for (const NumberAttribute& attribute : kNumberAttributes) {
+    if (name == attribute.name) (line.*attribute.member).reset();
+  }
+  for (const SegmentAttribute& attribute : kSegmentAttributes) {
+    if (name == attribute.name) (line.*attribute.member).reset();
+  }
+}
+
+/// "feature 3" of "lines.geojson: feature 3", "row 4" of "lines.csv:4": warnings begin with the path.
+std::string place_in_file(std::string_view where, std::string_view path) {
+  if (where.starts_with(path)) where.remove_prefix(path.size());
+  if (where.starts_with(": ")) return std::string(where.substr(2));
+  return where.starts_with(':') ? fmt::format("row {}", where.substr(1)) : std::string(where);
+}
+
+/// A value of our shape that no line can have is a fault of the file.
+void check_covariance(const Matrix6d& covariance_m2,
+                      const std::string& id,
+                      const std::string& where) {
+  for (int i = 0; i < 6; ++i) {
+    if (covariance_m2(i, i) >= 0.0 && covariance_m2.row(i).allFinite()) continue;
+    throw IoError(where, fmt::format("covariance{} has the variance {} m2 of the {}'s {}; must be "
+                                     "finite and 0 or above",
+                                     id.empty() ? "" : fmt::format(" of line {}", id),
+                                     covariance_m2(i, i), i < 3 ? "start" : "end", "xyz"[i % 3]));
+  }
 }
 
 }  // namespace
@@ -147,40 +170,79 @@ std::string text_of(const json& value) {
   return integer ? fmt::format("{:.0f}", number) : fmt::format("{}", number);
 }
 
-Line line_from_properties(const json& properties, const std::string& where) {
+template <typename Take>
+void AttributeReader::take(const json& values,
+                           std::string_view name,
+                           const std::string& where,
+                           const Take& take_value) {
+  const auto it = values.find(name);
+  if (it == values.end()) return;
+  try {
+    take_value(*it);
+  } catch (const OtherShape& other) {
+    Misfit& misfit = misfits_[std::string(name)];
+    if (misfit.n_values++ > 0) return;
+    misfit.first = excerpt(*it);
+    misfit.where = where;
+    misfit.rule = other.rule;
+  }
+}
+
+Line AttributeReader::line_of(const json& properties, const std::string& where) {
   Line line;
   if (!properties.is_object()) return line;
   const json values = with_lower_case_names(properties);
   for (const TextAttribute& attribute : kTextAttributes) {
     if (values.contains(attribute.name)) line.*attribute.member = text_of(values[attribute.name]);
   }
-  if (const auto it = values.find("epipolar_angle_deg"); it != values.end()) {
-    line.epipolar_angle_deg = number_of(*it, "epipolar_angle_deg", where);
-  }
-  if (const auto it = values.find("n_points"); it != values.end()) {
-    line.n_points = integer_of(*it, "n_points", where);
-  }
-  if (const auto it = values.find("n_images"); it != values.end()) {
-    line.n_images = integer_of(*it, "n_images", where);
-  }
-  if (const auto it = values.find("plane_ids"); it != values.end()) {
-    line.plane_ids = plane_ids_of(*it, where);
-  }
+  take(values, "epipolar_angle_deg", where,
+       [&](const json& value) { line.epipolar_angle_deg = number_of(value); });
+  take(values, "n_points", where, [&](const json& value) { line.n_points = integer_of(value); });
+  take(values, "n_images", where, [&](const json& value) { line.n_images = integer_of(value); });
+  take(values, "plane_ids", where,
+       [&](const json& value) { line.plane_ids = plane_ids_of(value); });
   for (const NumberAttribute& attribute : kNumberAttributes) {
-    if (!values.contains(attribute.name)) continue;
-    line.*attribute.member = number_of(values[attribute.name], attribute.name, where);
+    take(values, attribute.name, where,
+         [&](const json& value) { line.*attribute.member = number_of(value); });
   }
   for (const SegmentAttribute& attribute : kSegmentAttributes) {
-    if (!values.contains(attribute.name)) continue;
-    line.*attribute.member = segment_of(values[attribute.name], attribute.name, where);
+    take(values, attribute.name, where,
+         [&](const json& value) { line.*attribute.member = segment_of(value); });
   }
-  if (values.contains("covariance")) {
-    line.covariance_m2 = covariance_of(values["covariance"], where);
-  } else if (values.contains("sigma_start_m") && values.contains("sigma_end_m")) {
-    line.covariance_m2 =
-        covariance_of_sigmas(values["sigma_start_m"], values["sigma_end_m"], where);
-  }
+  take_covariance(values, where, line);
   return line;
+}
+
+void AttributeReader::take_covariance(const json& values, const std::string& where, Line& line) {
+  if (values.contains("covariance")) {
+    take(values, "covariance", where,
+         [&](const json& value) { line.covariance_m2 = covariance_of(value); });
+  } else if (values.contains("sigma_start_m") && values.contains("sigma_end_m")) {
+    Eigen::Matrix<double, 6, 1> sigma_m;
+    bool is_whole = true;
+    for (const auto& [name, first] : {std::pair{"sigma_start_m", 0}, std::pair{"sigma_end_m", 3}}) {
+      sigma_m.segment<3>(first).setConstant(-1.0);
+      take(values, name, where, [&, first = first](const json& value) {
+        const std::vector<double> numbers = numbers_of(value, 3);
+        sigma_m.segment<3>(first) = Eigen::Map<const Eigen::Vector3d>(numbers.data());
+      });
+      is_whole = is_whole && !misfits_.contains(name);
+    }
+    if (!is_whole) return;
+    // the squares of negative ones would pass for variances
+    line.covariance_m2 = sigma_m.cwiseProduct(sigma_m.cwiseAbs()).asDiagonal();
+  }
+  if (line.covariance_m2) check_covariance(*line.covariance_m2, line.id, where);
+}
+
+void AttributeReader::finish(LineSet& set) const {
+  for (const auto& [name, misfit] : misfits_) {
+    for (Line& line : set.lines) clear_attribute(name, line);
+    set.warnings.push_back(fmt::format(
+        "column {} is another tool's and not read: {} in {}{} must be {}", name, misfit.first,
+        place_in_file(misfit.where, set.path),
+        misfit.n_values > 1 ? fmt::format(" and {} more", misfit.n_values - 1) : "", misfit.rule));
+  }
 }
 
 std::string covariance_text(const Matrix6d& covariance_m2) {

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,11 +36,33 @@ struct NumberAttribute {
 };
 std::span<const NumberAttribute> number_attributes();
 
-/// The attributes that a feature's properties state; names in any case, unknown ones are passed
+/// Reads the attributes that the features of a file state; names in any case, unknown ones are passed
 /// over. Numbers may be given as text, arrays as JSON text (formats without arrays). The covariance
 /// is 6x6 or 36 numbers; without it `sigma_start_m` and `sigma_end_m` make a diagonal one.
-/// Throws IoError naming `where` for a known attribute with a value of the wrong shape.
-Line line_from_properties(const nlohmann::json& properties, const std::string& where);
+/// A column with our name and values of another shape is another tool's: none of its values is ours.
+class AttributeReader {
+ public:
+  /// Throws IoError naming `where`, the line and the value for a variance or sigma that is negative or not finite.
+  Line line_of(const nlohmann::json& properties, const std::string& where);
+
+  /// Takes back from the lines what was read of other tools' columns; a warning names each with its first misfit.
+  void finish(LineSet& set) const;
+
+ private:
+  struct Misfit {
+    std::string first, where, rule;  ///< of its first value
+    std::size_t n_values = 0;
+  };
+
+  template <typename Take>
+  void take(const nlohmann::json& values,
+            std::string_view name,
+            const std::string& where,
+            const Take& take_value);
+  void take_covariance(const nlohmann::json& values, const std::string& where, Line& line);
+
+  std::map<std::string, Misfit> misfits_;
+};
 
 /// Text of an id or a name that may be a number: "7" for 7, empty for null.
 std::string text_of(const nlohmann::json& value);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
-#include "io/lines/attributes.h"
+#include "io/lines/feature_collector.h"
 #include "io/lines/ogr_support.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
+#include "io/lines/wkt.h"
 
 #include <fmt/format.h>
 
@@ -16,13 +17,44 @@ namespace ridgeline::io {
 namespace {
 
 constexpr std::array<std::string_view, 6> kCoordinates{"x1", "y1", "z1", "x2", "y2", "z2"};
-constexpr std::array<std::string_view, 4> kWktNames{"wkt", "geometry", "geom", "the_geom"};
+constexpr std::array<std::string_view, 5> kWktNames{"wkt", "geometry", "geom", "the_geom",
+                                                    "wkt_geom"};
 
-char separator_of(std::string_view first_row) {
-  for (const char separator : {';', '\t'}) {
-    if (first_row.find(separator) != std::string_view::npos) return separator;
+/// In place of a separator: the row is one field.
+constexpr char kOneField = '\0';
+
+/// The first of ; tab , | that stands outside quotes, else blanks between words.
+char separator_of(std::string_view row) {
+  std::string unquoted;
+  bool quoted = false;
+  for (const char c : row) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted && c != '"') unquoted += c;
   }
-  return ',';
+  for (const char separator : {';', '\t', ',', '|'}) {
+    if (unquoted.find(separator) != std::string::npos) return separator;
+  }
+  return words_of(unquoted).size() > 1 ? ' ' : kOneField;
+}
+
+std::vector<std::string> row_fields(std::string_view row,
+                                    char separator,
+                                    const std::string& where) {
+  if (separator == ' ') {
+    const std::vector<std::string_view> words = words_of(row);
+    return {words.begin(), words.end()};
+  }
+  if (separator == kOneField && !row.starts_with('"')) return {std::string(row)};
+  return csv_fields_of(row, separator, where);
+}
+
+/// A number whose decimal mark may be a comma, where that separates nothing.
+std::optional<double> coordinate_of(const std::string& word, char separator) {
+  const std::optional<double> number = to_double(word);
+  if (number || separator == ',' || std::ranges::count(word, ',') != 1) return number;
+  std::string with_point(word);
+  std::ranges::replace(with_point, ',', '.');
+  return to_double(with_point);
 }
 
 /// Where a line's geometry stands in a row.
@@ -38,12 +70,35 @@ std::optional<std::size_t> find(const std::vector<std::string>& names, std::stri
   return static_cast<std::size_t>(it - names.begin());
 }
 
-Columns columns_of(const std::vector<std::string>& header, const std::string& where) {
-  Columns columns;
-  for (const std::string& name : header) columns.names.push_back(lower_case(name));
+bool has_coordinates(const std::vector<std::string>& names) {
+  return std::ranges::all_of(kCoordinates,
+                             [&](std::string_view name) { return find(names, name).has_value(); });
+}
+
+/// The column of WKT by its name, else by what the first row holds.
+std::optional<std::size_t> wkt_column(const std::vector<std::string>& names,
+                                      const std::vector<std::string>& first_row) {
   for (const std::string_view name : kWktNames) {
-    if (!columns.wkt) columns.wkt = find(columns.names, name);
+    if (const auto column = find(names, name)) return column;
   }
+  if (has_coordinates(names)) return std::nullopt;
+  const auto found = std::ranges::find_if(first_row, begins_as_wkt);
+  if (found == first_row.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - first_row.begin());
+}
+
+std::vector<std::string> lower_case_names(const std::vector<std::string>& header) {
+  std::vector<std::string> names;
+  for (const std::string& name : header) names.push_back(lower_case(name));
+  return names;
+}
+
+Columns columns_of(const std::vector<std::string>& header,
+                   const std::vector<std::string>& first_row,
+                   const std::string& where) {
+  Columns columns;
+  columns.names = lower_case_names(header);
+  columns.wkt = wkt_column(columns.names, first_row);
   if (columns.wkt) return columns;
   for (std::size_t i = 0; i < kCoordinates.size(); ++i) {
     const std::optional<std::size_t> column = find(columns.names, kCoordinates[i]);
@@ -58,19 +113,80 @@ Columns columns_of(const std::vector<std::string>& header, const std::string& wh
   return columns;
 }
 
-bool is_bare(const std::vector<std::string>& fields) {
-  return fields.size() == 6 && std::all_of(fields.begin(), fields.end(), [](const auto& field) {
-           return to_double(field).has_value();
+bool is_bare(const std::vector<std::string>& fields, char separator) {
+  return fields.size() == 6 && std::ranges::all_of(fields, [&](const std::string& field) {
+           return coordinate_of(field, separator).has_value();
          });
 }
 
-std::vector<Vertices> parts_of_coordinates(const std::vector<std::string>& fields,
-                                           const Columns& columns,
-                                           const std::string& where) {
-  std::vector<std::string_view> words;
-  for (const std::size_t column : columns.coordinates) words.emplace_back(fields[column]);
-  const std::vector<double> v = to_doubles(words, where);
-  return {{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}};
+Vertices coordinates_of(const std::vector<std::string>& fields,
+                        const Columns& columns,
+                        char separator,
+                        const std::string& where) {
+  std::array<double, 6> v{};
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const std::string& word = fields[columns.coordinates[i]];
+    const std::optional<double> number = coordinate_of(word, separator);
+    if (!number) throw IoError(where, "'" + word.substr(0, 40) + "' is no number");
+    v[i] = *number;
+  }
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+/// How a file's rows are written, and the first of them that is a line's.
+struct Layout {
+  char separator = ',';
+  bool bare = false;
+  std::vector<std::string> header;
+  std::size_t header_row = 0;
+  std::size_t first_row = 0;
+};
+
+/// "sep=;", which Excel reads and writes in a first row.
+std::optional<char> stated_separator(std::string_view row) {
+  if (!lower_case(row.substr(0, 4)).starts_with("sep=") || row.size() > 5) return std::nullopt;
+  return row.size() == 5 ? row[4] : '\t';  // a tab is trimmed off the row
+}
+
+/// The text of a comment; nothing for a row that is none.
+std::optional<std::string_view> comment_of(std::string_view row) {
+  if (!row.starts_with('#') && !row.starts_with("//")) return std::nullopt;
+  return trimmed(row.substr(std::min(row.find_first_not_of("#/"), row.size())));
+}
+
+/// Whether a comment names columns; a sentence may hold the word "geometry".
+bool is_header(const std::vector<std::string>& fields, char separator) {
+  const std::vector<std::string> names = lower_case_names(fields);
+  if (has_coordinates(names)) return true;
+  return separator != ' ' && separator != kOneField && wkt_column(names, {}).has_value();
+}
+
+/// Comments before the first row are passed over; one that names the columns is the header.
+Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
+  Layout layout;
+  std::size_t i = 0;
+  const std::optional<char> stated = stated_separator(rows.front().text);
+  if (stated) ++i;
+  for (; i < rows.size(); ++i) {
+    const std::optional<std::string_view> comment = comment_of(rows[i].text);
+    const std::string_view text = comment.value_or(rows[i].text);
+    layout.separator = stated.value_or(separator_of(text));
+    const std::string where = place(path, rows[i].number);
+    layout.header = row_fields(text, layout.separator, where);
+    layout.header_row = i;
+    if (!comment) break;
+    if (!is_header(layout.header, layout.separator)) continue;
+    // NumPy writes any header before rows of its own separator
+    if (!stated && i + 1 < rows.size()) layout.separator = separator_of(rows[i + 1].text);
+    break;
+  }
+  if (i == rows.size()) {
+    throw IoError(path, "holds comments alone; a header or rows of six numbers are expected");
+  }
+  layout.bare = is_bare(layout.header, layout.separator);
+  layout.first_row = layout.bare ? i : i + 1;
+  if (layout.bare) layout.header.assign(kCoordinates.begin(), kCoordinates.end());
+  return layout;
 }
 
 /// The numbers of the columns that hold no geometry.
@@ -120,21 +236,18 @@ nlohmann::json properties_of(const std::vector<std::string>& fields, const Colum
   return properties;
 }
 
-std::vector<Vertices> parts_of_wkt(const std::string& text, const std::string& where) {
-  if (text.empty()) return {};
+FeatureGeometry geometry_of_wkt(const std::string& text, const std::string& where) {
+  FeatureGeometry found;
+  if (text.empty()) return found;
   const QuietGdal quiet;
   OGRGeometry* raw = nullptr;
-  const OGRErr error = OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &raw);
+  const OGRErr error = OGRGeometryFactory::createFromWkt(standard_wkt(text).c_str(), nullptr, &raw);
   const std::unique_ptr<OGRGeometry> geometry(raw);
   if (error != OGRERR_NONE || !geometry) {
     throw IoError(where, "'" + text.substr(0, 60) + "' is no WKT");
   }
-  OgrLines lines = lines_of(*geometry);
-  if (!lines.is_line) {
-    throw IoError(where, fmt::format("{}; must be LINESTRING Z or MULTILINESTRING Z",
-                                     geometry->getGeometryName()));
-  }
-  return std::move(lines.parts);
+  collect_geometry(*geometry, found);
+  return found;
 }
 
 /// Splits "SRID=25832;LINESTRING ..." (EWKT) and keeps the CRS.
@@ -156,42 +269,55 @@ std::string without_srid(std::string_view text, Crs& crs, const std::string& whe
 
 LineSet read_csv(const std::string& path, std::string_view content) {
   LineSet set = lines_for_file(path, "CSV", content.size());
-  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   const std::vector<TextRow> rows = rows_of(content);
   if (rows.empty()) throw IoError(path, "is empty; a header or rows of six numbers are expected");
-  const char separator = separator_of(rows.front().text);
-  const std::string first_place = place(path, rows.front().number);
-  const std::vector<std::string> first = csv_fields_of(rows.front().text, separator, first_place);
-  const bool bare = is_bare(first);
-  const std::vector<std::string> header =
-      bare ? std::vector<std::string>(kCoordinates.begin(), kCoordinates.end()) : first;
-  const Columns columns = columns_of(header, first_place);
-  RowValues values(header, columns, set.features);
+  const Layout layout = layout_of(path, rows);
+  const auto fields_at = [&](std::size_t i) {
+    return row_fields(rows[i].text, layout.separator, place(path, rows[i].number));
+  };
+  const Columns columns = columns_of(
+      layout.header,
+      layout.first_row < rows.size() ? fields_at(layout.first_row) : std::vector<std::string>(),
+      place(path, rows[layout.header_row].number));
+  RowValues values(layout.header, columns, set.features);
+  FeatureCollector features(set);
   if (columns.wkt) set.format = "CSV with WKT";
-  for (std::size_t i = bare ? 0 : 1; i < rows.size(); ++i) {
+  for (std::size_t i = layout.first_row; i < rows.size(); ++i) {
     const std::string where = place(path, rows[i].number);
-    const std::vector<std::string> fields = csv_fields_of(rows[i].text, separator, where);
+    const std::vector<std::string> fields = fields_at(i);
     if (fields.size() != columns.names.size()) {
       throw IoError(where, fmt::format("{} fields; the first row has {}", fields.size(),
                                        columns.names.size()));
     }
-    append_feature(line_from_properties(properties_of(fields, columns), where),
-                   columns.wkt
-                       ? parts_of_wkt(without_srid(fields[*columns.wkt], set.crs, where), where)
-                       : parts_of_coordinates(fields, columns, where),
-                   static_cast<std::int64_t>(bare ? i : i - 1), set, values.values_of(fields));
+    Feature feature;
+    if (columns.wkt) {
+      feature.geometry = geometry_of_wkt(without_srid(fields[*columns.wkt], set.crs, where), where);
+    } else {
+      feature.geometry.lines = {coordinates_of(fields, columns, layout.separator, where)};
+    }
+    feature.properties = properties_of(fields, columns);
+    feature.fid = static_cast<std::int64_t>(i - layout.first_row);
+    feature.where = where;
+    feature.values = [row = values.values_of(fields)] { return row; };
+    features.add(std::move(feature));
   }
-  settle_types(set.features);
+  features.finish();
   return set;
 }
 
 LineSet read_wkt(const std::string& path, std::string_view content) {
   LineSet set = lines_for_file(path, "WKT", content.size());
+  FeatureCollector features(set);
   std::int64_t number = 0;
   for (const TextRow& row : rows_of(content)) {
-    const std::string where = place(path, row.number);
-    append_feature({}, parts_of_wkt(without_srid(row.text, set.crs, where), where), number++, set);
+    Feature feature;
+    feature.where = place(path, row.number);
+    feature.geometry =
+        geometry_of_wkt(without_srid(row.text, set.crs, feature.where), feature.where);
+    feature.fid = number++;
+    features.add(std::move(feature));
   }
+  features.finish();
   return set;
 }
 

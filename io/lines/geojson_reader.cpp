@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
 #include "io/lines/attributes.h"
+#include "io/lines/feature_collector.h"
+#include "io/lines/file_kind.h"
 #include "io/lines/json_text.h"
 #include "io/lines/ogr_support.h"
-#include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -23,6 +23,38 @@ constexpr auto kLargestInteger =
     static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// What a file of JSON is that is no GeoJSON; empty if that is not known.
+std::string other_kind_of(const json& document) {
+  if (!document.is_object()) return "";
+  const bool has_type = document.contains("type") && document["type"].is_string();
+  const std::string type = has_type ? document["type"].get<std::string>() : "";
+  if (type.starts_with("CityJSON")) return "CityJSON, a city model, which is not read";
+  if (type == "Topology") return "TopoJSON; save it as GeoJSON";
+  if (document.contains("asset") && document.contains("meshes")) {
+    return "glTF, a mesh for display, which is not read";
+  }
+  if (document.contains("geometryType") || document.contains("spatialReference")) {
+    return "JSON of Esri; save it as GeoJSON";
+  }
+  return "";
+}
+
+[[noreturn]] void refuse_no_json(const std::string& path,
+                                 std::string_view content,
+                                 const json::exception& error) {
+  if (content.substr(0, 65536).find("\"type\":\"CityJSON") != std::string_view::npos) {
+    throw IoError(
+        path,
+        fmt::format("is a sequence of CityJSON, a city model, which is not read; {}", kWhatIsRead));
+  }
+  std::string message = error.what();  // "[json.exception...] parse error at line 1, column 5: "
+  message.erase(0, message.find("] ") + 2);
+  if (message.find("expected end of input") != std::string::npos) {
+    message += "; a sequence of JSON texts has to be saved as one FeatureCollection";
+  }
+  throw IoError(path, "is no GeoJSON: " + message);
+}
+
 json parse(const std::string& path, std::string_view content) {
   if (!is_shallow_json(content)) {
     throw IoError(path, "is no GeoJSON: its arrays and objects lie too deep within each other");
@@ -30,20 +62,21 @@ json parse(const std::string& path, std::string_view content) {
   try {
     return json::parse(content);
   } catch (const json::exception& error) {
-    std::string message = error.what();  // "[json.exception...] parse error at line 1, column 5: "
-    message.erase(0, message.find("] ") + 2);
-    throw IoError(path, "is no GeoJSON: " + message);
+    refuse_no_json(path, content, error);
   }
 }
 
 class GeoJsonReader {
  public:
   GeoJsonReader(const std::string& path, std::size_t n_bytes)
-      : path_(path), set_(lines_for_file(path, "GeoJSON", n_bytes)) {}
+      : path_(path), set_(lines_for_file(path, "GeoJSON", n_bytes)), features_(set_) {}
 
   LineSet read(const json& document) {
-    read_crs(document);
+    if (const std::string kind = other_kind_of(document); !kind.empty()) {
+      throw IoError(path_, fmt::format("is {}; {}", kind, kWhatIsRead));
+    }
     const std::string type = type_of(document);
+    read_crs(document);
     if (type == "FeatureCollection") {
       const json& features = member(document, "features", path_);
       if (!features.is_array()) throw IoError(path_, "\"features\" is no array");
@@ -51,10 +84,10 @@ class GeoJsonReader {
     } else if (type == "Feature") {
       read_feature(document);
     } else {
-      read_feature({{"type", "Feature"}, {"properties", nullptr}, {"geometry", document}});
+      lone_geometry_ = {{"type", "Feature"}, {"properties", nullptr}, {"geometry", document}};
+      read_feature(lone_geometry_);
     }
-    warn_of_other_types();
-    settle_types(set_.features);
+    features_.finish();
     return std::move(set_);
   }
 
@@ -89,21 +122,20 @@ class GeoJsonReader {
   void read_feature(const json& feature) {
     const std::string where = fmt::format("{}: feature {}", path_, number_);
     if (!feature.is_object()) throw IoError(where, "is no object");
-    const json& geometry = member(feature, "geometry", where);
-    const std::string type = geometry.is_null() ? "LineString" : type_of(geometry);
-    if (type != "LineString" && type != "MultiLineString") {
-      ++n_other_types_[type];
-    } else {
-      const json properties = feature.value("properties", json());
-      Line line = line_from_properties(properties, where);
-      std::int64_t fid = number_;
-      if (const auto id = feature.find("id"); id != feature.end()) {
-        if (line.id.empty()) line.id = text_of(*id);
-        if (id->is_number_integer()) fid = id->get<std::int64_t>();
-      }
-      append_feature(line, parts_of(geometry, type, where), fid, set_, values_of(properties));
+    Feature found;
+    collect(member(feature, "geometry", where), where, found.geometry);
+    found.properties = feature.value("properties", json());
+    found.fid = number_++;
+    found.where = where;
+    if (const auto id = feature.find("id"); id != feature.end()) {
+      found.id = text_of(*id);
+      if (id->is_number_integer()) found.fid = id->get<std::int64_t>();
     }
-    ++number_;
+    const auto properties = feature.find("properties");
+    if (properties != feature.end()) {
+      found.values = [this, &held = *properties] { return values_of(held); };
+    }
+    features_.add(std::move(found));
   }
 
   /// The properties that are not null, for the columns of their names; arrays and objects as JSON text.
@@ -136,16 +168,42 @@ class GeoJsonReader {
     return entry->second;
   }
 
-  static std::vector<Vertices> parts_of(const json& geometry,
-                                        const std::string& type,
-                                        const std::string& where) {
-    if (geometry.is_null()) return {};
-    const json& coordinates = member(geometry, "coordinates", where);
-    if (!coordinates.is_array()) throw IoError(where, "\"coordinates\" is no array");
-    if (type == "LineString") return {vertices_of(coordinates, where)};
-    std::vector<Vertices> parts;
-    for (const json& part : coordinates) parts.push_back(vertices_of(part, where));
-    return parts;
+  void collect(const json& geometry, const std::string& where, FeatureGeometry& found) const {
+    if (geometry.is_null()) return;
+    const std::string type = type_of(geometry);
+    const auto each_of = [&](const char* name, const auto& take) {
+      const json& list = member(geometry, name, where);
+      if (!list.is_array()) throw IoError(where, fmt::format("\"{}\" is no array", name));
+      for (const json& element : list) take(element);
+    };
+    const auto add_line = [&](const json& line) {
+      found.lines.push_back(vertices_of(line, where));
+    };
+    const auto add_polygon = [&](const json& polygon) {
+      found.add_polygon(rings_of(polygon, where));
+    };
+    if (type == "LineString") {
+      add_line(member(geometry, "coordinates", where));
+    } else if (type == "MultiLineString") {
+      each_of("coordinates", add_line);
+    } else if (type == "Polygon") {
+      add_polygon(member(geometry, "coordinates", where));
+    } else if (type == "MultiPolygon") {
+      each_of("coordinates", add_polygon);
+    } else if (type == "MultiPoint") {
+      each_of("coordinates", [&](const json&) { found.others.add(kinds::kPoint); });
+    } else if (type == "GeometryCollection") {
+      each_of("geometries", [&](const json& element) { collect(element, where, found); });
+    } else {
+      found.others.add(type == "Point" ? kinds::kPoint : Kind{type, type});
+    }
+  }
+
+  static std::vector<Vertices> rings_of(const json& polygon, const std::string& where) {
+    if (!polygon.is_array()) throw IoError(where, "a polygon is no array of rings");
+    std::vector<Vertices> rings;
+    for (const json& ring : polygon) rings.push_back(vertices_of(ring, where));
+    return rings;
   }
 
   static Vertices vertices_of(const json& positions, const std::string& where) {
@@ -172,16 +230,11 @@ class GeoJsonReader {
     return vertex;
   }
 
-  void warn_of_other_types() {
-    for (const auto& [type, count] : n_other_types_) {
-      set_.warnings.push_back(fmt::format("{} features are no lines: {}", count, type));
-    }
-  }
-
   std::string path_;
   LineSet set_;
+  FeatureCollector features_;
+  json lone_geometry_;  ///< as a feature, where the file has none
   std::int64_t number_ = 0;
-  std::map<std::string, int> n_other_types_;
   std::unordered_map<std::string, std::size_t> columns_by_name_;
 };
 

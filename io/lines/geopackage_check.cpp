@@ -73,8 +73,10 @@ std::vector<SchemaEntry> schema_of(sqlite3* database) {
   return entries;
 }
 
-std::vector<std::string> layers_of(sqlite3* database) {
-  const Statement statement = prepare(database, "SELECT lower(table_name) FROM gpkg_contents");
+/// In lower case; `list`: the table of GeoPackage that lists them.
+std::vector<std::string> layers_of(sqlite3* database, const char* list) {
+  const Statement statement =
+      prepare(database, fmt::format("SELECT lower(table_name) FROM {}", list));
   std::vector<std::string> layers;
   while (statement && sqlite3_step(statement.get()) == SQLITE_ROW) {
     layers.push_back(column_text(statement.get(), 0));
@@ -88,25 +90,26 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-[[noreturn]] void refuse_layer(const std::string& path,
-                               const std::string& layer,
-                               const std::string& what) {
-  throw IoError(path, fmt::format("layer {} {}; export it as a plain table", layer, what));
+/// What computes the rows of a layer when they are read; empty for a plain table.
+std::string computed_by(sqlite3* database, const SchemaEntry& entry) {
+  if (entry.is_view) return "is a view, which may compute without end";
+  if (entry.is_virtual) return "is a virtual table";
+  const Statement statement =
+      prepare(database, fmt::format("PRAGMA table_xinfo({})", quoted(entry.name)));
+  while (statement && sqlite3_step(statement.get()) == SQLITE_ROW) {
+    if (sqlite3_column_int(statement.get(), 6) != 0) {
+      return "has the generated column " + column_text(statement.get(), 1);
+    }
+  }
+  return "";
 }
 
-/// The names of the table's columns, none of which computes its value.
-std::vector<std::string> stored_columns(sqlite3* database,
-                                        const std::string& path,
-                                        const std::string& table) {
+std::vector<std::string> columns_of_table(sqlite3* database, const std::string& table) {
   const Statement statement =
-      prepare(database, fmt::format("PRAGMA table_xinfo({})", quoted(table)));
+      prepare(database, fmt::format("PRAGMA table_info({})", quoted(table)));
   std::vector<std::string> columns;
   while (statement && sqlite3_step(statement.get()) == SQLITE_ROW) {
-    const int hidden = sqlite3_column_int(statement.get(), 6);
     columns.push_back(column_text(statement.get(), 1));
-    if (hidden != 0) {
-      refuse_layer(path, table, "has the generated column " + columns.back());
-    }
   }
   return columns;
 }
@@ -134,11 +137,22 @@ void refuse_large_values(sqlite3* database,
   }
 }
 
+std::vector<UnreadLayer> layers_without_table(sqlite3* database,
+                                              const std::vector<SchemaEntry>& schema) {
+  std::vector<UnreadLayer> unread;
+  for (const std::string& layer : layers_of(database, "gpkg_geometry_columns")) {
+    const bool has_table = std::ranges::any_of(
+        schema, [&](const SchemaEntry& entry) { return lower_case(entry.name) == layer; });
+    if (!has_table) unread.push_back({layer, "is listed, but has no table"});
+  }
+  return unread;
+}
+
 }  // namespace
 
-void refuse_computed_layers(const std::string& path) {
+std::vector<UnreadLayer> unread_layers(const std::string& path) {
   const Database database = open_database(path);
-  if (!database) return;
+  if (!database) return {};
   const std::vector<SchemaEntry> schema = schema_of(database.get());
   for (const SchemaEntry& entry : schema) {
     // the tables that say which layers there are, before they are asked
@@ -147,16 +161,20 @@ void refuse_computed_layers(const std::string& path) {
       throw IoError(path, fmt::format("is no GeoPackage: its table {} is a view", entry.name));
     }
   }
-  const std::vector<std::string> layers = layers_of(database.get());
+  const std::vector<std::string> layers = layers_of(database.get(), "gpkg_contents");
   const std::uintmax_t file_size = std::filesystem::file_size(path);
+  std::vector<UnreadLayer> unread = layers_without_table(database.get(), schema);
   for (const SchemaEntry& entry : schema) {
     if (std::ranges::find(layers, lower_case(entry.name)) == layers.end()) continue;
-    if (entry.is_view) refuse_layer(path, entry.name, "is a view, which may compute without end");
-    if (entry.is_virtual) refuse_layer(path, entry.name, "is a virtual table");
-    const auto columns = stored_columns(database.get(), path, entry.name);
-    if (file_size > kScannedFile_bytes) continue;
-    refuse_large_values(database.get(), path, entry.name, columns, file_size);
+    const std::string how = computed_by(database.get(), entry);
+    if (!how.empty()) {
+      unread.push_back({entry.name, how + "; export it as a plain table"});
+    } else if (file_size <= kScannedFile_bytes) {
+      refuse_large_values(database.get(), path, entry.name,
+                          columns_of_table(database.get(), entry.name), file_size);
+    }
   }
+  return unread;
 }
 
 }  // namespace ridgeline::io

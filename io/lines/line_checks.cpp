@@ -2,12 +2,16 @@
 #include "io/lines/line_checks.h"
 
 #include "io/error.h"
+#include "io/lines/straight_vertices.h"
+#include "io/lines/unique_ids.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <set>
+#include <string_view>
+#include <utility>
 
 namespace ridgeline::io {
 namespace {
@@ -32,24 +36,32 @@ bool looks_like_degrees(const LineSet& set) {
   return *middle > 0.0 && *middle < kLongestRoofDeg;
 }
 
-bool lacks_only_z(const Segment3& s) {
-  return s.start.head<2>().allFinite() && s.end.head<2>().allFinite() &&
-         (std::isnan(s.start.z()) || std::isnan(s.end.z()));
+bool has_nan(const Segment3& s) {
+  return s.start.array().isNaN().any() || s.end.array().isNaN().any();
 }
 
-/// Whether its tool gave it no place and says so by its status.
+const Kind& kind_of_placeless(const Segment3& s) {
+  if (s.start.array().isNaN().all() && s.end.array().isNaN().all()) return kinds::kNullGeometry;
+  const bool has_plan = s.start.head<2>().allFinite() && s.end.head<2>().allFinite();
+  return has_plan && has_nan(s) ? kinds::kFlatLine : kinds::kNonFiniteLine;
+}
+
+/// Whether our own tool gave it no place and says so by its status; in other files the column means anything.
 bool is_left_out(const Line& line) {
+  constexpr std::array<std::string_view, 8> kReasons{
+      "not_reconstructed", "horizontal",      "no_points",       "rank_deficient",
+      "not_converged",     "ambiguous_depth", "no_intersection", "non_finite"};
   const Segment3& s = line.segment_in_world;
-  return !line.status.empty() && s.start.array().isNaN().all() && s.end.array().isNaN().all();
+  return s.start.array().isNaN().all() && s.end.array().isNaN().all() &&
+         std::ranges::find(kReasons, line.status) != kReasons.end();
 }
 
-std::size_t count_repeated_ids(const std::vector<Line>& lines) {
-  std::set<std::string_view> known;
-  for (const Line& line : lines) known.insert(line.id);
-  return lines.size() - known.size();
+[[noreturn]] void refuse_no_3d_lines(const std::string& path, const KindCounts& held) {
+  throw IoError(
+      path, fmt::format(
+                "holds no 3D lines but {}; 3D lines, or polygons or faces with heights, are needed",
+                held.text()));
 }
-
-}  // namespace
 
 void refuse_degrees(const LineSet& set) {
   if (set.crs.known() && describe(set.crs).is_geographic) {
@@ -68,29 +80,44 @@ void refuse_degrees(const LineSet& set) {
 }
 
 void add_coordinate_warnings(LineSet& set) {
-  std::size_t n_non_finite = 0;
-  std::size_t n_without_z = 0;
+  KindCounts placeless;
+  std::size_t n_placeless = 0;
+  std::size_t n_hopeless = 0;  // of kinds that no line of a 3D file is
   bool all_zero = true;
   for (const Line& line : set.lines) {
     const Segment3& s = line.segment_in_world;
-    if (lacks_only_z(s)) ++n_without_z;
-    if (!all_finite(s) && !is_left_out(line)) ++n_non_finite;
     all_zero = all_zero && s.start.z() == 0.0 && s.end.z() == 0.0;
+    if (all_finite(s) || is_left_out(line)) continue;
+    const Kind& kind = kind_of_placeless(s);
+    placeless.add(kind);
+    ++n_placeless;
+    if (&kind != &kinds::kNonFiniteLine) ++n_hopeless;
   }
   const std::size_t n = set.lines.size();
-  if (n > 0 && n_without_z == n) {
-    throw IoError(set.path, "the lines have no z; 3D lines are needed");
+  if (n_hopeless == n && (n > 0 || !set.left_out.empty())) {
+    placeless.add(set.left_out);
+    refuse_no_3d_lines(set.path, placeless);
   }
   const auto warn = [&set](std::string text) { set.warnings.push_back(std::move(text)); };
   if (n == 0) warn("holds no lines");
   if (n > 0 && all_zero) warn("all z are 0: heights are missing");
-  if (n_non_finite > 0) {
-    warn(fmt::format("{} of {} lines have coordinates that are not finite ({} lack only z)",
-                     n_non_finite, n, n_without_z));
+  if (n_placeless > 0) {
+    warn(fmt::format("{} of {} lines have coordinates that are not finite: {}", n_placeless, n,
+                     placeless.text()));
   }
-  if (const std::size_t n_repeated = count_repeated_ids(set.lines); n_repeated > 0) {
-    warn(fmt::format("{} lines have an id that an earlier line has", n_repeated));
+  if (!set.left_out.empty()) warn("left out: " + set.left_out.text());
+  if (set.n_straight_vertices > 0) {
+    warn(fmt::format("{} vertices within {} of a straight line do not divide it",
+                     set.n_straight_vertices, kStraightTolerance));
   }
+}
+
+}  // namespace
+
+void check_lines(LineSet& set) {
+  refuse_degrees(set);
+  make_ids_unique(set);
+  add_coordinate_warnings(set);
 }
 
 }  // namespace ridgeline::io

@@ -3,6 +3,7 @@
 
 #include "io/attribute_table.h"
 #include "io/crs.h"
+#include "io/lines/kind_counts.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
@@ -42,6 +43,7 @@ struct Line {
   /// Id of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place from 0.
   std::int64_t source_fid = 0;
   int part = 0;         ///< place in its feature, from 0
+  int layer = 0;        ///< place in LineSet::layers
   std::size_t row = 0;  ///< of its feature in LineSet::features
 };
 
@@ -51,9 +53,16 @@ struct LineSet {
   Crs crs;
   std::vector<Line> lines;
   AttributeTable features;  ///< all that the file states of them; no columns in formats without
+  std::vector<std::string> layers;  ///< names of those with lines; none in formats without
+  KindCounts left_out;              ///< what the file holds that is no 3D line
+  std::size_t n_straight_vertices =
+      0;  ///< between the ends of a straight line, which they do not divide
   std::vector<std::string> warnings;
   /// Metres per coordinate unit by axis, where the CRS does not say.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
+  /// A unit that the file names beside its coordinates, "millimetres"; no more than a hint, as most programs write the one
+  /// of their template ($INSUNITS of DXF).
+  std::string stated_unit;
   /// For lines that a reader may still add; see lines_for_file().
   std::size_t memory_left_bytes = std::numeric_limits<std::size_t>::max();
 };

@@ -189,6 +189,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     drop_failed_segments(set);
   } else if (!obj.lines.empty() && !lines_repeat_faces(obj)) {
     append_polylines(obj.vertices, resolved(obj.lines, obj.vertices.size(), path), set);
+    set.left_out.add(kinds::kFace, obj.faces.size());
   } else if (!obj.faces.empty()) {
     set.format = "OBJ, edges of faces";
     append_distinct_edges(obj.vertices, resolved(obj.faces, obj.vertices.size(), path), set);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
 #include "io/input_file.h"
-#include "io/lines/attributes.h"
+#include "io/lines/dxf_header.h"
+#include "io/lines/feature_collector.h"
 #include "io/lines/geopackage_check.h"
 #include "io/lines/ogr_support.h"
-#include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
+#include "io/utf8.h"
 
 #include <fmt/format.h>
 #include <gdal_priv.h>
@@ -16,7 +17,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <map>
 
 namespace ridgeline::io {
 namespace {
@@ -54,7 +54,7 @@ nlohmann::json value_of(OGRFeature& feature, int field) {
     case OFTReal:
       return feature.GetFieldAsDouble(field);
     default:
-      return feature.GetFieldAsString(field);
+      return as_utf8(feature.GetFieldAsString(field));
   }
 }
 
@@ -92,7 +92,7 @@ Value typed_value_of(OGRFeature& feature, int field) {
       return std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(n_bytes));
     }
     default:
-      return std::string(feature.GetFieldAsString(field));
+      return as_utf8(feature.GetFieldAsString(field));
   }
 }
 
@@ -108,14 +108,39 @@ nlohmann::json properties_of(OGRFeature& feature) {
   return properties;
 }
 
+/// The reference system of the layers that give lines.
+class LayersCrs {
+ public:
+  /// Throws IoError naming both layers if an earlier one states another system.
+  void take(const std::string& path, const std::string& layer, const Crs& crs) {
+    if (!crs.known()) return;
+    if (crs_.known() && crs.definition != crs_.definition) {
+      throw IoError(path, fmt::format("layers in different CRS: {} in {}, {} in {}; give one layer "
+                                      "a file",
+                                      layer_, describe(crs_).name, layer, describe(crs).name));
+    }
+    crs_ = crs;
+    layer_ = layer;
+  }
+  [[nodiscard]] const Crs& crs() const { return crs_; }
+
+ private:
+  Crs crs_;
+  std::string layer_;
+};
+
 class OgrReader {
  public:
-  OgrReader(const std::string& path, const Driver& driver) : path_(path) {
-    set_ = lines_for_file(path, driver.format, std::filesystem::file_size(path));
+  OgrReader(const std::string& path, const Driver& driver)
+      : path_(path),
+        set_(lines_for_file(path, driver.format, std::filesystem::file_size(path))),
+        features_(set_) {
+    const bool is_geopackage = std::string_view(driver.name) == "GPKG";
+    if (is_geopackage) unread_ = unread_layers(path);
+    if (std::string_view(driver.name) == "DXF") dxf_ = dxf_header(read_input(path));
     const char* const drivers[] = {driver.name, nullptr};
     // tables that are no layers may be views, whatever they compute
     const char* const stated_layers[] = {"LIST_ALL_TABLES=NO", nullptr};
-    const bool is_geopackage = std::string_view(driver.name) == "GPKG";
     const unsigned int flags = GDAL_OF_VECTOR | GDAL_OF_READONLY;
     dataset_.reset(
         GDALDataset::Open(path.c_str(), flags, drivers, is_geopackage ? stated_layers : nullptr));
@@ -127,24 +152,35 @@ class OgrReader {
   }
 
   LineSet read() {
-    const std::vector<OGRLayer*> layers = line_layers();
+    const std::vector<OGRLayer*> layers = feature_layers();
     ids_name_layer_ = layers.size() > 1;
     for (OGRLayer* layer : layers) read_layer(*layer);
-    settle_types(set_.features);
-    for (const auto& [type, count] : n_other_types_) {
-      set_.warnings.push_back(fmt::format("{} features are no lines: {}", count, type));
-    }
+    const Crs& of_lines = (features_.takes_polygons() ? surfaces_crs_ : lines_crs_).crs();
+    if (of_lines.known()) set_.crs = of_lines;
+    features_.finish();
+    set_.stated_unit = dxf_.unit;
     return std::move(set_);
   }
 
  private:
+  /// Whether a layer must not be touched.
+  [[nodiscard]] bool is_unread(OGRLayer& layer) const {
+    const std::string name = lower_case(layer.GetName());
+    return std::ranges::any_of(
+        unread_, [&](const UnreadLayer& unread) { return lower_case(unread.name) == name; });
+  }
+
   /// The layers with geometries; of several, the one called `lines` alone, as in our own maps.
-  std::vector<OGRLayer*> line_layers() {
+  std::vector<OGRLayer*> feature_layers() {
     std::vector<OGRLayer*> layers;
     std::string others;
     OGRLayer* lines = nullptr;
     for (OGRLayer* layer : dataset_->GetLayers()) {
-      if (layer->GetGeomType() == wkbNone) continue;
+      if (is_unread(*layer)) continue;
+      if (layer->GetGeomType() == wkbNone) {
+        n_rows_ += static_cast<std::size_t>(std::max<GIntBig>(layer->GetFeatureCount(), 0));
+        continue;
+      }
       layers.push_back(layer);
       if (std::string_view(layer->GetName()) == "lines") {
         lines = layer;
@@ -152,9 +188,20 @@ class OgrReader {
         others += fmt::format("{}{}", others.empty() ? "" : ", ", layer->GetName());
       }
     }
+    if (layers.empty()) refuse_no_layer();
+    for (const UnreadLayer& unread : unread_) {
+      set_.warnings.push_back(fmt::format("layer {} {}; it is left out", unread.name, unread.why));
+    }
     if (lines == nullptr || layers.size() == 1) return layers;
     set_.warnings.push_back("layer lines is read; left out: " + others);
     return {lines};
+  }
+
+  void refuse_no_layer() {
+    if (!unread_.empty()) {
+      throw IoError(path_, fmt::format("layer {} {}", unread_.front().name, unread_.front().why));
+    }
+    set_.left_out.add(kinds::kTableRow, n_rows_);
   }
 
   /// Numbers in the set's table of the layer's columns.
@@ -185,14 +232,11 @@ class OgrReader {
   }
 
   void read_layer(OGRLayer& layer) {
-    const Crs crs = crs_of(layer.GetSpatialRef());
-    if (set_.crs.known() && crs.known() && crs.definition != set_.crs.definition) {
-      throw IoError(path_, "layers in different CRS; give one layer a file");
-    }
-    if (crs.known()) set_.crs = crs;
     columns_ = add_columns(*layer.GetLayerDefn());
-    layer_name_ = layer.GetName();
-    for (const OGRFeatureUniquePtr& feature : layer) read_feature(*feature);
+    set_.layers.emplace_back(layer.GetName());
+    const Crs crs = crs_of(layer.GetSpatialRef());
+    if (!set_.crs.known()) set_.crs = crs;  // of a file without lines
+    for (const OGRFeatureUniquePtr& feature : layer) read_feature(*feature, crs);
     if (CPLGetLastErrorType() == CE_Failure) throw IoError(path_, quiet_.complaints("is damaged"));
   }
 
@@ -203,33 +247,45 @@ class OgrReader {
                                      n_most_features_));
   }
 
-  void read_feature(OGRFeature& feature) {
+  [[nodiscard]] bool is_hidden(OGRFeature& feature) const {
+    if (dxf_.hidden_layers.empty()) return false;
+    const int field = feature.GetFieldIndex("Layer");
+    return field >= 0 && dxf_.hidden_layers.contains(lower_case(feature.GetFieldAsString(field)));
+  }
+
+  void read_feature(OGRFeature& feature, const Crs& crs) {
     const std::string where = fmt::format("{}: feature {}", path_, number_);
-    const OGRGeometry* geometry = feature.GetGeometryRef();
-    OgrLines lines;
-    if (geometry != nullptr) lines = lines_of(*geometry);
-    if (geometry != nullptr && !lines.is_line) {
-      ++n_other_types_[geometry->getGeometryName()];
-    } else {
-      Line line = line_from_properties(properties_of(feature), where);
-      if (line.id.empty() && ids_name_layer_) {
-        line.id = fmt::format("{}.{}", layer_name_, feature.GetFID());
-      }
-      append_feature(line, lines.parts, feature.GetFID(), set_, values_of(feature));
-    }
     count_feature();
+    if (is_hidden(feature)) return set_.left_out.add(kinds::kHiddenEntity);
+    Feature found;
+    if (const OGRGeometry* geometry = feature.GetGeometryRef()) {
+      collect_geometry(*geometry, found.geometry);
+    }
+    if (!found.geometry.may_be_line()) return features_.add(std::move(found));
+    (found.geometry.rings.empty() ? lines_crs_ : surfaces_crs_)
+        .take(path_, set_.layers.back(), crs);
+    found.properties = properties_of(feature);
+    found.fid = feature.GetFID();
+    found.layer = static_cast<int>(set_.layers.size()) - 1;
+    if (ids_name_layer_) found.id = fmt::format("{}.{}", set_.layers.back(), feature.GetFID());
+    found.where = where;
+    found.values = [row = values_of(feature)] { return row; };
+    features_.add(std::move(found));
   }
 
   std::string path_;
   QuietGdal quiet_;
   GDALDatasetUniquePtr dataset_;
   LineSet set_;
+  FeatureCollector features_;
+  std::vector<UnreadLayer> unread_;
+  std::size_t n_rows_ = 0;  ///< of tables without geometry
+  DxfHeader dxf_;
+  LayersCrs lines_crs_, surfaces_crs_;
   std::vector<std::size_t> columns_;  ///< of the layer that is read, in the set's table
-  std::string layer_name_;
-  bool ids_name_layer_ = false;  ///< feature ids count in each layer
+  bool ids_name_layer_ = false;       ///< feature ids count in each layer
   std::size_t number_ = 0;
   std::size_t n_most_features_ = 0;
-  std::map<std::string, int> n_other_types_;
 };
 
 }  // namespace
@@ -238,7 +294,6 @@ LineSet read_ogr(const std::string& path, std::string_view extension) {
   require_regular_file(path);
   if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
   if (extension == ".shp") refuse_flat_shapefile(path);
-  if (extension == ".gpkg") refuse_computed_layers(path);
   register_gdal_drivers();
   CPLErrorReset();
   return OgrReader(path, driver_for(extension)).read();

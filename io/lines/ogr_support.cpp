@@ -32,6 +32,12 @@ Vertices vertices_of(const OGRLineString& line) {
   return vertices;
 }
 
+std::vector<Vertices> rings_of(const OGRPolygon& polygon) {
+  std::vector<Vertices> rings;
+  for (const OGRLinearRing* ring : polygon) rings.push_back(vertices_of(*ring));
+  return rings;
+}
+
 }  // namespace
 
 FixedDate::FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", kText); }
@@ -88,26 +94,37 @@ Crs crs_of(const OGRSpatialReference* reference) {
   return error == OGRERR_NONE ? Crs{text} : Crs{};
 }
 
-OgrLines lines_of(const OGRGeometry& geometry) {
+void collect_geometry(const OGRGeometry& geometry, FeatureGeometry& found) {
   // Arcs and compound curves become line strings; everything else stays as it is.
   const std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry());
-  OgrLines lines;
-  lines.has_z = linear->Is3D() != 0;
   switch (wkbFlatten(linear->getGeometryType())) {
     case wkbLineString:
-      lines.is_line = true;
-      lines.parts.push_back(vertices_of(*linear->toLineString()));
+      found.lines.push_back(vertices_of(*linear->toLineString()));
       break;
-    case wkbMultiLineString:
-      lines.is_line = true;
-      for (const OGRLineString* part : *linear->toMultiLineString()) {
-        lines.parts.push_back(vertices_of(*part));
+    case wkbPolygon:
+    case wkbTriangle:
+      found.add_polygon(rings_of(*linear->toPolygon()));
+      break;
+    case wkbPolyhedralSurface:
+    case wkbTIN:
+      for (const OGRPolygon* face : *linear->toPolyhedralSurface()) {
+        found.add_polygon(rings_of(*face));
       }
       break;
-    default:
+    case wkbMultiPoint:
+    case wkbMultiLineString:
+    case wkbMultiPolygon:
+    case wkbGeometryCollection:
+      for (const OGRGeometry* part : *linear->toGeometryCollection()) {
+        collect_geometry(*part, found);
+      }
       break;
+    case wkbPoint:
+      found.others.add(kinds::kPoint);
+      break;
+    default:
+      found.others.add({linear->getGeometryName(), linear->getGeometryName()});
   }
-  return lines;
 }
 
 }  // namespace ridgeline::io

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/crs.h"
-#include "io/lines/polyline.h"
+#include "io/lines/feature_collector.h"
 
 #include <ogr_geometry.h>
 #include <ogr_spatialref.h>
@@ -53,13 +53,7 @@ OGRSpatialReference undefined_plane();
 /// As WKT2; unknown for null and for the undefined ones of GeoPackage.
 Crs crs_of(const OGRSpatialReference* reference);
 
-/// The vertices of a LineString or MultiLineString; arcs are stroked. `is_line` is false for other
-/// types. A vertex without z has z = NaN.
-struct OgrLines {
-  bool is_line = false;
-  bool has_z = false;
-  std::vector<Vertices> parts;
-};
-OgrLines lines_of(const OGRGeometry& geometry);
+/// Adds what a geometry holds, however deep in collections; arcs are stroked. A vertex without z has z = NaN.
+void collect_geometry(const OGRGeometry& geometry, FeatureGeometry& found);
 
 }  // namespace ridgeline::io

@@ -8,11 +8,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ridgeline::io {
 namespace {
@@ -24,6 +26,89 @@ PlyHeader header_of(const std::string& path, std::string_view content) {
     if (element.properties.empty()) throw IoError(path, element.name + " has no properties");
   }
   return header;
+}
+
+/// "x, y, z, red" of an element, for a message.
+std::string property_names(const PlyElement& element) {
+  std::string names;
+  for (const PlyProperty& property : element.properties) {
+    names += (names.empty() ? "" : ", ") + property.name;
+  }
+  return names;
+}
+
+bool is_index_type(ScalarType type) {
+  return type != ScalarType::kFloat32 && type != ScalarType::kFloat64 && size_of(type) > 1;
+}
+
+/// Which properties of the elements hold what lines are made of.
+struct PlyColumns {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::array<std::size_t, 3> xyz{kNone, kNone, kNone};
+  std::array<std::size_t, 2> ends{kNone, kNone};  ///< of an edge
+  std::size_t edge_list = kNone, face_list = kNone;
+};
+
+std::size_t property_named(const PlyElement& element, std::string_view name) {
+  const auto found = std::ranges::find(element.properties, name, &PlyProperty::name);
+  return found == element.properties.end()
+             ? PlyColumns::kNone
+             : static_cast<std::size_t>(found - element.properties.begin());
+}
+
+/// The list of a face or an edge by its names, else the only list of indices that there is.
+std::size_t index_list(const PlyElement& element) {
+  for (const char* const name : {"vertex_indices", "vertex_index"}) {
+    const std::size_t list = property_named(element, name);
+    if (list != PlyColumns::kNone && element.properties[list].list_count_type) return list;
+  }
+  std::size_t found = PlyColumns::kNone;
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    if (!element.properties[i].list_count_type || !is_index_type(element.properties[i].type))
+      continue;
+    if (found != PlyColumns::kNone) return PlyColumns::kNone;
+    found = i;
+  }
+  return found;
+}
+
+/// vertex1 and vertex2, else the only two indices that an edge has, whatever their names.
+std::array<std::size_t, 2> edge_ends(const PlyElement& element) {
+  const std::array named{property_named(element, "vertex1"), property_named(element, "vertex2")};
+  if (named[0] != PlyColumns::kNone && named[1] != PlyColumns::kNone) return named;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    const PlyProperty& property = element.properties[i];
+    if (!property.list_count_type && is_index_type(property.type)) indices.push_back(i);
+  }
+  if (indices.size() != 2) return {PlyColumns::kNone, PlyColumns::kNone};
+  return {indices[0], indices[1]};
+}
+
+PlyColumns ply_columns(const std::string& path, const PlyHeader& header) {
+  PlyColumns columns;
+  const auto refuse = [&](const PlyElement& element, const char* expected) {
+    throw IoError(path, fmt::format("element {} has the properties {}; {} are expected",
+                                    element.name, property_names(element), expected));
+  };
+  for (const PlyElement& element : header.elements) {
+    if (element.count == 0) continue;
+    if (element.name == "vertex") {
+      columns.xyz = {property_named(element, "x"), property_named(element, "y"),
+                     property_named(element, "z")};
+      if (std::ranges::count(columns.xyz, PlyColumns::kNone) > 0) refuse(element, "x, y and z");
+    } else if (element.name == "edge") {
+      columns.ends = edge_ends(element);
+      if (columns.ends[0] == PlyColumns::kNone) columns.edge_list = index_list(element);
+      if (columns.ends[0] == PlyColumns::kNone && columns.edge_list == PlyColumns::kNone) {
+        refuse(element, "vertex1 and vertex2, or two integers alone,");
+      }
+    } else if (element.name == "face") {
+      columns.face_list = index_list(element);
+      if (columns.face_list == PlyColumns::kNone) refuse(element, "a list vertex_indices");
+    }
+  }
+  return columns;
 }
 
 /// The numbers of the body one after another, whatever their encoding.
@@ -66,6 +151,7 @@ class PlyReader {
       : path_(path),
         set_(lines_for_file(path, "PLY", content.size())),
         header_(header_of(path, content)),
+        columns_(ply_columns(path, header_)),
         body_(path, content.substr(header_.data_offset), header_.encoding) {}
 
   LineSet read() {
@@ -75,36 +161,45 @@ class PlyReader {
     if (edges_.empty() && !faces_.empty()) set_.format = "PLY, edges of faces";
     check_indices(edges_);
     check_indices(faces_);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      append_segment({}, {vertices_[edges_[i][0]], vertices_[edges_[i][1]]}, i, set_);
-    }
+    for (std::size_t i = 0; i < edges_.size(); ++i) append_edge(edges_[i], i);
     if (edges_.empty()) append_distinct_edges(vertices_, faces_, set_);
+    if (!edges_.empty()) set_.left_out.add(kinds::kFace, faces_.size());
+    if (edges_.empty() && faces_.empty()) set_.left_out.add(kinds::kVertex, vertices_.size());
     return std::move(set_);
   }
 
  private:
+  void append_edge(const IndexList& edge, std::size_t number) {
+    Vertices vertices;
+    for (const std::size_t index : edge) vertices.push_back(vertices_[index]);
+    append_feature({}, {vertices}, static_cast<std::int64_t>(number), set_);
+  }
+
   void read_item(const PlyElement& element) {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    IndexList edge(2);
-    IndexList polygon;
-    for (const PlyProperty& property : element.properties) {
-      const std::string_view name = property.name;
+    std::vector<double>& values = values_;
+    std::vector<IndexList>& lists = lists_;
+    values.assign(element.properties.size(), 0.0);
+    lists.resize(element.properties.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const PlyProperty& property = element.properties[i];
       if (property.list_count_type) {
-        IndexList list = read_list(property);
-        if (name == "vertex_indices" || name == "vertex_index") polygon = std::move(list);
-        continue;
+        lists[i] = read_list(property);
+      } else {
+        values[i] = body_.next(property.type);
       }
-      const double value = body_.next(property.type);
-      if (name == "x") position.x() = value;
-      if (name == "y") position.y() = value;
-      if (name == "z") position.z() = value;
-      if (name == "vertex1") edge[0] = index_of(value);
-      if (name == "vertex2") edge[1] = index_of(value);
     }
-    if (element.name == "vertex") vertices_.push_back(position);
-    if (element.name == "edge") edges_.push_back(edge);
-    refuse_more_lines(set_, edges_.size());
-    if (element.name == "face") faces_.push_back(std::move(polygon));
+    if (element.name == "vertex") {
+      vertices_.emplace_back(values[columns_.xyz[0]], values[columns_.xyz[1]],
+                             values[columns_.xyz[2]]);
+    } else if (element.name == "face") {
+      faces_.push_back(std::move(lists[columns_.face_list]));
+    } else if (element.name == "edge") {
+      edges_.push_back(
+          columns_.edge_list == PlyColumns::kNone
+              ? IndexList{index_of(values[columns_.ends[0]]), index_of(values[columns_.ends[1]])}
+              : std::move(lists[columns_.edge_list]));
+      refuse_more_lines(set_, edges_.size());
+    }
   }
 
   IndexList read_list(const PlyProperty& property) {
@@ -133,7 +228,10 @@ class PlyReader {
   std::string path_;
   LineSet set_;
   PlyHeader header_;
+  PlyColumns columns_;
   Body body_;
+  std::vector<double> values_;    ///< scalars of the item that is read
+  std::vector<IndexList> lists_;  ///< and its lists
   Vertices vertices_;
   std::vector<IndexList> edges_;
   std::vector<IndexList> faces_;

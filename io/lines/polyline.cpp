@@ -11,11 +11,14 @@
 namespace ridgeline::io {
 namespace {
 
-std::vector<Segment3> segments_of(const std::vector<Vertices>& parts) {
+/// The segments between the bends of the parts; counts the vertices that are no bends.
+std::vector<Segment3> segments_of(const std::vector<Vertices>& parts, std::size_t& n_straight) {
   std::vector<Segment3> segments;
   for (const Vertices& part : parts) {
-    if (part.size() == 1) segments.push_back({part.front(), part.front()});
-    for (std::size_t i = 1; i < part.size(); ++i) segments.push_back({part[i - 1], part[i]});
+    const Vertices bends = bends_of(part);
+    n_straight += part.size() - bends.size();
+    if (bends.size() == 1) segments.push_back({bends.front(), bends.front()});
+    for (std::size_t i = 1; i < bends.size(); ++i) segments.push_back({bends[i - 1], bends[i]});
   }
   if (segments.empty()) {
     const Eigen::Vector3d nowhere =
@@ -69,8 +72,9 @@ void take_memory(const Line& attributes,
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes) {
   constexpr std::size_t kLeast_bytes = 64U << 20U;
   constexpr std::size_t kMostGrowth = 28;
-  LineSet set{
-      .path = path, .format = format, .crs = {}, .lines = {}, .features = {}, .warnings = {}};
+  LineSet set;
+  set.path = path;
+  set.format = format;
   set.memory_left_bytes = std::max(kLeast_bytes, kMostGrowth * n_bytes);
   // at once, as growth would hold them twice; pages that stay unused cost no memory
   constexpr std::size_t kMostReserved_bytes = 512U << 20U;
@@ -87,7 +91,7 @@ void append_feature(const Line& attributes,
                     std::int64_t fid,
                     LineSet& set,
                     SparseRow values) {
-  const std::vector<Segment3> segments = segments_of(parts);
+  const std::vector<Segment3> segments = segments_of(parts, set.n_straight_vertices);
   take_memory(attributes, values, segments.size(), set);
   const std::string id = attributes.id.empty() ? std::to_string(fid) : attributes.id;
   const std::size_t row = set.features.rows.size();

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "io/lines/line_set.h"
-
-#include <Eigen/Core>
+#include "io/lines/straight_vertices.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,9 +10,6 @@
 #include <vector>
 
 namespace ridgeline::io {
-
-/// Vertices of one connected line, in the file's CRS.
-using Vertices = std::vector<Eigen::Vector3d>;
 
 /// An empty set for the lines of a file of `n_bytes`. They may take memory of 28 times the file (64
 /// MiB at least): far more than the lines of any tool, which state their own ends in digits. Beyond
@@ -25,8 +21,8 @@ LineSet lines_for_file(const std::string& path, const std::string& format, std::
 void refuse_more_lines(const LineSet& set, std::size_t n_lines);
 
 /// Adds one feature of a file to the set, with what its columns hold. `fid`: see Line::source_fid; it is the id
-/// where `attributes` has none. A feature with one segment keeps its id; the segments of a longer
-/// polyline (or of several parts) are "ID.0", "ID.1", ... with `parent_id` = ID. A part with one
+/// where `attributes` has none. Vertices on a straight line do not divide it, see bends_of(). A feature with one
+/// segment keeps its id; the segments of a longer polyline (or of several parts) are "ID.0", "ID.1", ... with `parent_id` = ID. A part with one
 /// vertex is a segment of zero length, a feature without vertices a segment of NaN: both stay in
 /// the set, since a line that disappears would flatter its tool.
 void append_feature(const Line& attributes,

@@ -3,9 +3,12 @@
 
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/lines/file_kind.h"
 #include "io/lines/line_checks.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
+#include "io/lines/wkt.h"
+#include "io/utf8.h"
 
 #include <fmt/format.h>
 
@@ -34,20 +37,18 @@ void refuse_by_name(const std::string& path, const std::string& extension) {
   }
 }
 
+bool is_comment(std::string_view row) { return row.starts_with('#') || row.starts_with("//"); }
+
 /// The text formats share extensions, so the first rows tell them apart.
 LineSet read_text(const std::string& path, const std::string& content) {
   const std::vector<TextRow> rows = rows_of(std::string_view(content).substr(0, 65536));
   if (rows.empty()) throw IoError(path, "is empty; an empty result cannot be told from a failure");
-  const std::string start = lower_case(rows[0].text.substr(0, 16));
-  if (start.starts_with("linestring") || start.starts_with("multilinestring") ||
-      (start.starts_with("srid=") && start.find(';') != std::string::npos)) {
-    return read_wkt(path, content);
-  }
+  if (begins_as_wkt(rows[0].text)) return read_wkt(path, content);
   const std::vector<std::string_view> first = words_of(rows[0].text);
   const std::vector<std::string_view> second =
       rows.size() > 1 ? words_of(rows[1].text) : std::vector<std::string_view>{};
   const bool comma_separated = rows[0].text.find_first_of(",;") != std::string_view::npos;
-  if (comma_separated) return read_csv(path, content);
+  if (comma_separated || is_comment(rows[0].text)) return read_csv(path, content);
   if (first.size() == 1 && to_integer(first[0])) return read_limap_tracks(path, content);
   if (first.size() == 6 && to_double(first[0])) {
     const bool is_track =
@@ -58,6 +59,24 @@ LineSet read_text(const std::string& path, const std::string& content) {
   return read_csv(path, content);
 }
 
+/// Text in UTF-8; what is none is taken as Latin-1.
+LineSet read_text_file(const std::string& path,
+                       const std::string& extension,
+                       const ReadLinesOptions& options) {
+  std::string content = read_input(path);
+  refuse_other_kind(path, content);
+  const bool is_text = extension != ".ply" && extension != ".obj";
+  const bool is_recoded = is_text && !is_utf8(content);
+  if (is_recoded) content = as_utf8(content);
+  if (content.starts_with("\xEF\xBB\xBF")) content.erase(0, 3);
+  LineSet set = extension == ".obj"   ? read_obj(path, content, options.vertex_pairs)
+                : extension == ".ply" ? read_ply(path, content)
+                : extension == ".geojson" || extension == ".json" ? read_geojson(path, content)
+                                                                  : read_text(path, content);
+  if (is_recoded) set.warnings.emplace_back("is no UTF-8; its text is taken as Latin-1");
+  return set;
+}
+
 LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   if (std::filesystem::is_directory(path)) return read_limap_folder(path);
   const std::string extension = extension_of(path);
@@ -65,14 +84,13 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   if (extension == ".gpkg" || extension == ".shp" || extension == ".dxf") {
     return read_ogr(path, extension);
   }
-  const std::string content = read_input(path);
-  if (extension == ".geojson" || extension == ".json") return read_geojson(path, content);
-  if (extension == ".obj") return read_obj(path, content, options.vertex_pairs);
-  if (extension == ".ply") return read_ply(path, content);
-  if (extension == ".csv" || extension == ".txt" || extension == ".wkt") {
-    return read_text(path, content);
+  for (const char* const known : {".geojson", ".json", ".obj", ".ply", ".csv", ".txt", ".wkt"}) {
+    if (extension == known) return read_text_file(path, extension, options);
   }
-  throw IoError(path, "extension '" + extension + "'; lines are read from " + kKnownExtensions);
+  require_regular_file(path);
+  const std::string kind = kind_by_extension(extension);
+  throw IoError(path, fmt::format("extension '{}'{}; lines are read from {}", extension,
+                                  kind.empty() ? "" : ": " + kind, kKnownExtensions));
 }
 
 /// A reference system that PROJ cannot read is the file's fault, not the caller's.
@@ -95,8 +113,7 @@ LineSet read_lines(const std::string& path, const ReadLinesOptions& options) {
     check_stated_crs(set);
   }
   if (!set.crs.known()) set.unit_m = options.unit_m;
-  refuse_degrees(set);
-  add_coordinate_warnings(set);
+  check_lines(set);
   return set;
 }
 

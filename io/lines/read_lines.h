@@ -21,11 +21,13 @@ struct ReadLinesOptions {
 ///   GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV (x1,y1,z1,x2,y2,z2 or a WKT column), OBJ and PLY
 ///   (edges, else the edges of faces), Line3D++ .txt, LIMAP alltracks.txt and track_K.txt (or their
 ///   folder), ELSR .obj and ELSR++ spaceLines.txt.
-/// Lines keep the file's order and ids; polylines become segments "ID.0", "ID.1", ... A line with
-/// coordinates that are not finite stays in the set. What deserves attention is in `warnings`.
-/// No lines at all is a valid file.
-/// Throws IoError for a file that cannot be read, and by name for formats that cannot carry what a
-/// judgement needs: Line3D++ .bin, LIMAP .npy, Shapefiles without z, coordinates in degrees.
+/// Lines lie in collections, too. Where a file holds polygons with heights and no 3D line, their edges are the lines.
+/// Lines keep the file's order and ids, which are made unique; polylines become segments "ID.0", "ID.1", ... between their
+/// bends. A line with coordinates that are not finite stays in the set. What deserves attention is in `warnings`, and what
+/// the file holds beside lines is counted there. No lines at all is a valid file.
+/// Throws IoError for a file that cannot be read or holds other things than 3D lines alone, which it counts, and by name for
+/// formats that cannot carry what a judgement needs: Line3D++ .bin, LIMAP .npy, Shapefiles without z, CityJSON, coordinates
+/// in degrees.
 LineSet read_lines(const std::string& path, const ReadLinesOptions& options = {});
 
 }  // namespace ridgeline::io

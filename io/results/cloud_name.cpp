@@ -2,6 +2,7 @@
 #include "io/results/cloud_name.h"
 
 #include "io/results/judge_files.h"
+#include "io/utf8.h"
 
 #include <filesystem>
 
@@ -44,7 +45,7 @@ std::string cloud_name(const std::vector<std::string>& paths_or_patterns) {
   for (const std::string& other : paths_or_patterns) {
     folder = common_folder(folder, folder_of(other));
   }
-  const std::string name = folder.filename().string();
+  const std::string name = io::as_utf8(folder.filename().string());
   return name.empty() ? "cloud" : name;
 }
 

@@ -5,11 +5,16 @@
 #include "io/error.h"
 #include "io/results/judge_batches.h"
 #include "io/results/judged_lines.h"
+#include "io/results/judged_map.h"
+#include "io/utf8.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -55,18 +60,30 @@ std::string bounds_text(const io::Crs& crs,
 
 /// Names the other unit if lines in it would lie in the cloud's plan.
 std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
-  constexpr double kFoot_m = 0.3048;
+  struct Unit {
+    const char* name;
+    double m;
+    const char* factor;
+  };
+  constexpr std::array kUnits{
+      Unit{"feet", 0.3048, "0.3048"},    Unit{"millimetres", 0.001, "0.001"},
+      Unit{"centimetres", 0.01, "0.01"}, Unit{"inches", 0.0254, "0.0254"},
+      Unit{"yards", 0.9144, "0.9144"},   Unit{"decimetres", 0.1, "0.1"},
+      Unit{"kilometres", 1000.0, "1000"}};
   const auto overlaps = [&](double factor) {
     const Eigen::AlignedBox2d scaled(factor * lines_m.min().head<2>(),
                                      factor * lines_m.max().head<2>());
     return scaled.intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
   };
   if (lines_m.isEmpty() || overlaps(1.0)) return "";
-  if (overlaps(kFoot_m)) {
-    return "; times 0.3048 the lines would lie in the cloud: are they in feet, and the cloud in "
-           "metres? State the reference system of both";
+  for (const Unit& unit : kUnits) {
+    if (!overlaps(unit.m)) continue;
+    return fmt::format(
+        "; times {} the lines would lie in the cloud: are they in {}, and the cloud in "
+        "metres? State the reference system of both",
+        unit.factor, unit.name);
   }
-  if (overlaps(1.0 / kFoot_m)) {
+  if (overlaps(1.0 / 0.3048)) {
     return "; times 3.2808 the lines would lie in the cloud: are they in metres, and the cloud's "
            "coordinates feet? State the reference system of both";
   }
@@ -96,10 +113,13 @@ void refuse_foreign_frame(const Evaluation& evaluation,
   }
   const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   throw io::IoError(
-      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}",
+      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
                             check.reason, bounds_text(set.crs, lines_box, unit_m_of(set)),
                             bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
-                            unit_hint(lines_box, cloud_box)));
+                            unit_hint(lines_box, cloud_box),
+                            set.stated_unit.empty()
+                                ? ""
+                                : fmt::format("; the lines' file states {}", set.stated_unit)));
 }
 
 /// Lines that state no reference system are taken to be in that of the cloud, with its units.
@@ -161,6 +181,7 @@ std::vector<evaluate::ReferenceLine> references_beside(const io::CloudFiles& clo
                                                        std::vector<std::string>& warnings) {
   take_unit_of(cloud, set);
   refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &warnings);
+  std::ranges::move(own_warnings(set), std::back_inserter(warnings));
   return reference_lines_of(set, cloud.frame());
 }
 
@@ -181,8 +202,9 @@ LineSets lines_beside(const io::CloudFiles& cloud,
 void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
   judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
   for (const io::LineSet& set : judged.line_sets) {
-    for (const std::string& warning : set.warnings) {
-      judged.warnings.push_back(set.path + ": " + warning);
+    std::ranges::move(own_warnings(set), std::back_inserter(judged.warnings));
+    if (const std::string warning = left_out_of_map(set); !warning.empty()) {
+      judged.warnings.push_back(fmt::format("{}: {}", set.path, warning));
     }
   }
 }
@@ -205,7 +227,15 @@ void refuse_mismatch(std::string_view what,
   }
 }
 
-std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+std::vector<std::string> own_warnings(const io::LineSet& set) {
+  std::vector<std::string> warnings;
+  for (const std::string& warning : set.warnings) warnings.push_back(set.path + ": " + warning);
+  return warnings;
+}
+
+std::string stem_of(const std::string& path) {
+  return io::as_utf8(std::filesystem::path(path).stem().string());
+}
 
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
   LinesToJudge lines{.sets = read_line_files(options), .references = {}};
@@ -228,6 +258,11 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
     refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
   }
   const LineSets lines = lines_beside(cloud, options, judged);
+  std::optional<std::vector<evaluate::ReferenceLine>> references;
+  std::vector<std::string> reference_warnings;
+  if (to_judge.references) {
+    references = references_beside(cloud, std::move(*to_judge.references), reference_warnings);
+  }
   record.end_stage("read_lines");
 
   JudgedBatches batches =
@@ -239,10 +274,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   refuse_empty(facts, cloud.path());
   add_warnings(facts, judged);
   judged.unread_clouds = cloud.unread_paths();
-  std::optional<std::vector<evaluate::ReferenceLine>> references;
-  if (to_judge.references) {
-    references = references_beside(cloud, std::move(*to_judge.references), judged.warnings);
-  }
+  std::ranges::move(reference_warnings, std::back_inserter(judged.warnings));
   judged.cloud_crs = cloud.crs();
   judged.cloud_unit_m = cloud.unit_m();
   if (options.judge.keep_points) {

@@ -72,7 +72,10 @@ void refuse_mismatch(std::string_view what,
                      const io::Crs& other,
                      std::vector<std::string>* warnings = nullptr);
 
-/// A file's name without folder and extension.
+/// What the reader warns of, behind the file's path.
+std::vector<std::string> own_warnings(const io::LineSet& set);
+
+/// A file's name without folder and extension, in UTF-8.
 std::string stem_of(const std::string& path);
 
 }  // namespace ridgeline::results

@@ -136,6 +136,11 @@ std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
         std::min(line.visible_left.value_or(1.0), line.visible_right.value_or(1.0));
     references.push_back({in_local, line.kind, visible});
   }
+  if (references.empty()) {
+    throw io::IoError(set.path,
+                      "holds no reference lines; give a file of 3D lines, or of polygons with "
+                      "heights, whose edges are the lines");
+  }
   return references;
 }
 

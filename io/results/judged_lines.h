@@ -34,7 +34,7 @@ std::vector<evaluate::JudgedLine> judged_lines_of(
     const std::optional<io::PatchFile>& patch,
     double max_aligned_angle_deg = kMaxAlignedAngle_deg);
 
-/// The true lines of a file; those with coordinates that are not finite are left out.
+/// The true lines of a file; those with coordinates that are not finite are left out. Throws IoError if none is left.
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                                         const LocalFrame& frame);
 

@@ -241,11 +241,11 @@ class ToMap {
   Eigen::Vector3d origin_m_, unit_m_;
 };
 
-/// Without what a table of SQLite has no room for.
+constexpr std::size_t kMostInputColumns = 1900;  // of the 2000 that a table of SQLite has room for
+
 std::vector<Column> input_columns(const io::LineSet& set, const std::vector<LineField>& fields) {
-  constexpr std::size_t kMost = 1900;  // of 2000
   std::vector<Column> columns = renamed(set.features.columns, fields);
-  if (columns.size() > kMost) columns.resize(kMost);
+  if (columns.size() > kMostInputColumns) columns.resize(kMostInputColumns);
   return columns;
 }
 
@@ -339,6 +339,12 @@ std::string map_name(const std::string& method) { return fmt::format("judged.{}.
 MapSchema map_schema_named(const std::string& name) {
   check(name == "plain" || name == "fkb", "schema = ", name, ", must be plain or fkb");
   return name == "fkb" ? MapSchema::kFkb : MapSchema::kPlain;
+}
+
+std::string left_out_of_map(const io::LineSet& set) {
+  const std::size_t n = set.features.columns.size();
+  if (n <= kMostInputColumns) return "";
+  return fmt::format("the map has room for the first {} of its {} columns", kMostInputColumns, n);
 }
 
 void write_judged_map(const std::string& path,

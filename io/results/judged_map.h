@@ -23,6 +23,9 @@ enum class MapSchema : std::uint8_t {
 /// "plain" | "fkb". Throws std::invalid_argument for another name.
 MapSchema map_schema_named(const std::string& name);
 
+/// Which columns of the lines' file the map leaves out, for a warning; empty for none.
+std::string left_out_of_map(const io::LineSet& set);
+
 /// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
 /// coordinates in its units:
 ///   lines    the lines as they were read, with every column of their file (those with the name of a column

@@ -48,8 +48,9 @@ class JudgedMap : public Cli {
       }
       return text;
     };
-    write(path("user.csv"), "wkt;code;STATUS;width\n\"LINESTRING Z (" + at(0.0) + "," + at(0.5) +
-                                "," + at(1.0) + ")\";007;surveyed;2.5\n;008;lost;3\n");
+    write(path("user.csv"), "wkt;code;STATUS;width\n\"MULTILINESTRING Z ((" + at(0.0) + "," +
+                                at(0.5) + "),(" + at(0.5) + "," + at(1.0) +
+                                "))\";007;surveyed;2.5\n;008;lost;3\n");
   }
 };
 

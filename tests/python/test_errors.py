@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import json
 import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -93,6 +95,21 @@ class ErrorsAreOfTheRightKind(Case):
             result = ridgeline.evaluate(segments, CLOUD)
         self.assertEqual(result.lines["status"][0], "non_finite")
         self.assertTrue(any("not finite" in text for text in result.warnings))
+
+    def test_what_a_file_holds_beside_lines_is_counted(self):
+        point = {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [1, 2, 3]}}
+        with open(LINES, encoding="utf-8") as file:
+            collection = json.load(file)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mixed.geojson")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(collection | {"features": collection["features"] + [point]}, file)
+            with self.assertWarnsRegex(UserWarning, "mixed.geojson: left out: 1 point"):
+                ridgeline.evaluate(LINES, CLOUD, reference_lines=path)
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(collection | {"features": [point, point]}, file)
+            with self.assertRaisesRegex(ridgeline.InputFileError, "holds no 3D lines but 2 points"):
+                ridgeline.evaluate(path, CLOUD)
 
 
 #: Enough lines to be judged for several seconds.

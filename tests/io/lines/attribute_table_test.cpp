@@ -90,15 +90,17 @@ TEST(AttributesOfGeoJson, HaveTheTypesOfTheirValues) {
 }
 
 /// Writes a GeoPackage with GDAL alone: layers of lines with one column of each type.
-void write_typed(const std::string& path, const std::vector<std::string>& layers) {
+void write_typed(const std::string& path,
+                 const std::vector<std::string>& layers,
+                 const char* age = "age") {
   GDALAllRegister();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   GDALDatasetUniquePtr dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   for (const std::string& name : layers) {
     OGRLayer* layer = dataset->CreateLayer(name.c_str(), nullptr, wkbLineString25D, nullptr);
     const std::map<const char*, OGRFieldType> fields{
-        {"age", OFTInteger}, {"big", OFTInteger64}, {"built", OFTDate}, {"seen", OFTDateTime},
-        {"share", OFTReal},  {"street", OFTString}, {"blob", OFTBinary}};
+        {age, OFTInteger},  {"big", OFTInteger64}, {"built", OFTDate}, {"seen", OFTDateTime},
+        {"share", OFTReal}, {"street", OFTString}, {"blob", OFTBinary}};
     for (const auto& [field, type] : fields) {
       OGRFieldDefn definition(field, type);
       ASSERT_EQ(layer->CreateField(&definition), OGRERR_NONE);
@@ -107,7 +109,7 @@ void write_typed(const std::string& path, const std::vector<std::string>& layers
     flag.SetSubType(OFSTBoolean);
     ASSERT_EQ(layer->CreateField(&flag), OGRERR_NONE);
     OGRFeature feature(layer->GetLayerDefn());
-    feature.SetField("age", 120);
+    feature.SetField(age, 120);
     feature.SetField("big", GIntBig{1} << 40);
     feature.SetField("built", "1904/05/06");
     feature.SetField("seen", "2026/11/24 10:00:00");
@@ -153,6 +155,17 @@ TEST(AttributesOfGeoPackage, IdsOfSeveralLayersNameTheirLayer) {
   EXPECT_EQ(set.lines[0].id, "roads.1");
   EXPECT_EQ(set.lines[1].id, "roofs.1");
   EXPECT_THAT(set.warnings, IsEmpty());
+}
+
+TEST(AttributesOfGeoPackage, OwnIdsThatLayersShareNameTheirLayer) {
+  const TempFolder folder;
+  write_typed(folder.file("all.gpkg"), {"roads", "roofs"}, "id");
+  const LineSet set = read_lines(folder.file("all.gpkg"));
+  ASSERT_EQ(set.lines.size(), 2U);
+  EXPECT_EQ(set.lines[0].id, "roads.120");
+  EXPECT_EQ(set.lines[1].id, "roofs.120");
+  EXPECT_THAT(set.warnings,
+              ElementsAre("layers have the same ids, so lines are named by layer: roads.120"));
 }
 
 TEST(AttributesOfGeoPackage, OfSeveralLayersTheOneCalledLinesIsRead) {

@@ -83,6 +83,39 @@ TEST(ReadLines, RefusesAGeoPackageWhoseListOfLayersIsAView) {
   EXPECT_THAT(reading_error(path), HasSubstr("its table gpkg_contents is a view"));
 }
 
+TEST(ReadLines, ReadsThePlainLayerBesideOneThatIsAView) {
+  const TempFolder folder;
+  const std::string path = write_package(folder);
+  const auto [layer, geometry] = layer_of(path);
+  execute(
+      path,
+      fmt::format("CREATE VIEW some AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 "
+                  "FROM n) SELECT i AS OGC_FID, {1} FROM n, \"{0}\"; INSERT INTO gpkg_contents "
+                  "(table_name, data_type, identifier, srs_id) VALUES ('some', 'features', 'some', "
+                  "25832); INSERT INTO gpkg_geometry_columns SELECT 'some', column_name, "
+                  "geometry_type_name, srs_id, z, m FROM gpkg_geometry_columns;",
+                  layer, geometry));
+  const LineSet set = read_lines(path);
+  EXPECT_EQ(set.lines.size(), 3U);
+  EXPECT_EQ(set.lines[0].id, "0");
+  EXPECT_THAT(set.warnings, ::testing::ElementsAre(
+                                AllOf(HasSubstr("layer some is a view"), HasSubstr("left out"))));
+}
+
+TEST(ReadLines, WarnsOfALayerThatIsListedButHasNoTable) {
+  const TempFolder folder;
+  const std::string path = write_package(folder);
+  execute(
+      path,
+      "INSERT INTO gpkg_contents (table_name, data_type, identifier, srs_id) VALUES ('lost', "
+      "'features', 'lost', 25832); INSERT INTO gpkg_geometry_columns SELECT 'lost', column_name, "
+      "geometry_type_name, srs_id, z, m FROM gpkg_geometry_columns;");
+  const LineSet set = read_lines(path);
+  EXPECT_EQ(set.lines.size(), 3U);
+  EXPECT_THAT(set.warnings,
+              ::testing::ElementsAre(HasSubstr("layer lost is listed, but has no table")));
+}
+
 TEST(ReadLines, RefusesALayerWithAGeneratedColumn) {
   const TempFolder folder;
   const std::string path = write_package(folder);
@@ -100,7 +133,7 @@ TEST(ReadLines, RefusesPolylinesThatRepeatVerticesWithoutEnd) {
   for (int i = 0; i < 200'000; ++i) rows += "l 1 2\n";
   EXPECT_THAT(reading_error(folder.write("b.obj", rows)), HasSubstr("too much memory"));
   std::string wkt = "LINESTRING Z (";
-  for (int i = 0; i < 1'000'000; ++i) wkt += "1 2 3,";
+  for (int i = 0; i < 1'000'000; ++i) wkt += i % 2 == 0 ? "1 2 3," : "1 9 4,";
   EXPECT_THAT(reading_error(folder.write("a.wkt", wkt + "1 2 4)\n")), HasSubstr("too much memory"));
   const std::string header =
       "ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty uchar x\nproperty uchar y\n"
@@ -108,6 +141,15 @@ TEST(ReadLines, RefusesPolylinesThatRepeatVerticesWithoutEnd) {
       "end_header\n";
   EXPECT_THAT(reading_error(folder.write("a.ply", header + std::string(400'006, '\0'))),
               HasSubstr("too much memory"));
+}
+
+TEST(ReadLines, TakesAPolylineMadeToDivideAtItsEndsInTime) {
+  const TempFolder folder;
+  std::string wkt = "LINESTRING Z (0 0 0";
+  constexpr int kVertices = 300'000;
+  for (int i = 1; i < kVertices; ++i)
+    wkt += fmt::format(",{}.000000 {}.000000 1.000000", i, i % 2 == 0 ? i : -i);
+  EXPECT_EQ(read_lines(folder.write("a.wkt", wkt + ")\n")).lines.size(), kVertices - 1U);
 }
 
 TEST(ReadLines, RefusesRowsOfFieldsWithoutEnd) {
@@ -119,7 +161,7 @@ TEST(ReadLines, RefusesRowsOfFieldsWithoutEnd) {
 TEST(ReadLines, RefusesALongAttributeThatEachSegmentOfAPolylineWouldCopy) {
   const TempFolder folder;
   std::string csv = "class,wkt\n" + std::string(1'000'000, 'a') + ",\"LINESTRING Z (";
-  for (int i = 0; i < 2000; ++i) csv += "1 2 3,";
+  for (int i = 0; i < 2000; ++i) csv += i % 2 == 0 ? "1 2 3," : "1 9 4,";
   EXPECT_THAT(reading_error(folder.write("a.csv", csv + "1 2 4)\"\n")),
               HasSubstr("too much memory"));
 }
@@ -127,7 +169,8 @@ TEST(ReadLines, RefusesALongAttributeThatEachSegmentOfAPolylineWouldCopy) {
 TEST(ReadLines, ReadsAPolylineOfAHundredThousandVertices) {
   const TempFolder folder;
   std::string csv = "wkt\n\"LINESTRING Z (";
-  for (int i = 0; i < 100'000; ++i) csv += fmt::format("513000.{:06} 5403000.{:06} 250.123,", i, i);
+  for (int i = 0; i < 100'000; ++i)
+    csv += fmt::format("513000.{:06} 5403000.{} 250.123,", i, i % 2);
   const LineSet set = read_lines(folder.write("a.csv", csv + "1 2 4)\"\n"));
   EXPECT_EQ(set.lines.size(), 100'000U);
 }

@@ -158,6 +158,42 @@ TEST(ReadPly, SaysWhatIsWrong) {
               HasSubstr("edge has no properties"));
 }
 
+std::string ply_with_edges(const std::string& properties, const std::string& edges) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+         "float "
+         "z\nelement edge 2\n" +
+         properties + "end_header\n0 0 0\n1 0 0\n1 1 1\n" + edges;
+}
+
+TEST(ReadPly, TakesTheEndsOfEdgesUnderAnyNamesWhereNothingElseMayBeMeant) {
+  for (const auto& [properties, edges] :
+       {std::pair("property int start\nproperty int end\n", "0 1\n1 2\n"),
+        std::pair("property uint a\nproperty uchar red\nproperty uint b\n", "0 255 1\n1 0 2\n"),
+        std::pair("property list uchar int vertex_indices\n", "2 0 1\n2 1 2\n")}) {
+    SCOPED_TRACE(properties);
+    const LineSet set = read("a.ply", ply_with_edges(properties, edges));
+    ASSERT_EQ(set.lines.size(), 2U);
+    EXPECT_EQ(set.lines[1].segment_in_world.start, Eigen::Vector3d(1, 0, 0));
+    EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(1, 1, 1));
+  }
+}
+
+TEST(ReadPly, NamesThePropertiesWhereOthersAreExpected) {
+  EXPECT_THAT(error_of("a.ply", ply_with_edges("property int a\nproperty int b\nproperty int c\n",
+                                               "0 1 2\n1 2 0\n")),
+              HasSubstr("element edge has the properties a, b, c; vertex1 and vertex2"));
+  EXPECT_THAT(
+      error_of("a.ply",
+               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+               "property float height\nend_header\n0 0 0\n"),
+      HasSubstr("element vertex has the properties x, y, height; x, y and z are expected"));
+  EXPECT_THAT(
+      error_of("a.ply",
+               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+               "property float z\nend_header\n0 0 0\n"),
+      HasSubstr("holds no 3D lines but 1 vertex"));
+}
+
 TEST(ReadLine3dpp, ReadsAllSegmentsOfALineAndCountsImages) {
   const LineSet set = read("lines.txt",
                            "2 0 0 0 1 0 0 5 0 0 6 0 1 3 7 0 1 2 3 4 8 1 1 2 3 4 7 5 1 2 3 4 \n"
@@ -262,6 +298,36 @@ TEST(ReadDxf, TakesTheLayerAsTheClass) {
   EXPECT_EQ(set.lines[0].line_class, "RIDGES");
   EXPECT_EQ(set.lines[0].segment_in_world.start, Eigen::Vector3d(1.5, 2, 3));
   EXPECT_EQ(set.lines[0].segment_in_world.end, Eigen::Vector3d(4, 5, 6.25));
+}
+
+/// A line on each layer; OLD is frozen, HID is off.
+std::string dxf_of_layers(const std::string& insunits) {
+  std::string dxf =
+      "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" + insunits +
+      "\n9\n$LUNITS\n70\n2\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n3\n";
+  const auto add = [&dxf](const char* text) { dxf += text; };
+  add("0\nLAYER\n2\nRIDGES\n70\n0\n62\n7\n6\nCONTINUOUS\n");
+  add("0\nLAYER\n2\nOLD\n70\n1\n62\n7\n6\nCONTINUOUS\n");
+  add("0\nLAYER\n2\nHID\n70\n0\n62\n-7\n6\nCONTINUOUS\n0\nENDTAB\n0\nENDSEC\n");
+  add("0\nSECTION\n2\nENTITIES\n");
+  for (const char* const layer : {"RIDGES", "OLD", "HID"}) {
+    dxf +=
+        std::string("0\nLINE\n8\n") + layer + "\n10\n1.5\n20\n2\n30\n3\n11\n4\n21\n5\n31\n6.25\n";
+  }
+  return dxf + "0\nENDSEC\n0\nEOF\n";
+}
+
+TEST(ReadDxf, LeavesHiddenLayersOutAndCountsThem) {
+  const LineSet set = read("a.dxf", dxf_of_layers("6"));
+  ASSERT_EQ(set.lines.size(), 1U);
+  EXPECT_EQ(set.lines[0].line_class, "RIDGES");
+  EXPECT_THAT(set.warnings, ElementsAre("left out: 2 entities of hidden layers"));
+  EXPECT_EQ(set.stated_unit, "");
+}
+
+TEST(ReadDxf, KnowsTheUnitThatTheHeaderStates) {
+  EXPECT_EQ(read("a.dxf", dxf_of_layers("4")).stated_unit, "millimetres");
+  EXPECT_EQ(read("a.dxf", dxf_of_layers("1")).stated_unit, "inches");
 }
 
 TEST(LineFactsOf, CountsWhatTheSetHolds) {

@@ -4,6 +4,7 @@
 
 #include "tests/io/lines/temp_folder.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 namespace ridgeline::io {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -92,14 +94,42 @@ TEST(ReadGeoJson, UnderstandsCovariancesInEveryForm) {
   EXPECT_FALSE(set.lines[3].covariance_m2.has_value());
 }
 
-TEST(ReadGeoJson, RefusesAttributesOfTheWrongShape) {
+TEST(ReadGeoJson, LeavesColumnsOfOtherToolsThatHaveOurNames) {
   const std::string line = line_string("[[0,0,0],[5,0,1]]");
-  EXPECT_THAT(error_of("a.geojson", collection(feature(R"({"covariance":[1,2]})", line))),
-              HasSubstr("a.geojson: feature 0: covariance = [1,2]; must be 36 numbers"));
-  EXPECT_THAT(error_of("a.geojson", collection(feature(R"({"n_points":1.5})", line))),
-              HasSubstr("n_points = 1.5; must be an integer"));
-  EXPECT_THAT(error_of("a.geojson", collection(feature(R"({"epipolar_angle_deg":"x"})", line))),
-              HasSubstr("epipolar_angle_deg = \"x\"; must be a number"));
+  const LineSet set =
+      read("a.geojson",
+           collection(
+               feature(R"({"n_points":7,"covariance":[1,2],"n_images":2})", line) + "," +
+               feature(R"({"n_points":"about 120","epipolar_angle_deg":"x","n_images":3})", line)));
+  // a column is ours as a whole or not at all
+  EXPECT_FALSE(set.lines[0].n_points.has_value());
+  EXPECT_FALSE(set.lines[0].covariance_m2.has_value());
+  EXPECT_EQ(set.lines[0].n_images, 2);
+  EXPECT_EQ(set.lines[1].n_images, 3);
+  EXPECT_THAT(
+      set.warnings,
+      ElementsAre(
+          "column covariance is another tool's and not read: [1,2] in feature 0 must be 36 numbers",
+          "column epipolar_angle_deg is another tool's and not read: \"x\" in feature 1 must "
+          "be a number",
+          "column n_points is another tool's and not read: \"about 120\" in feature 1 must be a "
+          "number"));
+  // and stays in the map
+  EXPECT_EQ(set.features.columns.size(), 4U);
+}
+
+TEST(ReadGeoJson, RefusesVariancesThatNoLineHasNamingTheLine) {
+  std::string flat = "[-0.5";
+  for (int i = 1; i < 36; ++i) flat += i % 7 == 0 ? ",4" : ",0";
+  const std::string line = line_string("[[0,0,0],[5,0,1]]");
+  EXPECT_THAT(
+      error_of("a.geojson", collection(feature(R"({"id":"r3","covariance":)" + flat + "]}", line))),
+      HasSubstr("a.geojson: feature 0: covariance of line r3 has the variance -0.5 m2 of the "
+                "start's x; must"));
+  EXPECT_THAT(
+      error_of("a.geojson",
+               collection(feature(R"({"sigma_start_m":[1,2,3],"sigma_end_m":[4,5,-6]})", line))),
+      HasSubstr("the variance -36 m2 of the end's z"));
 }
 
 TEST(ReadGeoJson, KeepsLinesWithoutCoordinatesAndWarnsOfThoseThatSayNoReason) {
@@ -142,12 +172,98 @@ TEST(ReadGeoJson, TakesShortCoordinatesOfALocalFrameAsMetres) {
   EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("no crs member")));
 }
 
-TEST(ReadGeoJson, CountsFeaturesThatAreNoLines) {
+const std::string kPoint = R"({"type":"Point","coordinates":[1,2,3]})";
+
+std::string polygon(const std::string& ring) {
+  return R"({"type":"Polygon","coordinates":[)" + ring + "]}";
+}
+
+/// Two roofs that meet at a ridge from (0, 4, 8) to (9, 4, 8).
+const std::string kTwoRoofs = feature("{}", polygon("[[0,0,5],[9,0,5],[9,4,8],[0,4,8],[0,0,5]]")) +
+                              "," +
+                              feature("{}", polygon("[[0,8,5],[0,4,8],[9,4,8],[9,8,5],[0,8,5]]"));
+
+TEST(ReadGeoJson, CountsByKindWhatIsNoLine) {
+  const LineSet set = read(
+      "a.geojson",
+      collection(feature("{}", kPoint) + "," +
+                 feature("{}", R"({"type":"MultiPoint","coordinates":[[1,2,3],[1,2,4]]})") + "," +
+                 feature("{}", polygon("[[0,0],[9,0],[9,4],[0,0]]")) + "," + kTwoRoofs + "," +
+                 feature("{}", "null") + "," + feature("{}", line_string("[[1,2],[9,2]]")) + "," +
+                 feature("{}", line_string("[[1,2,3],[9,2,3]]"))));
+  EXPECT_THAT(ids(set), ElementsAre("5", "6", "7"));
+  EXPECT_THAT(
+      set.warnings,
+      ElementsAre(
+          "2 of 3 lines have coordinates that are not finite: 1 line without z, 1 null geometry",
+          "left out: 3 points, 2 polygons with heights, 1 polygon without heights"));
+}
+
+TEST(ReadGeoJson, RefusesFeaturesWithoutALineNamingTheirKinds) {
+  const std::string flat = feature("{}", polygon("[[0,0],[9,0],[9,4],[0,0]]"));
+  EXPECT_THAT(error_of("a.geojson", collection(flat + "," + flat + "," + feature("{}", kPoint) +
+                                               "," + feature("{}", "null"))),
+              AllOf(HasSubstr("a.geojson: holds no 3D lines but 1 null geometry, 1 point, 2 "
+                              "polygons without heights"),
+                    HasSubstr("3D lines, or polygons or faces with heights, are needed")));
+  // a status of another tool is no reason for a line to be nowhere
+  EXPECT_THAT(error_of("a.geojson", collection(feature(R"({"status":"demolished"})", "null"))),
+              HasSubstr("1 null geometry"));
+  // an empty result is one
+  EXPECT_THAT(read("a.geojson", collection("")).warnings, ElementsAre("holds no lines"));
+}
+
+TEST(ReadGeoJson, FindsLinesInCollectionsHoweverDeep) {
+  const std::string one = line_string("[[1,2,3],[9,2,3]]");
+  const std::string many =
+      R"({"type":"MultiLineString","coordinates":[[[1,0,0],[2,0,0]],[[3,0,0],[4,0,0]]]})";
+  const auto group = [](const std::string& members) {
+    return R"({"type":"GeometryCollection","geometries":[)" + members + "]}";
+  };
   const LineSet set =
-      read("a.geojson", collection(feature("{}", R"({"type":"Point","coordinates":[1,2,3]})") +
-                                   "," + feature("{}", line_string("[[1,2,3],[9,2,3]]"))));
-  EXPECT_THAT(ids(set), ElementsAre("1"));
-  EXPECT_THAT(set.warnings, ElementsAre("1 features are no lines: Point"));
+      read("a.geojson", collection(feature(R"({"id":"a"})", group(one + "," + kPoint)) + "," +
+                                   feature(R"({"id":"b"})", group(group(many + "," + one)))));
+  EXPECT_THAT(ids(set), ElementsAre("a", "b.0", "b.1", "b.2"));
+  EXPECT_EQ(set.lines[2].segment_in_world.start.x(), 3.0);
+  EXPECT_THAT(set.warnings, ElementsAre("left out: 1 point"));
+}
+
+TEST(ReadGeoJson, TakesTheEdgesOfPolygonsWithHeightsThoseOfNeighboursOnce) {
+  const LineSet set = read("a.geojson", collection(kTwoRoofs));
+  EXPECT_THAT(ids(set), ElementsAre("0.0", "0.1", "0.2", "0.3", "1.0", "1.1", "1.2"));
+  EXPECT_EQ(set.lines[2].segment_in_world.start, Eigen::Vector3d(9, 4, 8));
+  EXPECT_EQ(set.format, "GeoJSON, edges of polygons");
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("the 7 edges of 2 polygons with heights")));
+  // a neighbour may have a vertex on the common edge, and other last digits
+  const std::string other =
+      feature("{}", polygon("[[0,8,5],[0,4,8],[5,4,8],[9,4.0000001,8],[9,8,5],[0,8,5]]"));
+  const std::string first = kTwoRoofs.substr(0, kTwoRoofs.find("},{") + 1);
+  EXPECT_EQ(read("a.geojson", collection(first + "," + other)).lines.size(), 7U);
+}
+
+TEST(ReadGeoJson, NamesAFileOfAnotherKind) {
+  EXPECT_THAT(
+      error_of("city.json", R"({"type":"CityJSON","version":"1.1","vertices":[]})"),
+      HasSubstr("city.json: is CityJSON, a city model, which is not read; lines are read from"));
+  EXPECT_THAT(error_of("a.json", R"({"type":"Topology","objects":{}})"), HasSubstr("TopoJSON"));
+  EXPECT_THAT(error_of("a.json", R"({"geometryType":"esriGeometryPolyline","features":[]})"),
+              HasSubstr("Esri"));
+  EXPECT_THAT(error_of("a.geojson", "LASF\1\2"),
+              HasSubstr("is a point cloud, give it with --cloud"));
+  EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is XML"));
+  EXPECT_THAT(error_of("a.csv", std::string("\xFF\xFEx\0", 4)), HasSubstr("UTF-16"));
+  EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("extension '.gml': XML, as of GML"));
+}
+
+TEST(ReadGeoJson, OfLatin1BecomesUtf8) {
+  const std::string line = line_string("[[1,2,3],[9,2,3]]");
+  const LineSet set = read("a.geojson", collection(feature("{\"id\":\"Stra\xDF"
+                                                           "e\"}",
+                                                           line)));
+  EXPECT_EQ(set.lines[0].id,
+            "Stra\xC3\x9F"
+            "e");
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("taken as Latin-1")));
 }
 
 TEST(ReadGeoJson, SaysWhatIsWrong) {
@@ -167,18 +283,20 @@ TEST(ReadGeoJson, RefusesArraysTooDeepForARecursion) {
   const std::string deep = std::string(100000, '[') + std::string(100000, ']');
   EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string(deep)))),
               HasSubstr("too deep"));
-  EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2,covariance\n1,2,3,4,5,6,\"" + deep + "\"\n"),
-              HasSubstr("must be a number"));
+  const LineSet set = read("a.csv", "x1,y1,z1,x2,y2,z2,covariance\n1,2,3,4,5,6,\"" + deep + "\"\n");
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("in row 2 must be 36 numbers")));
 }
 
-TEST(ReadCsv, NamesAnAttributeOfBytesThatAreNoText) {
-  EXPECT_THAT(error_of("a.csv", "x1,y1,z1,x2,y2,z2,n_points\n1,2,3,4,5,6,\xFF\xFE\n"),
-              HasSubstr("a.csv:2: n_points"));
+TEST(ReadCsv, TakesBytesThatAreNoUtf8AsLatin1) {
+  const LineSet set = read("a.csv", "id,x1,y1,z1,x2,y2,z2,n_points\n\xDCz,1,2,3,4,5,6,\xFF\xFE\n");
+  EXPECT_EQ(set.lines[0].id, "\xC3\x9Cz");
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("column n_points is another tool's"),
+                                        HasSubstr("taken as Latin-1")));
 }
 
 TEST(ReadLines, RefusesLinesWithoutHeights) {
   EXPECT_THAT(error_of("a.geojson", collection(feature("{}", line_string("[[1,2],[9,2]]")))),
-              HasSubstr("the lines have no z; 3D lines are needed"));
+              HasSubstr("holds no 3D lines but 1 line without z; 3D lines, or"));
 }
 
 TEST(ReadLines, WarnsOfHeightsThatAreAllZero) {
@@ -186,10 +304,75 @@ TEST(ReadLines, WarnsOfHeightsThatAreAllZero) {
   EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("all z are 0")));
 }
 
-TEST(ReadLines, KeepsRepeatedIds) {
-  const LineSet set = read("a.csv", "id,x1,y1,z1,x2,y2,z2\na,1,2,3,5,2,0\na,3,2,0,9,2,0\n");
-  EXPECT_THAT(ids(set), ElementsAre("a", "a"));
-  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("1 lines have an id that an earlier line has")));
+TEST(ReadLines, NumbersRepeatedIdsNeverByThatOfAnotherLine) {
+  std::string csv = "id,x1,y1,z1,x2,y2,z2\n";
+  for (const char* const id : {"12", "12", "12.1", "12", "a"})
+    csv += std::string(id) + ",1,2,3,5,2,0\n";
+  const LineSet set = read("a.csv", csv);
+  EXPECT_THAT(ids(set), ElementsAre("12", "12.2", "12.1", "12.3", "a"));
+  EXPECT_THAT(set.warnings,
+              ElementsAre("2 lines have an id that an earlier line has and are numbered: "
+                          "12.2, 12.3"));
+}
+
+TEST(ReadLines, NumbersOfPartsGiveWayToIdsOfTheFile) {
+  const std::string three = line_string("[[0,0,1],[3,0,1],[3,4,1]]");
+  const std::string one = line_string("[[0,0,1],[3,0,1]]");
+  const LineSet set = read("a.geojson", collection(feature(R"({"id":12})", three) + "," +
+                                                   feature(R"({"id":12})", three) + "," +
+                                                   feature(R"({"id":"12.1"})", one)));
+  EXPECT_THAT(ids(set), ElementsAre("12.0", "12.1.1", "12.0.1", "12.1.2", "12.1"));
+}
+
+TEST(ReadLines, FeaturesWithoutAnIdAreNumberedPastThoseThatHaveThatNumber) {
+  const std::string one = line_string("[[0,0,1],[3,0,1]]");
+  const LineSet set =
+      read("a.geojson", collection(feature(R"({"id":1})", one) + "," + feature("{}", one)));
+  EXPECT_THAT(ids(set), ElementsAre("1", "1.1"));
+}
+
+std::string dense(const std::vector<Eigen::Vector3d>& corners, int n) {
+  std::string positions;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    for (int k = i == 1 ? 0 : 1; k <= n; ++k) {
+      const Eigen::Vector3d x = corners[i - 1] + (corners[i] - corners[i - 1]) * k / n;
+      positions += fmt::format("{}[{:.2f},{:.2f},{:.2f}]", positions.empty() ? "" : ",", x.x(),
+                               x.y(), x.z());
+    }
+  }
+  return line_string("[" + positions + "]");
+}
+
+TEST(ReadLines, VerticesOnAStraightLineDoNotDivideIt) {
+  // every coordinate rounded to a hundredth
+  const LineSet set =
+      read("a.geojson",
+           collection(feature("{}", dense({{0.11, 0.22, 5.33}, {12.02, 3.31, 7.17}}, 49)) + "," +
+                      feature("{}", dense({{0, 0, 5}, {7.77, 1.13, 5.5}, {9.2, 8.1, 5}}, 31))));
+  EXPECT_THAT(ids(set), ElementsAre("0", "1.0", "1.1"));
+  EXPECT_EQ(set.lines[0].segment_in_world.end, Eigen::Vector3d(12.02, 3.31, 7.17));
+  EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(7.77, 1.13, 5.5));
+  EXPECT_THAT(set.warnings,
+              ElementsAre("108 vertices within 0.02 of a straight line do not divide it"));
+}
+
+TEST(ReadLines, ARingThatBeginsOnAnEdgeHasTheEdgesOfItsCorners) {
+  const LineSet set = read(
+      "a.geojson",
+      collection(feature(
+          "{}", dense({{3, 0, 5}, {8, 0, 5}, {8, 6, 5}, {0, 6, 5}, {0, 0, 5}, {3, 0, 5}}, 12))));
+  ASSERT_EQ(set.lines.size(), 4U);
+  EXPECT_EQ(set.lines[0].segment_in_world.start, Eigen::Vector3d(8, 0, 5));
+  EXPECT_EQ(set.lines[3].segment_in_world.start, Eigen::Vector3d(0, 0, 5));
+  EXPECT_EQ(set.lines[3].segment_in_world.end, Eigen::Vector3d(8, 0, 5));
+}
+
+TEST(ReadLines, BendsOfAFewCentimetresAndTurnsBackDivideALine) {
+  const LineSet set = read(
+      "a.geojson", collection(feature("{}", line_string("[[0,0,5],[6,0.03,5],[12,0,5]]")) + "," +
+                              feature("{}", line_string("[[0,0,5],[6,0,5],[2,0,5]]")) + "," +
+                              feature("{}", line_string("[[0,0,5],[6,0.01,5],[12,0,5]]"))));
+  EXPECT_THAT(ids(set), ElementsAre("0.0", "0.1", "1.0", "1.1", "2"));
 }
 
 TEST(ReadLines, NamesTheFileAndTheRule) {
@@ -244,17 +427,59 @@ TEST(ReadCsv, TakesAColumnOfWkt) {
   EXPECT_EQ(set.lines[2].segment_in_world.start, Eigen::Vector3d(7, 8, 9));
   EXPECT_FALSE(all_finite(set.lines[3].segment_in_world));
   EXPECT_THAT(error_of("a.csv", "id,wkt\na,\"POINT Z (1 2 3)\"\n"),
-              HasSubstr("a.csv:2: POINT; must"));
+              HasSubstr("a.csv: holds no 3D lines but 1 point"));
   EXPECT_THAT(error_of("a.csv", "id,wkt\na,\"LINESTRING Z (1 2\"\n"), HasSubstr("is no WKT"));
 }
 
 TEST(ReadWkt, TakesOneGeometryARowAndTheSrid) {
   const LineSet set = read("a.wkt",
                            "LINESTRING Z (1 2 3, 4 5 6)\n"
-                           "SRID=25832;LINESTRING Z (1 2 3, 4 5 6, 7 8 9)\n");
+                           "SRID=25832;LINESTRING Z (1 2 3, 4 5 6, 7 8 5)\n");
   EXPECT_THAT(ids(set), ElementsAre("0", "1.0", "1.1"));
   EXPECT_EQ(set.crs.definition, "EPSG:25832");
   EXPECT_EQ(set.format, "WKT");
+}
+
+TEST(ReadWkt, TakesTheSpellingsOfOtherPrograms) {
+  for (const char* const text :
+       {"LineStringZ (1 2 3, 4 5 6)", "LINESTRING Z(1 2 3,4 5 6)", "LINESTRINGZ(1 2 3,4 5 6)",
+        "linestring z (1e0 2.0E+00 3, 4 5 6)", "LineStringZM(1 2 3 9, 4 5 6 9)",
+        "LINESTRING(1 2 3,4 5 6)", "MultiLineStringZ ((1 2 3, 4 5 6))",
+        "GEOMETRYCOLLECTION Z(POINTZ(0 0 0),LineStringZ(1 2 3, 4 5 6))",
+        "SRID=25832;LINESTRINGZ(1 2 3, 4 5 6)"}) {
+    SCOPED_TRACE(text);
+    for (const LineSet& set :
+         {read("a.wkt", text), read("a.csv", fmt::format("id;wkt\n7;\"{}\"\n", text))}) {
+      ASSERT_EQ(set.lines.size(), 1U);
+      EXPECT_EQ(set.lines[0].segment_in_world.start, Eigen::Vector3d(1, 2, 3));
+      EXPECT_EQ(set.lines[0].segment_in_world.end, Eigen::Vector3d(4, 5, 6));
+    }
+  }
+  EXPECT_THAT(error_of("a.wkt", "LineStringM (1 2 3, 4 5 6)"), HasSubstr("1 line without z"));
+}
+
+TEST(ReadCsv, TakesTheLayoutsOfOtherPrograms) {
+  const std::string names = "x1,y1,z1,x2,y2,z2";
+  const std::vector<std::string> texts{"# " + names + "\n1,2,3,4,5,6\n",
+                                       "#" + names + "\n1 2 3 4 5 6\n",
+                                       "# by NumPy\n# x1 y1 z1 x2 y2 z2\n1.0e0 2 3 4 5 6\n",
+                                       "# a comment\n1 2 3 4 5 6\n",
+                                       "//" + names + "\n1,2,3,4,5,6\n",
+                                       std::string("sep=;\nx1;y1;z1;x2;y2;z2\n1;2;3;4;5;6\n"),
+                                       "sep=,\r\n" + names + "\r\n1,2,3,4,5,6\r\n",
+                                       "sep=\t\nx1\ty1\tz1\tx2\ty2\tz2\n1\t2\t3\t4\t5\t6\n",
+                                       "\"a;b\"," + names + "\n\"c;d\",1,2,3,4,5,6\n",
+                                       std::string("x1;y1;z1;x2;y2;z2\n1,0;2,0;3,0;4,0;5,0;6,0\n"),
+                                       std::string("geometry\nLINESTRING Z (1 2 3, 4 5 6)\n"),
+                                       std::string("id\tshape\n1\tLineStringZ (1 2 3, 4 5 6)\n")};
+  for (const std::string& text : texts) {
+    SCOPED_TRACE(text);
+    const LineSet set = read("a.csv", text);
+    ASSERT_EQ(set.lines.size(), 1U);
+    EXPECT_EQ(set.lines[0].segment_in_world.start, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(set.lines[0].segment_in_world.end, Eigen::Vector3d(4, 5, 6));
+  }
+  EXPECT_THAT(error_of("a.csv", "# nothing\n# but comments\n"), HasSubstr("comments alone"));
 }
 
 TEST(ReadWkt, RefusesASridThatIsNoCodeNamingTheRow) {

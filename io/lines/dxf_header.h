@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace ridgeline::io {
+
+/// What a DXF says before its entities and GDAL does not tell.
+struct DxfHeader {
+  std::string unit;  ///< of $INSUNITS, "millimetres"; empty for metres and where none is stated
+  std::set<std::string> hidden_layers;  ///< frozen or off; in lower case, UTF-8
+};
+
+/// Text that is no DXF, or a binary one, states nothing.
+DxfHeader dxf_header(std::string_view content);
+
+}  // namespace ridgeline::io

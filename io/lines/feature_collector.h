@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/attributes.h"
+#include "io/lines/kind_counts.h"
+#include "io/lines/line_set.h"
+#include "io/lines/polyline.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// What a feature's geometry holds, however deep in collections.
+struct FeatureGeometry {
+  std::vector<Vertices> lines;
+  std::vector<Vertices> rings;  ///< of polygons with heights; closed
+  std::size_t n_polygons = 0;   ///< that the rings bound
+  KindCounts others;
+
+  /// Adds a polygon; one of which a ring lacks a height, or without rings, to the others.
+  void add_polygon(std::vector<Vertices> polygon_rings);
+  [[nodiscard]] bool has_lines() const { return !lines.empty(); }
+  /// Points alone make no line. A feature without anything stays in the set, as a line without a place.
+  [[nodiscard]] bool may_be_line() const { return has_lines() || !rings.empty() || others.empty(); }
+};
+
+/// A feature of a file.
+struct Feature {
+  FeatureGeometry geometry;
+  nlohmann::json properties;
+  std::string id;        ///< where the properties have none; may be empty
+  std::int64_t fid = 0;  ///< see Line::source_fid
+  int layer = 0;
+  std::string where;                  ///< for messages on the properties
+  std::function<SparseRow()> values;  ///< what its columns hold; asked if it becomes a line
+};
+
+/// From the features of a file of points, lines and polygons to its lines: those that it holds, or, where it holds no 3D
+/// line, the edges of its polygons with heights, an edge of neighbours once. All else is counted in LineSet::left_out.
+class FeatureCollector {
+ public:
+  explicit FeatureCollector(LineSet& set) : set_(set) {}
+
+  /// Throws IoError as AttributeReader does, and if the lines take too much memory.
+  void add(Feature feature);
+
+  /// To be called after the last feature.
+  void finish();
+
+  /// Whether the edges of polygons are the lines of what was added so far.
+  [[nodiscard]] bool takes_polygons() const { return !has_3d_lines_ && !surfaces_.empty(); }
+
+ private:
+  void append(const Feature& feature, const std::vector<Vertices>& lines);
+  void append_edges();
+
+  LineSet& set_;
+  AttributeReader attributes_;
+  bool has_3d_lines_ = false;
+  std::vector<Feature> surfaces_;  ///< features that are polygons
+};
+
+}  // namespace ridgeline::io

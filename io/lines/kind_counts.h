@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace ridgeline::io {
+
+/// A kind of what a line file holds beside 3D lines, as messages name it.
+struct Kind {
+  std::string_view one, several;
+};
+
+namespace kinds {
+inline constexpr Kind kPoint{"point", "points"};
+inline constexpr Kind kFlatPolygon{"polygon without heights", "polygons without heights"};
+inline constexpr Kind kPolygon{"polygon with heights", "polygons with heights"};
+inline constexpr Kind kFace{"face", "faces"};
+inline constexpr Kind kVertex{"vertex", "vertices"};
+inline constexpr Kind kTableRow{"row without geometry", "rows without geometry"};
+inline constexpr Kind kHiddenEntity{"entity of hidden layers", "entities of hidden layers"};
+inline constexpr Kind kFlatLine{"line without z", "lines without z"};
+inline constexpr Kind kNullGeometry{"null geometry", "null geometries"};
+inline constexpr Kind kNonFiniteLine{"line with NaN or infinity", "lines with NaN or infinity"};
+}  // namespace kinds
+
+/// Counts things by kind.
+class KindCounts {
+ public:
+  void add(const Kind& kind, std::size_t n = 1);
+  void add(const KindCounts& others);
+  [[nodiscard]] bool empty() const { return counts_.empty(); }
+
+  /// "7 points, 1 polygon without heights"; kinds in the order of their names.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  struct Count {
+    std::string one;
+    std::size_t n = 0;
+  };
+  std::map<std::string, Count> counts_;  ///< by the name of several
+};
+
+}  // namespace ridgeline::io

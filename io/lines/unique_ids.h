@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/lines/line_set.h"
+
+namespace ridgeline::io {
+
+/// Gives each line an id of its own, as the judge, tables and maps know lines by their ids. Where several layers have the same
+/// id, all lines are named by their layer, "ridges.12". A line whose id an earlier one has is numbered as the parts of a
+/// polyline are, "12.1", never by a number that another line has; the number of a part gives way to an id that the file states.
+/// A warning says so. A set whose ids differ stays as it is.
+void make_ids_unique(LineSet& set);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ridgeline::io {
+
+/// Whether the bytes are UTF-8 of RFC 3629: no overlong forms, no surrogates.
+bool is_utf8(std::string_view bytes);
+
+/// The text in UTF-8: bytes that are none are taken as Latin-1.
+std::string as_utf8(std::string_view text);
+
+}  // namespace ridgeline::io
