@@ -190,20 +190,25 @@ bool CloudFiles::append(File& file,
     return true;
   }
   file.is_read = true;
+  const CloudSource& source = open(file);
   const ReadSummary summary =
-      append_points(open(file), local_from(file), filter, cloud.points, max_points);
-  close_if_heavy(file);
-  if (cloud.points.size() > max_points) return false;
+      append_points(source, local_from(file), filter, cloud.points, max_points);
+  if (cloud.points.size() > max_points) {
+    close_if_heavy(file);
+    return false;
+  }
   cloud.n_read += summary.n_read;
   add_drops(summary.drops, cloud);
   if (info.n_points == 0) warn("has no points");
   if (summary.has_whole_extent) {
     if (const auto text = wrong_bounds(info, file.unit_m, summary.extent_in_world)) warn(*text);
   }
-  if (const auto text = float_damage(info, summary.extent_in_world, options_)) {
+  const SeenPoints seen{summary.extent_in_world, summary.steps, summary.n_read};
+  if (const auto text = coarse_steps(source, file.unit_m, seen)) {
     if (options_.strict) throw IoError(info.path, *text);
     warn(*text);
   }
+  close_if_heavy(file);
   return true;
 }
 
