@@ -27,7 +27,7 @@ enum class Status : std::uint8_t {
   kDegenerate,        ///< zero length, or vertical: no plan direction
   kTooShort,
   kNonFinite,
-  kOutOfRange,  ///< in_range() is false: no place on Earth in the cloud's system
+  kOutOfRange,  ///< in_range() is false, or more than kFarthestHeight_m off the points around it
   kDuplicateId,
 };
 inline constexpr int kNumStatuses = 11;
@@ -50,6 +50,10 @@ struct ImageEvidence {
 /// Whether both ends lie within 10,000 km of the local origin in x, y and z. What is farther off is a
 /// fault of the file; its length may not even be finite.
 bool in_range(const Segment3& segment_in_local);
+
+/// How far an end of a line may lie above or below all points around it. Beyond, it is no error of a tool and no
+/// object: a height that is missing (0, -9999), or in another unit.
+inline constexpr double kFarthestHeight_m = 100.0;
 
 /// A line to be judged. Local metres.
 struct JudgedLine {

@@ -58,8 +58,10 @@ class AxisSteps {
 /// The axes of coordinates in file units.
 class CoordinateSteps {
  public:
+  CoordinateSteps() : CoordinateSteps(Eigen::Vector3d::Ones()) {}
+
   /// `unit_m`: metres per file unit by axis.
-  explicit CoordinateSteps(const Eigen::Vector3d& unit_m = Eigen::Vector3d::Ones(),
+  explicit CoordinateSteps(const Eigen::Vector3d& unit_m,
                            double tolerable_m = kMaxCoordinateStep_m);
 
   /// Values that are not finite are passed over.

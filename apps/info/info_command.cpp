@@ -9,6 +9,7 @@
 #include "io/lines/read_lines.h"
 #include "io/lines/text.h"
 #include "io/patch.h"
+#include "io/results/judged_lines.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -101,6 +102,8 @@ void print_lines(const std::string& path) {
   if (facts.n_polylines > 0) fmt::print("  polylines   {}\n", facts.n_polylines);
   if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
   print_bounds(facts.bounds);
+  const Eigen::Vector3d steps_m = io::steps_of(set, results::unit_m_of(set)).steps_m();
+  if (!steps_m.isZero()) fmt::print("  digits      {}\n", io::steps_text(steps_m));
   fmt::print("  attributes  {}\n", fmt::join(facts.attributes, " "));
   print_crs(set.crs);
   print_warnings(set.warnings);

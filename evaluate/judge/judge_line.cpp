@@ -38,6 +38,16 @@ std::size_t count_in_corridor(std::span<const ZonePoint> zone,
   }));
 }
 
+/// By how much an end lies above (positive) or below all points, m.
+double height_off_m(std::span<const ZonePoint> zone, const Segment3& segment) {
+  const auto by_height = [](const ZonePoint& p) { return p.x.z(); };
+  const auto [lowest, highest] = std::ranges::minmax_element(zone, {}, by_height);
+  const auto [low, high] = std::minmax(segment.start.z(), segment.end.z());
+  const double above_m = high - highest->x.z();
+  const double below_m = lowest->x.z() - low;
+  return above_m >= below_m ? std::max(0.0, above_m) : -std::max(0.0, below_m);
+}
+
 JudgingPlane judging_plane(const CandidatePlane& candidate,
                            const Footprint& footprint,
                            const Segment3& segment) {
@@ -233,6 +243,11 @@ JudgedResult judge_line(const PointSearch& search,
     return ended(std::move(e), Status::kNoLidar,
                  text(n_beside, " points within ", options.corridor_half_width_m,
                       " m of the line, must be at least ", options.min_points));
+  }
+  if (const double off_m = height_off_m(zone, line.segment); std::abs(off_m) > kFarthestHeight_m) {
+    return ended(std::move(e), Status::kOutOfRange,
+                 text("an end lies ", std::abs(off_m), off_m > 0.0 ? " m above" : " m below",
+                      " all points around it, must be at most ", kFarthestHeight_m, " m"));
   }
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));

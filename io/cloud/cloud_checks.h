@@ -31,7 +31,7 @@ std::optional<std::string> wrong_bounds(const CloudFileInfo& info,
                                         const Eigen::AlignedBox3d& extent_in_world);
 
 /// The bounds that a header states, file units, if they enclose an area and hold the points of the
-/// first and the last block. None for a file that has an index of its own, or no random access.
+/// first, the last and some blocks between. None for a file that has an index of its own, or no random access.
 /// Throws IoError for a damaged block.
 std::optional<Eigen::AlignedBox3d> confirmed_bounds(const CloudSource& source);
 

@@ -75,8 +75,8 @@ Census count_points(const CloudSource& source) {
     a.merge(b);
     return a;
   };
-  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, source.n_blocks(), 16), Census(unit_m),
-                              add_blocks, join);
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, source.n_blocks(), 16),
+                              Census(unit_m), add_blocks, join);
 }
 
 std::map<std::uint8_t, std::uint64_t> present(const std::array<std::uint64_t, 256>& counts) {

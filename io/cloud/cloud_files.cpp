@@ -135,6 +135,7 @@ bool CloudFiles::is_passed_over(File& file, const PointFilter& filter) const {
     return filter.excludes({unit_m.cwiseProduct(box_in_file.min()) - origin_m,
                             unit_m.cwiseProduct(box_in_file.max()) - origin_m});
   };
+  if (!trusts_headers_) return false;
   if (!file.info.stated_bounds || !is_outside(*file.info.stated_bounds)) return false;
   if (!std::exchange(file.is_checked, true)) file.confirmed_bounds = confirmed_bounds(open(file));
   return file.confirmed_bounds && is_outside(*file.confirmed_bounds);
