@@ -55,6 +55,7 @@ void AxisSteps::Lattice::merge(const Lattice& other) {
 }
 
 void AxisSteps::add_to_lattices(double value) {
+  largest_ = std::max(largest_, std::abs(value));
   binary_.add(value);
   decimal_.add(value);
 }
@@ -62,6 +63,7 @@ void AxisSteps::add_to_lattices(double value) {
 void AxisSteps::merge(const AxisSteps& other) {
   binary_.merge(other.binary_);
   decimal_.merge(other.decimal_);
+  largest_ = std::max(largest_, other.largest_);
 }
 
 /// The largest step up to `limit` that all values share; `next` gives the one above a step. 0 for none.
@@ -78,7 +80,7 @@ double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
 
 std::optional<double> AxisSteps::step() const {
   // Believed if values on a grid of 0.01 would share it by chance once in 100,000 cases.
-  constexpr double kFineGrid = 0.01;
+  const double fine_grid = decimal_.is_alive ? 0.01 : 2.0 * kRounding;
   constexpr double kFewestDigits = 5.0;
   constexpr double kLargestBinary = 0.5;  // whole numbers are decimals
   const double step =
@@ -86,13 +88,22 @@ std::optional<double> AxisSteps::step() const {
                decimal_.largest_step(kFarthest, smallest_decimal));
   const std::size_t n_values = std::max(binary_.is_alive ? binary_.samples.size() : 0,
                                         decimal_.is_alive ? decimal_.samples.size() : 0);
-  const double digits = static_cast<double>(n_values) * std::log10(step / kFineGrid);
+  const double digits = static_cast<double>(n_values) * std::log10(step / fine_grid);
   if (n_values < 2 || !(digits >= kFewestDigits)) return std::nullopt;
   return step;
 }
 
+double AxisSteps::float32_step() const {
+  constexpr int kDigits = 24;
+  if (!may_have_step() || largest_ == 0.0) return 0.0;
+  int exponent = 0;
+  (void)std::frexp(largest_, &exponent);
+  return std::ldexp(1.0, exponent - kDigits);
+}
+
 CoordinateSteps::CoordinateSteps(const Eigen::Vector3d& unit_m, double tolerable_m)
     : unit_m_(unit_m),
+      tolerable_m_(tolerable_m),
       axes_{AxisSteps(tolerable_m / unit_m.x()), AxisSteps(tolerable_m / unit_m.y()),
             AxisSteps(tolerable_m / unit_m.z())} {}
 
@@ -111,11 +122,17 @@ bool CoordinateSteps::may_have_steps() const {
   return std::ranges::any_of(axes_, &AxisSteps::may_have_step);
 }
 
+bool CoordinateSteps::went_through_float32() const {
+  return std::ranges::any_of(axes_, &AxisSteps::has_binary_step);
+}
+
 Eigen::Vector3d CoordinateSteps::steps_m() const {
+  const bool is_float32 = went_through_float32();
   Eigen::Vector3d steps_m;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
-    steps_m[i] = axes_[axis].step().value_or(0.0) * unit_m_[i];
+    const double step = is_float32 ? axes_[axis].float32_step() : axes_[axis].step().value_or(0.0);
+    steps_m[i] = step * unit_m_[i] > tolerable_m_ ? step * unit_m_[i] : 0.0;
   }
   return steps_m;
 }

@@ -35,6 +35,12 @@ class AxisSteps {
   /// or if so few different values may share it by chance or by design: two eaves of 3 and 6 m.
   [[nodiscard]] std::optional<double> step() const;
 
+  /// Whether step() is a power of 2 that no decimal number explains: only float32 rounds so.
+  [[nodiscard]] bool has_binary_step() const { return step() && !decimal_.is_alive; }
+
+  /// Of the magnitude of the values, as long as they may have a step; file units.
+  [[nodiscard]] double float32_step() const;
+
  private:
   /// Multiples of `base`, up to the millimetres that a text keeps of them.
   struct Lattice {
@@ -53,6 +59,7 @@ class AxisSteps {
   void add_to_lattices(double value);
 
   Lattice binary_, decimal_;
+  double largest_ = 0.0;  ///< magnitude
 };
 
 /// The axes of coordinates in file units.
@@ -69,11 +76,14 @@ class CoordinateSteps {
   void merge(const CoordinateSteps& other);
   [[nodiscard]] bool may_have_steps() const;
 
-  /// Metres; 0 where no step is found.
+  /// Metres; 0 where no step is found. Once float32 has shown itself in an axis, its steps in all.
   [[nodiscard]] Eigen::Vector3d steps_m() const;
+
+  [[nodiscard]] bool went_through_float32() const;
 
  private:
   Eigen::Vector3d unit_m_;
+  double tolerable_m_;
   std::array<AxisSteps, 3> axes_;
 };
 

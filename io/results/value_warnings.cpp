@@ -36,13 +36,14 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-/// Steps that may have moved the lines. Rounding to a step moves a coordinate by 0.29 of it, and a line across its
+/// Steps that may have moved the lines: those of float32, and of digits unless the lines fit too well. Rounding to a step moves a coordinate by 0.29 of it, and a line across its
 /// plane by less.
 Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
   constexpr double kLeastHarm = 0.125;
-  const Eigen::Vector3d steps_m = io::steps_of(set, unit_m_of(set)).steps_m();
+  const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
+  const Eigen::Vector3d steps_m = steps.steps_m();
   const auto rms = rms_m(lines, [](const LineEvaluation&) { return true; });
-  if (!rms) return steps_m;
+  if (!rms || steps.went_through_float32()) return steps_m;
   return (kLeastHarm * steps_m.array() <= *rms).select(steps_m, 0.0);
 }
 
