@@ -167,12 +167,18 @@ bool is_line_ply(const std::string& path) {
   return false;
 }
 
-/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter.
-void print_text_file(const std::string& path, double max_resolution_m) {
+/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter. A CSV that is neither
+/// is more likely to have been meant for lines.
+void print_text_file(const std::string& path, bool is_csv, double max_resolution_m) {
   try {
     print_lines(path);
-  } catch (const io::IoError&) {
-    print_cloud(path, max_resolution_m);
+  } catch (const io::IoError& fault_of_lines) {
+    try {
+      print_cloud(path, max_resolution_m);
+    } catch (const io::IoError&) {
+      if (is_csv) throw fault_of_lines;
+      throw;
+    }
   }
 }
 
@@ -183,11 +189,14 @@ void print_facts(const std::string& path, double max_resolution_m) {
       extension == ".jpeg") {
     return print_image(path);
   }
-  if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz") {
+  if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz" ||
+      extension == ".pts" || extension == ".asc") {
     return print_cloud(path, max_resolution_m);
   }
   if (extension == ".ply" && !is_line_ply(path)) return print_cloud(path, max_resolution_m);
-  if (extension == ".txt") return print_text_file(path, max_resolution_m);
+  if (extension == ".txt" || extension == ".csv") {
+    return print_text_file(path, extension == ".csv", max_resolution_m);
+  }
   print_lines(path);
 }
 

@@ -229,14 +229,14 @@ class LayoutFinder {
     if (lower_case(text.substr(0, 4)) == "sep=") return false;
     if (is_count(text, lines)) return false;
     const Fields fields = fields_of(text, kAnySeparator);
-    const bool has_number = std::ranges::any_of(
+    const auto n_numbers = std::ranges::count_if(
         fields, [](std::string_view field) { return table_number(field).has_value(); });
     ColumnNames columns = column_names(line);
     if (columns.has_all_axes()) {
       columns_ = std::move(columns);
       return false;
     }
-    if (!has_number && !columns_ && has_letter(text)) fail_names(line, columns);
+    if (n_numbers < 3 && !columns_ && has_letter(text)) fail_names(line, columns);
     sample_.push_back(line);
     return true;
   }

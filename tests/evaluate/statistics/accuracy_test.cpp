@@ -189,10 +189,10 @@ TEST(CheckFrame, TellsLinesThatLieElsewhere) {
 TEST(CheckFrame, TakesLinesOutOfRangeForLinesElsewhere) {
   const std::vector<LineEvaluation> lines(3, excluded_line("", Status::kOutOfRange));
   EXPECT_THAT(check_frame(lines, 1.0).reason, HasSubstr("only 0 of 3 lines are near the cloud"));
-  std::vector<LineEvaluation> without_height = lines;
-  without_height[1].length_m = 5.0;  // over the cloud, as it was looked up there
+  std::vector<LineEvaluation> without_height = lines;  // two of them
+  without_height[1].length_m = 0.0;                    // nowhere on Earth
   EXPECT_THAT(check_frame(without_height, 1.0).reason,
-              HasSubstr("(1 lie more than 100 m above or below it)"));
+              HasSubstr("(2 lie more than 100 m above or below it)"));
 }
 
 TEST(CheckFrame, TellsLinesAtAnotherHeight) {
