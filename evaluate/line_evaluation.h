@@ -27,7 +27,7 @@ enum class Status : std::uint8_t {
   kDegenerate,        ///< zero length, or vertical: no plan direction
   kTooShort,
   kNonFinite,
-  kOutOfRange,  ///< in_range() is false, or more than kFarthestHeight_m off the points around it
+  kOutOfRange,  ///< in_range() is false, or its height is a mark that there is none
   kDuplicateId,
 };
 inline constexpr int kNumStatuses = 11;
@@ -51,8 +51,8 @@ struct ImageEvidence {
 /// fault of the file; its length may not even be finite.
 bool in_range(const Segment3& segment_in_local);
 
-/// How far an end of a line may lie above or below all points around it. Beyond, it is no error of a tool and no
-/// object: a height that is missing (0, -9999), or in another unit.
+/// A line with exactly one height, so far above or below all points around it, was not measured there: it is a mark for
+/// a missing height (0, -9999). An error of a tool may be as large, but gives no two ends the same height.
 inline constexpr double kFarthestHeight_m = 100.0;
 
 /// A line to be judged. Local metres.

@@ -38,14 +38,16 @@ std::size_t count_in_corridor(std::span<const ZonePoint> zone,
   }));
 }
 
-/// By how much an end lies above (positive) or below all points, m.
+/// By how much a line lies above (positive) or below all points, m; 0 between them.
 double height_off_m(std::span<const ZonePoint> zone, const Segment3& segment) {
   const auto by_height = [](const ZonePoint& p) { return p.x.z(); };
   const auto [lowest, highest] = std::ranges::minmax_element(zone, {}, by_height);
-  const auto [low, high] = std::minmax(segment.start.z(), segment.end.z());
-  const double above_m = high - highest->x.z();
-  const double below_m = lowest->x.z() - low;
-  return above_m >= below_m ? std::max(0.0, above_m) : -std::max(0.0, below_m);
+  const auto [low, high] = std::minmax({segment.start.z(), segment.end.z()});
+  return std::max(0.0, low - highest->x.z()) + std::min(0.0, high - lowest->x.z());
+}
+
+bool marks_missing_height(double height_off_m, const Segment3& segment) {
+  return segment.start.z() == segment.end.z() && std::abs(height_off_m) > kFarthestHeight_m;
 }
 
 JudgingPlane judging_plane(const CandidatePlane& candidate,
@@ -244,10 +246,11 @@ JudgedResult judge_line(const PointSearch& search,
                  text(n_beside, " points within ", options.corridor_half_width_m,
                       " m of the line, must be at least ", options.min_points));
   }
-  if (const double off_m = height_off_m(zone, line.segment); std::abs(off_m) > kFarthestHeight_m) {
+  if (const double off_m = height_off_m(zone, line.segment);
+      marks_missing_height(off_m, line.segment)) {
     return ended(std::move(e), Status::kOutOfRange,
-                 text("an end lies ", std::abs(off_m), off_m > 0.0 ? " m above" : " m below",
-                      " all points around it, must be at most ", kFarthestHeight_m, " m"));
+                 text("both ends lie ", std::abs(off_m), off_m > 0.0 ? " m above" : " m below",
+                      " all points around them: a mark for a missing height"));
   }
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));
