@@ -68,19 +68,22 @@ bool is_far_in_height(const LineEvaluation& line) {
   return line.status == Status::kOutOfRange && line.length_m > 0.0;
 }
 
+/// Far off and beside its planes all along. What a tool places wrongly that far off is seldom parallel.
 bool is_far_from_planes(const LineEvaluation& line) {
-  return line.status == Status::kEvaluated && line.mean_distance_m > kFarthestError_m;
+  constexpr double kParallel = 0.2;  // difference of the ends, of the distance
+  if (line.status != Status::kEvaluated || line.mean_distance_m <= kFarthestError_m) return false;
+  return std::ranges::all_of(line.planes, [&](const evaluate::JudgingPlane& p) {
+    return std::abs(p.distance.start - p.distance.end) <= kParallel * line.mean_distance_m;
+  });
 }
-
-constexpr const char* kHeightHint = "are heights missing (0, -9999), or in another unit or system?";
 
 std::optional<std::string> out_of_range_text(const std::vector<LineEvaluation>& lines) {
   const std::vector<std::string> ids = ids_of(lines, is_far_in_height);
   if (ids.empty()) return std::nullopt;
   return fmt::format(
-      "{} of {} lines lie more than {:.0f} m above or below all points around them "
-      "and are not judged (out_of_range): {}; {}",
-      ids.size(), lines.size(), evaluate::kFarthestHeight_m, ids_text(ids), kHeightHint);
+      "{} of {} lines lie at one height more than {:.0f} m above or below all points around them "
+      "and are not judged (out_of_range): {}; a mark for a missing height (0, -9999)?",
+      ids.size(), lines.size(), evaluate::kFarthestHeight_m, ids_text(ids));
 }
 
 std::optional<std::string> far_text(const std::vector<LineEvaluation>& lines) {
@@ -89,10 +92,10 @@ std::optional<std::string> far_text(const std::vector<LineEvaluation>& lines) {
   const auto all = rms_m(lines, [](const LineEvaluation&) { return true; });
   const auto rest = rms_m(lines, [](const LineEvaluation& l) { return !is_far_from_planes(l); });
   return fmt::format(
-      "{} of {} lines lie more than {:.0f} m from their planes and decide the RMS, "
-      "{:.3f} m with and {} without them: {}; {}",
+      "{} of {} lines lie more than {:.0f} m beside their planes and decide the RMS, {:.3f} m with "
+      "and {} without them: {}; are their heights missing, or in another unit or height system?",
       ids.size(), lines.size(), kFarthestError_m, *all, rest ? fmt::format("{:.3f} m", *rest) : "-",
-      ids_text(ids), kHeightHint);
+      ids_text(ids));
 }
 
 }  // namespace

@@ -79,8 +79,18 @@ TEST(ValueWarnings, NameLinesThatDecideTheRms) {
   Judged judged(0.001, 0.04);
   judged.evaluation.lines[2].mean_distance_m = 40.0;
   EXPECT_THAT(judged.warnings(),
-              ElementsAre(AllOf(HasSubstr("1 of 7 lines lie more than 20 m from their planes"),
+              ElementsAre(AllOf(HasSubstr("1 of 7 lines lie more than 20 m beside their planes"),
                                 HasSubstr("0.040 m without them: 2;"))));
+}
+
+TEST(ValueWarnings, LeaveFarErrorsOfAToolToTheStatistics) {
+  Judged judged(0.001, 0.04);
+  judged.evaluation.lines[2].mean_distance_m = 70.0;
+  evaluate::JudgingPlane plane;
+  plane.distance.start = -169.6;
+  plane.distance.end = 57.1;
+  judged.evaluation.lines[2].planes = {plane};
+  EXPECT_THAT(judged.warnings(), IsEmpty());
 }
 
 TEST(ValueWarnings, NameLinesOfNoHeight) {
