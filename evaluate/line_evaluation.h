@@ -27,7 +27,7 @@ enum class Status : std::uint8_t {
   kDegenerate,        ///< zero length, or vertical: no plan direction
   kTooShort,
   kNonFinite,
-  kOutOfRange,  ///< in_range() is false: no place on Earth in the cloud's system
+  kOutOfRange,  ///< in_range() is false, or its height is a mark that there is none
   kDuplicateId,
 };
 inline constexpr int kNumStatuses = 11;
@@ -50,6 +50,10 @@ struct ImageEvidence {
 /// Whether both ends lie within 10,000 km of the local origin in x, y and z. What is farther off is a
 /// fault of the file; its length may not even be finite.
 bool in_range(const Segment3& segment_in_local);
+
+/// A line with exactly one height, so far above or below all points around it, was not measured there: it is a mark for
+/// a missing height (0, -9999). An error of a tool may be as large, but gives no two ends the same height.
+inline constexpr double kFarthestHeight_m = 100.0;
 
 /// A line to be judged. Local metres.
 struct JudgedLine {

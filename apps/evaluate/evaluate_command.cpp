@@ -105,7 +105,10 @@ void add_cloud_filters(CLI::App& app, EvaluateArguments& a) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str()
       ->group(group);
-  app.add_flag("--strict", a.strict, "refuse coordinates damaged by float32")->group(group);
+  app.add_flag(
+         "--strict", a.strict,
+         "refuse coordinates in steps above 0.025 m (float32, too few digits), of cloud and lines")
+      ->group(group);
   app.add_flag("--salvage", a.salvage, "read what is there of a file cut short")->group(group);
 }
 

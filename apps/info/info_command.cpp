@@ -9,6 +9,7 @@
 #include "io/lines/read_lines.h"
 #include "io/lines/text.h"
 #include "io/patch.h"
+#include "io/results/judged_lines.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -101,6 +102,8 @@ void print_lines(const std::string& path) {
   if (facts.n_polylines > 0) fmt::print("  polylines   {}\n", facts.n_polylines);
   if (facts.n_non_finite > 0) fmt::print("  not finite  {}\n", facts.n_non_finite);
   print_bounds(facts.bounds);
+  const Eigen::Vector3d steps_m = io::steps_of(set, results::unit_m_of(set)).steps_m();
+  if (!steps_m.isZero()) fmt::print("  digits      {}\n", io::steps_text(steps_m));
   fmt::print("  attributes  {}\n", fmt::join(facts.attributes, " "));
   print_crs(set.crs);
   if (!set.stated_unit.empty()) fmt::print("  $INSUNITS   {}\n", set.stated_unit);
@@ -165,12 +168,18 @@ bool is_line_ply(const std::string& path) {
   return false;
 }
 
-/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter.
-void print_text_file(const std::string& path, double max_resolution_m) {
+/// Text files hold a cloud or a tool's lines: lines are tried first, as their formats are stricter. A CSV that is neither
+/// is more likely to have been meant for lines.
+void print_text_file(const std::string& path, bool is_csv, double max_resolution_m) {
   try {
     print_lines(path);
-  } catch (const io::IoError&) {
-    print_cloud(path, max_resolution_m);
+  } catch (const io::IoError& fault_of_lines) {
+    try {
+      print_cloud(path, max_resolution_m);
+    } catch (const io::IoError&) {
+      if (is_csv) throw fault_of_lines;
+      throw;
+    }
   }
 }
 
@@ -181,11 +190,14 @@ void print_facts(const std::string& path, double max_resolution_m) {
       extension == ".jpeg") {
     return print_image(path);
   }
-  if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz") {
+  if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz" ||
+      extension == ".pts" || extension == ".asc") {
     return print_cloud(path, max_resolution_m);
   }
   if (extension == ".ply" && !is_line_ply(path)) return print_cloud(path, max_resolution_m);
-  if (extension == ".txt") return print_text_file(path, max_resolution_m);
+  if (extension == ".txt" || extension == ".csv") {
+    return print_text_file(path, extension == ".csv", max_resolution_m);
+  }
   print_lines(path);
 }
 

@@ -38,6 +38,18 @@ std::size_t count_in_corridor(std::span<const ZonePoint> zone,
   }));
 }
 
+/// By how much a line lies above (positive) or below all points, m; 0 between them.
+double height_off_m(std::span<const ZonePoint> zone, const Segment3& segment) {
+  const auto by_height = [](const ZonePoint& p) { return p.x.z(); };
+  const auto [lowest, highest] = std::ranges::minmax_element(zone, {}, by_height);
+  const auto [low, high] = std::minmax({segment.start.z(), segment.end.z()});
+  return std::max(0.0, low - highest->x.z()) + std::min(0.0, high - lowest->x.z());
+}
+
+bool marks_missing_height(double height_off_m, const Segment3& segment) {
+  return segment.start.z() == segment.end.z() && std::abs(height_off_m) > kFarthestHeight_m;
+}
+
 JudgingPlane judging_plane(const CandidatePlane& candidate,
                            const Footprint& footprint,
                            const Segment3& segment) {
@@ -233,6 +245,12 @@ JudgedResult judge_line(const PointSearch& search,
     return ended(std::move(e), Status::kNoLidar,
                  text(n_beside, " points within ", options.corridor_half_width_m,
                       " m of the line, must be at least ", options.min_points));
+  }
+  if (const double off_m = height_off_m(zone, line.segment);
+      marks_missing_height(off_m, line.segment)) {
+    return ended(std::move(e), Status::kOutOfRange,
+                 text("both ends lie ", std::abs(off_m), off_m > 0.0 ? " m above" : " m below",
+                      " all points around them: a mark for a missing height"));
   }
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));

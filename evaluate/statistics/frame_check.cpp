@@ -32,10 +32,13 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
   std::vector<double> distances_m;
   std::size_t n_looked_up = 0;
   std::size_t n_near = 0;
+  std::size_t n_far_in_height = 0;
   for (const LineEvaluation& line : lines) {
     if (line.status == Status::kEvaluated) distances_m.push_back(line.mean_distance_m);
     if (!was_looked_up(line.status)) continue;
     ++n_looked_up;
+    // what is nowhere on Earth has no length
+    if (line.status == Status::kOutOfRange && line.length_m > 0.0) ++n_far_in_height;
     if (line.status != Status::kNoLidar && line.status != Status::kOutOfRange) ++n_near;
   }
   FrameCheck result;
@@ -45,6 +48,10 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
   if (*result.near_share < kMinNearShare) {
     result.reason = fmt::format("only {} of {} lines are near the cloud, at least 5 % must be",
                                 n_near, n_looked_up);
+    if (n_far_in_height > 0) {
+      result.reason += fmt::format(" ({} lie at one height more than {:.0f} m above or below it)",
+                                   n_far_in_height, kFarthestHeight_m);
+    }
   } else if (result.median_distance_m.value_or(0.0) > kMaxTolerances * tolerance_m) {
     result.reason = fmt::format(
         "the median distance of the lines is {:.1f} m, at most {:.1f} m "

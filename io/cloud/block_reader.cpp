@@ -40,6 +40,17 @@ Eigen::AlignedBox3d extent_of(const std::vector<CloudPoint>& points) {
   return {Eigen::Vector3d(low[0], low[1], low[2]), Eigen::Vector3d(high[0], high[1], high[2])};
 }
 
+CoordinateSteps steps_of(const std::vector<CloudPoint>& points,
+                         const LocalFromFile& local_from_file) {
+  const auto& [unit_m, origin_m] = local_from_file;
+  CoordinateSteps steps(unit_m);
+  for (const CloudPoint& p : points) {
+    if (!steps.may_have_steps()) break;
+    steps.add((Eigen::Vector3d(p.x, p.y, p.z) + origin_m).cwiseQuotient(unit_m));
+  }
+  return steps;
+}
+
 void check_range(const Eigen::AlignedBox3d& extent_in_world, const std::string& path) {
   if (extent_in_world.isEmpty()) return;
   for (int axis = 0; axis < 3; ++axis) {
@@ -78,6 +89,7 @@ void decode_and_filter(const CloudSource& source,
     block.summary.n_read = *n_outside;
     block.summary.drops.outside = *n_outside;
     block.summary.has_whole_extent = false;
+    block.summary.steps = CoordinateSteps(local_from_file.unit_m);
     return;
   }
   source.decode_block(index, local_from_file, block.points);
@@ -86,6 +98,7 @@ void decode_and_filter(const CloudSource& source,
   if (!block.summary.extent_in_world.isEmpty()) {
     block.summary.extent_in_world.translate(local_from_file.origin_m);
   }
+  block.summary.steps = steps_of(block.points, local_from_file);
   check_range(block.summary.extent_in_world, source.info().path);
   block.summary.drops = filter.apply(block.points);
 }
@@ -93,6 +106,7 @@ void decode_and_filter(const CloudSource& source,
 void add(const ReadSummary& part, ReadSummary& sum) {
   sum.n_read += part.n_read;
   sum.extent_in_world.extend(part.extent_in_world);
+  sum.steps.merge(part.steps);
   sum.has_whole_extent = sum.has_whole_extent && part.has_whole_extent;
   sum.drops.non_finite += part.drops.non_finite;
   sum.drops.withheld += part.drops.withheld;
@@ -142,6 +156,7 @@ ReadSummary append_points(const CloudSource& source,
                           std::vector<CloudPoint>& points,
                           std::uint64_t max_points) {
   ReadSummary sum;
+  sum.steps = CoordinateSteps(local_from_file.unit_m);
   for_each_block(source, local_from_file, filter, [&](const Block& block) {
     add(block.summary, sum);
     points.insert(points.end(), block.points.begin(), block.points.end());

@@ -3,6 +3,7 @@
 
 #include "io/cloud/cloud_source.h"
 #include "io/cloud/point_filter.h"
+#include "io/coordinate_steps.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,7 @@ struct ReadSummary {
   std::uint64_t n_read = 0;
   DropCounts drops;
   Eigen::AlignedBox3d extent_in_world;  ///< of all decoded finite points, kept or not; metres
+  CoordinateSteps steps;                ///< of all decoded points
   bool has_whole_extent = true;         ///< false if blocks outside the region were passed over
 };
 

@@ -1,5 +1,6 @@
 set(io_cloud_sources
   atomic_file.cpp
+  coordinate_steps.cpp
   crs.cpp
   sha256.cpp
   cloud/binary_table.cpp
@@ -28,10 +29,12 @@ set(io_cloud_sources
   cloud/point_filter.cpp
   cloud/read_cloud.cpp
   cloud/scalar_type.cpp
+  cloud/text_layout.cpp
   cloud/text_table.cpp
   cloud/xyz_source.cpp)
 set(io_cloud_headers
   atomic_file.h
+  coordinate_steps.h
   crs.h
   sha256.h
   cloud/binary_table.h
@@ -61,5 +64,6 @@ set(io_cloud_headers
   cloud/point_filter.h
   cloud/read_cloud.h
   cloud/scalar_type.h
+  cloud/text_layout.h
   cloud/text_table.h
   cloud/xyz_source.h)

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::io {
@@ -20,21 +23,70 @@ bool holds_block(const Eigen::AlignedBox3d& box, const CloudSource& source, std:
   });
 }
 
+/// Steps that the way of storing brings with it, metres.
+Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
+                               const Eigen::Vector3d& unit_m,
+                               const Eigen::AlignedBox3d& extent_in_world) {
+  constexpr int kFloatDigits = 24;
+  Eigen::Vector3d steps_m = Eigen::Vector3d::Zero();
+  if (info.scale) steps_m = info.scale->cwiseAbs().cwiseProduct(unit_m);
+  if (!info.has_float_coordinates || extent_in_world.isEmpty()) return steps_m;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double largest =
+        std::max(std::abs(extent_in_world.min()[axis]), std::abs(extent_in_world.max()[axis])) /
+        unit_m[axis];
+    int exponent = 0;
+    (void)std::frexp(largest, &exponent);
+    steps_m[axis] = std::ldexp(unit_m[axis], exponent - kFloatDigits);
+  }
+  return steps_m;
+}
+
+/// Whether the plan is a raster of cells with a point each at most: of the first block no two points stand at one
+/// place, and the cells of the steps are a good part filled.
+bool is_raster(const CloudSource& source,
+               const Eigen::Vector3d& unit_m,
+               const Eigen::Vector3d& steps_m,
+               const SeenPoints& seen) {
+  constexpr double kLeastFill = 0.1;  // a quarter where the middles of cells double the steps
+  if (!(steps_m.x() > 0.0) || steps_m.x() != steps_m.y() || source.n_blocks() == 0) return false;
+  const Eigen::Vector3d size_m = seen.extent_in_world.sizes();
+  const double n_cells = (size_m.x() / steps_m.x() + 1.0) * (size_m.y() / steps_m.y() + 1.0);
+  if (static_cast<double>(seen.n) < kLeastFill * n_cells) return false;
+  std::vector<CloudPoint> points;
+  source.decode_block(0, {.unit_m = unit_m}, points);
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
+  for (const CloudPoint& p : points) {
+    if (!std::isfinite(p.x + p.y)) continue;
+    cells.emplace_back(std::llround(p.x / steps_m.x()), std::llround(p.y / steps_m.y()));
+  }
+  std::ranges::sort(cells);
+  return std::ranges::adjacent_find(cells) == cells.end();
+}
+
 }  // namespace
 
-std::optional<std::string> float_damage(const CloudFileInfo& info,
-                                        const Eigen::AlignedBox3d& extent_in_world,
-                                        const ReadOptions& options) {
-  constexpr double kFloatEpsilon = 0x1p-23;
-  if (!info.has_float_coordinates || extent_in_world.isEmpty()) return std::nullopt;
-  const double largest_m =
-      extent_in_world.min().cwiseAbs().cwiseMax(extent_in_world.max().cwiseAbs()).maxCoeff();
-  const double step_m = largest_m * kFloatEpsilon;
-  if (step_m <= options.max_coordinate_step_m) return std::nullopt;
+std::optional<std::string> coarse_steps(const CloudSource& source,
+                                        const Eigen::Vector3d& unit_m,
+                                        const SeenPoints& points,
+                                        double tolerable_m) {
+  const CloudFileInfo& info = source.info();
+  const Eigen::Vector3d stored_m = stored_steps_m(info, unit_m, points.extent_in_world);
+  Eigen::Vector3d steps_m = points.steps.steps_m();
+  const bool is_stored_coarsely = stored_m.maxCoeff() > tolerable_m;
+  if (!is_stored_coarsely && is_raster(source, unit_m, steps_m, points)) {
+    steps_m.head<2>().setZero();
+  }
+  steps_m = steps_m.cwiseMax(stored_m);
+  if (!(steps_m.maxCoeff() > tolerable_m)) return std::nullopt;
+  steps_m = (steps_m.array() > tolerable_m).select(steps_m, 0.0);
+  const char* cause = "they were written with too few digits, or went through float32";
+  if (info.has_float_coordinates && is_stored_coarsely) cause = "they are stored as float32";
+  if (info.scale && is_stored_coarsely) cause = "so is the scale of the file";
   return fmt::format(
-      "coordinates up to {:.0f} m are stored as float32, in steps of up to {:.3g} m; steps above "
-      "{} m spoil plane fits, store doubles or subtract an offset first",
-      largest_m, step_m, options.max_coordinate_step_m);
+      "coordinates have {}: {}; steps above {} m spoil plane fits, store doubles, more digits or "
+      "coordinates that an offset was subtracted from",
+      steps_text(steps_m), cause, tolerable_m);
 }
 
 std::optional<std::string> wrong_bounds(const CloudFileInfo& info,
@@ -62,7 +114,12 @@ std::optional<Eigen::AlignedBox3d> confirmed_bounds(const CloudSource& source) {
   if (!size.allFinite() || !(size.head<2>().minCoeff() > 0.0)) return std::nullopt;
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTolerance);
   const Eigen::AlignedBox3d box(stated->min() - margin, stated->max() + margin);
-  if (!holds_block(box, source, 0) || !holds_block(box, source, n_blocks - 1)) return std::nullopt;
+  constexpr std::size_t kChecked = 4;  // files are passed over by the thousand, so not all of them
+  const std::size_t n_checked = std::min(kChecked, n_blocks);
+  for (std::size_t i = 0; i < n_checked; ++i) {
+    const std::size_t block = n_checked == 1 ? 0 : i * (n_blocks - 1) / (n_checked - 1);
+    if (!holds_block(box, source, block)) return std::nullopt;
+  }
   return box;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/cloud_facts.h"
 
+#include "io/cloud/cloud_checks.h"
 #include "io/cloud/cloud_source.h"
 #include "io/cloud/occupied_cells.h"
 
@@ -19,6 +20,8 @@ namespace {
 
 /// Counts of a part of the points. Merging is exact and does not depend on the order.
 struct Census {
+  explicit Census(const Eigen::Vector3d& unit_m) : steps(unit_m) {}
+
   std::uint64_t n_points = 0;
   std::uint64_t n_non_finite = 0;
   std::uint64_t n_withheld = 0;
@@ -26,6 +29,7 @@ struct Census {
   std::array<std::uint64_t, 256> n_by_return{};
   Eigen::AlignedBox3d bounds;
   OccupiedCells cells;
+  CoordinateSteps steps;
 
   void add(const CloudPoint& point, const Eigen::Vector3d& unit_m) {
     constexpr unsigned kWithheldFlag = 0x04;
@@ -38,6 +42,7 @@ struct Census {
       return;
     }
     bounds.extend(Eigen::Vector3d(point.x, point.y, point.z));
+    if (steps.may_have_steps()) steps.add({point.x, point.y, point.z});
     cells.add(point.x * unit_m.x(), point.y * unit_m.y());
   }
 
@@ -51,6 +56,7 @@ struct Census {
     }
     bounds.extend(other.bounds);
     cells.merge(other.cells);
+    steps.merge(other.steps);
   }
 };
 
@@ -69,8 +75,8 @@ Census count_points(const CloudSource& source) {
     a.merge(b);
     return a;
   };
-  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, source.n_blocks(), 16), Census{},
-                              add_blocks, join);
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, source.n_blocks(), 16),
+                              Census(unit_m), add_blocks, join);
 }
 
 std::map<std::uint8_t, std::uint64_t> present(const std::array<std::uint64_t, 256>& counts) {
@@ -106,6 +112,12 @@ CloudFacts cloud_facts(const std::string& path, const OpenCloudOptions& options)
     facts.density_per_m2 =
         static_cast<double>(census.n_points - census.n_non_finite) / static_cast<double>(n_cells);
   }
+  const SeenPoints seen{{info.unit_m.cwiseProduct(census.bounds.min()),
+                         info.unit_m.cwiseProduct(census.bounds.max())},
+                        census.steps,
+                        census.n_points};
+  if (info.is_geographic || census.bounds.isEmpty()) return facts;
+  if (auto text = coarse_steps(*source, info.unit_m, seen)) facts.warnings.push_back(*text);
   return facts;
 }
 

@@ -135,6 +135,7 @@ bool CloudFiles::is_passed_over(File& file, const PointFilter& filter) const {
     return filter.excludes({unit_m.cwiseProduct(box_in_file.min()) - origin_m,
                             unit_m.cwiseProduct(box_in_file.max()) - origin_m});
   };
+  if (!trusts_headers_) return false;
   if (!file.info.stated_bounds || !is_outside(*file.info.stated_bounds)) return false;
   if (!std::exchange(file.is_checked, true)) file.confirmed_bounds = confirmed_bounds(open(file));
   return file.confirmed_bounds && is_outside(*file.confirmed_bounds);
@@ -190,20 +191,25 @@ bool CloudFiles::append(File& file,
     return true;
   }
   file.is_read = true;
+  const CloudSource& source = open(file);
   const ReadSummary summary =
-      append_points(open(file), local_from(file), filter, cloud.points, max_points);
-  close_if_heavy(file);
-  if (cloud.points.size() > max_points) return false;
+      append_points(source, local_from(file), filter, cloud.points, max_points);
+  if (cloud.points.size() > max_points) {
+    close_if_heavy(file);
+    return false;
+  }
   cloud.n_read += summary.n_read;
   add_drops(summary.drops, cloud);
   if (info.n_points == 0) warn("has no points");
   if (summary.has_whole_extent) {
     if (const auto text = wrong_bounds(info, file.unit_m, summary.extent_in_world)) warn(*text);
   }
-  if (const auto text = float_damage(info, summary.extent_in_world, options_)) {
+  const SeenPoints seen{summary.extent_in_world, summary.steps, summary.n_read};
+  if (const auto text = coarse_steps(source, file.unit_m, seen)) {
     if (options_.strict) throw IoError(info.path, *text);
     warn(*text);
   }
+  close_if_heavy(file);
   return true;
 }
 

@@ -18,8 +18,8 @@ namespace ridgeline::io {
 
 /// The files of one cloud. Headers are read once, points as often as they are asked for, e.g. around
 /// some lines after others. A file is passed over where its header's bounds show that it has no
-/// wanted point; as headers are often wrong, they count only if the points of the file's first and
-/// last block confirm them.
+/// wanted point; as headers are often wrong, they count only if the points of some of the file's blocks confirm
+/// them, and until distrust_headers().
 class CloudFiles {
  public:
   /// Opens every file. `options.near` has no meaning here: it is given with each reading.
@@ -50,6 +50,9 @@ class CloudFiles {
 
   /// read() of the largest share, 1, 1/4, 1/16, ... of the options', that has at most `max_points`.
   PointCloud read_thinned(const std::optional<PlanMask>& near, std::uint64_t max_points);
+
+  /// From now on no file is passed over because of its header.
+  void distrust_headers() { trusts_headers_ = false; }
 
   /// The files that every reading has passed over so far.
   [[nodiscard]] std::vector<std::string> unread_paths() const;
@@ -83,6 +86,7 @@ class CloudFiles {
   Crs crs_;
   std::vector<std::string> warnings_;
   std::vector<File> files_;
+  bool trusts_headers_ = true;
 };
 
 }  // namespace ridgeline::io

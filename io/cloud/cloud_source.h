@@ -27,7 +27,7 @@ struct CloudFileInfo {
   bool has_sure_unit = false;  ///< without a reference system that says so
   bool is_geographic = false;
   std::uint64_t n_points = 0;
-  bool has_float_coordinates = false;  ///< stored as float32: a step of 0.5 m at UTM northings
+  bool has_float_coordinates = false;  ///< in binary: a step of 0.5 m at UTM northings
   /// As the header states them, in file units; often wrong, so only compared with the points.
   std::optional<Eigen::AlignedBox3d> stated_bounds{};
   std::optional<Eigen::Vector3d> scale{};  ///< of LAS coordinates: x = scale * integer + offset

@@ -31,6 +31,8 @@ constexpr std::array kSignatures{
     Signature{"II*\0"sv, "a TIFF image"sv},
     Signature{"MM\0*"sv, "a TIFF image"sv},
     Signature{"<!DOCTYPE"sv, "a web page (a failed download?)"sv},
+    Signature{"ncols"sv, "an ASCII grid (give its cells as x y z lines)"sv},
+    Signature{"NCOLS"sv, "an ASCII grid (give its cells as x y z lines)"sv},
     Signature{"<html"sv, "a web page (a failed download?)"sv},
     Signature{"version https://git-lfs"sv,
               "a Git LFS pointer (fetch the file with git lfs pull)"sv},

@@ -152,9 +152,6 @@ std::unique_ptr<CloudSource> open_ascii(MappedFile file,
                   .items = {}};
   for (const PcdField& field : header.fields) {
     const auto attribute = attribute_of_column(field.name);
-    if (attribute && *attribute <= PointAttribute::kZ && field.type == ScalarType::kFloat32) {
-      info.has_float_coordinates = true;
-    }
     for (std::uint64_t i = 0; i < field.count; ++i) {
       table.items.push_back({.attribute = i == 0 ? attribute : std::nullopt});
     }

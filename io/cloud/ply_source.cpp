@@ -115,9 +115,6 @@ std::unique_ptr<CloudSource> open_ascii(MappedFile file,
   }
   for (const PlyProperty& property : vertex.properties) {
     const auto attribute = attribute_of_column(property.name);
-    if (attribute && *attribute <= PointAttribute::kZ && property.type == ScalarType::kFloat32) {
-      info.has_float_coordinates = true;
-    }
     const bool is_list = property.list_count_type.has_value();
     table.items.push_back({.attribute = is_list ? std::nullopt : attribute, .is_list = is_list});
   }

@@ -28,7 +28,11 @@ PointCloud read_cloud(const std::vector<std::string>& paths_or_patterns,
                       const ReadOptions& options) {
   check(!options.near || options.frame,
         "read_cloud: near is set but frame is not; the mask is in local coordinates");
-  return CloudFiles(paths_or_patterns, options).read(options.near);
+  CloudFiles files(paths_or_patterns, options);
+  PointCloud cloud = files.read(options.near);
+  if (!cloud.points.empty() || files.unread_paths().empty()) return cloud;
+  files.distrust_headers();  // no point at all is more likely a header's fault
+  return files.read(options.near);
 }
 
 }  // namespace ridgeline::io

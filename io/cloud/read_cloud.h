@@ -28,14 +28,12 @@ struct ReadOptions {
   double share = 1.0;
   std::uint64_t max_points = 0;        ///< kept points allowed; 0: no limit
   std::uint64_t max_memory_bytes = 0;  ///< for kept points, 32 bytes each; 0: no limit
-  /// Refuses what is otherwise warned of: coordinates already damaged by float32.
+  /// Refuses what is otherwise warned of: coordinates in steps above kMaxCoordinateStep_m.
   bool strict = false;
   bool salvage = false;  ///< read the records that are there when a file is cut short
   /// Only the levels of a COPC octree down to this distance between points are read;
   /// 0: all. Other files are read whole.
   double max_resolution_m = 0.0;
-  /// Coarsest tolerable step of stored coordinates: a quarter of the 0.1 m plane tolerance.
-  double max_coordinate_step_m = 0.025;
 };
 
 /// A box of all heights for ReadOptions::bounds_in_world, of x_min, y_min, x_max, y_max.

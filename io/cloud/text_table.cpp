@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -18,6 +19,7 @@ namespace ridgeline::io {
 namespace {
 
 constexpr std::uint64_t kRowsPerBlock = 16384;
+constexpr std::string_view kBlankChars = " \t\r";
 constexpr std::string_view kSeparators = " \t\r,;";
 
 std::string_view take_line(std::string_view& text) {
@@ -27,19 +29,14 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Empty at the end of the line.
-std::string_view take_token(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(kSeparators), line.size()));
-  const std::string_view token = line.substr(0, line.find_first_of(kSeparators));
-  line.remove_prefix(token.size());
-  return token;
-}
-
-bool is_row(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(kSeparators);
-  if (first == std::string_view::npos) return false;
-  line.remove_prefix(first);
-  return !line.starts_with('#') && !line.starts_with("//");
+std::string_view without_quotes(std::string_view field) {
+  const std::size_t first = field.find_first_not_of(kBlankChars);
+  if (first == std::string_view::npos) return {};
+  field = field.substr(first, field.find_last_not_of(kBlankChars) + 1 - first);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+    field = field.substr(1, field.size() - 2);
+  }
+  return field;
 }
 
 /// Where a run of rows begins.
@@ -62,7 +59,7 @@ RowIndex index_rows(const TextTable& table, std::uint64_t limit) {
   std::uint64_t line_number = table.first_line;
   for (; !rest.empty() && index.n_rows < limit; ++line_number) {
     const std::size_t offset = whole.size() - rest.size();
-    if (!is_row(take_line(rest)) || n_seen++ < table.n_skipped_rows) continue;
+    if (!is_text_row(take_line(rest)) || n_seen++ < table.n_skipped_rows) continue;
     if (index.n_rows++ % kRowsPerBlock == 0) index.starts.push_back({offset, line_number});
   }
   index.starts.push_back({whole.size() - rest.size(), line_number});
@@ -89,7 +86,7 @@ class TextTableSource : public CloudSource {
     points.clear();
     for (std::uint64_t line_number = start.line; !rest.empty(); ++line_number) {
       const std::string_view line = take_line(rest);
-      if (is_row(line)) points.push_back(parse_row(line, line_number, local_from_file));
+      if (is_text_row(line)) points.push_back(parse_row(line, line_number, local_from_file));
     }
   }
 
@@ -103,32 +100,39 @@ class TextTableSource : public CloudSource {
                                      std::uint64_t line_number,
                                      const LocalFromFile& local_from_file) const {
     CloudPoint point{};
+    TextFields fields(line, table_.separator);
     for (const TextItem& item : table_.items) {
-      const double value = take_number(line, line_number);
+      const std::string_view field = take_field(fields, line_number);
+      if (!item.attribute && !item.is_list) continue;
+      const bool is_left_open =
+          field.empty() && item.attribute && *item.attribute > PointAttribute::kZ;
+      if (is_left_open) continue;
+      const double value = number(field, line_number);
       if (item.attribute) set_attribute(*item.attribute, value, local_from_file, point);
       if (!item.is_list) continue;
       // a row that is shorter than its list says ends in an error
       constexpr double kLongestList = 1e6;
       const auto n = value > 0.0 ? std::lround(std::min(std::ceil(value), kLongestList)) : 0L;
-      for (long i = 0; i < n; ++i) take_number(line, line_number);
+      for (long i = 0; i < n; ++i) (void)number(take_field(fields, line_number), line_number);
     }
     return point;
   }
 
-  double take_number(std::string_view& line, std::uint64_t line_number) const {
+  std::string_view take_field(TextFields& fields, std::uint64_t line_number) const {
+    if (const auto field = fields.next()) return *field;
+    throw IoError(info().path, fmt::format("line {} has too few numbers; {} are needed",
+                                           line_number, table_.items.size()));
+  }
+
+  [[nodiscard]] double number(std::string_view field, std::uint64_t line_number) const {
     constexpr std::size_t kShown = 40;
-    std::string_view token = take_token(line);
-    if (token.starts_with('+')) token.remove_prefix(1);  // from_chars takes no plus sign
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (token.empty() || error != std::errc{} || end != token.data() + token.size()) {
-      throw IoError(info().path, token.empty()
-                                     ? fmt::format("line {} has too few numbers; {} are needed",
-                                                   line_number, table_.items.size())
-                                     : fmt::format("line {}: \"{}\" is no number", line_number,
-                                                   token.substr(0, kShown)));
-    }
-    return value;
+    if (const auto value = table_number(field)) return *value;
+    const bool has_marks = field.find(',') != std::string_view::npos &&
+                           field.find_first_not_of("+-0123456789.,") == std::string_view::npos;
+    throw IoError(
+        info().path,
+        fmt::format("line {}: \"{}\" is no number{}", line_number, field.substr(0, kShown),
+                    has_marks ? "; write it without marks between the thousands" : ""));
   }
 
   TextTable table_;
@@ -136,6 +140,76 @@ class TextTableSource : public CloudSource {
 };
 
 }  // namespace
+
+std::optional<std::string_view> TextFields::next_between_marks() {
+  if (has_ended_) return std::nullopt;
+  std::size_t end = 0;
+  const std::size_t first = rest_.find_first_not_of(kBlankChars);
+  if (separator_ != '\t' && first != std::string_view::npos && rest_[first] == '"') {
+    end = std::min(rest_.find('"', first + 1), rest_.size());  // may hold the separator
+  }
+  end = rest_.find(separator_, end);
+  const std::string_view field = rest_.substr(0, end);
+  has_ended_ = end == std::string_view::npos;
+  rest_.remove_prefix(has_ended_ ? rest_.size() : end + 1);
+  return without_quotes(field);
+}
+
+std::optional<std::string_view> TextFields::next() {
+  if (separator_ != kAnySeparator && separator_ != kBlanks) return next_between_marks();
+  const std::string_view separators = separator_ == kBlanks ? kBlankChars : kSeparators;
+  const std::size_t start = std::min(rest_.find_first_not_of(separators), rest_.size());
+  const std::string_view between = rest_.substr(0, start);
+  if (start == rest_.size()) return std::nullopt;
+  if (separator_ == kAnySeparator && !between.empty()) {
+    const auto n_marks =
+        std::ranges::count_if(between, [](char c) { return c == ',' || c == ';'; });
+    if (n_marks >
+        (is_first_ ? 0 : 1)) {  // an empty field, which must not be passed over in silence
+      is_first_ = false;
+      rest_.remove_prefix(between.find_first_of(",;") + 1);
+      return std::string_view{};
+    }
+  }
+  is_first_ = false;
+  rest_.remove_prefix(start);
+  const std::string_view field = rest_.substr(0, rest_.find_first_of(separators));
+  rest_.remove_prefix(field.size());
+  return field.starts_with('"') ? without_quotes(field) : field;
+}
+
+bool is_text_row(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(kBlankChars);
+  if (first == std::string_view::npos) return false;
+  line.remove_prefix(first);
+  if (line.front() == '#' || line.front() == '%' || line.front() == '!') return false;
+  if (line.starts_with("//")) return false;
+  const std::size_t word = line.find_first_not_of(kSeparators);
+  if (word == std::string_view::npos) return false;
+  // "; note", but an empty field may stand before a number
+  return line.front() != ';' ||
+         std::string_view("+-.0123456789\"").find(line[word]) != std::string_view::npos;
+}
+
+std::optional<double> table_number(std::string_view field) {
+  constexpr std::size_t kLongest = 64;
+  if (field.starts_with('+')) field.remove_prefix(1);  // from_chars takes no plus sign
+  std::array<char, kLongest> with_point{};
+  if (const std::size_t comma = field.find(','); comma != std::string_view::npos) {
+    if (field.size() > kLongest || field.find_first_of(",.", comma + 1) != std::string_view::npos ||
+        field.find('.') != std::string_view::npos) {
+      return std::nullopt;
+    }
+    std::ranges::copy(field, with_point.begin());
+    with_point[comma] = '.';
+    field = {with_point.data(), field.size()};
+  }
+  double value = 0.0;
+  const char* const last = field.data() + field.size();
+  const auto [end, error] = std::from_chars(field.data(), last, value);
+  if (field.empty() || error != std::errc{} || end != last) return std::nullopt;
+  return value;
+}
 
 std::unique_ptr<CloudSource> open_text_table(TextTable table,
                                              CloudFileInfo info,

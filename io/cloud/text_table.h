@@ -9,9 +9,40 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::io {
+
+/// Between the fields of a row: a mark of its own, else blanks (kBlanks), else blanks, commas and
+/// semicolons alike (kAnySeparator).
+inline constexpr char kAnySeparator = '\0';
+inline constexpr char kBlanks = ' ';
+
+/// Walks the fields of a row, without the blanks and the double quotes around them. Blanks in a run
+/// are one separator; two other separators have an empty field between them.
+class TextFields {
+ public:
+  TextFields(std::string_view row, char separator) : rest_(row), separator_(separator) {}
+
+  /// Nothing after the last one.
+  std::optional<std::string_view> next();
+
+ private:
+  std::optional<std::string_view> next_between_marks();
+
+  std::string_view rest_;
+  char separator_;
+  bool is_first_ = true;
+  bool has_ended_ = false;
+};
+
+/// Whether a line has something to say and is no comment, which starts with # % ! ; or //.
+bool is_text_row(std::string_view line);
+
+/// A number of a table, with a point or a comma before its decimals; the comma only where it can
+/// be nothing else: "1,5" but not "1,500.0" or "1,500,000".
+std::optional<double> table_number(std::string_view field);
 
 /// One item of a line: a number that is kept or not, or a list (its length, then as many numbers).
 struct TextItem {
@@ -19,14 +50,15 @@ struct TextItem {
   bool is_list = false;
 };
 
-/// Lines of numbers separated by blanks, commas or semicolons. Empty lines and those that start
-/// with # or // are no rows; items after the listed ones are ignored.
+/// Lines of numbers. Lines that is_text_row() denies are no rows; items that are not kept may be text, those after the
+/// listed ones are ignored.
 struct TextTable {
   MappedFile file;
   std::size_t offset = 0;            ///< of the first row
   std::uint64_t first_line = 1;      ///< its number, for messages
   std::uint64_t n_skipped_rows = 0;  ///< rows before the points
   std::vector<TextItem> items;
+  char separator = kAnySeparator;
 };
 
 /// A source over the rows of `table`: info.n_points of them if `has_row_count`, else all.

@@ -12,8 +12,7 @@ namespace ridgeline::io {
 /// Whether the name ends like a text cloud's: .xyz .txt .csv .asc .pts (any case).
 bool has_xyz_name(const std::string& path);
 
-/// Opens a mapped text file with one point a line: x, y and z first, or as a first line of column
-/// names says. Separators: blanks, commas, semicolons; lines that start with # or // are comments.
+/// Opens a mapped text file with one point a line, laid out as find_text_layout() finds.
 /// Throws IoError.
 std::unique_ptr<CloudSource> open_xyz(MappedFile file, const std::string& path);
 

@@ -55,4 +55,13 @@ LineFacts line_facts(const LineSet& set) {
   return facts;
 }
 
+CoordinateSteps steps_of(const LineSet& set, const Eigen::Vector3d& unit_m) {
+  CoordinateSteps steps(unit_m);
+  for (const Line& line : set.lines) {
+    steps.add(line.segment_in_world.start);
+    steps.add(line.segment_in_world.end);
+  }
+  return steps;
+}
+
 }  // namespace ridgeline::io

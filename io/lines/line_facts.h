@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/coordinate_steps.h"
 #include "io/lines/line_set.h"
 
 #include <Eigen/Geometry>
@@ -22,5 +23,8 @@ struct LineFacts {
 };
 
 LineFacts line_facts(const LineSet& set);
+
+/// Steps of the coordinates of all lines, see CoordinateSteps. `unit_m`: metres per unit by axis.
+CoordinateSteps steps_of(const LineSet& set, const Eigen::Vector3d& unit_m);
 
 }  // namespace ridgeline::io

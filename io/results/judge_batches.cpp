@@ -189,11 +189,20 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes) {
-  BatchedJudge judge(cloud, lines, options, max_memory_bytes / kBytesPerPoint);
-  auto [near, far] = near_and_far(lines);
-  judge.judge(std::move(near));
-  if (!far.empty()) judge.judge(std::move(far));
-  return judge.take();
+  const auto [near, far] = near_and_far(lines);
+  const auto judge_all = [&, &near = near, &far = far] {
+    BatchedJudge judge(cloud, lines, options, max_memory_bytes / kBytesPerPoint);
+    judge.judge(near);
+    if (!far.empty()) judge.judge(far);
+    return judge.take();
+  };
+  JudgedBatches judged = judge_all();
+  const bool needs_points = std::ranges::any_of(near, [&](const LineRef& ref) {
+    return !evaluate::refusal_of(lines[ref.set][ref.line], options);
+  });
+  if (judged.readings.n_kept > 0 || !needs_points || cloud.unread_paths().empty()) return judged;
+  cloud.distrust_headers();  // before the lines are said to lie elsewhere
+  return judge_all();
 }
 
 }  // namespace ridgeline::results

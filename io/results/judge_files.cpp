@@ -7,6 +7,7 @@
 #include "io/results/judged_lines.h"
 #include "io/results/judged_map.h"
 #include "io/utf8.h"
+#include "io/results/value_warnings.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
@@ -285,6 +286,8 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
     judged.evaluations.push_back(
         evaluation_of(judged.line_sets[i], std::move(batches.results[i]), judged.frame, options));
     refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
+    add_value_warnings(judged.line_sets[i], judged.evaluations.back(), options.cloud.strict,
+                       judged.warnings);
     judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
   }
   record.end_stage("statistics");

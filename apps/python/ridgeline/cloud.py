@@ -97,7 +97,7 @@ def read_cloud(
     max_resolution_m: read COPC down to this point distance only; 0: all.
     max_points: refuse to keep more; 0: no limit.
     assume_crs: reference system of the files, whatever they state.
-    strict: refuse coordinates damaged by float32. salvage: read what is there of a file cut short.
+    strict: refuse coordinates in steps above 0.025 m (float32, too few digits). salvage: read what is there of a file cut short.
     Warns of what deserves attention. Raises FileNotFoundError, InputFileError and ValueError.
     """
     options = cloud_options(

@@ -107,6 +107,15 @@ TEST(JudgeLine, EndsInAStatusForEveryBadLine) {
     EXPECT_EQ(status({{0, 0, 0}, {1, far, 0}}), Status::kOutOfRange) << far;
     EXPECT_EQ(status({{0, 0, 0}, {1, 0, far}}), Status::kOutOfRange) << far;
   }
+  for (const double lift : {-9999.0, -250.0, 120.0}) {
+    const LineEvaluation e =
+        judge_line(grid, line(moved(house.eave(), {0, 0, lift})), {}).evaluation;
+    EXPECT_EQ(e.status, Status::kOutOfRange) << lift;
+    EXPECT_THAT(e.reason,
+                testing::HasSubstr(lift < 0.0 ? "m below all points" : "m above all points"));
+  }
+  EXPECT_EQ(status(moved(house.eave(), {0, 0, 60.0})), Status::kEvaluated) << "another system";
+  EXPECT_EQ(status({{0, 0, 310.0}, {11, 1, 310.5}}), Status::kEvaluated) << "an error of a tool";
   EXPECT_EQ(status({{1, 1, 1}, {1, 1, 1}}), Status::kDegenerate);
   EXPECT_EQ(status({{1, 1, 1}, {1, 1, 4}}), Status::kDegenerate);
   EXPECT_EQ(status({{1, 1, 1}, {1.1, 1, 1}}), Status::kTooShort);

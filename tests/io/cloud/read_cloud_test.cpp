@@ -267,6 +267,30 @@ TEST_F(ReadCloud, WarnsOfWrongHeaderBoundsAndNeverUsesThem) {
                                              HasSubstr("the points span x 1000.07"))));
 }
 
+/// Points along x, so many that they need several blocks, whose header bounds hold all but the third block: a
+/// strip that the scanner left and came back to.
+std::string strip_with_narrow_header() {
+  constexpr std::int32_t kPoints = 200'000;
+  LasBytes las(2, 0);
+  for (std::int32_t i = 0; i < kPoints; ++i) {
+    const bool is_away = i >= 33'000 && i < 43'000;
+    las.add_point({is_away ? 37'000 + i : i % 1000, i % 777, 100});
+  }
+  const std::array<double, 6> bounds{1010.0, 1000.0, 2008.0, 2000.0, 1.0, 1.0};
+  for (std::size_t i = 0; i < bounds.size(); ++i) las.set(179 + 8 * i, bounds[i]);
+  return las.bytes();
+}
+
+TEST_F(ReadCloud, FindsThePointsThatAHeaderHides) {
+  const std::string path = folder_.write("a.las", strip_with_narrow_header());
+  ReadOptions options;
+  options.frame = LocalFrame{};
+  options.bounds_in_world = plan_bounds(std::array{1700.0, 1900.0, 1800.0, 2100.0});
+  const PointCloud cloud = read_cloud({path}, options);
+  EXPECT_EQ(cloud.points.size(), 10'000U);
+  EXPECT_THAT(cloud.warnings, Contains(HasSubstr("header bounds are wrong")));
+}
+
 /// A square of points 1 m apart at a place.
 std::vector<CloudPoint> square_at(double x, double y) {
   std::vector<CloudPoint> points;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/value_warnings.h"
+
+#include "io/coordinate_steps.h"
+#include "io/error.h"
+#include "io/lines/line_facts.h"
+#include "io/results/judged_lines.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ridgeline::results {
+namespace {
+
+using evaluate::LineEvaluation;
+using evaluate::Status;
+
+/// Largest error of a line; check_frame() takes it for the median.
+constexpr double kFarthestError_m = 20.0;
+
+/// Root mean square of the distances of the judged lines that `is_counted`; nothing without any.
+template <typename Predicate>
+std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Predicate& is_counted) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const LineEvaluation& line : lines) {
+    if (line.status != Status::kEvaluated || !is_counted(line)) continue;
+    sum += line.mean_distance_m * line.mean_distance_m;
+    ++n;
+  }
+  if (n == 0) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+/// Steps that may have moved the lines: those of float32, and of digits unless the lines fit too well. Rounding to a step moves a coordinate by 0.29 of it, and a line across its
+/// plane by less.
+Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
+  constexpr double kLeastHarm = 0.125;
+  const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
+  const Eigen::Vector3d steps_m = steps.steps_m();
+  const auto rms = rms_m(lines, [](const LineEvaluation&) { return true; });
+  if (!rms || steps.went_through_float32()) return steps_m;
+  return (kLeastHarm * steps_m.array() <= *rms).select(steps_m, 0.0);
+}
+
+std::string ids_text(const std::vector<std::string>& ids) {
+  constexpr std::size_t kShown = 5;
+  const std::size_t n = std::min(kShown, ids.size());
+  const std::vector<std::string> first(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(n));
+  return fmt::format("{}{}", fmt::join(first, ", "),
+                     ids.size() > n ? fmt::format(" and {} more", ids.size() - n) : "");
+}
+
+template <typename Predicate>
+std::vector<std::string> ids_of(const std::vector<LineEvaluation>& lines, const Predicate& is_one) {
+  std::vector<std::string> ids;
+  for (const LineEvaluation& line : lines) {
+    if (is_one(line)) ids.push_back(line.id);
+  }
+  return ids;
+}
+
+bool is_far_in_height(const LineEvaluation& line) {
+  return line.status == Status::kOutOfRange && line.length_m > 0.0;
+}
+
+/// Far off and beside its planes all along. What a tool places wrongly that far off is seldom parallel.
+bool is_far_from_planes(const LineEvaluation& line) {
+  constexpr double kParallel = 0.2;  // difference of the ends, of the distance
+  if (line.status != Status::kEvaluated || line.mean_distance_m <= kFarthestError_m) return false;
+  return std::ranges::all_of(line.planes, [&](const evaluate::JudgingPlane& p) {
+    return std::abs(p.distance.start - p.distance.end) <= kParallel * line.mean_distance_m;
+  });
+}
+
+std::optional<std::string> out_of_range_text(const std::vector<LineEvaluation>& lines) {
+  const std::vector<std::string> ids = ids_of(lines, is_far_in_height);
+  if (ids.empty()) return std::nullopt;
+  return fmt::format(
+      "{} of {} lines lie at one height more than {:.0f} m above or below all points around them "
+      "and are not judged (out_of_range): {}; a mark for a missing height (0, -9999)?",
+      ids.size(), lines.size(), evaluate::kFarthestHeight_m, ids_text(ids));
+}
+
+std::optional<std::string> far_text(const std::vector<LineEvaluation>& lines) {
+  const std::vector<std::string> ids = ids_of(lines, is_far_from_planes);
+  if (ids.empty()) return std::nullopt;
+  const auto all = rms_m(lines, [](const LineEvaluation&) { return true; });
+  const auto rest = rms_m(lines, [](const LineEvaluation& l) { return !is_far_from_planes(l); });
+  return fmt::format(
+      "{} of {} lines lie more than {:.0f} m beside their planes and decide the RMS, {:.3f} m with "
+      "and {} without them: {}; are their heights missing, or in another unit or height system?",
+      ids.size(), lines.size(), kFarthestError_m, *all, rest ? fmt::format("{:.3f} m", *rest) : "-",
+      ids_text(ids));
+}
+
+}  // namespace
+
+void add_value_warnings(const io::LineSet& set,
+                        const evaluate::Evaluation& evaluation,
+                        bool strict,
+                        std::vector<std::string>& warnings) {
+  const auto warn = [&](const std::string& text) { warnings.push_back(set.path + ": " + text); };
+  if (const auto steps_m = harmful_steps_m(set, evaluation.lines); !steps_m.isZero()) {
+    const std::string text = fmt::format(
+        "coordinates have {}: they were written with too few digits, or went through float32, and "
+        "the distances are partly of that rounding; steps must be at most {} m",
+        io::steps_text(steps_m), io::kMaxCoordinateStep_m);
+    if (strict) throw io::IoError(set.path, text);
+    warn(text);
+  }
+  if (const auto text = out_of_range_text(evaluation.lines)) warn(*text);
+  if (const auto text = far_text(evaluation.lines)) warn(*text);
+}
+
+}  // namespace ridgeline::results
