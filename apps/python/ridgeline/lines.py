@@ -30,7 +30,7 @@ class Lines:
     line_class: "aligned" (within 10 degrees of the epipolar line) or "not_aligned"; lines of any other class count in
         the figures of "total" alone.
     status: how a reconstructed line came about; one without geometry has NaN coordinates.
-    method, kind, building: as in the files (docs/patch-file.md).
+    method, kind, building: as in the files (docs/files.md).
     epipolar_angle_deg: (n,), degrees.
     covariance_m2: (n, 6, 6), of (start, end), square metres.
     left_px, right_px: (n, 2, 2), the segments in both images that a line was made from, pixels.
