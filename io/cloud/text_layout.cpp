@@ -15,7 +15,6 @@
 #include <cstdlib>
 #include <iterator>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -281,7 +280,7 @@ class LayoutFinder {
     const Fields words = fields_of(row, kBlanks);
     const auto is_number = [](std::string_view word) { return table_number(word).has_value(); };
     const bool is_apart = words.size() >= 3 && std::ranges::any_of(words, has_decimal_comma) &&
-                          std::ranges::all_of(words | std::views::take(3), is_number);
+                          std::ranges::all_of(std::span(words).first(3), is_number);
     return is_apart ? kBlanks : ',';
   }
 

@@ -30,6 +30,7 @@ struct FeatureGeometry {
 };
 
 /// A feature of a file.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct Feature {
   FeatureGeometry geometry;
   nlohmann::json properties;
