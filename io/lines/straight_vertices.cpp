@@ -70,7 +70,7 @@ Vertices bends_of_ring(const Vertices& closed) {
   const Vertices ring(closed.begin(), closed.end() - 1);
   const std::size_t corner = farthest_from(ring, ring.front());
   Vertices turned(ring);
-  std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(corner));
+  std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(corner), turned.end());
   turned.push_back(turned.front());
   const std::size_t opposite = farthest_from(turned, turned.front());
   std::vector<char> is_bend(turned.size(), 0);
