@@ -88,8 +88,8 @@ std::optional<std::size_t> wkt_column(const std::vector<std::string>& names,
 }
 
 std::vector<std::string> lower_case_names(const std::vector<std::string>& header) {
-  std::vector<std::string> names;
-  for (const std::string& name : header) names.push_back(lower_case(name));
+  std::vector<std::string> names(header.size());
+  std::ranges::transform(header, names.begin(), lower_case);
   return names;
 }
 
