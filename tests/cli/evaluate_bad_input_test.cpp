@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/cli/cli_fixture.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace ridgeline::cli {
@@ -104,6 +105,40 @@ TEST_F(EvaluateBadInput, EllipsoidalHeightsAreRefusedAsAnotherFrame) {
   write_lines("ellipsoid.geojson", 0.0, 45.0, "25832");
   EXPECT_REFUSED(evaluate("ellipsoid.geojson", "out"),
                  AllOf(HasSubstr("not in the same frame"), HasSubstr("median distance")));
+}
+
+TEST_F(EvaluateBadInput, ALineWithoutHeightIsCountedAndDoesNotDecideTheRms) {
+  ASSERT_EQ(evaluate(kLines, "right").exit_code, 0);
+  nlohmann::json lines = read_json(path(kLines));
+  for (auto& vertex : lines["features"][0]["geometry"]["coordinates"]) vertex[2] = -9999.0;
+  write(path("scene/mark.geojson"), lines.dump());
+  const ProgramResult result = evaluate("scene/mark.geojson", "out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("not judged (out_of_range): "));
+  const nlohmann::json all =
+      read_json(path("right/evaluation.lines.good.json"))["summary"]["total"];
+  const nlohmann::json rest = read_json(path("out/evaluation.mark.json"))["summary"]["total"];
+  EXPECT_EQ(rest["n_excluded"]["out_of_range"], 1);
+  EXPECT_EQ(rest["n_lines"], all["n_lines"]);
+  EXPECT_NEAR(rest["rms_m"].get<double>(), all["rms_m"].get<double>(), 0.02);
+  EXPECT_THAT(read(path("out/run.json")), HasSubstr("(out_of_range): "));
+  EXPECT_THAT(read(path("out/report.html")), HasSubstr("(out_of_range): "));
+}
+
+TEST_F(EvaluateBadInput, LinesOfSixDigitsAreWarnedOfAndRefusedIfStrict) {
+  nlohmann::json lines = read_json(path(kLines));
+  for (auto& feature : lines["features"]) {
+    for (auto& vertex : feature["geometry"]["coordinates"]) {
+      vertex[1] = 10.0 * std::round(vertex[1].get<double>() / 10.0);
+    }
+  }
+  write(path("digits.geojson"), lines.dump());
+  const ProgramResult result = evaluate("digits.geojson", "out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("digits.geojson: coordinates have y in steps of 10 m"));
+  EXPECT_REFUSED(evaluate("digits.geojson", "strict", {"--strict"}),
+                 HasSubstr("digits.geojson: coordinates have y in steps of 10 m"));
+  EXPECT_EQ(evaluate(kLines, "fine", {"--strict"}).exit_code, 0);
 }
 
 TEST_F(EvaluateBadInput, AnotherCrsIsRefusedWithBothNames) {

@@ -53,6 +53,8 @@ TEST_F(Info, ReadsEveryTextFormatOfLines) {
 
 TEST_F(Info, ReadsEveryTextFormatOfClouds) {
   EXPECT_TOLD(info("a.xyz", "1 2 3\n4 6 3\n"), HasSubstr("points      2"));
+  EXPECT_TOLD(info("a.pts", "2\n1 2 3 90\n4 6 3 90\n"), HasSubstr("points      2"));
+  EXPECT_TOLD(info("a.csv", "\"X\";\"Y\";\"Z\"\n1,5;2;3\n4;6;3\n"), HasSubstr("x 1.500 .. 4.000"));
   EXPECT_TOLD(info("a.ply",
                    "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
                    "property double z\nend_header\n1 2 3\n4 6 3\n"),
