@@ -6,8 +6,8 @@
 #include "io/results/judge_batches.h"
 #include "io/results/judged_lines.h"
 #include "io/results/judged_map.h"
-#include "io/utf8.h"
 #include "io/results/value_warnings.h"
+#include "io/utf8.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>

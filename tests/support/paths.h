@@ -7,8 +7,9 @@
 
 namespace ridgeline::test {
 
-std::string source_dir();       ///< the checkout
-std::string shared_data_dir();  ///< real data beside the checkout; a test skips with a message where it is absent
-std::string program();          ///< the built `ridgeline`
+std::string source_dir();  ///< the checkout
+std::string
+shared_data_dir();  ///< real data beside the checkout; a test skips with a message where it is absent
+std::string program();  ///< the built `ridgeline`
 
 }  // namespace ridgeline::test
