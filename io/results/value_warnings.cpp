@@ -41,7 +41,7 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
 Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
   constexpr double kLeastHarm = 0.125;
   const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
-  const Eigen::Vector3d steps_m = steps.steps_m();
+  Eigen::Vector3d steps_m = steps.steps_m();
   const auto rms = rms_m(lines, [](const LineEvaluation&) { return true; });
   if (!rms || steps.went_through_float32()) return steps_m;
   return (kLeastHarm * steps_m.array() <= *rms).select(steps_m, 0.0);
