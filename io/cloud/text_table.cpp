@@ -20,7 +20,12 @@ namespace {
 
 constexpr std::uint64_t kRowsPerBlock = 16384;
 constexpr std::string_view kBlankChars = " \t\r";
-constexpr std::string_view kSeparators = " \t\r,;";
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+constexpr bool is_mark(char c) { return c == ',' || c == ';'; }
+constexpr bool starts_number(char c) {
+  return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+}
 
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
@@ -157,38 +162,39 @@ std::optional<std::string_view> TextFields::next_between_marks() {
 
 std::optional<std::string_view> TextFields::next() {
   if (separator_ != kAnySeparator && separator_ != kBlanks) return next_between_marks();
-  const std::string_view separators = separator_ == kBlanks ? kBlankChars : kSeparators;
-  const std::size_t start = std::min(rest_.find_first_not_of(separators), rest_.size());
-  const std::string_view between = rest_.substr(0, start);
-  if (start == rest_.size()) return std::nullopt;
-  if (separator_ == kAnySeparator && !between.empty()) {
-    const auto n_marks =
-        std::ranges::count_if(between, [](char c) { return c == ',' || c == ';'; });
-    if (n_marks >
-        (is_first_ ? 0 : 1)) {  // an empty field, which must not be passed over in silence
-      is_first_ = false;
-      rest_.remove_prefix(between.find_first_of(",;") + 1);
-      return std::string_view{};
+  const auto separates = [&](char c) {
+    return is_blank(c) || (separator_ == kAnySeparator && is_mark(c));
+  };
+  const std::size_t most_marks = is_first_ ? 0 : 1;
+  std::size_t n_marks = 0;
+  std::size_t start = 0;
+  is_first_ = false;
+  for (; start < rest_.size() && separates(rest_[start]); ++start) {
+    if (is_mark(rest_[start]) && ++n_marks > most_marks) {
+      break;  // an empty field, which must not be passed over in silence
     }
   }
-  is_first_ = false;
+  if (start == rest_.size()) return std::nullopt;
   rest_.remove_prefix(start);
-  const std::string_view field = rest_.substr(0, rest_.find_first_of(separators));
-  rest_.remove_prefix(field.size());
+  const std::size_t end =
+      static_cast<std::size_t>(std::ranges::find_if(rest_, separates) - rest_.begin());
+  const std::string_view field = rest_.substr(0, end);
+  rest_.remove_prefix(end);
   return field.starts_with('"') ? without_quotes(field) : field;
 }
 
 bool is_text_row(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(kBlankChars);
-  if (first == std::string_view::npos) return false;
-  line.remove_prefix(first);
+  const auto first = std::ranges::find_if_not(line, is_blank);
+  if (first == line.end()) return false;
+  if (starts_number(*first)) return true;
+  line.remove_prefix(static_cast<std::size_t>(first - line.begin()));
   if (line.front() == '#' || line.front() == '%' || line.front() == '!') return false;
   if (line.starts_with("//")) return false;
-  const std::size_t word = line.find_first_not_of(kSeparators);
-  if (word == std::string_view::npos) return false;
+  const auto word =
+      std::ranges::find_if_not(line, [](char c) { return is_blank(c) || is_mark(c); });
+  if (word == line.end()) return false;
   // "; note", but an empty field may stand before a number
-  return line.front() != ';' ||
-         std::string_view("+-.0123456789\"").find(line[word]) != std::string_view::npos;
+  return line.front() != ';' || starts_number(*word) || *word == '"';
 }
 
 std::optional<double> table_number(std::string_view field) {
