@@ -23,7 +23,20 @@ struct CrsFacts {
   double vertical_unit_m = 1.0;  ///< of the vertical part, else the horizontal unit
   std::string horizontal_unit_name = "metre";
   std::string vertical_unit_name = "metre";
+  /// Programs write a plane that is nowhere ("Undefined SRS") where they have none.
+  [[nodiscard]] bool states_nothing() const {
+    return name.starts_with("Undefined ") || horizontal_unit_m == 0.0;
+  }
 };
+
+constexpr double kFoot_m = 0.3048;
+constexpr double kSurveyFoot_m = 1200.0 / 3937.0;
+
+/// Equal but for rounding: the two feet differ.
+bool same_unit(double a_m, double b_m);
+
+/// "US survey foot (0.304800609601 m)".
+std::string unit_text(double unit_m);
 
 /// Throws std::invalid_argument if PROJ does not find its data base, without which it understands
 /// nothing: what could not be read may be right.
@@ -39,6 +52,10 @@ CrsFacts describe(const Crs& crs);
 /// WKT1 in GDAL's dialect, which LAS readers of every age understand.
 /// Throws std::invalid_argument if PROJ cannot read the definition or has no such form of it.
 std::string to_wkt(const Crs& crs);
+
+/// The same compound CRS with heights in another unit; the CRS itself without a vertical part.
+/// Throws std::invalid_argument if PROJ cannot read the definition.
+Crs with_vertical_unit(const Crs& crs, double unit_m);
 
 /// Verdict on using two data sets together.
 struct CrsAgreement {

@@ -104,7 +104,7 @@ class GeopackageWriter {
                          const std::vector<Column>& columns) {
     CPLStringList options;
     if (!description.empty()) options.SetNameValue("DESCRIPTION", description.c_str());
-    OGRLayer* const layer = dataset_->CreateLayer(name.c_str(), reference, type, options.List());
+    OGRLayer* const layer = io::create_layer(*dataset_, name, reference, type, options.List());
     require(layer != nullptr);
     for (const Column& column : columns) {
       OGRFieldDefn field(as_utf8(column.name).c_str(), ogr_type(column.type));

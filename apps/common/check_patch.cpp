@@ -2,6 +2,7 @@
 #include "apps/common/patch_views.h"
 #include "io/cloud/read_cloud.h"
 #include "io/error.h"
+#include "io/grid_scale.h"
 #include "io/image.h"
 #include "io/lines/json_text.h"
 #include "io/lines/text.h"
@@ -123,8 +124,17 @@ std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
   return files;
 }
 
+void check_scale(const io::PatchFile& patch, const io::Crs& crs) {
+  if (!crs.known()) return;
+  const Eigen::Vector3d centre =
+      projection_centre(patch.images.front().image_from_world).hnormalized();
+  const double unit_m = io::describe(crs).horizontal_unit_m;
+  (void)io::require_true_scale(patch.path, crs, centre.head<2>() / unit_m, "");
+}
+
 void check_patch(const io::PatchFile& patch) {
   check_id(patch, patch.id);
+  check_scale(patch, patch.crs);
   check_image_ids(patch);
   int n_bands = 0;
   for (std::size_t i = 0; i < 2; ++i) {

@@ -18,11 +18,12 @@ nlohmann::ordered_json echo(const results::JudgeFilesOptions& options) {
   json["exclude_withheld"] = cloud.exclude_withheld;
   json["last_returns"] = cloud.last_returns;
   json["bounds"] = nlohmann::ordered_json::array();
-  if (const auto& box = cloud.bounds_in_world) {
+  if (const auto& box = cloud.bounds_in_file) {
     json["bounds"] = {box->min().x(), box->min().y(), box->max().x(), box->max().y()};
   }
   json["max_resolution_m"] = cloud.max_resolution_m;
   json["assume_crs"] = cloud.assume_crs.definition;
+  json["scale_to_ground"] = options.scale_to_ground;
   json["vertex_pairs"] = options.lines.vertex_pairs;
   json["reconstruct"]["max_aligned_angle_deg"] = options.max_aligned_angle_deg;
   json["judge"] = echo(Parameters{{}, options.judge})["judge"];

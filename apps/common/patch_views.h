@@ -16,6 +16,11 @@ namespace ridgeline::apps {
 /// same number of bands; the cameras look at the heights to be searched. Throws IoError.
 void check_patch(const io::PatchFile& patch);
 
+/// Throws IoError if the plan of a reference system, the patch's own or that of its cloud, is not true to scale beneath
+/// the first camera: cameras of central projection see no other. One in which the place has no scale is for the
+/// judge to warn of.
+void check_scale(const io::PatchFile& patch, const io::Crs& crs);
+
 /// The files that a patch is made of, its own first; patterns expanded. Throws IoError for a pattern
 /// that matches none.
 std::vector<results::InputFile> input_files(const io::PatchFile& patch);

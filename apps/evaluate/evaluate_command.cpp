@@ -32,7 +32,7 @@ struct EvaluateArguments {
   std::string out, patch, reference_lines, write_points, schema = "plain";
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
-  bool vertex_pairs = false, report = true;
+  bool vertex_pairs = false, scale_to_ground = false, report = true;
   std::vector<double> bounds, origin;
   std::string assume_crs;
   std::uint64_t max_points = 0, max_memory_mib = 0;
@@ -59,6 +59,10 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "completeness at tolerances beside the distances");
   app.add_option("--assume-crs", a.assume_crs,
                  "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
+  app.add_flag(
+      "--scale-to-ground", a.scale_to_ground,
+      "divide the plan by its scale at the data, as Web Mercator needs it; default: a plan "
+      "that is not true to scale is refused");
   app.add_option(
       "--write-points", a.write_points,
       "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
@@ -79,7 +83,7 @@ void add_cloud_filters(CLI::App& app, EvaluateArguments& a) {
                "leave out withheld points (default)")
       ->group(group);
   app.add_flag("--last-returns", a.last_returns, "last return of each pulse only")->group(group);
-  app.add_option("--bounds", a.bounds, "x_min,y_min,x_max,y_max in the cloud's CRS, m")
+  app.add_option("--bounds", a.bounds, "x_min,y_min,x_max,y_max in the cloud's own coordinates")
       ->delimiter(',')
       ->expected(4)
       ->group(group);
@@ -145,7 +149,7 @@ io::ReadOptions read_options(const EvaluateArguments& a) {
   if (!a.classes.empty()) options.classes.emplace(a.classes.begin(), a.classes.end());
   options.exclude_withheld = a.exclude_withheld;
   options.last_returns = a.last_returns;
-  if (!a.bounds.empty()) options.bounds_in_world = io::plan_bounds(a.bounds);
+  if (!a.bounds.empty()) options.bounds_in_file = io::plan_bounds(a.bounds);
   if (!a.origin.empty()) options.frame = frame_of(a.origin);
   options.assume_crs.definition = a.assume_crs;
   options.max_points = a.max_points;
@@ -173,6 +177,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   }
   if (options.patch_name.empty()) options.patch_name = results::cloud_name(options.cloud_paths);
   options.cloud = read_options(a);
+  options.scale_to_ground = a.scale_to_ground;
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;

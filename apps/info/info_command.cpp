@@ -4,6 +4,7 @@
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
 #include "io/error.h"
+#include "io/grid_scale.h"
 #include "io/image.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
@@ -24,14 +25,9 @@ namespace {
 
 /// The name that the reference system has for its unit, if that is the one the file obeys.
 std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_unit_name) {
-  constexpr double kFoot_m = 0.3048;
-  constexpr double kSurveyFoot_m = 1200.0 / 3937.0;
-  constexpr double kTolerance_m = 1e-9;  // the two feet differ by 6e-7
-  const auto is = [&](double other_m) { return std::abs(unit_m - other_m) < kTolerance_m; };
-  if (is(crs_unit_m)) return crs_unit_name;
-  if (is(1.0)) return "metre";
-  if (is(kFoot_m)) return "foot";
-  return is(kSurveyFoot_m) ? "US survey foot" : "unit";
+  if (io::same_unit(unit_m, crs_unit_m))
+    return fmt::format("{} ({:.12g} m)", crs_unit_name, unit_m);
+  return io::unit_text(unit_m);
 }
 
 /// `unit_m`: by axis, which unit keys of a file may state otherwise than its reference system.
@@ -41,15 +37,28 @@ void print_crs(const io::CrsFacts& crs, const Eigen::Vector3d& unit_m, bool stat
     fmt::print("  units       not stated, taken as metre\n");
     return;
   }
-  fmt::print("  units       {} ({:.12g} m) in plan, {} ({:.12g} m) in height\n",
-             unit_text(unit_m.x(), crs.horizontal_unit_m, crs.horizontal_unit_name), unit_m.x(),
-             unit_text(unit_m.z(), crs.vertical_unit_m, crs.vertical_unit_name), unit_m.z());
+  fmt::print("  units       {} in plan, {} in height\n",
+             unit_text(unit_m.x(), crs.horizontal_unit_m, crs.horizontal_unit_name),
+             unit_text(unit_m.z(), crs.vertical_unit_m, crs.vertical_unit_name));
 }
 
 void print_crs(const io::Crs& crs) {
   const io::CrsFacts facts = io::describe(crs);
   print_crs(facts, {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m},
             crs.known());
+}
+
+/// Of a projected reference system in the middle of the data.
+void print_scale(const std::optional<io::GridScale>& scale) {
+  if (!scale) return;
+  fmt::print("  scale       the plan is {}\n", io::scale_text(*scale));
+  if (!scale->in_area_of_use) {
+    fmt::print("  warning     that lies outside of the reference system's area of use\n");
+  } else if (!scale->is_true()) {
+    fmt::print(
+        "  warning     the plan is not true to scale: evaluate refuses it unless "
+        "--scale-to-ground is given\n");
+  }
 }
 
 void print_bounds(const Eigen::AlignedBox3d& box) {
@@ -85,6 +94,7 @@ void print_cloud(const std::string& path, double max_resolution_m) {
   print_counts("returns", facts.n_by_return);
   if (facts.n_withheld > 0) fmt::print("  withheld    {}\n", facts.n_withheld);
   print_crs(facts.crs, facts.unit_m, facts.states_unit);
+  print_scale(facts.plan_scale);
   if (facts.scale && facts.offset) {
     fmt::print("  stored as   scale {:g} {:g} {:g}, offset {:.3f} {:.3f} {:.3f}\n",
                facts.scale->x(), facts.scale->y(), facts.scale->z(), facts.offset->x(),
@@ -106,6 +116,9 @@ void print_lines(const std::string& path) {
   if (!steps_m.isZero()) fmt::print("  digits      {}\n", io::steps_text(steps_m));
   fmt::print("  attributes  {}\n", fmt::join(facts.attributes, " "));
   print_crs(set.crs);
+  if (!facts.bounds.isEmpty()) {
+    print_scale(io::grid_scale(set.crs, facts.bounds.center().head<2>()));
+  }
   if (!set.stated_unit.empty()) fmt::print("  $INSUNITS   {}\n", set.stated_unit);
   print_warnings(set.warnings);
 }

@@ -113,7 +113,7 @@ io::ReadOptions read_options(const py::dict& entries) {
   if (classes) options.classes = class_set(*classes);
   std::optional<std::vector<double>> bounds;
   take(entries, "bounds", bounds);
-  if (bounds) options.bounds_in_world = io::plan_bounds(*bounds);
+  if (bounds) options.bounds_in_file = io::plan_bounds(*bounds);
   bool include_withheld = false;
   take(entries, "include_withheld", include_withheld);
   options.exclude_withheld = !include_withheld;

@@ -57,6 +57,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   options.cloud = read_options(entries);
   options.lines.assume_crs = options.cloud.assume_crs;
   take(entries, "vertex_pairs", options.lines.vertex_pairs);
+  take(entries, "scale_to_ground", options.scale_to_ground);
   take(entries, "cloud_memory_mib", options.cloud_memory_mib);
   take(entries, "name", options.patch_name);
   const apps::Parameters parameters = parameters_of(entries);

@@ -108,13 +108,14 @@ void read_points(const std::vector<std::string>& files,
   constexpr std::uint64_t kMostPoints = 4'000'000;  // held while they are thinned, 128 MB
   io::ReadOptions options = inputs.cloud_options();
   options.frame = patch.frame;
+  io::CloudFiles cloud_files(files, options);
   std::optional<io::PlanMask> near;
   if (inputs.is_of_files()) {
     near = mask_around_lines(patch);
-  } else {
-    options.bounds_in_world = box_of_lines(patch);
+  } else if (const auto box = box_of_lines(patch)) {
+    cloud_files.set_bounds(*box);
   }
-  const io::PointCloud cloud = io::CloudFiles(files, options).read_thinned(near, kMostPoints);
+  const io::PointCloud cloud = cloud_files.read_thinned(near, kMostPoints);
   patch.cloud = shown_cloud(cloud, near.has_value());
   patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }

@@ -21,6 +21,10 @@ RunInputs::RunInputs(const evaluate::Json& run, const std::string& file) {
     const evaluate::Json cloud = run.value("cloud", evaluate::Json::object());
     const double horizontal_m = cloud.value("horizontal_unit_m", 1.0);
     cloud_unit_m_ = {horizontal_m, horizontal_m, cloud.value("vertical_unit_m", 1.0)};
+    if (cloud.contains("plan_scale")) {
+      plan_scale_ = {cloud["plan_scale"].at(0).get<double>(),
+                     cloud["plan_scale"].at(1).get<double>()};
+    }
     for (const evaluate::Json& input : run.value("inputs", evaluate::Json::array())) {
       inputs_.push_back({input.at("role").get<std::string>(), input.at("path").get<std::string>(),
                          input.at("bytes").get<std::uint64_t>()});
@@ -112,6 +116,7 @@ io::ReadLinesOptions RunInputs::lines_options() const {
   io::ReadLinesOptions options;
   options.assume_crs.definition = options_.value("assume_crs", "");
   options.unit_m = cloud_unit_m_;
+  options.plan_scale = plan_scale_;
   options.vertex_pairs = options_.value("vertex_pairs", false);
   return options;
 }
@@ -124,9 +129,10 @@ io::ReadOptions RunInputs::cloud_options() const {
   options.exclude_withheld = options_.value("exclude_withheld", true);
   options.last_returns = options_.value("last_returns", false);
   options.assume_crs.definition = options_.value("assume_crs", "");
+  options.plan_scale = plan_scale_;
   options.max_resolution_m = options_.value("max_resolution_m", 0.0);
   if (options_.contains("bounds") && !options_["bounds"].empty()) {
-    options.bounds_in_world = io::plan_bounds(options_["bounds"].get<std::vector<double>>());
+    options.bounds_in_file = io::plan_bounds(options_["bounds"].get<std::vector<double>>());
   }
   return options;
 }

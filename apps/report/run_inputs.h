@@ -59,6 +59,7 @@ class RunInputs {
   bool is_of_files_ = false;
   /// Unit of the cloud of `evaluate`: its lines without CRS are in this unit.
   Eigen::Vector3d cloud_unit_m_ = Eigen::Vector3d::Ones();
+  Eigen::Vector2d plan_scale_ = Eigen::Vector2d::Ones();
 };
 
 }  // namespace ridgeline::apps

@@ -243,8 +243,9 @@ void check_run(const io::PatchFile& patch,
   if (patch.lidar.empty()) return;
   io::ReadOptions cloud;
   cloud.assume_crs = options.assume_crs;
-  results::refuse_mismatch("patch and cloud", patch.path, patch.crs,
-                           io::CloudFiles(patch.lidar, cloud).crs());
+  const io::Crs of_cloud = io::CloudFiles(patch.lidar, cloud).crs();
+  results::refuse_mismatch("patch and cloud", patch.path, patch.crs, of_cloud);
+  check_scale(patch, of_cloud);
 }
 
 std::size_t count_steps(const RunOptions& options) { return 4 + options.methods.size(); }

@@ -2,6 +2,9 @@ set(io_cloud_sources
   atomic_file.cpp
   coordinate_steps.cpp
   crs.cpp
+  crs_agreement.cpp
+  grid_scale.cpp
+  proj_objects.cpp
   sha256.cpp
   cloud/binary_table.cpp
   cloud/block_reader.cpp
@@ -36,6 +39,7 @@ set(io_cloud_headers
   atomic_file.h
   coordinate_steps.h
   crs.h
+  grid_scale.h
   sha256.h
   cloud/binary_table.h
   cloud/block_reader.h

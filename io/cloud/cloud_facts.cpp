@@ -103,6 +103,7 @@ CloudFacts cloud_facts(const std::string& path, const OpenCloudOptions& options)
                    .n_by_return = present(census.n_by_return),
                    .n_withheld = census.n_withheld,
                    .crs = describe(info.crs),
+                   .plan_scale = {},
                    .unit_m = info.unit_m,
                    .states_unit = info.crs.known() || info.unit_m != Eigen::Vector3d::Ones(),
                    .scale = info.scale,
@@ -117,6 +118,7 @@ CloudFacts cloud_facts(const std::string& path, const OpenCloudOptions& options)
                         census.steps,
                         census.n_points};
   if (info.is_geographic || census.bounds.isEmpty()) return facts;
+  facts.plan_scale = grid_scale(info.crs, census.bounds.center().head<2>());
   if (auto text = coarse_steps(*source, info.unit_m, seen)) facts.warnings.push_back(*text);
   return facts;
 }

@@ -3,6 +3,7 @@
 
 #include "io/cloud/cloud_source.h"
 #include "io/crs.h"
+#include "io/grid_scale.h"
 
 #include <Eigen/Geometry>
 
@@ -27,6 +28,7 @@ struct CloudFacts {
   std::map<std::uint8_t, std::uint64_t> n_by_return;  ///< by return number
   std::uint64_t n_withheld = 0;
   CrsFacts crs;
+  std::optional<GridScale> plan_scale;  ///< in the middle of the points; of a projected CRS
   /// Metres per coordinate unit by axis, of the file's own unit keys if it has any.
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
   bool states_unit = false;  ///< by reference system or unit keys; else metres are a guess

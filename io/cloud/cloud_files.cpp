@@ -25,8 +25,10 @@ namespace {
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
 void check_options(const ReadOptions& options) {
-  check(!options.bounds_in_world || !options.bounds_in_world->isEmpty(),
-        "read_cloud: bounds_in_world is empty, must have min <= max");
+  check(!options.bounds_in_file || !options.bounds_in_file->isEmpty(),
+        "read_cloud: bounds_in_file is empty, must have min <= max");
+  check((options.plan_scale.array() > 0.0).all() && options.plan_scale.allFinite(),
+        "read_cloud: plan_scale = ", options.plan_scale.transpose(), ", must be above 0");
   check(options.max_resolution_m >= 0.0 && std::isfinite(options.max_resolution_m),
         "read_cloud: max_resolution_m = ", options.max_resolution_m, ", must be 0 or above");
   check(options.share > 0.0 && options.share <= 1.0, "read_cloud: share = ", options.share,
@@ -81,10 +83,24 @@ void CloudFiles::begin() {
   CommonCrs common = find_common_crs(infos, options_.assume_crs);
   crs_ = std::move(common.crs);
   warnings_ = std::move(common.warnings);
-  for (std::size_t i = 0; i < files_.size(); ++i) files_[i].unit_m = common.unit_m[i];
+  const Eigen::Vector3d scale(options_.plan_scale.x(), options_.plan_scale.y(), 1.0);
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    files_[i].unit_m = common.unit_m[i].cwiseQuotient(scale);
+  }
   refuse_degrees(files_.front());
   find_frame();
   close_if_heavy(files_.front());
+}
+
+void CloudFiles::set_bounds(const Eigen::AlignedBox3d& box_in_world) {
+  const Eigen::Vector3d& unit_in_world = unit_m();
+  options_.bounds_in_file = Eigen::AlignedBox3d(box_in_world.min().cwiseQuotient(unit_in_world),
+                                                box_in_world.max().cwiseQuotient(unit_in_world));
+}
+
+void CloudFiles::set_plan_scale(const Eigen::Vector2d& scale) {
+  options_.plan_scale = scale;
+  begin();
 }
 
 CloudFiles::~CloudFiles() = default;
@@ -131,9 +147,7 @@ LocalFromFile CloudFiles::local_from(const File& file) const {
 
 bool CloudFiles::is_passed_over(File& file, const PointFilter& filter) const {
   const auto is_outside = [&](const Eigen::AlignedBox3d& box_in_file) {
-    const auto [unit_m, origin_m] = local_from(file);
-    return filter.excludes({unit_m.cwiseProduct(box_in_file.min()) - origin_m,
-                            unit_m.cwiseProduct(box_in_file.max()) - origin_m});
+    return filter.excludes(local_from(file)(box_in_file));
   };
   if (!trusts_headers_) return false;
   if (!file.info.stated_bounds || !is_outside(*file.info.stated_bounds)) return false;
@@ -216,9 +230,9 @@ bool CloudFiles::append(File& file,
 std::optional<PointCloud> CloudFiles::read_files(std::optional<PlanMask> near,
                                                  std::uint64_t max_points) {
   options_.near = std::move(near);
-  const PointFilter filter(options_, frame_);
+  const PointFilter filter(options_, local_from(files_.front()));
   PointCloud cloud{.frame = frame_, .crs = crs_, .points = {}, .warnings = warnings_};
-  cloud.horizontal_unit_m = files_.front().unit_m.x();
+  cloud.horizontal_unit_m = files_.front().unit_m.x() * options_.plan_scale.x();
   cloud.vertical_unit_m = files_.front().unit_m.z();
   reserve(filter, max_points, cloud);
   for (File& file : files_) {
@@ -259,7 +273,7 @@ std::vector<std::string> CloudFiles::unread_paths() const {
 
 Eigen::AlignedBox3d CloudFiles::extent_in_world() {
   options_.near.reset();
-  const PointFilter filter(options_, frame_);
+  const PointFilter filter(options_, local_from(files_.front()));
   Eigen::AlignedBox3d extent;
   for (File& file : files_) {
     const Eigen::AlignedBox3d box = kept_extent(open(file), local_from(file), filter);

@@ -34,10 +34,17 @@ class CloudFiles {
 
   [[nodiscard]] const Crs& crs() const { return crs_; }
 
+  /// ReadOptions::bounds_in_file, of a box in metres.
+  void set_bounds(const Eigen::AlignedBox3d& box_in_world);
+
+  /// ReadOptions::plan_scale, which depends on where the data lie; frame and units follow.
+  void set_plan_scale(const Eigen::Vector2d& scale);
+  [[nodiscard]] const Eigen::Vector2d& plan_scale() const { return options_.plan_scale; }
+
   /// The first file's.
   [[nodiscard]] const std::string& path() const { return files_.front().info.path; }
 
-  /// Metres per coordinate unit by axis: of the CRS, else of the first file's own unit keys.
+  /// Metres per coordinate unit by axis, on the ground: of the CRS, else of the first file's own unit keys.
   [[nodiscard]] const Eigen::Vector3d& unit_m() const { return files_.front().unit_m; }
 
   /// The points that the options keep, and of these those in the mask, if there is one. What is said

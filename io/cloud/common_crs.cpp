@@ -24,11 +24,18 @@ CommonCrs assumed(std::span<const CloudFileInfo> files, const Crs& crs) {
   common.unit_m.assign(files.size(),
                        {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m});
   for (const CloudFileInfo& info : files) {
-    if (!info.crs.known() || compare(info.crs, crs).compatible) continue;
-    common.warnings.push_back(fmt::format("{}: assumed \"{}\" overrides the file's \"{}\"",
-                                          info.path, facts.name, describe(info.crs).name));
+    const CrsAgreement agreement = compare(info.crs, crs);
+    if (agreement.compatible) continue;
+    common.warnings.push_back(fmt::format(
+        "{}: the assumed reference system overrides the file's: {}", info.path, agreement.reason));
   }
   return common;
+}
+
+/// "US survey foot (0.3048006096 m)", and that of heights if it is another one.
+std::string units_text(const Eigen::Vector3d& unit_m) {
+  if (same_unit(unit_m.x(), unit_m.z())) return unit_text(unit_m.x());
+  return fmt::format("{} in plan and {} in height", unit_text(unit_m.x()), unit_text(unit_m.z()));
 }
 
 const CloudFileInfo* first_known(std::span<const CloudFileInfo> files) {
@@ -70,8 +77,8 @@ CommonCrs find_common_crs(std::span<const CloudFileInfo> files, const Crs& assum
       common.unit_m.push_back(info.unit_m);
       if (info.has_sure_unit) continue;
       common.warnings.push_back(
-          fmt::format("{}: states no reference system; its coordinate unit is taken as {} m",
-                      info.path, info.unit_m.x()));
+          fmt::format("{}: states no reference system; its coordinate unit is taken as {}",
+                      info.path, units_text(info.unit_m)));
     }
     return common;
   }

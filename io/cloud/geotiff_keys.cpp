@@ -43,12 +43,24 @@ std::uint16_t epsg_code(const ShortKeys& keys, std::uint16_t key) {
   return found == keys.end() || found->second >= kUserDefined ? std::uint16_t{0} : found->second;
 }
 
-/// GeoTIFF 1.0 had its own codes for vertical systems; of these one is common in LAS.
-std::uint16_t vertical_epsg_code(const ShortKeys& keys) {
-  constexpr std::uint16_t kGeoTiff10Navd88 = 5103;
-  constexpr std::uint16_t kEpsgNavd88 = 5703;
-  const std::uint16_t code = epsg_code(keys, kVerticalCrs);
-  return code == kGeoTiff10Navd88 ? kEpsgNavd88 : code;
+/// GeoTIFF 1.0 had codes of its own: of vertical datums, for which key 4099 states the unit.
+std::uint16_t epsg_code_of_datum(std::uint16_t code) {
+  switch (code) {
+    case 5101:
+      return 5701;  // Ordnance Datum Newlyn
+    case 5102:
+      return 5702;  // NGVD29
+    case 5103:
+      return 5703;  // NAVD88
+    case 5104:
+      return 5736;  // Yellow Sea 1956
+    case 5105:
+      return 5705;  // Baltic
+    case 5106:
+      return 5706;  // Caspian
+    default:
+      return 0;
+  }
 }
 
 std::optional<double> stated_unit_m(const ShortKeys& keys,
@@ -80,6 +92,44 @@ bool proj_knows(const Crs& crs) {
   }
 }
 
+/// The vertical reference system of key 4096, if PROJ knows it; `code` is that of EPSG.
+std::optional<Crs> vertical_crs(std::uint16_t code) {
+  Crs crs{fmt::format("EPSG:{}", code)};
+  if (code == 0 || !proj_knows(crs) || describe(crs).vertical_name.empty()) return std::nullopt;
+  return crs;
+}
+
+/// Makes a compound system of the horizontal one and of key 4096. A datum has no unit: that of key 4099 is its heights', else
+/// that of the plan.
+void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
+  const std::uint16_t stated = epsg_code(keys, kVerticalCrs);
+  if (stated == 0) return;
+  const std::uint16_t of_datum = epsg_code_of_datum(stated);
+  const std::uint16_t code = of_datum != 0 ? of_datum : stated;
+  const std::optional<Crs> vertical = vertical_crs(code);
+  if (!vertical) {
+    result.warnings.push_back(
+        fmt::format("GeoTIFF key 4096 is {}, no vertical reference system that PROJ knows; "
+                    "heights taken as unknown",
+                    stated));
+    return;
+  }
+  if (!result.crs.known()) {
+    if (of_datum == 0 && !result.vertical_unit_m) {
+      result.vertical_unit_m = describe(*vertical).vertical_unit_m;
+    }
+    return;
+  }
+  const double plan_unit_m =
+      result.horizontal_unit_m.value_or(describe(result.crs).horizontal_unit_m);
+  result.crs.definition += fmt::format("+{}", code);
+  if (of_datum == 0) return;
+  const double unit_m = result.vertical_unit_m.value_or(plan_unit_m);
+  if (!same_unit(unit_m, describe(result.crs).vertical_unit_m)) {
+    result.crs = with_vertical_unit(result.crs, unit_m);
+  }
+}
+
 }  // namespace
 
 GeoTiffCrs parse_geotiff_keys(std::span<const std::byte> directory) {
@@ -100,20 +150,11 @@ GeoTiffCrs parse_geotiff_keys(std::span<const std::byte> directory) {
             : fmt::format(
                   "GeoTIFF keys name {}, which PROJ does not know; reference system unknown",
                   horizontal_crs.definition));
+    add_heights(keys, result);
     return result;
   }
   result.crs = horizontal_crs;
-  if (const std::uint16_t vertical = vertical_epsg_code(keys); vertical != 0) {
-    const Crs compound{fmt::format("EPSG:{}+{}", horizontal, vertical)};
-    if (proj_knows(compound)) {
-      result.crs = compound;
-    } else {
-      result.warnings.push_back(
-          fmt::format("GeoTIFF key 4096 is {}, no vertical reference system that PROJ knows; "
-                      "heights taken as unknown",
-                      vertical));
-    }
-  }
+  add_heights(keys, result);
   return result;
 }
 

@@ -13,9 +13,11 @@ namespace ridgeline::io {
 
 /// A CRS as GeoTIFF keys give it.
 struct GeoTiffCrs {
-  Crs crs;  ///< "EPSG:horizontal" or "EPSG:horizontal+vertical"; unknown if the keys name none
+  /// "EPSG:horizontal" or "EPSG:horizontal+vertical", WKT if its heights have another unit; unknown if the keys name none
+  Crs crs;
   std::optional<double> horizontal_unit_m;  ///< stated by key 3076
-  std::optional<double> vertical_unit_m;    ///< stated by key 4099
+  std::optional<double>
+      vertical_unit_m;  ///< stated by key 4099, else by the system of key 4096 alone
   std::vector<std::string> warnings;
 };
 

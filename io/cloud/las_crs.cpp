@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -32,10 +31,7 @@ std::optional<std::string> read_wkt(std::span<const std::byte> file, const LasHe
 Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   Crs crs{wkt};
   try {
-    if (is_wkt(crs)) {
-      describe(crs);
-      return crs;
-    }
+    if (is_wkt(crs)) return describe(crs).states_nothing() ? Crs{} : crs;
   } catch (const std::invalid_argument&) {
   }
   require_proj_data();
@@ -44,19 +40,41 @@ Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   return {};
 }
 
+/// Replaces units that the keys state otherwise than the reference system, with a warning.
 void apply_stated_unit(
-    std::optional<double> stated_m, const char* what, int first_axis, int n_axes, LasCrs& result) {
-  constexpr double kRelativeTolerance = 1e-7;  // the two feet differ by 2e-6
-  if (!stated_m) return;
+    double stated_m, const char* what, int first_axis, int n_axes, LasCrs& result) {
   auto units = result.unit_m.segment(first_axis, n_axes);
   const double of_crs_m = units[0];
-  if (std::abs(units[0] - *stated_m) <= kRelativeTolerance * units[0]) return;
-  units.setConstant(*stated_m);
+  if (same_unit(of_crs_m, stated_m)) return;
+  units.setConstant(stated_m);
   if (!result.crs.known()) return;
+  if (first_axis == 2) result.crs = with_vertical_unit(result.crs, stated_m);
   result.warnings.push_back(
       fmt::format("{} unit is {:.10g} m by the GeoTIFF keys but {:.10g} m by the reference system; "
                   "the keys are obeyed",
-                  what, *stated_m, of_crs_m));
+                  what, stated_m, of_crs_m));
+}
+
+/// Heights without a unit of their own are in that of the plan, as in a registered system.
+void apply_stated_units(const GeoTiffCrs& keys, bool has_vertical_crs, LasCrs& result) {
+  if (keys.horizontal_unit_m) {
+    apply_stated_unit(*keys.horizontal_unit_m, "horizontal", 0, 2, result);
+  }
+  if (keys.vertical_unit_m) {
+    apply_stated_unit(*keys.vertical_unit_m, "vertical", 2, 1, result);
+  } else if (!has_vertical_crs) {
+    result.unit_m.z() = result.unit_m.x();
+  }
+}
+
+/// The units of a file without a reference system.
+std::string units_text(const GeoTiffCrs& keys, const Eigen::Vector3d& unit_m) {
+  const std::string heights = !keys.vertical_unit_m ? "heights too, as no unit is stated for them"
+                              : same_unit(unit_m.x(), unit_m.z())
+                                  ? "heights too"
+                                  : "heights in " + unit_text(unit_m.z());
+  return fmt::format("its coordinates are in {} by the GeoTIFF keys, {}", unit_text(unit_m.x()),
+                     heights);
 }
 
 /// WKT or keys, by the rule of read_las_crs(); true if the WKT won.
@@ -96,10 +114,9 @@ LasCrs read_las_crs(std::span<const std::byte> file, const LasHeader& header) {
   result.is_geographic = facts.is_geographic;
   if (facts.is_geographic) return result;
   result.unit_m = {facts.horizontal_unit_m, facts.horizontal_unit_m, facts.vertical_unit_m};
-  if (!used_wkt) {
-    apply_stated_unit(keys.horizontal_unit_m, "horizontal", 0, 2, result);
-    apply_stated_unit(keys.vertical_unit_m, "vertical", 2, 1, result);
-  }
+  if (!used_wkt) apply_stated_units(keys, !facts.vertical_name.empty(), result);
+  const bool states_unit_alone = !result.crs.known() && result.unit_m != Eigen::Vector3d::Ones();
+  if (states_unit_alone) result.warnings.push_back(units_text(keys, result.unit_m));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace ridgeline::io {
 
@@ -10,6 +11,11 @@ namespace ridgeline::io {
 struct LocalFromFile {
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();  ///< metres per file unit (feet: 0.3048)
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
+
+  [[nodiscard]] Eigen::AlignedBox3d operator()(const Eigen::AlignedBox3d& box_in_file) const {
+    return {unit_m.cwiseProduct(box_in_file.min()) - origin_m,
+            unit_m.cwiseProduct(box_in_file.max()) - origin_m};
+  }
 };
 
 }  // namespace ridgeline::io

@@ -25,15 +25,14 @@ std::bitset<256> kept_classes(const std::optional<std::set<std::uint8_t>>& class
 
 }  // namespace
 
-PointFilter::PointFilter(const ReadOptions& options, const LocalFrame& frame)
+PointFilter::PointFilter(const ReadOptions& options, const LocalFromFile& local_from_file)
     : kept_classes_(kept_classes(options.classes)),
       exclude_withheld_(options.exclude_withheld),
       last_returns_(options.last_returns),
       near_(options.near ? &*options.near : nullptr),
       share_(options.share) {
-  if (options.bounds_in_world) {
-    bounds_in_local_ = Eigen::AlignedBox3d(frame.local_from_world(options.bounds_in_world->min()),
-                                           frame.local_from_world(options.bounds_in_world->max()));
+  if (options.bounds_in_file) {
+    bounds_in_local_ = local_from_file(*options.bounds_in_file);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/cloud/local_from_file.h"
 #include "io/cloud/point_cloud.h"
 #include "io/cloud/read_cloud.h"
 
@@ -20,10 +21,11 @@ struct DropCounts {
   std::uint64_t share = 0;
 };
 
-/// The keep rule of ReadOptions for points in one local frame. The options must outlive it.
+/// The keep rule of ReadOptions for points in local metres. The options must outlive it.
 class PointFilter {
  public:
-  PointFilter(const ReadOptions& options, const LocalFrame& frame);
+  /// `local_from_file`: of the bounds.
+  PointFilter(const ReadOptions& options, const LocalFromFile& local_from_file);
 
   /// Removes the points that are not kept; the order of the rest stays.
   DropCounts apply(std::vector<CloudPoint>& points) const;

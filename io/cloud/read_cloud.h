@@ -20,10 +20,13 @@ struct ReadOptions {
   std::optional<std::set<std::uint8_t>> classes;
   bool exclude_withheld = true;  ///< points that the producer marked as not to be used
   bool last_returns = false;     ///< keep only the last return of each pulse
-  std::optional<Eigen::AlignedBox3d> bounds_in_world;  ///< metres, borders included
+  std::optional<Eigen::AlignedBox3d>
+      bounds_in_file;               ///< in the cloud's own coordinates, borders included
   std::optional<PlanMask> near;     ///< keep only points in the mask; needs `frame`
   std::optional<LocalFrame> frame;  ///< unset: suggest_frame() of the first file with points
   Crs assume_crs;                   ///< declares or overrides the CRS of every file
+  /// Coordinates of the plan are divided by these to be metres on the ground, see GridScale.
+  Eigen::Vector2d plan_scale = Eigen::Vector2d::Ones();
   /// Share of the points to keep, chosen by their coordinates: evenly, and the same in any order.
   double share = 1.0;
   std::uint64_t max_points = 0;        ///< kept points allowed; 0: no limit
@@ -36,7 +39,7 @@ struct ReadOptions {
   double max_resolution_m = 0.0;
 };
 
-/// A box of all heights for ReadOptions::bounds_in_world, of x_min, y_min, x_max, y_max.
+/// A box of all heights for ReadOptions::bounds_in_file, of x_min, y_min, x_max, y_max.
 /// Throws std::invalid_argument for other than four numbers, and for inverted ones or NaN.
 Eigen::AlignedBox3d plan_bounds(std::span<const double> bounds);
 

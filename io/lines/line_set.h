@@ -60,6 +60,8 @@ struct LineSet {
   std::vector<std::string> warnings;
   /// Metres per coordinate unit by axis, where the CRS does not say.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
+  /// Coordinates of the plan are divided by these to be metres on the ground, as those of the cloud.
+  Eigen::Vector2d plan_scale = Eigen::Vector2d::Ones();
   /// A unit that the file names beside its coordinates, "millimetres"; no more than a hint, as most programs write the one
   /// of their template ($INSUNITS of DXF).
   std::string stated_unit;

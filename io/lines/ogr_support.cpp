@@ -6,7 +6,6 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -73,6 +72,27 @@ std::optional<OGRSpatialReference> spatial_reference(const Crs& crs) {
   return reference;
 }
 
+OGRLayer* create_layer(GDALDataset& dataset,
+                       const std::string& name,
+                       const OGRSpatialReference* reference,
+                       OGRwkbGeometryType type,
+                       CSLConstList options) {
+  std::optional<OGRSpatialReference> written;
+  if (reference != nullptr) {
+    written = *reference;
+    const bool has_three_axes =
+        written->IsProjected() != 0 && written->IsCompound() == 0 && written->GetAxesCount() == 3;
+    if (has_three_axes && EQUAL(dataset.GetDriverName(), "ESRI Shapefile")) {
+      written->DemoteTo2D(nullptr);
+    }
+  }
+  OGRLayer* const layer =
+      dataset.CreateLayer(name.c_str(), written ? &*written : nullptr, type,
+                          const_cast<char**>(options));  // NOLINT: GDAL reads them only
+  if (layer != nullptr) CPLErrorReset();
+  return layer;
+}
+
 OGRSpatialReference undefined_plane() {
   OGRSpatialReference reference;
   reference.SetLocalCS(kUndefinedPlane);
@@ -81,11 +101,10 @@ OGRSpatialReference undefined_plane() {
 }
 
 Crs crs_of(const OGRSpatialReference* reference) {
-  // names that GeoPackage has for none; GDAL writes the geographic one whatever the coordinates are
-  constexpr std::array<std::string_view, 2> kNone{kUndefinedPlane, "Undefined geographic SRS"};
   if (reference == nullptr) return {};
+  // GeoPackage has names for none, and GDAL writes the geographic one whatever the coordinates are
   const char* const name = reference->GetName();
-  if (name != nullptr && std::ranges::find(kNone, name) != kNone.end()) return {};
+  if (name != nullptr && std::string_view(name).starts_with("Undefined ")) return {};
   const QuietGdal quiet;
   const char* options[] = {"FORMAT=WKT2_2019", nullptr};
   char* text = nullptr;

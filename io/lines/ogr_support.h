@@ -4,6 +4,7 @@
 #include "io/crs.h"
 #include "io/lines/feature_collector.h"
 
+#include <gdal_priv.h>
 #include <ogr_geometry.h>
 #include <ogr_spatialref.h>
 
@@ -45,6 +46,15 @@ class FixedDate {
 
 /// Nothing if PROJ cannot read the definition or it is empty. Axes are east, north, up.
 std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
+
+/// GDALDataset::CreateLayer(). GDAL complains of a projected system with three axes, which has no WKT1, and
+/// then writes WKT2 (GeoPackage): what it said is forgotten if there is a layer. A Shapefile has WKT1 alone and
+/// gets the system of the plan.
+OGRLayer* create_layer(GDALDataset& dataset,
+                       const std::string& name,
+                       const OGRSpatialReference* reference,
+                       OGRwkbGeometryType type,
+                       CSLConstList options);
 
 /// The system of a file for what states none: a plane with metres that is nowhere on Earth.
 inline constexpr const char* kUndefinedPlane = "Undefined Cartesian SRS";

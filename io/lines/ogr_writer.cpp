@@ -41,8 +41,8 @@ class OgrWriter {
     std::optional<OGRSpatialReference> reference = spatial_reference(set.crs);
     if (!reference && target_.has_long_text) reference = undefined_plane();
     const std::string name = std::filesystem::path(path_).stem().string();
-    layer_ = dataset_->CreateLayer(name.c_str(), reference ? &*reference : nullptr,
-                                   wkbLineString25D, nullptr);
+    layer_ =
+        create_layer(*dataset_, name, reference ? &*reference : nullptr, wkbLineString25D, nullptr);
     require(layer_ != nullptr);
     create_fields();
     // One transaction: a GeoPackage would otherwise sync the disk for each line.

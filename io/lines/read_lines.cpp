@@ -113,6 +113,7 @@ LineSet read_lines(const std::string& path, const ReadLinesOptions& options) {
     check_stated_crs(set);
   }
   if (!set.crs.known()) set.unit_m = options.unit_m;
+  set.plan_scale = options.plan_scale;
   check_lines(set);
   return set;
 }

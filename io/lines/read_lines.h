@@ -14,6 +14,7 @@ struct ReadLinesOptions {
   Crs assume_crs;  ///< declares or overrides the file's CRS; unknown: the file decides
   /// Metres per coordinate unit by axis, for a file that states no CRS; unset: metres.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
+  Eigen::Vector2d plan_scale = Eigen::Vector2d::Ones();  ///< of the set
   bool vertex_pairs = false;  ///< an OBJ's vertices two by two are the segments
 };
 

@@ -6,6 +6,7 @@
 #include "io/results/judge_batches.h"
 #include "io/results/judged_lines.h"
 #include "io/results/judged_map.h"
+#include "io/results/plan_scale.h"
 #include "io/results/value_warnings.h"
 #include "io/utf8.h"
 
@@ -109,8 +110,12 @@ void refuse_foreign_frame(const Evaluation& evaluation,
   if (check.same_frame) return;
   const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
   if (cloud_box.isEmpty()) {
-    throw io::IoError(cloud.path(),
-                      "no point lies within --bounds; must be given in the cloud's CRS");
+    throw io::IoError(
+        cloud.path(),
+        fmt::format("no point lies within --bounds; must be in the cloud's own coordinates, [{}], "
+                    "unit {}",
+                    io::describe(cloud.crs()).name,
+                    io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
   }
   const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   throw io::IoError(
@@ -123,9 +128,11 @@ void refuse_foreign_frame(const Evaluation& evaluation,
                                 : fmt::format("; the lines' file states {}", set.stated_unit)));
 }
 
-/// Lines that state no reference system are taken to be in that of the cloud, with its units.
+/// Lines are in the plan of the cloud; those that state no reference system are taken to be in its units, too.
 void take_unit_of(const io::CloudFiles& cloud, io::LineSet& set) {
-  if (!set.crs.known()) set.unit_m = cloud.unit_m();
+  set.plan_scale = cloud.plan_scale();
+  const Eigen::Vector3d grid_from_ground(set.plan_scale.x(), set.plan_scale.y(), 1.0);
+  if (!set.crs.known()) set.unit_m = cloud.unit_m().cwiseProduct(grid_from_ground);
 }
 
 nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
@@ -134,6 +141,9 @@ nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::Clou
   json["crs"] = io::describe(cloud.crs).name;
   json["horizontal_unit_m"] = cloud.horizontal_unit_m;
   json["vertical_unit_m"] = cloud.vertical_unit_m;
+  if (const Eigen::Vector2d& scale = files.plan_scale(); scale != Eigen::Vector2d::Ones()) {
+    json["plan_scale"] = {scale.x(), scale.y()};
+  }
   json["n_batches"] = readings.n_batches;
   json["n_files_unread"] = files.unread_paths().size();
   json["n_read"] = cloud.n_read;
@@ -253,6 +263,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
                         RunRecord& record) {
   JudgedFiles judged;
   judged.line_sets = std::move(to_judge.sets);
+  set_plan_scale(judged.line_sets, options.patch, options.scale_to_ground, cloud, judged.warnings);
   judged.frame = cloud.frame();
   if (options.patch && options.patch->crs.known()) {
     const io::PatchFile& patch = *options.patch;

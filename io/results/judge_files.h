@@ -30,6 +30,7 @@ struct JudgeFilesOptions {
   io::ReadLinesOptions lines;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
+  bool scale_to_ground = false;  ///< see set_plan_scale()
   /// For points held at one time, see judge_in_batches(). Enough for about 5.6 million.
   std::uint64_t cloud_memory_mib = 512;
 };

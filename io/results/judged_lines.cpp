@@ -86,9 +86,12 @@ std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& re
 }  // namespace
 
 Eigen::Vector3d unit_m_of(const io::LineSet& set) {
-  if (!set.crs.known() && set.unit_m) return *set.unit_m;
   const io::CrsFacts crs = io::describe(set.crs);
-  return {crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m};
+  const Eigen::Vector3d unit_m =
+      set.unit_m && !set.crs.known()
+          ? *set.unit_m
+          : Eigen::Vector3d(crs.horizontal_unit_m, crs.horizontal_unit_m, crs.vertical_unit_m);
+  return unit_m.cwiseQuotient(Eigen::Vector3d(set.plan_scale.x(), set.plan_scale.y(), 1.0));
 }
 
 Segment3 segment_in_local(const io::Line& line,
@@ -103,6 +106,7 @@ io::LineSet in_metres(io::LineSet set) {
   for (io::Line& line : set.lines) line.segment_in_world = metric_segment(line, unit_m);
   set.crs = {};
   set.unit_m.reset();
+  set.plan_scale.setOnes();
   return set;
 }
 

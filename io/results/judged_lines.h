@@ -15,7 +15,7 @@
 
 namespace ridgeline::results {
 
-/// Metres per coordinate unit by axis: of the CRS, else as set, else 1.
+/// Metres per coordinate unit by axis, on the ground: of the CRS, else as set, else 1.
 Eigen::Vector3d unit_m_of(const io::LineSet& set);
 
 /// A line of a file in metres of the local frame; `unit_m`: of the file.

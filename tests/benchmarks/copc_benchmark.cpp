@@ -63,7 +63,7 @@ void read_whole(benchmark::State& state) { read(state, in_local_frame()); }
 
 void read_window(benchmark::State& state) {
   io::ReadOptions options = in_local_frame();
-  options.bounds_in_world =
+  options.bounds_in_file =
       Eigen::AlignedBox3d(Eigen::Vector3d(430.0, 620.0, -1e3), Eigen::Vector3d(530.0, 720.0, 1e3));
   read(state, options);
 }

@@ -22,7 +22,7 @@ void read(const std::string& path, const OpenCloudOptions& options) {
     if (source->info().n_points > kMaxPoints || source->n_blocks() == 0) return;
     const std::optional<BlockExtent> node = source->block_extent(source->n_blocks() / 2);
     ReadOptions window;
-    if (node && !node->box_in_file.isEmpty()) window.bounds_in_world = node->box_in_file;
+    if (node && !node->box_in_file.isEmpty()) window.bounds_in_file = node->box_in_file;
     std::vector<CloudPoint> points;
     append_points(*source, {}, PointFilter(window, {}), points);
   } catch (const IoError&) {

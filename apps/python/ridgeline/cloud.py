@@ -90,7 +90,7 @@ def read_cloud(
     """Reads LAS, LAZ, COPC, PCD, PLY or text into one cloud.
 
     paths: a file, or several; patterns such as "tiles/*.laz" are expanded.
-    bounds: (x_min, y_min, x_max, y_max) in metres of the reference system; of COPC only the nodes inside are decoded.
+    bounds: (x_min, y_min, x_max, y_max) in the coordinates of the files; of COPC only the nodes inside are decoded.
     classes: ASPRS classes to keep; by default all but noise (7, 18).
     include_withheld: keep points that their producer marked as not to be used.
     last_returns: keep the last return of each pulse only.

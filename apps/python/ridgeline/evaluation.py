@@ -135,6 +135,7 @@ def evaluate(
     max_resolution_m: float = 0.0,
     max_points: int = 0,
     assume_crs: str = "",
+    scale_to_ground: bool = False,
     strict: bool = False,
     salvage: bool = False,
     vertex_pairs: bool = False,
@@ -157,6 +158,8 @@ def evaluate(
     reference_lines: true lines, as `lines`: errors, precision and completeness beside the distances.
     config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
     bounds ... salvage: of the cloud, as for read_cloud(). vertex_pairs: as for read_lines().
+    scale_to_ground: divide the plan by its scale at the data, as Web Mercator needs it; by default a plan that is not true
+        to scale is refused.
     cloud_memory_mib: for points held at a time; beyond, lines are judged in batches of neighbours.
     name: of the patch in the tables; by default that of the patch file or the cloud.
     max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that of config, or 10.
@@ -188,6 +191,7 @@ def evaluate(
         "bootstrap_seed": bootstrap_seed,
         "cloud_memory_mib": cloud_memory_mib,
         "gross_m": gross_m,
+        "scale_to_ground": scale_to_ground,
         "max_aligned_angle_deg": max_aligned_angle_deg,
         "name": name,
         "patch": None if patch is None else os.fspath(patch),

@@ -21,6 +21,13 @@ const char* const kUtm32Esri =
     R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],)"
     R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])";
 
+/// As a compound of WKT1, which PROJ reads as a system with three axes.
+Crs with_ellipsoidal_heights(const Crs& plan) {
+  return {R"-(COMPD_CS["ETRS89 / UTM zone 32N + Ellipsoid (metre)",)-" + to_wkt(plan) +
+          R"-(,VERT_CS["Ellipsoid (metre)",VERT_DATUM["Ellipsoid",2002],)-"
+          R"-(UNIT["metre",1],AXIS["Up",UP]]])-"};
+}
+
 TEST(Describe, SplitsACompoundCrs) {
   const CrsFacts facts = describe({"EPSG:25832+7837"});
   EXPECT_EQ(facts.horizontal_name, "ETRS89 / UTM zone 32N");
@@ -112,6 +119,65 @@ TEST(Compare, UnknownIsTakenAsEqualWithAWarning) {
   EXPECT_TRUE(agreement.compatible);
   EXPECT_THAT(agreement.warning, HasSubstr("ETRS89 / UTM zone 32N"));
   EXPECT_EQ(compare({}, {}).warning, "");
+}
+
+TEST(Compare, HeightsAboveTheEllipsoidLeaveThePlanAsItIs) {
+  const Crs plan{"EPSG:25832"};
+  const Crs three_axes = with_ellipsoidal_heights(plan);
+  const CrsAgreement one = compare(plan, three_axes);
+  EXPECT_TRUE(one.compatible) << one.reason;
+  EXPECT_THAT(one.warning, AllOf(HasSubstr("only one of two files in \"ETRS89 / UTM zone 32N\""),
+                                 HasSubstr("ellipsoidal height"), HasSubstr("tens of metres")));
+  EXPECT_TRUE(compare(three_axes, three_axes).compatible);
+  EXPECT_EQ(compare(three_axes, three_axes).warning, "");
+  const CrsAgreement geoid = compare(three_axes, {"EPSG:25832+7837"});
+  EXPECT_THAT(geoid.reason, AllOf(HasSubstr("vertical"), HasSubstr("ellipsoidal height of"),
+                                  HasSubstr("DHHN2016")));
+  EXPECT_FALSE(compare(three_axes, {"EPSG:25833"}).compatible);
+}
+
+TEST(Compare, SystemsOfOneNameAreToldByWhatDiffers) {
+  const Crs a{"EPSG:25832"};
+  std::string moved = to_wkt(a);
+  moved.replace(moved.find("\"central_meridian\",9"), 20, "\"central_meridian\",8");
+  for (const char* id : {"\"25832\""}) moved.replace(moved.find(id), 7, "\"99999\"");
+  const CrsAgreement agreement = compare(a, {moved});
+  EXPECT_FALSE(agreement.compatible);
+  EXPECT_THAT(agreement.reason,
+              AllOf(HasSubstr("both are called \"ETRS89 / UTM zone 32N\""), HasSubstr("+lon_0=8")));
+}
+
+TEST(Compare, HeightsInFeetAreTheSameUnderAnyName) {
+  const Crs altered = with_vertical_unit({"EPSG:2264+5703"}, kSurveyFoot_m);
+  EXPECT_EQ(describe(altered).vertical_unit_name, "US survey foot");
+  EXPECT_TRUE(compare(altered, {"EPSG:2264+6360"}).compatible);
+  EXPECT_FALSE(compare(altered, {"EPSG:2264+5703"}).compatible);
+  EXPECT_FALSE(compare(altered, {"EPSG:2264+8228"}).compatible);
+}
+
+TEST(Describe, SeesThatAPlaneIsNowhere) {
+  // as GDAL 3.9 writes it for none
+  const Crs none{R"(LOCAL_CS["Undefined SRS",LOCAL_DATUM["unknown",32767],UNIT["unknown",0],)"
+                 R"(AXIS["Easting",EAST],AXIS["Northing",NORTH]])"};
+  EXPECT_TRUE(describe(none).states_nothing());
+  EXPECT_FALSE(describe({"EPSG:25832"}).states_nothing());
+}
+
+TEST(WithVerticalUnit, LeavesWhatHasNoHeights) {
+  EXPECT_EQ(with_vertical_unit({"EPSG:25832"}, kFoot_m).definition, "EPSG:25832");
+}
+
+TEST(UnitText, NamesTheUnitsOfSurveys) {
+  EXPECT_EQ(unit_text(1.0), "metre (1 m)");
+  EXPECT_EQ(unit_text(kFoot_m), "foot (0.3048 m)");
+  EXPECT_EQ(unit_text(kSurveyFoot_m), "US survey foot (0.304800609601 m)");
+  EXPECT_EQ(unit_text(0.5), "unit (0.5 m)");
+}
+
+TEST(ToWkt, WritesHeightsAboveTheEllipsoidAsAVerticalSystem) {
+  const Crs three_axes = with_ellipsoidal_heights({"EPSG:25832"});
+  EXPECT_THAT(to_wkt(three_axes), HasSubstr("Ellipsoid (metre)"));
+  EXPECT_TRUE(compare({to_wkt(three_axes)}, three_axes).compatible);
 }
 
 TEST(ToWkt, RefusesAnUnreadableDefinition) {

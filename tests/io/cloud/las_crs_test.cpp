@@ -113,5 +113,57 @@ TEST(ReadLasCrs, StatedUnitsAreObeyed) {
   EXPECT_THAT(mixed.warnings, ElementsAre(HasSubstr("vertical unit")));
 }
 
+LasCrs crs_of_keys(std::initializer_list<std::array<std::uint16_t, 2>> keys) {
+  return crs_of(LasBytes(2, 0).add_vlr(kProjection, 34735, geotiff_directory(keys)));
+}
+
+TEST(ReadLasCrs, HeightsOfAUserDefinedProjectionFollowItsUnit) {
+  constexpr double kUnits[] = {kFoot_m, kSurveyFoot_m};
+  for (std::uint16_t k = 0; k < 2; ++k) {
+    const auto unit = static_cast<std::uint16_t>(9002 + k);
+    const LasCrs result = crs_of_keys({{3072, 32767}, {3076, unit}});
+    EXPECT_FALSE(result.crs.known());
+    EXPECT_EQ(result.unit_m, Eigen::Vector3d::Constant(kUnits[k]));
+    EXPECT_THAT(result.warnings,
+                testing::Contains(AllOf(HasSubstr("foot"), HasSubstr("heights too, as no unit"))));
+    const LasCrs mixed = crs_of_keys({{3072, 32767}, {3076, unit}, {4099, 9001}});
+    EXPECT_EQ(mixed.unit_m, Eigen::Vector3d(kUnits[k], kUnits[k], 1.0));
+    EXPECT_THAT(mixed.warnings, testing::Contains(HasSubstr("heights in metre (1 m)")));
+    // EPSG's vertical systems state their unit
+    const LasCrs metres = crs_of_keys({{3072, 32767}, {3076, unit}, {4096, 5703}});
+    EXPECT_EQ(metres.unit_m, Eigen::Vector3d(kUnits[k], kUnits[k], 1.0));
+  }
+  EXPECT_EQ(crs_of_keys({{3072, 25832}, {3076, 9003}}).unit_m,
+            Eigen::Vector3d::Constant(kSurveyFoot_m));
+}
+
+TEST(ReadLasCrs, AVerticalDatumTakesTheUnitOfItsKeyOrThePlan) {
+  const LasCrs stated = crs_of_keys({{3072, 2264}, {3076, 9003}, {4096, 5103}, {4099, 9003}});
+  EXPECT_THAT(stated.warnings, IsEmpty());
+  constexpr double kDigitsOfWkt = 1e-14;
+  EXPECT_TRUE(stated.unit_m.isApproxToConstant(kSurveyFoot_m, kDigitsOfWkt));
+  EXPECT_TRUE(compare(stated.crs, {"EPSG:2264+6360"}).compatible);
+  const LasCrs by_plan = crs_of_keys({{3072, 2264}, {4096, 5103}});
+  EXPECT_TRUE(compare(by_plan.crs, {"EPSG:2264+6360"}).compatible);
+  EXPECT_TRUE(
+      compare(crs_of_keys({{3072, 32617}, {4096, 5103}}).crs, {"EPSG:32617+5703"}).compatible);
+  EXPECT_TRUE(
+      compare(crs_of_keys({{3072, 27700}, {4096, 5101}}).crs, {"EPSG:27700+5701"}).compatible);
+}
+
+TEST(ReadLasCrs, AKeyThatChangesTheUnitOfHeightsChangesTheirSystem) {
+  const LasCrs result = crs_of_keys({{3072, 2264}, {4096, 5703}, {4099, 9003}});
+  EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("vertical unit")));
+  EXPECT_TRUE(compare(result.crs, {"EPSG:2264+6360"}).compatible);
+}
+
+TEST(ReadLasCrs, APlaneThatIsNowhereIsUnknown) {
+  const LasCrs result = crs_of(LasBytes(4, 6).add_vlr(
+      kProjection, 2112,
+      R"(LOCAL_CS["Undefined SRS",LOCAL_DATUM["unknown",32767],UNIT["unknown",0]])"));
+  EXPECT_FALSE(result.crs.known());
+  EXPECT_EQ(result.unit_m, Eigen::Vector3d::Ones());
+}
+
 }  // namespace
 }  // namespace ridgeline::io

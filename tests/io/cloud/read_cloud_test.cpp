@@ -96,7 +96,7 @@ TEST_F(ReadCloud, RefusesOptionsThatContradict) {
   EXPECT_THROW(read_cloud({path}, options), std::invalid_argument);
   EXPECT_THROW(read_cloud({}), std::invalid_argument);
   options = {};
-  options.bounds_in_world = Eigen::AlignedBox3d();
+  options.bounds_in_file = Eigen::AlignedBox3d();
   EXPECT_THROW(read_cloud({path}, options), std::invalid_argument);
 }
 
@@ -133,7 +133,7 @@ TEST_F(ReadCloud, KeepsLastReturns) {
 
 TEST_F(ReadCloud, KeepsPointsInTheWorldBox) {
   ReadOptions options;
-  options.bounds_in_world =
+  options.bounds_in_file =
       Eigen::AlignedBox3d(Eigen::Vector3d(1000, 2000, -10), Eigen::Vector3d(1001, 2001, 10));
   const PointCloud cloud = read_cloud(
       {write("a.las", {point_at(1, 1, 0), point_at(2, 1, 0), point_at(1, 1, 11)}, {1000, 2000, 0})},
@@ -285,7 +285,7 @@ TEST_F(ReadCloud, FindsThePointsThatAHeaderHides) {
   const std::string path = folder_.write("a.las", strip_with_narrow_header());
   ReadOptions options;
   options.frame = LocalFrame{};
-  options.bounds_in_world = plan_bounds(std::array{1700.0, 1900.0, 1800.0, 2100.0});
+  options.bounds_in_file = plan_bounds(std::array{1700.0, 1900.0, 1800.0, 2100.0});
   const PointCloud cloud = read_cloud({path}, options);
   EXPECT_EQ(cloud.points.size(), 10'000U);
   EXPECT_THAT(cloud.warnings, Contains(HasSubstr("header bounds are wrong")));

@@ -29,7 +29,7 @@ TEST(ReadCloud, GivesTheSameCloudForLazAsForLas) {
 
 constexpr const char* kCopc = "las_samples/laspy_simple.copc.laz";
 
-// The test file is in feet of no stated CRS; its points are read as metres.
+// The test file is in metres, its heights are in US survey feet.
 std::vector<CloudPoint> points_inside(const PointCloud& cloud, const Eigen::AlignedBox3d& box) {
   std::vector<CloudPoint> inside;
   for (const CloudPoint& point : cloud.points) {
@@ -62,10 +62,14 @@ TEST(ReadCloud, GivesTheSamePointsOfACopcWindowAsACutOfTheWhole) {
   for (int trial = 0; trial < 20; ++trial) {
     ReadOptions options;
     options.frame = whole.frame;
-    options.bounds_in_world = Eigen::AlignedBox3d();
-    options.bounds_in_world->extend(random_point()).extend(random_point());
+    Eigen::AlignedBox3d window_m;
+    window_m.extend(random_point()).extend(random_point());
+    const Eigen::Vector3d unit_m(whole.horizontal_unit_m, whole.horizontal_unit_m,
+                                 whole.vertical_unit_m);
+    options.bounds_in_file = Eigen::AlignedBox3d(window_m.min().cwiseQuotient(unit_m),
+                                                 window_m.max().cwiseQuotient(unit_m));
     const PointCloud window = read_cloud({shared_file(kCopc)}, options);
-    expect_equal(window.points, points_inside(whole, *options.bounds_in_world));
+    expect_equal(window.points, points_inside(whole, window_m));
     EXPECT_EQ(window.n_read, whole.n_read);
   }
 }
