@@ -107,6 +107,12 @@ bool has_classes(const Table2& table) {
   });
 }
 
+/// `before` stands in front of it; "" without a footnote.
+std::string footnote_line(const Table2& table, std::string_view before) {
+  const std::string_view note = footnote(table);
+  return note.empty() ? "" : fmt::format("{}{}\n", before, note);
+}
+
 }  // namespace
 
 Table2Layout lay_out(const Table2& table) {
@@ -130,19 +136,31 @@ Table2Layout lay_out(const Table2& table) {
   return layout;
 }
 
-Table2 make_table2(std::span<const Evaluation> evaluations) {
+Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_to_faces) {
   Table2 table;
+  table.joint_adjusts_to_faces = joint_adjusts_to_faces;
   for (const Evaluation& e : evaluations) table.results.push_back({e.patch, e.method, e.classes});
   return table;
 }
 
+std::string_view footnote(const Table2& table) {
+  const auto has = [&](std::string_view method) {
+    return std::ranges::any_of(table.results,
+                               [&](const auto& result) { return result.method == method; });
+  };
+  if (!table.joint_adjusts_to_faces || !has("direct") || !has("joint")) return "";
+  return "joint adjusts lines to the plane faces of the surface beside them (faces_beside); direct "
+         "does not. Their not_aligned lines differ for this reason. With --preset published they "
+         "are equal.";
+}
+
 std::string to_markdown(const Table2& table) {
   return fmt::format(
-      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}\n"
+      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}{}\n"
       "Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of "
       "the mean absolute distances.\n\n{}\n{}{}\n",
-      published_form_markdown(table), companions_markdown(table), parts_markdown(table),
-      kFixedSentence);
+      published_form_markdown(table), footnote_line(table, "\n"), companions_markdown(table),
+      parts_markdown(table), kFixedSentence);
 }
 
 std::string to_csv(const Table2& table) {
@@ -186,7 +204,10 @@ std::string to_json(const Table2& table) {
       rows.push_back(std::move(row));
     }
   }
-  return dump(Json{{"rows", std::move(rows)}, {"note", kFixedSentence}});
+  const std::string_view note = footnote(table);
+  return dump(Json{{"rows", std::move(rows)},
+                   {"note", kFixedSentence},
+                   {"footnote", note.empty() ? Json(nullptr) : Json(note)}});
 }
 
 std::string to_latex(const Table2& table) {
@@ -200,8 +221,9 @@ std::string to_latex(const Table2& table) {
   }
   std::string text = fmt::format(
       "% RMS (m) of the mean orthogonal distances, in parentheses lines evaluated / all lines.\n"
-      "% {}\n\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
-      kFixedSentence, std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
+      "% {}\n{}\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
+      kFixedSentence, footnote_line(table, "% "),
+      std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
   for (const Table2Layout::Row& row : layout.rows) {
     text += escape_latex(row.patch);
     for (const Summary* cell : row.cells) text += " & " + rms_text(cell);

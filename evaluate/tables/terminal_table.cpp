@@ -4,6 +4,8 @@
 #include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -79,7 +81,9 @@ std::string to_terminal(const Table2& table) {
       rows.push_back(std::move(row));
     }
   }
-  return "Distances of the lines from LIDAR planes, m\n" + aligned(rows, 3);
+  const std::string_view note = footnote(table);
+  return fmt::format("Distances of the lines from LIDAR planes, m\n{}{}{}", aligned(rows, 3), note,
+                     note.empty() ? "" : "\n");
 }
 
 }  // namespace ridgeline::evaluate

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -168,6 +169,35 @@ TEST(CompareMethods, ComparesTheMethodsOfAFolderWithItsFirst) {
   ASSERT_EQ(comparisons.size(), 1U);
   EXPECT_EQ(comparisons[0].name_a, "direct");
   EXPECT_EQ(comparisons[0].name_b, "joint");
+}
+
+std::optional<std::size_t> n_differing(std::optional<bool> joint_adjusts_to_faces) {
+  ResultFolder folder;
+  folder.evaluations = {evaluation_a(), evaluation_b()};
+  folder.joint_adjusts_to_faces = joint_adjusts_to_faces;
+  return compare_methods(folder).at(0).n_not_aligned_differing;
+}
+
+TEST(CompareMethods, LooksForADefectOnlyWhereDirectAndJointAreKnownToShareTheCode) {
+  EXPECT_EQ(n_differing(false), 1U);
+  EXPECT_EQ(n_differing(true), std::nullopt);
+  EXPECT_EQ(n_differing(std::nullopt), std::nullopt) << "options that are not known";
+}
+
+TEST(CompareFolders, LooksForADefectOnlyWhereBothAreKnownToShareTheCode) {
+  for (const bool a_adjusts : {false, true}) {
+    for (const bool b_adjusts : {false, true}) {
+      ResultFolder a;
+      a.evaluations = {evaluation_a()};
+      a.joint_adjusts_to_faces = a_adjusts;
+      ResultFolder b;
+      b.evaluations = {evaluation_b()};
+      b.joint_adjusts_to_faces = b_adjusts;
+      const ComparisonReport report = compare_folders(std::vector{a, b});
+      EXPECT_EQ(report.comparisons.at(0).n_not_aligned_differing.has_value(),
+                !a_adjusts && !b_adjusts);
+    }
+  }
 }
 
 TEST(ComparisonRenderings, AgreeToThePrintedDigit) {
