@@ -70,6 +70,7 @@ std::vector<Comparison> compare_methods(const ResultFolder& folder);
 
 /// Table on the common lines first, own sets second, then the worst lines and warnings.
 std::string to_markdown(const ComparisonReport& report);
+std::string to_terminal(const ComparisonReport& report);  ///< the same in aligned columns
 
 std::string to_json(const ComparisonReport& report);
 

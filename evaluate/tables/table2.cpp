@@ -5,6 +5,7 @@
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table_layout.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ std::string excluded_text(const Summary& s) {
     if (status == Status::kEvaluated || s.n_by_status[i] == 0) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name(status), s.n_by_status[i]);
   }
-  return text.empty() ? std::string(kNoValue) : escape_markdown(text);
+  return text.empty() ? std::string(kNoValue) : text;
 }
 
 std::string published_form_markdown(const Table2& table) {
@@ -44,54 +45,49 @@ std::string published_form_markdown(const Table2& table) {
   std::vector<std::string> columns{"patch"};
   for (const std::string& method : layout.methods) {
     for (const std::string& line_class : layout.classes) {
-      columns.push_back(
-          fmt::format("{} {}:", escape_markdown(method), escape_markdown(line_class)));
+      columns.push_back(fmt::format("{} {}:", method, line_class));
     }
   }
-  std::string text = markdown_head(columns);
+  TextTable written(columns);
   for (const Table2Layout::Row& row : layout.rows) {
-    text += fmt::format("| {} |", escape_markdown(row.patch));
-    for (const Summary* cell : row.cells) text += fmt::format(" {} |", rms_text(cell));
-    text += "\n";
+    std::vector<std::string> cells{row.patch};
+    for (const Summary* cell : row.cells) cells.push_back(rms_text(cell));
+    written.add_row(std::move(cells));
   }
-  return text;
+  return written.text(Markup::kMarkdown);
 }
 
 std::string companions_markdown(const Table2& table) {
-  std::string text = markdown_head(
-      {"patch", "method", "class",
-       "n:", "evaluated %:", "RMS:", "95 % interval:", "clusters:", "bias:", "std:", "median:",
-       "NMAD:", "68.3 %:", "95 %:", "max:", "> gross limit %:", "excluded"});
+  TextTable written({"patch", "method", "class", "n:", "evaluated %:", "RMS:", "95 % interval:",
+                     "clusters:", "bias:", "std:", "median:", "NMAD:", "68.3 %:", "95 %:", "max:",
+                     "> gross limit %:", "excluded"});
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
-      text +=
-          markdown_row(escape_markdown(result.patch), escape_markdown(result.method),
-                       escape_markdown(s.line_class), s.n_evaluated, percent(s.evaluated_share()),
-                       metres(s.rms_m), interval_text(s), s.n_clusters, metres(s.mean_m),
-                       metres(s.std_m), metres(s.median_m), metres(s.nmad_m), metres(s.q683_m),
-                       metres(s.q95_m), metres(s.max_m), percent(s.gross_share), excluded_text(s));
+      written.add(result.patch, result.method, s.line_class, s.n_evaluated,
+                  percent(s.evaluated_share()), metres(s.rms_m), interval_text(s), s.n_clusters,
+                  metres(s.mean_m), metres(s.std_m), metres(s.median_m), metres(s.nmad_m),
+                  metres(s.q683_m), metres(s.q95_m), metres(s.max_m), percent(s.gross_share),
+                  excluded_text(s));
     }
   }
-  return text;
+  return written.text(Markup::kMarkdown);
 }
 
 /// Nothing if no ridge is in the table.
 std::string parts_markdown(const Table2& table) {
-  std::string rows;
+  TextTable written(
+      {"patch", "method", "class", "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"});
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
       if (s.n_parts == 0) continue;
-      rows += markdown_row(escape_markdown(result.patch), escape_markdown(result.method),
-                           escape_markdown(s.line_class), s.n_parts, metres(s.rmse_horizontal_m),
-                           metres(s.rmse_vertical_m), metres(s.mean_vertical_m));
+      written.add(result.patch, result.method, s.line_class, s.n_parts, metres(s.rmse_horizontal_m),
+                  metres(s.rmse_vertical_m), metres(s.mean_vertical_m));
     }
   }
-  if (rows.empty()) return "";
+  if (written.empty()) return "";
   return "Ridges and hips, from both planes: how far across in plan and how far in height. "
          "Movement along a line cannot be seen.\n\n" +
-         markdown_head({"patch", "method", "class",
-                        "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"}) +
-         rows + "\n";
+         written.text(Markup::kMarkdown) + "\n";
 }
 
 /// Whether lines of any result are of the two classes; a result without lines has them, too, but tells

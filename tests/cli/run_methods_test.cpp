@@ -84,7 +84,10 @@ TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
   }
   const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "m/both", "--out", "cmp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out,
+  EXPECT_THAT(result.out, AllOf(HasSubstr("\n1      pairwise  pairwise, by height  "),
+                                HasSubstr("\n1      chio      chio  "),
+                                HasSubstr("\n1      both      both, by")));
+  EXPECT_THAT(read(path("cmp/compare.md")),
               AllOf(HasSubstr("| 1 | pairwise | pairwise, by height |"),
                     HasSubstr("| 1 | chio | chio |"), HasSubstr("| 1 | both | both, by height |")));
   const auto rows = read_json(path("cmp/compare.json"))["rows"];

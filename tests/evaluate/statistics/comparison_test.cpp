@@ -16,7 +16,10 @@
 namespace ridgeline::evaluate {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 constexpr double kTol = 1e-12;
 
@@ -198,6 +201,20 @@ TEST(CompareFolders, LooksForADefectOnlyWhereBothAreKnownToShareTheCode) {
                 !a_adjusts && !b_adjusts);
     }
   }
+}
+
+TEST(ComparisonInATerminal, HasTheCellsOfTheMarkdownInAlignedColumns) {
+  const ComparisonReport report{{compare(evaluation_a(), evaluation_b(), "a|b", "B")}, {"<odd>"}};
+  const std::string text = to_terminal(report);
+  EXPECT_THAT(text, StartsWith("Patch 1: A = a|b, B = B\n\nLines evaluated in both 3, "));
+  EXPECT_THAT(text, HasSubstr("On the common lines:\n"
+                              "class        n  RMS A  RMS B  B / A           95 %  A - B"));
+  EXPECT_THAT(text, HasSubstr("\naligned      2  0.707  0.515  0.728  0.250 - 1.167  0.192"));
+  EXPECT_THAT(text, HasSubstr("\n\nLines that lost most from A to B:\n"
+                              "id  class        A      B   A - B\n"
+                              "a2  aligned  0.600  0.700  -0.100\n"));
+  EXPECT_THAT(text, HasSubstr("Warning: <odd>\n"));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("\\")), Not(HasSubstr("| ")), Not(HasSubstr("##"))));
 }
 
 TEST(ComparisonRenderings, AgreeToThePrintedDigit) {

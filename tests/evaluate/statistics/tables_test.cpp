@@ -5,6 +5,7 @@
 #include "evaluate/tables/table1.h"
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
+#include "evaluate/tables/text_table.h"
 #include "tests/evaluate/statistics/lines.h"
 
 #include <gmock/gmock.h>
@@ -105,7 +106,7 @@ TEST(Table2Footnote, SaysInEveryTextWhyDirectAndJointDiffer) {
   EXPECT_THAT(note, Not(HasSubstr("\n")));
   EXPECT_THAT(to_markdown(table), HasSubstr(" |\n\n" + note + "\n\n"));
   EXPECT_THAT(to_latex(table), HasSubstr("\n% " + note + "\n\\begin{tabular}"));
-  EXPECT_THAT(to_terminal(table), EndsWith("\n" + note + "\n"));
+  EXPECT_THAT(to_terminal(table), EndsWith("\n" + paragraph(note, Markup::kPlain)));
   EXPECT_EQ(nlohmann::json::parse(to_json(table))["footnote"], note);
 }
 
