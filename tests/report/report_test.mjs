@@ -163,6 +163,9 @@ test('tables hold the figures of the JSON files', async () => {
   }
   const published = await page.locator('#table2 tbody td').allTextContents();
   assert.deepEqual(published, rows.map((r) => `${metres(r.rms_m)} ${r.n_evaluated}/${r.n_lines}`));
+  const { footnote } = readJson('demo', 'table2.json');
+  assert.match(footnote, /faces_beside/);
+  assert.equal(await page.locator('#table2-footnote').innerText(), footnote);
   await close(page);
 });
 
