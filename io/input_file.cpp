@@ -58,8 +58,8 @@ std::string read_at_most(const std::string& path,
 
 }  // namespace
 
-void require_regular_file(const std::string& path) {
-  if (!std::filesystem::is_regular_file(status_of(path, std::nullopt))) refuse_irregular(path);
+void require_regular_file(const std::string& path, std::optional<Expected> expected) {
+  if (!std::filesystem::is_regular_file(status_of(path, expected))) refuse_irregular(path);
 }
 
 std::string read_input(const std::string& path, std::optional<Expected> expected) {

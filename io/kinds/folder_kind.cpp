@@ -76,7 +76,7 @@ FileKind kind_of_patches(const std::vector<std::string>& files) {
                                              : fmt::format("a folder of {} patches", files.size());
   return {.group = kPatchFolder,
           .what = what,
-          .advice = fmt::format("give {}{}", files.front(), files.size() > 1 ? " ..." : "")};
+          .advice = fmt::format("give {}{} to run", files.front(), files.size() > 1 ? " ..." : "")};
 }
 
 FileKind kind_of_contents(const std::vector<std::string>& names) {
@@ -105,6 +105,9 @@ FileKind kind_of_folder(const fs::path& folder) {
   if (holds_results(folder, names)) {
     return {
         .group = kResultFolder, .what = "a folder of results", .advice = advice_on(kResultFolder)};
+  }
+  if (is_there(folder / "compare.json")) {
+    return {.group = kOther, .what = "a comparison of results", .advice = "open its compare.md"};
   }
   if (const std::vector<std::string> patches = patch_files_in(folder); !patches.empty()) {
     return kind_of_patches(patches);

@@ -54,8 +54,8 @@ FileKind kind_of_result(const TopKeys& keys) {
   if (keys.has("command") && keys.has("versions")) {
     return ours(kResult, "the record of a run (run.json)");
   }
-  if (keys.has("passed") && keys.has("gates")) return ours(kResult, "a report of gates");
-  if (keys.has("comparisons")) return ours(kResult, "a comparison of results");
+  if (keys.has("passed") && keys.has("gates")) return not_read("a report of gates");
+  if (keys.has("comparisons")) return not_read("a comparison of results");
   if (!keys.names.empty() && keys.names.front() == "rows") {
     return ours(kResult, "a table of results");
   }
