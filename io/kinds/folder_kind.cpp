@@ -82,7 +82,7 @@ FileKind kind_of_patches(const std::vector<std::string>& files) {
 FileKind kind_of_contents(const std::vector<std::string>& names) {
   const std::string found = contents(names);
   if (found.empty())
-    return {.group = kFolder, .what = names.empty() ? "an empty folder" : "a folder"};
+    return {.group = kFolder, .what = names.empty() ? "a folder, which is empty" : "a folder"};
   return {.group = kFolder,
           .what = "a folder with " + found,
           .advice = "give its files by name or pattern"};

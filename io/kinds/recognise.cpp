@@ -48,7 +48,7 @@ bool is_laz(std::string_view start) {
          (static_cast<unsigned char>(start[kPointFormat]) & 0x80U) != 0;
 }
 
-FileKind kind_by_bytes(std::string_view start, const std::string& extension) {
+FileKind kind_by_bytes(std::string_view start) {
   if (is_report(start)) {
     return {.group = kResult,
             .what = "a report of results (report.html)",
@@ -59,11 +59,15 @@ FileKind kind_by_bytes(std::string_view start, const std::string& extension) {
   if (kind.group == kCloud && kind.what == "a LAS point cloud" && is_laz(start)) {
     kind.what = "a LAZ point cloud";
   }
-  if (kind.group == kLines && extension == ".shx") {  // which has the mark of a Shapefile
-    kind = kind_by_extension(extension);
-    kind.by_name = false;
-  }
   return kind;
+}
+
+/// The index of a Shapefile begins as a Shapefile does, a sequence of JSON as GeoJSON: there the name tells more.
+FileKind with_name(const FileKind& kind, std::string_view extension) {
+  FileKind named = kind_by_extension(extension);
+  if (kind.group != kLines || named.group != kOther) return kind;
+  named.by_name = false;
+  return named;
 }
 
 struct Reader {
@@ -157,10 +161,13 @@ FileKind kind_of_content(std::string_view content, const std::string& path) {
   const bool is_whole = content.size() < kTelling_bytes;
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::string extension = extension_in(path);
-  if (FileKind kind = kind_by_bytes(start, extension); kind.is_known()) return kind;
+  if (const FileKind kind = kind_by_bytes(start); kind.is_known())
+    return with_name(kind, extension);
   const bool is_text = start.find('\0') == std::string_view::npos;
   if (is_text) {
-    if (FileKind kind = kind_of_text(start, is_whole); kind.is_known()) return kind;
+    if (const FileKind kind = kind_of_text(start, is_whole); kind.is_known()) {
+      return with_name(kind, extension);
+    }
   }
   return kind_by_extension(extension);
 }

@@ -44,7 +44,8 @@ FileKind kind_of_interchange(const TopKeys& keys) {
   if (keys.has("geometryType") || keys.has("spatialReference")) {
     return not_read("JSON of Esri", "save it as GeoJSON");
   }
-  return {};
+  // others may write the type last
+  return keys.has("features") ? ours(kLines, "GeoJSON", ".geojson") : FileKind();
 }
 
 FileKind kind_of_result(const TopKeys& keys) {
@@ -108,6 +109,7 @@ FileKind kind_of_table(const std::vector<std::string>& names) {
         wanted, [&](const char* name) { return std::ranges::find(names, name) != names.end(); });
   };
   if (has({"x1", "y1", "z1", "x2", "y2", "z2"})) return ours(kLines, "a CSV of 3D lines", ".csv");
+  if (has({"wkt"})) return ours(kLines, "lines as WKT", ".wkt");
   if (has({"left_id", "right_id"})) return ours(kMatches, "a table of matches");
   if (has({"left_x1_px", "right_x1_px"})) {
     return ours(kReferenceMatches, "a table of reference matches");
@@ -145,7 +147,7 @@ FileKind kind_of_rows(std::span<const TextRow> rows) {
     return ours(kLines, "a DXF drawing", ".dxf");
   }
   const std::vector<std::string> first = fields_of_any(rows[0].text);
-  if (const FileKind kind = kind_of_table(first); kind.is_known()) return kind;
+  if (FileKind kind = kind_of_table(first); kind.is_known()) return kind;
   if (rows[0].text.starts_with("v ") || rows[0].text.starts_with("mtllib ")) {
     return ours(kLines, "a mesh or lines (OBJ)", ".obj");
   }
@@ -176,6 +178,9 @@ FileKind kind_of_text(std::string_view start, bool is_whole) {
     return not_read("a sequence of CityJSON, a city model");
   }
   if (FileKind kind = kind_of_document(top_keys(start)); kind.is_known()) return kind;
+  const bool is_json =
+      !rows.empty() && (rows.front().text.starts_with('{') || rows.front().text.starts_with('['));
+  if (is_json) return {};  // its rows say nothing
   if (!is_whole && rows.size() > 1) rows.pop_back();
   std::erase_if(rows, is_aside);
   return rows.empty() ? FileKind() : kind_of_rows(rows);

@@ -107,7 +107,7 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const FileKind kind = kind_of_folder(path);
   if (kind.group != FileGroup::kFolder) throw IoError(path, refusal(kind, Expected::kLines));
   const std::string advice = kind.advice.empty() ? "" : "; " + kind.advice;
-  throw IoError(path, fmt::format("is {} without LIMAP's track_K.txt{}", kind.what, advice));
+  throw IoError(path, fmt::format("is {}, without LIMAP's track_K.txt{}", kind.what, advice));
 }
 
 }  // namespace

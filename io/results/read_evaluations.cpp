@@ -127,10 +127,11 @@ std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool of_fi
   if (found.empty()) {
     const io::FileKind kind = io::kind_of_folder(folder);
     const bool is_other = kind.group != io::FileGroup::kResultFolder;
-    const std::string but = is_other ? fmt::format("is {} and ", kind.what) : "";
-    throw io::IoError(
-        folder.string(),
-        but + "holds no evaluation.*.json; must be the --out of run, demo or evaluate");
+    const std::string what = is_other ? ": it is " + kind.what : "";
+    throw io::IoError(folder.string(),
+                      fmt::format("holds no evaluation.*.json{}; must be the --out of run, demo or "
+                                  "evaluate",
+                                  what));
   }
   table.check_all_found(found);
   return found;

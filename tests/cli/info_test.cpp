@@ -123,6 +123,7 @@ TEST_F(Info, TellsTheContentWhateverTheName) {
 }
 
 TEST_F(Info, TellsAFolderOfPatches) {
+  fs::create_directories(path("all"));
   fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("all/1"));
   EXPECT_TOLD(run({"info", "all/1"}),
               AllOf(HasSubstr("all/1/patch.yaml: patch 1"), HasSubstr("image       left"),

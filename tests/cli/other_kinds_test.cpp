@@ -55,7 +55,8 @@ TEST_F(OtherKinds, AreNamedWhereResultsAreExpected) {
     EXPECT_REFUSED(run({command, "out/run.json"}),
                    HasSubstr("is the record of a run (run.json), not a folder of results; give the "
                              "folder that it lies in"));
-    EXPECT_REFUSED(run({command, "scene"}), HasSubstr("scene: is a folder with 1 cloud"));
+    EXPECT_REFUSED(run({command, "scene"}),
+                   HasSubstr("it is a folder with 1 cloud and 4 line files"));
   }
 }
 

@@ -35,7 +35,7 @@ TEST(KindOfFolder, CountsWhatElseLiesInIt) {
   EXPECT_EQ(kind_of_files({"a.las", "b.LAZ", "c.geojson", "d.doc"}).what,
             "a folder with 2 clouds and 1 line file");
   EXPECT_EQ(kind_of_files({"a.doc"}).what, "a folder");
-  EXPECT_EQ(kind_of_files({}).what, "an empty folder");
+  EXPECT_EQ(kind_of_files({}).what, "a folder, which is empty");
 }
 
 TEST(PatchFilesIn, AreThatOfTheFolderOrThoseOfItsSubfolders) {

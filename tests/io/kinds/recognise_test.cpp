@@ -102,6 +102,18 @@ TEST(KindOfContent, LeavesOpenWhatHasKeysOfTwoKinds) {
   EXPECT_EQ(kind_of_content(patch_with_a_wrong_key, "a.yaml").group, FileGroup::kPatch);
 }
 
+TEST(KindOfContent, OfGeoJsonMayHaveItsTypeFarOff) {
+  const std::string lines = R"({"crs":null,"features":[{"geometry":{"type":"LineString"}}],"x":")" +
+                            std::string(2 * kTelling_bytes, ' ') +
+                            R"(","type":"FeatureCollection"})";
+  EXPECT_EQ(kind_of_content(lines, "a.json").what, "GeoJSON");
+}
+
+TEST(KindOfContent, OfAHeaderAloneTellsWktFromMatches) {
+  EXPECT_EQ(kind_of_content("WKT,id,left_id,right_id\n", "a.csv").group, FileGroup::kLines);
+  EXPECT_EQ(kind_of_content("id,left_id,right_id\n", "a.csv").group, FileGroup::kMatches);
+}
+
 TEST(KindOfContent, FallsBackOnTheName) {
   const FileKind kind = kind_of_content("what?", "dir.x/cloud.LAZ");
   EXPECT_EQ(kind.what, "a LAZ point cloud");
@@ -115,6 +127,12 @@ TEST(KindOfContent, TellsTheIndexOfAShapefileByItsName) {
   const FileKind kind = kind_of_content(start, "a.shx");
   EXPECT_EQ(kind.what, "the index of a Shapefile");
   EXPECT_EQ(kind.advice, "give the .shp");
+}
+
+TEST(KindOfContent, TellsASequenceOfGeoJsonByItsName) {
+  const FileKind kind = kind_of_content("{\"type\":\"Feature\"}\n", "a.geojsonl");
+  EXPECT_EQ(kind.what, "a sequence of JSON texts");
+  EXPECT_FALSE(kind.by_name);
 }
 
 TEST(BeginningOf, AHugeFileIsNoMoreThanItsFirstBytes) {

@@ -93,7 +93,7 @@ TEST_F(Refusal, OfAFolderNamesWhatItHolds) {
               HasSubstr("is a folder with a patch file, not a file of 3D lines"));
   (void)folder_.write("two/a.las", "");
   EXPECT_THAT(io_error_of([&] { read_lines(folder_.file("two")); }),
-              HasSubstr("is a folder with 1 cloud without LIMAP's track_K.txt"));
+              HasSubstr("is a folder with 1 cloud, without LIMAP's track_K.txt"));
 }
 
 TEST_F(Refusal, OfANameAloneSaysSo) {
