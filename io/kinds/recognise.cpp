@@ -64,8 +64,10 @@ FileKind kind_by_bytes(std::string_view start) {
 
 /// The index of a Shapefile begins as a Shapefile does, a sequence of JSON as GeoJSON: there the name tells more.
 FileKind with_name(const FileKind& kind, std::string_view extension) {
+  constexpr std::array kExact{".shx", ".geojsonl", ".geojsons", ".ndjson", ".jsonl"};
+  const bool is_exact = std::ranges::find(kExact, extension) != kExact.end();
+  if (kind.group != kLines || !is_exact) return kind;
   FileKind named = kind_by_extension(extension);
-  if (kind.group != kLines || named.group != kOther) return kind;
   named.by_name = false;
   return named;
 }
