@@ -77,7 +77,7 @@ constexpr std::array kCommands{
             "  ridgeline simulate --out village\n"
             "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7",
             add_simulate},
-    Command{"info", "what a cloud, line or patch file holds",
+    Command{"info", "what a file or folder is, and what to do with it",
             "  ridgeline info lidar.laz roofs.gpkg\n"
             "  ridgeline info patch.yaml",
             add_info},

@@ -26,7 +26,8 @@ std::vector<std::string_view> plain_fields_of(std::string_view row) {
 
 }  // namespace
 
-CsvTable::CsvTable(const std::string& path) : path_(path), content_(read_input(path)) {
+CsvTable::CsvTable(const std::string& path, std::optional<Expected> expected)
+    : path_(path), content_(read_input(path, expected)) {
   const std::vector<TextRow> rows = rows_of(content_);
   if (rows.empty())
     throw IoError(path, "is empty; a header with the names of the columns is expected");

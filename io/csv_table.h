@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/kinds/recognise.h"
+
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -15,9 +17,9 @@ struct TextRow;
 /// A comma-separated table with a header, as the program itself writes.
 class CsvTable {
  public:
-  /// Throws IoError for a file that cannot be read or is empty, and for a row with another number
-  /// of fields than the header.
-  explicit CsvTable(const std::string& path);
+  /// Throws IoError for a file that cannot be read or is empty, for one that is known to be of another kind than
+  /// `expected`, and for a row with another number of fields than the header.
+  explicit CsvTable(const std::string& path, std::optional<Expected> expected = std::nullopt);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Names of columns count in lower case.

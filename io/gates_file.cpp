@@ -144,7 +144,7 @@ class GatesReader {
 }  // namespace
 
 std::vector<GateEntry> read_gates_file(const std::filesystem::path& path) {
-  return GatesReader(path.string()).read(load_yaml(path.string()));
+  return GatesReader(path.string()).read(load_yaml(path.string(), Expected::kGates));
 }
 
 std::vector<GateEntry> parse_gates(const std::string& content, const std::string& path) {

@@ -2,6 +2,7 @@
 #include "io/image.h"
 
 #include "io/error.h"
+#include "io/kinds/recognise.h"
 #include "io/lines/ogr_support.h"
 
 #include <cpl_conv.h>
@@ -52,7 +53,10 @@ GDALDatasetUniquePtr open(const std::string& path, const QuietGdal& quiet) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
-  if (std::filesystem::is_directory(status)) throw IoError(path, "is a folder, not an image");
+  if (std::filesystem::is_directory(status)) {
+    refuse_other_kind(path, Expected::kImage);
+    throw IoError(path, "is a folder, not an image");
+  }
   if (!std::filesystem::is_regular_file(status)) {
     throw IoError(path, "is a device, pipe or socket; an image must be a file");
   }
@@ -62,6 +66,7 @@ GDALDatasetUniquePtr open(const std::string& path, const QuietGdal& quiet) {
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
+    refuse_other_kind(path, Expected::kImage);
     throw IoError(path, "is no readable TIFF, PNG or JPEG image: " +
                             shortened(quiet.complaints("its content is none of these")));
   }

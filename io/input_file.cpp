@@ -20,11 +20,14 @@ bool is_open_pipe(const std::string& path, const std::filesystem::file_status& s
          (path == "/dev/stdin" || path.starts_with("/dev/fd/") || path.starts_with("/proc/self/"));
 }
 
-std::filesystem::file_status status_of(const std::string& path) {
+std::filesystem::file_status status_of(const std::string& path, std::optional<Expected> expected) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw MissingFileError(path, "no such file");
-  if (std::filesystem::is_directory(status)) throw IoError(path, "is a folder, a file is expected");
+  if (std::filesystem::is_directory(status)) {
+    if (expected) refuse_other_kind(path, *expected);
+    throw IoError(path, "is a folder, a file is expected");
+  }
   return status;
 }
 
@@ -32,7 +35,9 @@ std::filesystem::file_status status_of(const std::string& path) {
   throw IoError(path, "is no regular file but a device, a pipe or a socket; copy it into a file");
 }
 
-std::string read_at_most(const std::string& path, std::size_t most_bytes) {
+std::string read_at_most(const std::string& path,
+                         std::optional<Expected> expected,
+                         std::size_t most_bytes) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream.is_open()) {
     throw IoError(path, std::string("cannot be read: ") + std::strerror(errno));
@@ -40,7 +45,9 @@ std::string read_at_most(const std::string& path, std::size_t most_bytes) {
   std::string bytes;
   std::array<char, 65536> block{};
   while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    const bool is_first = bytes.empty();
     bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (is_first && expected) refuse_other_kind(path, bytes, *expected);
     if (bytes.size() > most_bytes) {
       throw IoError(path, "more than 64 MiB come from the pipe; copy them into a file");
     }
@@ -51,16 +58,16 @@ std::string read_at_most(const std::string& path, std::size_t most_bytes) {
 
 }  // namespace
 
-void require_regular_file(const std::string& path) {
-  if (!std::filesystem::is_regular_file(status_of(path))) refuse_irregular(path);
+void require_regular_file(const std::string& path, std::optional<Expected> expected) {
+  if (!std::filesystem::is_regular_file(status_of(path, expected))) refuse_irregular(path);
 }
 
-std::string read_input(const std::string& path) {
+std::string read_input(const std::string& path, std::optional<Expected> expected) {
   constexpr std::size_t kMostOfPipe_bytes = 64U << 20U;
-  const std::filesystem::file_status status = status_of(path);
-  if (is_open_pipe(path, status)) return read_at_most(path, kMostOfPipe_bytes);
+  const std::filesystem::file_status status = status_of(path, expected);
+  if (is_open_pipe(path, status)) return read_at_most(path, expected, kMostOfPipe_bytes);
   if (!std::filesystem::is_regular_file(status)) refuse_irregular(path);
-  return read_at_most(path, std::numeric_limits<std::size_t>::max());
+  return read_at_most(path, expected, std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace ridgeline::io

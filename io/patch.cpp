@@ -39,7 +39,7 @@ class PatchReader {
       : path_(path),
         folder_(std::filesystem::path(path).parent_path()),
         map_(path,
-             load_yaml(path),
+             load_yaml(path, Expected::kPatch),
              {"id", "crs", "height_range", "images", "colmap", "colmap_images", "lidar",
               "reference_matches", "reference_lines"}) {}
 

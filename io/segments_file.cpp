@@ -131,7 +131,7 @@ void write_segments(const std::string& path, const std::vector<EdgeSegment>& seg
 }
 
 std::vector<EdgeSegment> read_segments(const std::string& path) {
-  const CsvTable table(path);
+  const CsvTable table(path, Expected::kSegments);
   std::vector<EdgeSegment> segments;
   segments.reserve(table.size());
   for (std::size_t row = 0; row < table.size(); ++row) {

@@ -46,7 +46,9 @@ void fail_yaml(const std::string& path, const YAML::Node& node, const std::strin
                 mark.is_null() ? message : fmt::format("line {}: {}", mark.line + 1, message));
 }
 
-YAML::Node load_yaml(const std::string& path) { return parse_yaml(read_input(path), path); }
+YAML::Node load_yaml(const std::string& path, std::optional<Expected> expected) {
+  return parse_yaml(read_input(path, expected), path);
+}
 
 YAML::Node parse_yaml(const std::string& content, const std::string& path) {
   if (trimmed(content).empty()) throw IoError(path, "is empty");

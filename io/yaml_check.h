@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/error.h"
+#include "io/kinds/recognise.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -18,9 +19,9 @@ namespace ridgeline::io {
                             const YAML::Node& node,
                             const std::string& message);
 
-/// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, and if it is
-/// empty or has more than one document.
-YAML::Node load_yaml(const std::string& path);
+/// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, if it is
+/// empty or has more than one document, and if it is known to be of another kind than `expected`.
+YAML::Node load_yaml(const std::string& path, std::optional<Expected> expected = std::nullopt);
 /// The same of a text; `path` is what messages call it.
 YAML::Node parse_yaml(const std::string& content, const std::string& path);
 

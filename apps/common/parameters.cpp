@@ -206,7 +206,8 @@ Parameters preset_parameters(const std::string& preset) {
 Parameters read_parameters(const ParameterArguments& arguments) {
   Parameters parameters = preset_parameters(arguments.preset);
   if (!arguments.config.empty()) {
-    read_config(arguments.config, io::load_yaml(arguments.config), parameters);
+    read_config(arguments.config, io::load_yaml(arguments.config, io::Expected::kConfig),
+                parameters);
   }
   if (!arguments.config_text.empty()) {
     read_config(kConfigInMemory, io::parse_yaml(arguments.config_text, kConfigInMemory),

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
+#include "apps/info/own_files.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
 #include "io/error.h"
 #include "io/grid_scale.h"
 #include "io/image.h"
+#include "io/input_file.h"
+#include "io/kinds/folder_kind.h"
+#include "io/kinds/recognise.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
 #include "io/lines/text.h"
@@ -15,6 +19,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -22,6 +28,13 @@
 
 namespace ridgeline::apps {
 namespace {
+
+constexpr const char* kKnownKinds =
+    "known are point clouds (LAS, LAZ, COPC, PCD, PLY, text), lines (GeoJSON, GeoPackage, "
+    "Shapefile, DXF, CSV, WKT, OBJ, "
+    "PLY), images (TIFF, PNG, JPEG), patch, gates and config files, tables of matches and "
+    "segments, and folders of "
+    "patches and of results";
 
 /// The name that the reference system has for its unit, if that is the one the file obeys.
 std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_unit_name) {
@@ -135,6 +148,8 @@ void print_image(const std::string& path) {
   const io::ImageFacts facts = io::image_facts(path);
   fmt::print("{}: {}\n  size        {} x {} px\n  bands       {} of {} bit\n", path, facts.format,
              facts.width_px, facts.height_px, facts.n_bands, facts.bits);
+  print_use(
+      fmt::format("name it under images in a patch file; ridgeline extract {} --out FILE", path));
 }
 
 std::vector<std::string> missing_files(const io::PatchFile& patch) {
@@ -168,6 +183,7 @@ void print_patch(const std::string& path) {
   fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));
   print_crs(patch.crs);
   print_warnings(missing_files(patch));
+  print_use(fmt::format("ridgeline run {} --out results", path));
 }
 
 /// A PLY holds a cloud, or lines if its header lists edges or faces.
@@ -196,22 +212,71 @@ void print_text_file(const std::string& path, bool is_csv, double max_resolution
   }
 }
 
-void print_facts(const std::string& path, double max_resolution_m) {
+void print_patches(const std::string& folder, const io::FileKind& kind) {
+  const std::vector<std::string> files = io::patch_files_in(folder);
+  if (files.size() == 1) return print_patch(files.front());
+  fmt::print("{}: {}\n", folder, kind.what.substr(2));
+  for (const std::string& file : files) {
+    const io::PatchFile patch = io::read_patch(file);
+    fmt::print("  patch       {}: {}, {} images\n", patch.id, file, patch.images.size());
+  }
+  print_use(fmt::format("ridgeline run {} --out results", fmt::join(files, " ")));
+}
+
+/// Names that are left to the readers of lines, which know what is wrong with them.
+bool is_named_as_lines(const std::string& path) {
+  constexpr std::array kEndings{".geojson", ".json", ".gpkg", ".shp", ".dxf", ".obj",
+                                ".ply",     ".wkt",  ".bin",  ".npy", ".stl"};
+  const std::string extension = io::lower_case(std::filesystem::path(path).extension().string());
+  return std::ranges::find(kEndings, extension) != kEndings.end();
+}
+
+[[noreturn]] void refuse(const std::string& path, const io::FileKind& kind) {
+  const std::string advice = kind.advice.empty() ? "" : ", " + kind.advice;
+  const std::string what = kind.is_known()     ? kind.what + advice
+                           : kind.what.empty() ? "of a kind that is not known"
+                                               : kind.what;
+  throw io::IoError(path, fmt::format("is {}; {}", what, kKnownKinds));
+}
+
+/// What the content does not tell is told by the name.
+void print_by_name(const std::string& path, const io::FileKind& kind, double max_resolution_m) {
   const std::string extension = io::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".yaml" || extension == ".yml") return print_patch(path);
-  if (extension == ".tif" || extension == ".tiff" || extension == ".png" || extension == ".jpg" ||
-      extension == ".jpeg") {
-    return print_image(path);
-  }
   if (extension == ".las" || extension == ".laz" || extension == ".pcd" || extension == ".xyz" ||
       extension == ".pts" || extension == ".asc") {
     return print_cloud(path, max_resolution_m);
   }
-  if (extension == ".ply" && !is_line_ply(path)) return print_cloud(path, max_resolution_m);
   if (extension == ".txt" || extension == ".csv") {
     return print_text_file(path, extension == ".csv", max_resolution_m);
   }
-  print_lines(path);
+  if (is_named_as_lines(path)) return print_lines(path);
+  if (!std::filesystem::is_directory(path)) io::require_regular_file(path);
+  refuse(path, kind);
+}
+
+void print_facts(const std::string& path, double max_resolution_m) {
+  const io::FileKind kind = io::kind_of_path(path);
+  if (is_own_file(kind.group)) return print_own_file(path, kind);
+  switch (kind.group) {
+    case io::FileGroup::kPatch:
+      return print_patch(path);
+    case io::FileGroup::kPatchFolder:
+      return print_patches(path, kind);
+    case io::FileGroup::kImage:
+      return print_image(path);
+    case io::FileGroup::kCloud:
+      return print_cloud(path, max_resolution_m);
+    case io::FileGroup::kPly:
+      return is_line_ply(path) ? print_lines(path) : print_cloud(path, max_resolution_m);
+    case io::FileGroup::kLines:
+    case io::FileGroup::kLineFolder:
+      return print_lines(path);
+    case io::FileGroup::kOther:
+      refuse(path, kind);
+    default:
+      return print_by_name(path, kind, max_resolution_m);
+  }
 }
 
 }  // namespace
@@ -222,7 +287,9 @@ Run add_info(CLI::App& subcommand) {
     double max_resolution_m = 0.0;
   };
   auto arguments = std::make_shared<Arguments>();
-  subcommand.add_option("files", arguments->files, "clouds, images, line files, patch files")
+  subcommand
+      .add_option("files", arguments->files,
+                  "clouds, images, line files, patch files, gates, results, folders")
       ->required();
   subcommand
       .add_option("--max-resolution", arguments->max_resolution_m,

@@ -115,7 +115,7 @@ std::optional<std::string_view> own_beginning(io::LineFormat format) {
 
 /// Neither an input nor anything of a user.
 void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
-  if (!a.matches.empty()) io::require_regular_file(a.matches);
+  if (!a.matches.empty()) io::require_regular_file(a.matches, io::Expected::kMatches);
   inputs.push_back(a.matches);
   (void)results::output_file(a.out, inputs);
   if (!a.surface.empty()) {

@@ -12,6 +12,7 @@
 #include "io/cloud/cloud_files.h"
 #include "io/csv_table.h"
 #include "io/error.h"
+#include "io/kinds/recognise.h"
 #include "io/lines/read_lines.h"
 #include "io/results/judged_lines.h"
 #include "io/results/result_folder_reader.h"
@@ -207,7 +208,10 @@ PathShortener path_shortener(const std::string& folder,
 }  // namespace
 
 ReportInput read_report_input(const std::string& folder) {
-  if (!fs::is_directory(folder)) throw io::IoError(folder, "is no folder of results");
+  if (!fs::is_directory(folder)) {
+    io::refuse_other_kind(folder, io::Expected::kResults);
+    throw io::IoError(folder, "is no folder of results");
+  }
   ReportInput input;
   const fs::path path(folder);
   input.run = results::read_run_json(path);

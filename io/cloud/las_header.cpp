@@ -2,10 +2,10 @@
 #include "io/cloud/las_header.h"
 
 #include "io/cloud/bytes.h"
-#include "io/cloud/format_guess.h"
 #include "io/cloud/las_vlr.h"
 #include "io/cloud/mapped_file.h"
 #include "io/error.h"
+#include "io/kinds/marks.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace ridgeline::io {
 
@@ -35,11 +36,27 @@ Eigen::Vector3d load_vector(const std::byte* source) {
   return {load<double>(source), load<double>(source + 8), load<double>(source + 16)};
 }
 
+/// Quoted where they are printable, else in hexadecimal.
+std::string describe_first_bytes(std::string_view content) {
+  constexpr std::size_t kShown = 8;
+  if (content.empty()) return "nothing (the file is empty)";
+  const std::string_view start = content.substr(0, kShown);
+  const bool printable =
+      std::ranges::all_of(start, [](char c) { return c >= ' ' && c <= '~' && c != '"'; });
+  if (printable) return fmt::format("\"{}\"", start);
+  std::string hex = "bytes";
+  for (const char c : start) hex += fmt::format(" {:02x}", static_cast<unsigned char>(c));
+  return hex;
+}
+
 void check_signature(Bytes file, const std::string& path) {
   constexpr std::string_view kSignature = "LASF";
-  if (file.size() >= kSignature.size() && load_text(file.first(4)) == kSignature) return;
+  const std::string_view content(reinterpret_cast<const char*>(file.data()), file.size());
+  if (content.starts_with(kSignature)) return;
+  const FileKind kind = kind_by_mark(content);
   throw IoError(path, fmt::format("is no LAS file: starts with {}; must start with \"LASF\"{}",
-                                  describe_first_bytes(file), guess_hint(file)));
+                                  describe_first_bytes(content),
+                                  kind.is_known() ? "; it is " + kind.what : ""));
 }
 
 void read_version(Bytes file, const std::string& path, LasHeader& header) {

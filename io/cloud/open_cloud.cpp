@@ -6,15 +6,34 @@
 #include "io/cloud/pcd_source.h"
 #include "io/cloud/ply_source.h"
 #include "io/cloud/xyz_source.h"
+#include "io/error.h"
+#include "io/kinds/folder_kind.h"
+#include "io/kinds/recognise.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace ridgeline::io {
+namespace {
+
+void refuse_folder(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return;
+  const FileKind kind = kind_of_folder(path);
+  throw IoError(path, fmt::format("is not a regular file but {}; {}", kind.what,
+                                  kind.advice.empty() ? "a point cloud is expected" : kind.advice));
+}
+
+}  // namespace
 
 std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloudOptions& options) {
+  refuse_folder(path);
   MappedFile file(path);
   const std::span<const std::byte> bytes = file.bytes();
   const std::string start = load_text(bytes.first(std::min<std::size_t>(bytes.size(), 8)));
@@ -25,7 +44,10 @@ std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloud
   if (start.starts_with("# .PCD") || start.starts_with("VERSION")) {
     return open_pcd(std::move(file), path);
   }
-  if (!start.starts_with("LASF") && has_xyz_name(path)) return open_xyz(std::move(file), path);
+  if (start.starts_with("LASF")) return open_las(std::move(file), path, options);
+  refuse_other_kind(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                    Expected::kCloud);
+  if (has_xyz_name(path)) return open_xyz(std::move(file), path);
   // Whatever else it is, the LAS reader says best what is wrong with it.
   return open_las(std::move(file), path, options);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/text_layout.h"
 
-#include "io/cloud/format_guess.h"
 #include "io/error.h"
 #include "io/lines/text.h"
 
@@ -209,9 +208,6 @@ class LayoutFinder {
   }
 
   void skip_byte_order_mark() {
-    if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) {
-      throw IoError(path_, "is UTF-16 text; save it as UTF-8");
-    }
     if (text_.starts_with("\xef\xbb\xbf")) layout_.offset = 3;
   }
 
@@ -254,9 +250,8 @@ class LayoutFinder {
       if (!missing.empty()) missing += ", ";
       missing += letter;
     }
-    const auto start = std::as_bytes(std::span(line.text.data(), line.text.size()));
-    fail(line, fmt::format("\"{}\" has no column {}; x, y and z are needed{}", shown(line.text),
-                           missing, guess_hint(start)));
+    fail(line,
+         fmt::format("\"{}\" has no column {}; x, y and z are needed", shown(line.text), missing));
   }
 
   static std::vector<TextItem> first_three(std::size_t first) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/kinds/recognise.h"
+#include "io/kinds/text_kind.h"
 #include "io/lines/attributes.h"
 #include "io/lines/feature_collector.h"
-#include "io/lines/file_kind.h"
 #include "io/lines/json_text.h"
 #include "io/lines/ogr_support.h"
 #include "io/lines/readers.h"
@@ -23,30 +24,17 @@ constexpr auto kLargestInteger =
     static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// What a file of JSON is that is no GeoJSON; empty if that is not known.
-std::string other_kind_of(const json& document) {
-  if (!document.is_object()) return "";
-  const bool has_type = document.contains("type") && document["type"].is_string();
-  const std::string type = has_type ? document["type"].get<std::string>() : "";
-  if (type.starts_with("CityJSON")) return "CityJSON, a city model, which is not read";
-  if (type == "Topology") return "TopoJSON; save it as GeoJSON";
-  if (document.contains("asset") && document.contains("meshes")) {
-    return "glTF, a mesh for display, which is not read";
+TopKeys keys_of(const json& document) {
+  TopKeys keys;
+  if (!document.is_object()) return keys;
+  for (const auto& [name, value] : document.items()) {
+    keys.names.push_back(name);
+    if (name == "type" && value.is_string()) keys.type = value.get<std::string>();
   }
-  if (document.contains("geometryType") || document.contains("spatialReference")) {
-    return "JSON of Esri; save it as GeoJSON";
-  }
-  return "";
+  return keys;
 }
 
-[[noreturn]] void refuse_no_json(const std::string& path,
-                                 std::string_view content,
-                                 const json::exception& error) {
-  if (content.substr(0, 65536).find("\"type\":\"CityJSON") != std::string_view::npos) {
-    throw IoError(
-        path,
-        fmt::format("is a sequence of CityJSON, a city model, which is not read; {}", kWhatIsRead));
-  }
+[[noreturn]] void refuse_no_json(const std::string& path, const json::exception& error) {
   std::string message = error.what();  // "[json.exception...] parse error at line 1, column 5: "
   message.erase(0, message.find("] ") + 2);
   if (message.find("expected end of input") != std::string::npos) {
@@ -62,7 +50,7 @@ json parse(const std::string& path, std::string_view content) {
   try {
     return json::parse(content);
   } catch (const json::exception& error) {
-    refuse_no_json(path, content, error);
+    refuse_no_json(path, error);
   }
 }
 
@@ -72,9 +60,8 @@ class GeoJsonReader {
       : path_(path), set_(lines_for_file(path, "GeoJSON", n_bytes)), features_(set_) {}
 
   LineSet read(const json& document) {
-    if (const std::string kind = other_kind_of(document); !kind.empty()) {
-      throw IoError(path_, fmt::format("is {}; {}", kind, kWhatIsRead));
-    }
+    const FileKind kind = kind_of_document(keys_of(document));
+    if (kind.group == FileGroup::kOther) throw IoError(path_, refusal(kind, Expected::kLines));
     const std::string type = type_of(document);
     read_crs(document);
     if (type == "FeatureCollection") {

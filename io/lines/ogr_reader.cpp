@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/kinds/recognise.h"
 #include "io/lines/dxf_header.h"
 #include "io/lines/feature_collector.h"
 #include "io/lines/geopackage_check.h"
@@ -34,7 +35,7 @@ Driver driver_for(std::string_view extension) {
 
 /// GDAL would open a Shapefile without z as lines at height 0.
 void refuse_flat_shapefile(const std::string& path) {
-  const std::string bytes = read_input(path);
+  const std::string bytes = beginning_of(path);
   if (bytes.size() < 100) throw IoError(path, "is no Shapefile: shorter than its header");
   std::int32_t type = 0;
   std::memcpy(&type, bytes.data() + 32, sizeof type);
@@ -293,6 +294,7 @@ class OgrReader {
 LineSet read_ogr(const std::string& path, std::string_view extension) {
   require_regular_file(path);
   if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
+  refuse_other_kind(path, Expected::kLines);
   if (extension == ".shp") refuse_flat_shapefile(path);
   register_gdal_drivers();
   CPLErrorReset();

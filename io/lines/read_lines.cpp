@@ -3,7 +3,8 @@
 
 #include "io/error.h"
 #include "io/input_file.h"
-#include "io/lines/file_kind.h"
+#include "io/kinds/marks.h"
+#include "io/kinds/recognise.h"
 #include "io/lines/line_checks.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
@@ -63,8 +64,7 @@ LineSet read_text(const std::string& path, const std::string& content) {
 LineSet read_text_file(const std::string& path,
                        const std::string& extension,
                        const ReadLinesOptions& options) {
-  std::string content = read_input(path);
-  refuse_other_kind(path, content);
+  std::string content = read_input(path, Expected::kLines);
   const bool is_text = extension != ".ply" && extension != ".obj";
   const bool is_recoded = is_text && !is_utf8(content);
   if (is_recoded) content = as_utf8(content);
@@ -77,6 +77,15 @@ LineSet read_text_file(const std::string& path,
   return set;
 }
 
+[[noreturn]] void refuse_by_extension(const std::string& path, const std::string& extension) {
+  require_regular_file(path);
+  const FileKind kind = kind_of_path(path);
+  if (!kind.by_name) refuse_other_kind(path, Expected::kLines);
+  const std::string named = kind.what.empty() ? "" : ": " + kind.what;
+  throw IoError(path, fmt::format("extension '{}'{}; lines are read from {}", extension, named,
+                                  kKnownExtensions));
+}
+
 LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   if (std::filesystem::is_directory(path)) return read_limap_folder(path);
   const std::string extension = extension_of(path);
@@ -87,10 +96,7 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   for (const char* const known : {".geojson", ".json", ".obj", ".ply", ".csv", ".txt", ".wkt"}) {
     if (extension == known) return read_text_file(path, extension, options);
   }
-  require_regular_file(path);
-  const std::string kind = kind_by_extension(extension);
-  throw IoError(path, fmt::format("extension '{}'{}; lines are read from {}", extension,
-                                  kind.empty() ? "" : ": " + kind, kKnownExtensions));
+  refuse_by_extension(path, extension);
 }
 
 /// A reference system that PROJ cannot read is the file's fault, not the caller's.

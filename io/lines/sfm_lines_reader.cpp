@@ -2,6 +2,8 @@
 // Line3D++, LIMAP and ELSR++ text results. None of them states a CRS, a header or a version.
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/kinds/folder_kind.h"
+#include "io/kinds/recognise.h"
 #include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 #include "io/lines/text.h"
@@ -101,6 +103,13 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   return counts;
 }
 
+[[noreturn]] void refuse_folder_of_others(const std::string& path) {
+  const FileKind kind = kind_of_folder(path);
+  if (kind.group != FileGroup::kFolder) throw IoError(path, refusal(kind, Expected::kLines));
+  const std::string advice = kind.advice.empty() ? "" : "; " + kind.advice;
+  throw IoError(path, fmt::format("is {}, without LIMAP's track_K.txt{}", kind.what, advice));
+}
+
 }  // namespace
 
 LineSet read_line3dpp(const std::string& path, std::string_view content) {
@@ -176,7 +185,7 @@ LineSet read_limap_folder(const std::string& path) {
     const std::optional<long> number = track_number(entry.path());
     if (number) tracks.emplace_back(*number, entry.path().string());
   }
-  if (tracks.empty()) throw IoError(path, "is a folder without LIMAP's track_K.txt");
+  if (tracks.empty()) refuse_folder_of_others(path);
   std::sort(tracks.begin(), tracks.end());
   LineSet set;
   set.format = "LIMAP tracks";

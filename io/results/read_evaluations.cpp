@@ -3,6 +3,7 @@
 
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
+#include "io/kinds/folder_kind.h"
 #include "io/text_file.h"
 
 #include <fmt/format.h>
@@ -124,8 +125,13 @@ std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool of_fi
     found.push_back(std::move(file));
   }
   if (found.empty()) {
+    const io::FileKind kind = io::kind_of_folder(folder);
+    const bool is_other = kind.group != io::FileGroup::kResultFolder;
+    const std::string what = is_other ? ": it is " + kind.what : "";
     throw io::IoError(folder.string(),
-                      "holds no evaluation.*.json; must be the --out of run, demo or evaluate");
+                      fmt::format("holds no evaluation.*.json{}; must be the --out of run, demo or "
+                                  "evaluate",
+                                  what));
   }
   table.check_all_found(found);
   return found;

@@ -2,6 +2,7 @@
 #include "io/results/result_folder_reader.h"
 
 #include "io/error.h"
+#include "io/kinds/recognise.h"
 #include "io/results/read_evaluations.h"
 #include "io/text_file.h"
 
@@ -59,7 +60,10 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   constexpr const char* kWhat =
       "is no folder of results; must be the --out of run, demo or evaluate";
   if (!fs::exists(folder)) throw io::MissingFileError(folder, kWhat);
-  if (!fs::is_directory(folder)) throw io::IoError(folder, kWhat);
+  if (!fs::is_directory(folder)) {
+    io::refuse_other_kind(folder, io::Expected::kResults);
+    throw io::IoError(folder, kWhat);
+  }
   evaluate::ResultFolder results;
   results.name = fs::path(folder).lexically_normal().string();
   const Json run = read_run_json(folder);

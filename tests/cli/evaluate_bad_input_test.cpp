@@ -49,8 +49,12 @@ TEST_F(EvaluateBadInput, FileThatDoesNotExistIsNamed) {
 
 TEST_F(EvaluateBadInput, FileOfAnotherKindIsNamed) {
   EXPECT_REFUSED(evaluate("scene/lidar.las", "out"),
-                 AllOf(HasSubstr("scene/lidar.las"), HasSubstr(".geojson")));
-  EXPECT_REFUSED(evaluate_against(kLines), AllOf(HasSubstr(kLines), HasSubstr("\"LASF\"")));
+                 HasSubstr("scene/lidar.las: is a LAS point cloud, not a file of 3D lines"));
+  EXPECT_REFUSED(evaluate_against(kLines),
+                 HasSubstr(std::string(kLines) + ": is GeoJSON, not a point cloud"));
+  write(path("words.las"), "no cloud");
+  EXPECT_REFUSED(evaluate_against("words.las"),
+                 AllOf(HasSubstr("words.las"), HasSubstr("\"LASF\"")));
   EXPECT_REFUSED(evaluate_against("scene"), HasSubstr("scene: is not a regular file"));
   EXPECT_REFUSED(evaluate("scene", "out"), HasSubstr("scene: "));
 }

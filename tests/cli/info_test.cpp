@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/png_writer.h"
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/paths.h"
 
 #include <opencv2/core.hpp>
 
 namespace ridgeline::cli {
 namespace {
 
+namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -84,6 +86,61 @@ TEST_F(Info, TellsTheSizeAndBandsOfAnImage) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("grey.png: PNG"), HasSubstr("size        40 x 30 px"),
                                 HasSubstr("bands       1 of 8 bit")));
+}
+
+TEST_F(Info, TellsTheResultsAndWhatTakesThem) {
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "out").exit_code, 0);
+  EXPECT_TOLD(
+      run({"info", "out"}),
+      AllOf(HasSubstr("out: results of ridgeline evaluate"), HasSubstr("line files  lines.good"),
+            HasSubstr("are judged"), HasSubstr("ridgeline compare out; open out/report.html")));
+  EXPECT_TOLD(run({"info", "out/evaluation.lines.good.json"}),
+              AllOf(HasSubstr("evaluation of lines"), HasSubstr("method      lines.good")));
+  EXPECT_TOLD(run({"info", "out/report.html"}), HasSubstr("open it in a browser"));
+  EXPECT_TOLD(run({"info", "out/run.json"}), HasSubstr("record of a run"));
+  EXPECT_TOLD(run({"info", "out/table2.csv"}), HasSubstr("table of results\n  rows        "));
+}
+
+TEST_F(Info, TellsWhatTheProgramItselfPrints) {
+  const ProgramResult gates = run({"gate", "--init"});
+  EXPECT_TOLD(info("g.txt", gates.out), AllOf(HasSubstr("g.txt: gates file\n  gates       2\n"),
+                                              HasSubstr("ridgeline gate RESULTS --gates g.txt")));
+  const ProgramResult config = run({"config"});
+  EXPECT_TOLD(info("c.yaml", config.out), AllOf(HasSubstr("c.yaml: config file"),
+                                                HasSubstr("extract ("), HasSubstr("judge (")));
+  EXPECT_TOLD(info("m.csv", "left_id,right_id,score,votes,matcher\n0,1,0.5,1,chio\n"),
+              AllOf(HasSubstr("table of matches\n  rows        1"), HasSubstr("--matches")));
+}
+
+TEST_F(Info, NamesLineAndRuleOfItsOwnFiles) {
+  EXPECT_REFUSED(info("g.yaml", "gates:\n  - {metrix: rms_m}\n"), HasSubstr("line 2"));
+  EXPECT_REFUSED(info("c.yaml", "judge:\n  sead: 1\n"), HasSubstr("line 2: unknown key 'sead'"));
+}
+
+TEST_F(Info, TellsTheContentWhateverTheName) {
+  fs::copy(path("scene/lidar.las"), path("cloud.json"));
+  EXPECT_TOLD(run({"info", "cloud.json"}), HasSubstr("LAS 1.4"));
+}
+
+TEST_F(Info, TellsAFolderOfPatches) {
+  fs::create_directories(path("all"));
+  fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("all/1"));
+  EXPECT_TOLD(run({"info", "all/1"}),
+              AllOf(HasSubstr("all/1/patch.yaml: patch 1"), HasSubstr("image       left"),
+                    HasSubstr("use         ridgeline run all/1/patch.yaml --out results")));
+  fs::copy(fs::path(test::source_dir()) / "sample_data/2", path("all/2"));
+  EXPECT_TOLD(run({"info", "all"}), AllOf(HasSubstr("all: folder of 2 patches"),
+                                          HasSubstr("patch       2: all/2/patch.yaml, 2 images")));
+}
+
+TEST_F(Info, RefusesOtherKindsWithThoseThatItKnows) {
+  EXPECT_REFUSED(info("a.zip", "PK\x03\x04"),
+                 AllOf(HasSubstr("a.zip: is a ZIP archive, unpack it; known are point clouds"),
+                       HasSubstr("folders of patches and of results")));
+  EXPECT_REFUSED(info("a.unheard", "words"),
+                 HasSubstr("is of a kind that is not known; known are"));
+  EXPECT_REFUSED(info("a.dat", ""), HasSubstr("is an empty file; known are"));
+  EXPECT_REFUSED(run({"info", "scene"}), HasSubstr("is a folder with 1 cloud and "));
 }
 
 TEST_F(Info, RefusesWhatItCannotReadByName) {

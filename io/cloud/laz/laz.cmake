@@ -1,6 +1,7 @@
 # LAZ and COPC, relative to io/.
 set(io_laz_sources
-  cloud/format_guess.cpp
+  kinds/file_kind.cpp
+  kinds/marks.cpp
   cloud/las_header.cpp
   cloud/las_vlr.cpp
   cloud/mapped_file.cpp
@@ -26,7 +27,8 @@ set(io_laz_sources
 set(io_laz_headers
   error.h
   cloud/bytes.h
-  cloud/format_guess.h
+  kinds/file_kind.h
+  kinds/marks.h
   cloud/las_header.h
   cloud/las_vlr.h
   cloud/mapped_file.h

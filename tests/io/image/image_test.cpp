@@ -115,7 +115,7 @@ TEST(ReadImage, FollowsNoReferencesToOtherFiles) {
       "band=\"1\">"
       "<SimpleSource><SourceFilename relativeToVRT=\"1\">a.tif</SourceFilename></SimpleSource>"
       "</VRTRasterBand></VRTDataset>";
-  EXPECT_THAT(error_of(folder.write("b.tif", vrt)), HasSubstr("is no readable TIFF"));
+  EXPECT_THAT(error_of(folder.write("b.tif", vrt)), HasSubstr("is XML of a VRT"));
 }
 
 TEST(ReadImage, RefusesOtherBandsThanItTakes) {

@@ -249,10 +249,10 @@ TEST(ReadGeoJson, NamesAFileOfAnotherKind) {
   EXPECT_THAT(error_of("a.json", R"({"geometryType":"esriGeometryPolyline","features":[]})"),
               HasSubstr("Esri"));
   EXPECT_THAT(error_of("a.geojson", "LASF\1\2"),
-              HasSubstr("is a point cloud, give it with --cloud"));
+              HasSubstr("is a LAS point cloud, not a file of 3D lines; give it as --cloud"));
   EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is XML"));
   EXPECT_THAT(error_of("a.csv", std::string("\xFF\xFEx\0", 4)), HasSubstr("UTF-16"));
-  EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("extension '.gml': XML, as of GML"));
+  EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("is XML, as of GML and CityGML"));
 }
 
 TEST(ReadGeoJson, OfLatin1BecomesUtf8) {
@@ -378,7 +378,7 @@ TEST(ReadLines, BendsOfAFewCentimetresAndTurnsBackDivideALine) {
 TEST(ReadLines, NamesTheFileAndTheRule) {
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.csv"); }), "/nowhere/a.csv: no such file");
   EXPECT_THAT(error_of("a.tif", "II*"),
-              HasSubstr("extension '.tif'; lines are read from .geojson"));
+              HasSubstr("extension '.tif': an image; lines are read from .geojson"));
   EXPECT_THAT(error_of("a.bin", "x"), HasSubstr("Line3D++ .bin"));
   EXPECT_THAT(error_of("a.npy", "x"), HasSubstr("pickle"));
   EXPECT_THAT(error_of("a.csv", ""), HasSubstr("is empty"));

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/kinds/file_kind.h"
+
+#include <string>
+
+namespace ridgeline::apps {
+
+/// Whether print_own_file() knows the kind: gates, config, tables of matches and segments, results.
+bool is_own_file(io::FileGroup group);
+
+/// Prints what a file or folder of the program holds and which command takes it. Throws IoError for one that its command
+/// would refuse.
+void print_own_file(const std::string& path, const io::FileKind& kind);
+
+/// "  use         WHAT".
+void print_use(const std::string& what);
+
+}  // namespace ridgeline::apps

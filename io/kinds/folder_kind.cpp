@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/kinds/folder_kind.h"
+
+#include "io/kinds/marks.h"
+#include "io/lines/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+namespace ridgeline::io {
+namespace fs = std::filesystem;
+namespace {
+
+using enum FileGroup;
+
+/// Names of the entries, sorted; none of a folder that cannot be read.
+std::vector<std::string> names_in(const fs::path& folder) {
+  constexpr std::size_t kMost = 100'000;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error); !error && it != fs::end(it); it.increment(error)) {
+    if (names.size() == kMost) break;
+    names.push_back(it->path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+bool holds_results(const fs::path& folder, const std::vector<std::string>& names) {
+  return is_there(folder / "table2.json") ||
+         std::ranges::any_of(names, [](const std::string& name) {
+           return name.starts_with("evaluation.") && name.ends_with(".json");
+         });
+}
+
+bool holds_colmap(const fs::path& folder) {
+  return std::ranges::any_of(std::array{".bin", ".txt"}, [&](const std::string& ending) {
+    return is_there(folder / ("cameras" + ending)) && is_there(folder / ("images" + ending));
+  });
+}
+
+std::string counted(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+/// "2 clouds and 1 image"; empty if there are none. The kinds are told by the endings.
+std::string contents(const std::vector<std::string>& names) {
+  struct Count {
+    FileGroup group;
+    const char* what;
+    std::size_t n = 0;
+  };
+  std::array counts{Count{kCloud, "cloud"}, Count{kLines, "line file"}, Count{kImage, "image"}};
+  for (const std::string& name : names) {
+    const FileGroup group =
+        kind_by_extension(lower_case(fs::path(name).extension().string())).group;
+    for (Count& count : counts) count.n += count.group == group ? 1 : 0;
+  }
+  std::string text;
+  for (const Count& count : counts) {
+    if (count.n > 0) text += (text.empty() ? "" : " and ") + counted(count.n, count.what);
+  }
+  return text;
+}
+
+FileKind kind_of_patches(const std::vector<std::string>& files) {
+  const std::string what = files.size() == 1 ? "a folder with a patch file"
+                                             : fmt::format("a folder of {} patches", files.size());
+  return {.group = kPatchFolder,
+          .what = what,
+          .advice = fmt::format("give {}{} to run", files.front(), files.size() > 1 ? " ..." : "")};
+}
+
+FileKind kind_of_contents(const std::vector<std::string>& names) {
+  const std::string found = contents(names);
+  if (found.empty())
+    return {.group = kFolder, .what = names.empty() ? "a folder, which is empty" : "a folder"};
+  return {.group = kFolder,
+          .what = "a folder with " + found,
+          .advice = "give its files by name or pattern"};
+}
+
+}  // namespace
+
+std::vector<std::string> patch_files_in(const fs::path& folder) {
+  const auto patch_of = [](const fs::path& where) { return where / "patch.yaml"; };
+  if (is_there(patch_of(folder))) return {patch_of(folder).string()};
+  std::vector<std::string> files;
+  for (const std::string& name : names_in(folder)) {
+    if (is_there(patch_of(folder / name))) files.push_back(patch_of(folder / name).string());
+  }
+  return files;
+}
+
+FileKind kind_of_folder(const fs::path& folder) {
+  const std::vector<std::string> names = names_in(folder);
+  if (holds_results(folder, names)) {
+    return {
+        .group = kResultFolder, .what = "a folder of results", .advice = advice_on(kResultFolder)};
+  }
+  if (is_there(folder / "compare.json")) {
+    return {.group = kOther, .what = "a comparison of results", .advice = "open its compare.md"};
+  }
+  if (const std::vector<std::string> patches = patch_files_in(folder); !patches.empty()) {
+    return kind_of_patches(patches);
+  }
+  const bool is_limap = std::ranges::any_of(names, [](const std::string& name) {
+    return name.starts_with("track_") && name.ends_with(".txt");
+  });
+  if (is_limap) {
+    return {.group = kLineFolder,
+            .what = "a folder of LIMAP's tracks",
+            .advice = advice_on(kLineFolder)};
+  }
+  if (holds_colmap(folder)) {
+    return {.group = kOther,
+            .what = "a model of COLMAP",
+            .advice = "name it as colmap in a patch file"};
+  }
+  if (lower_case(folder.extension().string()) == ".gdb") {
+    return {.group = kOther,
+            .what = "a file geodatabase of Esri",
+            .advice = "save its lines as GeoPackage"};
+  }
+  return kind_of_contents(names);
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/kinds/recognise.h"
+
+#include "io/error.h"
+#include "io/kinds/folder_kind.h"
+#include "io/kinds/marks.h"
+#include "io/kinds/text_kind.h"
+#include "io/lines/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace ridgeline::io {
+namespace fs = std::filesystem;
+namespace {
+
+using enum FileGroup;
+
+std::string extension_in(const std::string& path) {
+  return lower_case(fs::path(path).extension().string());
+}
+
+bool holds(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// The program's own page, which is a web page like any other but for its mark.
+bool is_report(std::string_view start) {
+  return start.starts_with("<!doctype html>") && holds(start, "content=\"ridgeline\"");
+}
+
+FileKind kind_of_ply(std::string_view start) {
+  const std::string_view header = start.substr(0, start.find("end_header"));
+  const char* const what = holds(header, "element edge")   ? "lines (PLY)"
+                           : holds(header, "element face") ? "a mesh (PLY)"
+                                                           : "a PLY point cloud";
+  return {.group = kPly, .what = what, .advice = advice_on(kPly), .ending = ".ply"};
+}
+
+bool is_laz(std::string_view start) {
+  constexpr std::size_t kPointFormat = 104;  // whose highest bit LASzip sets
+  return start.starts_with("LASF") && start.size() > kPointFormat &&
+         (static_cast<unsigned char>(start[kPointFormat]) & 0x80U) != 0;
+}
+
+FileKind kind_by_bytes(std::string_view start) {
+  if (is_report(start)) {
+    return {.group = kResult,
+            .what = "a report of results (report.html)",
+            .advice = "open it in a browser"};
+  }
+  if (start.starts_with("ply\n") || start.starts_with("ply\r")) return kind_of_ply(start);
+  FileKind kind = kind_by_mark(start);
+  if (kind.group == kCloud && kind.what == "a LAS point cloud" && is_laz(start)) {
+    kind.what = "a LAZ point cloud";
+  }
+  return kind;
+}
+
+/// The index of a Shapefile begins as a Shapefile does, a sequence of JSON as GeoJSON: there the name tells more.
+FileKind with_name(const FileKind& kind, std::string_view extension) {
+  constexpr std::array kExact{".shx", ".geojsonl", ".geojsons", ".ndjson", ".jsonl"};
+  const bool is_exact = std::ranges::find(kExact, extension) != kExact.end();
+  if (kind.group != kLines || !is_exact) return kind;
+  FileKind named = kind_by_extension(extension);
+  named.by_name = false;
+  return named;
+}
+
+struct Reader {
+  Expected expected;
+  std::array<FileGroup, 4> groups;
+  const char* takes;
+  const char* rule;
+};
+
+// Numbers without names of columns are left to the readers of tables, which name the missing column.
+constexpr std::array kReaders{
+    Reader{Expected::kLines,
+           {kLines, kPly, kNumbers, kLineFolder},
+           "a file of 3D lines",
+           "lines are read from GeoJSON, GeoPackage, Shapefile, DXF, CSV, WKT, OBJ and PLY"},
+    Reader{Expected::kCloud,
+           {kCloud, kPly, kNumbers},
+           "a point cloud",
+           "point clouds are read from LAS, LAZ, COPC, PCD, PLY and x y z text"},
+    Reader{Expected::kImage, {kImage}, "an image", "images are read from TIFF, PNG and JPEG"},
+    Reader{Expected::kPatch,
+           {kPatch},
+           "a patch file (patch.yaml)",
+           "a patch file (patch.yaml) is expected"},
+    Reader{Expected::kGates,
+           {kGates},
+           "a gates file",
+           "a gates file is expected, as gate --init prints it"},
+    Reader{Expected::kConfig,
+           {kConfig},
+           "a config file",
+           "a config file is expected, as ridgeline config prints it"},
+    Reader{Expected::kMatches,
+           {kMatches, kNumbers},
+           "a table of matches (matches.csv)",
+           "a table of matches (matches.csv) is expected"},
+    Reader{Expected::kReferenceMatches,
+           {kMatches, kReferenceMatches, kNumbers},
+           "a table of reference matches",
+           "a table of reference matches is expected"},
+    Reader{Expected::kSegments,
+           {kSegments, kNumbers},
+           "a table of segments (segments.IMAGE.csv)",
+           "a table of segments (segments.IMAGE.csv) is expected"},
+    Reader{Expected::kResults,
+           {kResultFolder},
+           "a folder of results",
+           "the --out of run, demo or evaluate is expected"}};
+
+const Reader& reader_of(Expected expected) {
+  return *std::ranges::find(kReaders, expected, &Reader::expected);
+}
+
+/// Endings of one reader are one: what is in them is told by the content.
+std::string_view reader_ending(std::string_view extension) {
+  if (extension == ".json") return ".geojson";
+  return extension == ".wkt" || extension == ".txt" ? ".csv" : extension;
+}
+
+/// Lines are read by the ending of their name.
+void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
+  const std::string extension = extension_in(path);
+  const bool fits = kind.ending.empty() || reader_ending(kind.ending) == reader_ending(extension);
+  if (fits) return;
+  throw IoError(path, fmt::format("is {}, but is not named so; let its name end in {}", kind.what,
+                                  kind.ending));
+}
+
+void refuse_kind(const std::string& path, const FileKind& kind, Expected expected) {
+  const std::array<FileGroup, 4>& groups = reader_of(expected).groups;
+  const bool is_taken = std::ranges::find(groups, kind.group) != groups.end();
+  if (kind.is_known() && !is_taken) throw IoError(path, refusal(kind, expected));
+  if (expected == Expected::kLines) refuse_wrong_ending(path, kind);
+}
+
+}  // namespace
+
+std::string beginning_of(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return "";
+  std::ifstream stream(path, std::ios::binary);
+  std::string start(kTelling_bytes, '\0');
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(stream.gcount()));
+  return start;
+}
+
+FileKind kind_of_content(std::string_view content, const std::string& path) {
+  if (content.empty()) return {.group = kEmpty, .what = "an empty file"};
+  std::string_view start = content.substr(0, kTelling_bytes);
+  const bool is_whole = content.size() < kTelling_bytes;
+  if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
+  const std::string extension = extension_in(path);
+  if (const FileKind kind = kind_by_bytes(start); kind.is_known())
+    return with_name(kind, extension);
+  const bool is_text = start.find('\0') == std::string_view::npos;
+  if (is_text) {
+    if (const FileKind kind = kind_of_text(start, is_whole); kind.is_known()) {
+      return with_name(kind, extension);
+    }
+  }
+  return kind_by_extension(extension);
+}
+
+FileKind kind_of_path(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return kind_of_folder(path);
+  if (!fs::is_regular_file(path, ignored)) return {};
+  return kind_of_content(beginning_of(path), path);
+}
+
+std::string refusal(const FileKind& kind, Expected expected) {
+  const Reader& reader = reader_of(expected);
+  if (kind.by_name || kind.group == kOther || kind.group == kFolder) {
+    const std::string advice = kind.advice.empty() ? "" : ", " + kind.advice;
+    return fmt::format("is {}{}{}; {}", kind.by_name ? "named as " : "", kind.what, advice,
+                       reader.rule);
+  }
+  return fmt::format("is {}, not {}; {}", kind.what, reader.takes, kind.advice);
+}
+
+void refuse_other_kind(const std::string& path, std::string_view content, Expected expected) {
+  refuse_kind(path, kind_of_content(content, path), expected);
+}
+
+void refuse_other_kind(const std::string& path, Expected expected) {
+  refuse_kind(path, kind_of_path(path), expected);
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/kinds/top_keys.h"
+
+#include "io/lines/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace ridgeline::io {
+namespace {
+
+/// Walks over braces, quotes, colons and commas; only what lies directly in the outermost braces counts.
+class FlowKeys {
+ public:
+  TopKeys read(std::string_view text) {
+    for (const char c : text) {
+      if (quote_ != '\0') {
+        take_quoted(c);
+      } else if (c == '"' || c == '\'') {
+        quote_ = c;
+      } else {
+        take_plain(c);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void take_quoted(char c) {
+    if (escaped_) {
+      escaped_ = false;
+    } else if (c == '\\') {
+      escaped_ = true;
+      return;
+    } else if (c == quote_) {
+      quote_ = '\0';
+      return;
+    }
+    if (depth_ == 1) word_ += c;
+  }
+
+  void take_plain(char c) {
+    if (c == '}' || c == ']') end_value();
+    if (c == '{' || c == '[') ++depth_;
+    if (c == '}' || c == ']') --depth_;
+    if (depth_ != 1) return;
+    if (c == ':' && !in_value_) {
+      found_.names.push_back(std::exchange(word_, ""));
+      in_value_ = true;
+    } else if (c == ',') {
+      end_value();
+    } else if (std::isspace(static_cast<unsigned char>(c)) == 0 && c != '{' && c != '}') {
+      word_ += c;
+    }
+  }
+
+  void end_value() {
+    if (depth_ != 1) return;
+    if (in_value_ && found_.names.back() == "type") found_.type = word_;
+    in_value_ = false;
+    word_.clear();
+  }
+
+  TopKeys found_;
+  std::string word_;
+  int depth_ = 0;
+  char quote_ = '\0';
+  bool escaped_ = false, in_value_ = false;
+};
+
+/// Takes the first row, with the blanks that it begins with.
+std::string_view take_row(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view row = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return row;
+}
+
+bool begins_a_key(std::string_view row) {
+  return !row.empty() && (std::isalpha(static_cast<unsigned char>(row.front())) != 0 ||
+                          std::string_view("_\"'").find(row.front()) != std::string_view::npos);
+}
+
+/// `key:` at the very beginning of a row.
+TopKeys block_keys(std::string_view text) {
+  TopKeys found;
+  while (!text.empty()) {
+    const std::string_view row = take_row(text);
+    const std::size_t colon = row.find(':');
+    if (!begins_a_key(row) || colon == std::string_view::npos) continue;
+    const std::string_view value = row.substr(colon + 1);
+    if (!trimmed(value).empty() && value.front() != ' ') continue;
+    std::string name(trimmed(row.substr(0, colon)));
+    std::erase_if(name, [](char c) { return c == '"' || c == '\''; });
+    if (name == "type") found.type = trimmed(value);
+    found.names.push_back(std::move(name));
+  }
+  return found;
+}
+
+}  // namespace
+
+bool TopKeys::has(std::string_view name) const {
+  return std::ranges::find(names, name) != names.end();
+}
+
+TopKeys top_keys(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool is_flow =
+      first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+  return is_flow ? FlowKeys().read(text.substr(first)) : block_keys(text);
+}
+
+}  // namespace ridgeline::io

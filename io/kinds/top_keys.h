@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// The keys of the outermost mapping of a text, as far as it goes.
+struct TopKeys {
+  std::vector<std::string> names;
+  std::string type;  ///< the value of the key `type`, if that is a text
+
+  [[nodiscard]] bool has(std::string_view name) const;
+};
+
+/// Of JSON, and of YAML in either style. Nothing is checked: the text may be cut, or of another format.
+TopKeys top_keys(std::string_view text);
+
+}  // namespace ridgeline::io

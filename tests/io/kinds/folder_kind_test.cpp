@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/kinds/folder_kind.h"
+
+#include "tests/io/lines/temp_folder.h"
+
+namespace ridgeline::io {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// What a folder with such files is.
+FileKind kind_of_files(std::initializer_list<const char*> files) {
+  const TempFolder folder;
+  for (const char* const file : files) (void)folder.write(file, "");
+  return kind_of_folder(folder.file(""));
+}
+
+TEST(KindOfFolder, TellsWhatTheProgramWritesAndTakes) {
+  EXPECT_EQ(kind_of_files({"run.json", "table2.json"}).group, FileGroup::kResultFolder);
+  EXPECT_EQ(kind_of_files({"evaluation.joint.json", "patch.yaml"}).group, FileGroup::kResultFolder);
+  EXPECT_EQ(kind_of_files({"patch.yaml", "left.tif"}).what, "a folder with a patch file");
+  EXPECT_EQ(kind_of_files({"1/patch.yaml", "2/patch.yaml", "3/other"}).what,
+            "a folder of 2 patches");
+  EXPECT_EQ(kind_of_files({"compare.json"}).what, "a comparison of results");
+}
+
+TEST(KindOfFolder, TellsFoldersOfOtherTools) {
+  EXPECT_EQ(kind_of_files({"track_0.txt"}).group, FileGroup::kLineFolder);
+  EXPECT_EQ(kind_of_files({"cameras.bin", "images.bin"}).what, "a model of COLMAP");
+  EXPECT_EQ(kind_of_files({"cameras.bin", "images.txt"}).group, FileGroup::kFolder);
+}
+
+TEST(KindOfFolder, CountsWhatElseLiesInIt) {
+  EXPECT_EQ(kind_of_files({"a.las", "b.LAZ", "c.geojson", "d.doc"}).what,
+            "a folder with 2 clouds and 1 line file");
+  EXPECT_EQ(kind_of_files({"a.doc"}).what, "a folder");
+  EXPECT_EQ(kind_of_files({}).what, "a folder, which is empty");
+}
+
+TEST(PatchFilesIn, AreThatOfTheFolderOrThoseOfItsSubfolders) {
+  const TempFolder folder;
+  const std::string second = folder.write("2/patch.yaml", "");
+  const std::string first = folder.write("1/patch.yaml", "");
+  EXPECT_THAT(patch_files_in(folder.file("")), ElementsAre(first, second));
+  EXPECT_THAT(patch_files_in(folder.file("1")), ElementsAre(first));
+  EXPECT_THAT(patch_files_in(folder.file("none")), IsEmpty());
+}
+
+}  // namespace
+}  // namespace ridgeline::io
