@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <cmath>
 #include <optional>
@@ -35,7 +34,7 @@ struct LineEquations {
   void add(const Incidence& incidence, const Uncertain<4>& entity) {
     const Eigen::Matrix<double, 2, 4>& g = incidence.g;
     const Eigen::Vector2d misclosure = -g * entity.mean;
-    const Eigen::Matrix2d inverse = (g * entity.cov * g.transpose()).inverse();
+    const Eigen::Matrix2d inverse = propagated(g, entity.cov).inverse();
     const Eigen::Vector4d fitted = entity.mean + entity.cov * g.transpose() * inverse * misclosure;
     const Eigen::Matrix<double, 2, 6> c =
         select_rows(incidence.transposed_c(fitted).transpose(), incidence.rows);
@@ -111,7 +110,7 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
 /// The null vector of all conditions, stacked without weights; horizontality among them, because the
 /// iteration does not find it from a vertical line.
 Vector6d start_line(const LineConditions& c) {
-  Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
+  Eigen::MatrixXd stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
   Eigen::Index row = 0;
   for (const UncertainPlane3& plane : c.planes) {
     stacked.middleRows<4>(row) = pi_matrix(plane.mean).transpose();
@@ -123,7 +122,7 @@ Vector6d start_line(const LineConditions& c) {
   }
   stacked.row(row).setZero();
   if (c.sigma_slope) stacked(row, 2) = 1.0;
-  return project_to_pluecker_quadric(stacked.jacobiSvd(Eigen::ComputeFullV).matrixV().col(5));
+  return project_to_pluecker_quadric(null_vector(stacked));
 }
 
 /// The component that chooses the rows: kept within an adjustment, because a change of rows between
