@@ -243,8 +243,7 @@ std::vector<ReconstructedLine> estimate(const StereoPair& pair,
   if (options.beyond.shared_errors) {
     for (ReconstructedLine& line : lines) add_shared_error(pair.cameras()[0], line);
   }
-  if (surface && options.beyond.surface && options.beyond.faces_beside &&
-      options.lines.method != Method::kDirect) {
+  if (surface && options.beyond.adjusts_to_faces() && options.lines.method != Method::kDirect) {
     const PlaneFaces faces = plane_faces(*surface);
     for (ReconstructedLine& line : lines)
       adjust_to_faces_beside(surface->rectification, faces, line);

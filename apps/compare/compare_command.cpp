@@ -33,26 +33,24 @@ evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
   return report;
 }
 
-/// Markdown to the output, and both forms to the folder, if one is given.
-void write_comparison(const std::string& markdown,
-                      const std::string& json,
-                      const std::string& out) {
+/// `comparison` to the output, and to the folder, if one is given.
+template <typename Compared>
+void write_comparison(const Compared& comparison, const std::string& out) {
   if (!out.empty()) {
     const std::filesystem::path folder(out);
-    io::write_file((folder / "compare.md").string(), markdown);
-    io::write_file((folder / "compare.json").string(), json);
+    io::write_file((folder / "compare.md").string(), evaluate::to_markdown(comparison));
+    io::write_file((folder / "compare.json").string(), evaluate::to_json(comparison));
   }
-  fmt::print("{}", markdown);
+  fmt::print("{}", evaluate::to_terminal(comparison));
 }
 
 int run_compare(const CompareArguments& a) {
   if (have_different_matchers(a.folders)) {
     const std::vector<evaluate::MatcherFigures> rows = read_matcher_figures(a.folders);
     check(!rows.empty(), "compare: the runs have no patch in common");
-    write_comparison(evaluate::to_markdown(rows), evaluate::to_json(rows), a.out);
+    write_comparison(rows, a.out);
   } else {
-    const evaluate::ComparisonReport report = compare_all(a.folders);
-    write_comparison(evaluate::to_markdown(report), evaluate::to_json(report), a.out);
+    write_comparison(compare_all(a.folders), a.out);
   }
   return kDone;
 }

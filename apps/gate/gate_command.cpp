@@ -84,11 +84,10 @@ int run_gate(const GateArguments& a) {
   check_given(a);
   check_reports(a);
   const evaluate::GateReport report = results::apply_gate_files(a.gates, a.results, a.baseline);
-  const std::string markdown = evaluate::to_markdown(report);
   if (!a.junit.empty()) io::write_file(a.junit, evaluate::to_junit(report, now_utc()));
-  if (!a.summary.empty()) io::write_file(a.summary, markdown);
+  if (!a.summary.empty()) io::write_file(a.summary, evaluate::to_markdown(report));
   if (!a.json.empty()) io::write_file(a.json, evaluate::to_json(report));
-  fmt::print("{}", markdown);
+  fmt::print("{}", evaluate::to_terminal(report));
   if (std::getenv("GITHUB_ACTIONS") != nullptr) {
     for (const std::string& line : evaluate::to_annotations(report)) fmt::print("{}\n", line);
   }

@@ -47,6 +47,7 @@ py::dict gate(const py::object& results,
   d["json"] = evaluate::to_json(report);
   d["junit"] = evaluate::to_junit(report, now);
   d["markdown"] = evaluate::to_markdown(report);
+  d["text"] = evaluate::to_terminal(report);
   return d;
 }
 

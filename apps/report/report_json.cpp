@@ -7,6 +7,7 @@
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
 #include "io/encoded_picture.h"
+#include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <opencv2/imgproc.hpp>
@@ -274,6 +275,7 @@ Json run_json(const Json& run) {
 
 evaluate::Table2 table2_of(const ReportInput& input) {
   evaluate::Table2 table;
+  table.joint_adjusts_to_faces = results::joint_adjusts_to_faces(input.run).value_or(false);
   for (const ReportPatch& patch : input.patches) {
     for (const ReportMethod& method : patch.methods) {
       const evaluate::Evaluation& e = method.evaluation;
@@ -283,7 +285,7 @@ evaluate::Table2 table2_of(const ReportInput& input) {
   return table;
 }
 
-Json rows_of(const std::string& table) { return Json::parse(table).at("rows"); }
+Json part_of(const std::string& table, const char* key) { return Json::parse(table).at(key); }
 
 }  // namespace
 
@@ -302,12 +304,14 @@ Json report_json(const ReportInput& input,
   for (std::size_t i = 0; i < input.patches.size(); ++i) {
     patches.push_back(patch_json(input.patches[i], scenes[i]));
   }
+  const std::string table2 = evaluate::to_json(table2_of(input));
   return {{"schema", kSchema},
           {"note", evaluate::kFixedSentence},
           {"run", run_json(input.run)},
           {"gates", gates ? Json::parse(evaluate::to_json(*gates)) : Json(nullptr)},
-          {"table1", rows_of(evaluate::to_json(input.table1))},
-          {"table2", rows_of(evaluate::to_json(table2_of(input)))},
+          {"table1", part_of(evaluate::to_json(input.table1), "rows")},
+          {"table2", part_of(table2, "rows")},
+          {"table2_footnote", part_of(table2, "footnote")},
           {"patches", std::move(patches)}};
 }
 

@@ -130,10 +130,11 @@ void run_patches(const std::string& command,
 
   // always written: an old table beside new ones would mislead
   write_table1(table1, out);
-  results::write_tables(evaluations, truth, out);
+  const bool adjusts_to_faces = options.parameters.method.estimation.beyond.adjusts_to_faces();
+  results::write_tables(evaluations, truth, out, adjusts_to_faces);
   if (!table1.rows.empty()) say("{}\n", evaluate::to_terminal(table1));
   if (has_figures(evaluations)) {
-    say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations)));
+    say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations, adjusts_to_faces)));
   }
   for (const std::string& message : messages) say("{}\n", message);
   record.end_stage("write");

@@ -198,6 +198,11 @@ const Evaluation* counterpart(const Evaluation& e,
   return &*std::find_if(other.evaluations.begin(), other.evaluations.end(), of_patch);
 }
 
+/// Runs whose options are not known are taken to do so: a difference is then no sign of a defect.
+bool may_adjust_to_faces(const ResultFolder& folder) {
+  return folder.joint_adjusts_to_faces.value_or(true);
+}
+
 void compare_with_first(const ResultFolder& first,
                         const ResultFolder& other,
                         ComparisonReport& report) {
@@ -212,8 +217,9 @@ void compare_with_first(const ResultFolder& first,
                                 a.method + " of " + first.name);
       continue;
     }
-    report.comparisons.push_back(
-        compare(a, *b, first.name + " " + a.method, other.name + " " + b->method));
+    report.comparisons.push_back(compare(a, *b, first.name + " " + a.method,
+                                         other.name + " " + b->method,
+                                         may_adjust_to_faces(first) || may_adjust_to_faces(other)));
   }
 }
 
@@ -222,7 +228,8 @@ void compare_with_first(const ResultFolder& first,
 Comparison compare(const Evaluation& a,
                    const Evaluation& b,
                    std::string name_a,
-                   std::string name_b) {
+                   std::string name_b,
+                   bool joint_adjusts_to_faces) {
   const LineById a_by_id = evaluated_by_id(a);
   const LineById b_by_id = evaluated_by_id(b);
   const Pairs pairs = pair_lines(a, b_by_id);
@@ -237,7 +244,7 @@ Comparison compare(const Evaluation& a,
   result.worst = worst_lines(pairs.lines);
   result.own_a = a.classes;
   result.own_b = b.classes;
-  if (is_direct_and_joint(a.method, b.method)) {
+  if (!joint_adjusts_to_faces && is_direct_and_joint(a.method, b.method)) {
     result.n_not_aligned_differing = count_differing(a_by_id, b_by_id);
   }
   return result;
@@ -259,7 +266,8 @@ std::vector<Comparison> compare_methods(const ResultFolder& folder) {
   std::vector<Comparison> result;
   for (const Evaluation& e : folder.evaluations) {
     const Evaluation* first = first_of_patch.try_emplace(e.patch, &e).first->second;
-    if (first != &e) result.push_back(compare(*first, e, first->method, e.method));
+    if (first == &e) continue;
+    result.push_back(compare(*first, e, first->method, e.method, may_adjust_to_faces(folder)));
   }
   return result;
 }

@@ -42,16 +42,18 @@ struct Comparison {
   std::vector<PairedSummary> classes;      ///< not_aligned, aligned, total; or total alone
   std::vector<PairedLine> worst;           ///< up to 10 lines that lost most from A to B
   std::vector<Summary> own_a, own_b;       ///< each on its own lines, as published tables are
-  /// direct and joint solve not_aligned lines by the same code: lines of that class whose result
-  /// nevertheless differs. Any is a defect. Empty for other pairs of methods.
+  /// direct and joint solve not_aligned lines by the same code, unless joint adjusts them to faces:
+  /// lines of that class whose result nevertheless differs. Any is a defect. Empty for other pairs of
+  /// methods, and where the code is not the same.
   std::optional<std::size_t> n_not_aligned_differing;
 };
 
-/// Compares B with A. Clusters are A's; the options are A's.
+/// Compares B with A. Clusters are A's; the options are A's. `joint_adjusts_to_faces`: see Table2.
 Comparison compare(const Evaluation& a,
                    const Evaluation& b,
                    std::string name_a,
-                   std::string name_b);
+                   std::string name_b,
+                   bool joint_adjusts_to_faces = false);
 
 struct ComparisonReport {
   std::vector<Comparison> comparisons;
@@ -68,6 +70,7 @@ std::vector<Comparison> compare_methods(const ResultFolder& folder);
 
 /// Table on the common lines first, own sets second, then the worst lines and warnings.
 std::string to_markdown(const ComparisonReport& report);
+std::string to_terminal(const ComparisonReport& report);  ///< the same in aligned columns
 
 std::string to_json(const ComparisonReport& report);
 

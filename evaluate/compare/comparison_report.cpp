@@ -4,6 +4,7 @@
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table2.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 
@@ -15,57 +16,74 @@ std::string p_text(std::optional<double> p) {
   return *p < 0.001 ? "< 0.001" : fixed(p, 3);
 }
 
-std::string common_table(const Comparison& c) {
-  std::string text =
-      markdown_head({"class", "n:", "RMS A:", "RMS B:", "B / A:", "95 %:", "A - B:", "95 %:",
-                     "median A - B:", "Wilcoxon p:", "B improved:", "unchanged:", "worse:"});
+TextTable common_table(const Comparison& c) {
+  TextTable table({"class"},
+                  {{"n:", "RMS A:", "RMS B:", "B / A:", "95 %:", "A - B:", "95 %:"},
+                   {"median A - B:", "Wilcoxon p:", "B improved:", "unchanged:", "worse:"}});
   for (const PairedSummary& s : c.classes) {
-    text += markdown_row(
-        s.line_class, s.n, metres(s.rms_a_m), metres(s.rms_b_m), fixed(s.rms_ratio, 3),
-        interval_text(s.rms_ratio_ci95), metres(s.rms_gain_m), interval_text(s.rms_gain_ci95),
-        metres(s.median_gain_m), p_text(s.wilcoxon_p), s.n_improved, s.n_unchanged, s.n_worse);
+    table.add(s.line_class, s.n, metres(s.rms_a_m), metres(s.rms_b_m), fixed(s.rms_ratio, 3),
+              interval_text(s.rms_ratio_ci95), metres(s.rms_gain_m), interval_text(s.rms_gain_ci95),
+              metres(s.median_gain_m), p_text(s.wilcoxon_p), s.n_improved, s.n_unchanged,
+              s.n_worse);
   }
-  if (c.classes.back().n_clusters < kMinClusters) {
-    text += fmt::format("\nToo few clusters ({}) for reliable intervals.\n",
-                        c.classes.back().n_clusters);
-  }
-  return text;
+  return table;
 }
 
-std::string own_table(const Comparison& c) {
-  std::string text = markdown_head({"class", "RMS A (evaluated/all):", "RMS B (evaluated/all):"});
+TextTable own_table(const Comparison& c) {
+  TextTable table({"class", "RMS A (evaluated/all):", "RMS B (evaluated/all):"});
   const std::vector<Summary>& longer = c.own_a.size() >= c.own_b.size() ? c.own_a : c.own_b;
   for (const Summary& s : longer) {
-    text += markdown_row(s.line_class, rms_text(find_class(c.own_a, s.line_class)),
-                         rms_text(find_class(c.own_b, s.line_class)));
+    table.add(s.line_class, rms_text(find_class(c.own_a, s.line_class)),
+              rms_text(find_class(c.own_b, s.line_class)));
   }
-  return text;
+  return table;
 }
 
-std::string worst_table(const Comparison& c) {
-  if (c.worst.empty()) return "";
-  std::string text = "\nLines that lost most from A to B:\n\n" +
-                     markdown_head({"id", "class", "A:", "B:", "A - B:"});
+TextTable worst_table(const Comparison& c) {
+  TextTable table({"id", "class", "A:", "B:", "A - B:"});
   for (const PairedLine& l : c.worst) {
-    text += markdown_row(escape_markdown(l.id), escape_markdown(l.line_class), metres(l.a_m),
-                         metres(l.b_m), metres(l.gain_m()));
+    table.add(l.id, l.line_class, metres(l.a_m), metres(l.b_m), metres(l.gain_m()));
   }
-  return text;
+  return table;
 }
 
-std::string comparison_markdown(const Comparison& c) {
-  std::string text = fmt::format(
-      "## Patch {}: A = {}, B = {}\n\nLines evaluated in both {}, only in A {}, only in B {}. "
-      "Metres.\n\nOn the common lines:\n\n{}\nEach on its own lines:\n\n{}{}\n",
-      escape_markdown(c.patch), escape_markdown(c.name_a), escape_markdown(c.name_b), c.n_common,
-      c.n_only_a, c.n_only_b, common_table(c), own_table(c), worst_table(c));
-  if (c.n_not_aligned_differing.value_or(0) > 0) {
-    text += fmt::format(
-        "Warning: direct and joint differ on {} not_aligned lines, which both solve by the same "
-        "code: a defect of the tool.\n\n",
-        *c.n_not_aligned_differing);
+std::string heading(const Comparison& c, Markup markup) {
+  return fmt::format("{}Patch {}: A = {}, B = {}\n\n", markup == Markup::kMarkdown ? "## " : "",
+                     in_sentence(c.patch, markup), in_sentence(c.name_a, markup),
+                     in_sentence(c.name_b, markup));
+}
+
+std::string comparison_text(const Comparison& c, Markup markup) {
+  std::string text = heading(c, markup);
+  text += fmt::format("Lines evaluated in both {}, only in A {}, only in B {}. Metres.\n\n",
+                      c.n_common, c.n_only_a, c.n_only_b);
+  text += captioned("On the common lines:", common_table(c), markup);
+  const std::size_t n_clusters = c.classes.back().n_clusters;
+  if (n_clusters < kMinClusters) {
+    text += fmt::format("\nToo few clusters ({}) for reliable intervals.\n", n_clusters);
   }
-  return text;
+  text += "\n" + captioned("Each on its own lines:", own_table(c), markup);
+  const TextTable worst = worst_table(c);
+  if (!worst.empty()) {
+    text += "\n" + captioned("Lines that lost most from A to B:", worst, markup);
+  }
+  if (c.n_not_aligned_differing.value_or(0) > 0) {
+    text += "\n" + paragraph(fmt::format("Warning: direct and joint differ on {} not_aligned "
+                                         "lines, which both solve by the same code: a defect of "
+                                         "the tool.",
+                                         *c.n_not_aligned_differing),
+                             markup);
+  }
+  return text + "\n";
+}
+
+std::string report_text(const ComparisonReport& report, Markup markup) {
+  std::string text;
+  for (const Comparison& c : report.comparisons) text += comparison_text(c, markup);
+  for (const std::string& w : report.warnings) {
+    text += paragraph("Warning: " + in_sentence(w, markup), markup) + "\n";
+  }
+  return text + paragraph(kFixedSentence, markup);
 }
 
 Json paired_json(const PairedSummary& s) {
@@ -115,10 +133,11 @@ Json comparison_json(const Comparison& c) {
 }  // namespace
 
 std::string to_markdown(const ComparisonReport& report) {
-  std::string text;
-  for (const Comparison& c : report.comparisons) text += comparison_markdown(c);
-  for (const std::string& w : report.warnings) text += "Warning: " + escape_markdown(w) + "\n\n";
-  return text + std::string(kFixedSentence) + "\n";
+  return report_text(report, Markup::kMarkdown);
+}
+
+std::string to_terminal(const ComparisonReport& report) {
+  return report_text(report, Markup::kPlain);
 }
 
 std::string to_json(const ComparisonReport& report) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/matcher_table.h"
 
-#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 
@@ -47,6 +47,35 @@ std::vector<MatcherFigures> with_pooled(std::span<const MatcherFigures> rows) {
   return all;
 }
 
+/// Table 1, then what each finds that the others miss, accuracy and coverage.
+TextTable table_of(std::span<const MatcherFigures> rows) {
+  TextTable table({"patch", "run", "matcher"}, {{"matches:", "correct:", "false:", "missed:",
+                                                 "correctness %:", "completeness %:", "quality %:"},
+                                                {"alone:", "alone, false:", "LIDAR RMS (n):",
+                                                 "true RMS (n):", "gross %:", "roof found %:"}});
+  for (const MatcherFigures& row : with_pooled(rows)) {
+    const MatchQuality quality = match_quality(row.counts);
+    table.add(row.patch, row.run, row.matcher, row.n_matches, row.counts.n_correct,
+              row.counts.n_false, row.counts.n_missed, percent(quality.correctness),
+              percent(quality.completeness), percent(quality.quality), row.n_alone,
+              row.n_alone_false,
+              fmt::format("{} ({}/{})", metres(rms(row.sum_squares_m2, row.n_evaluated)),
+                          row.n_evaluated, row.n_lines),
+              fmt::format("{} ({})", metres(rms(row.true_sum_squares_m2, row.n_true)), row.n_true),
+              percent(share(row.n_true_gross, row.n_true)),
+              percent(share(static_cast<double>(row.n_roof_lines_found), row.n_roof_lines)));
+  }
+  return table;
+}
+
+std::string text_of(std::span<const MatcherFigures> rows, Markup markup) {
+  return table_of(rows).text(markup) + "\n" +
+         paragraph(
+             "Alone: matches that no other run has, where there are reference matches the correct "
+             "ones. Lines of the last method; n: those judged of all, and those on a true line.",
+             markup);
+}
+
 }  // namespace
 
 MatcherFigures& MatcherFigures::operator+=(const MatcherFigures& other) {
@@ -68,26 +97,11 @@ MatcherFigures& MatcherFigures::operator+=(const MatcherFigures& other) {
 }
 
 std::string to_markdown(std::span<const MatcherFigures> rows) {
-  std::string text =
-      markdown_head({"patch", "run", "matcher", "matches:", "correct:", "false:", "missed:",
-                     "correctness %:", "completeness %:", "quality %:", "alone:", "alone, false:",
-                     "LIDAR RMS (lines):", "true RMS (lines):", "gross %:", "roof lines found %:"});
-  for (const MatcherFigures& row : with_pooled(rows)) {
-    const MatchQuality quality = match_quality(row.counts);
-    text += markdown_row(
-        escape_markdown(row.patch), escape_markdown(row.run), escape_markdown(row.matcher),
-        row.n_matches, row.counts.n_correct, row.counts.n_false, row.counts.n_missed,
-        percent(quality.correctness), percent(quality.completeness), percent(quality.quality),
-        row.n_alone, row.n_alone_false,
-        fmt::format("{} ({}/{})", metres(rms(row.sum_squares_m2, row.n_evaluated)), row.n_evaluated,
-                    row.n_lines),
-        fmt::format("{} ({})", metres(rms(row.true_sum_squares_m2, row.n_true)), row.n_true),
-        percent(share(row.n_true_gross, row.n_true)),
-        percent(share(static_cast<double>(row.n_roof_lines_found), row.n_roof_lines)));
-  }
-  return text +
-         "\nAlone: matches that no other run has, where there are reference matches the correct "
-         "ones. Lines of the last method.\n";
+  return text_of(rows, Markup::kMarkdown);
+}
+
+std::string to_terminal(std::span<const MatcherFigures> rows) {
+  return text_of(rows, Markup::kPlain);
 }
 
 std::string to_json(std::span<const MatcherFigures> rows) {

@@ -36,6 +36,7 @@ struct MatcherFigures {
 /// A row per patch and run, in the order given, then one per run over all patches if there are
 /// several. Table 1, what each finds that the others miss, accuracy and coverage.
 std::string to_markdown(std::span<const MatcherFigures> rows);
+std::string to_terminal(std::span<const MatcherFigures> rows);  ///< the same in aligned columns
 
 /// {"rows": [{patch, run, matcher, correct, false, missed, correctness, ...}]}, pooled ones last.
 std::string to_json(std::span<const MatcherFigures> rows);

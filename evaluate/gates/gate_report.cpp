@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/gates/gate_report.h"
 
-#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 
@@ -37,12 +37,31 @@ std::size_t count_failed(const GateReport& report) {
                     [](const GateResult& r) { return r.verdict != Verdict::kPassed; }));
 }
 
-std::string row_of(const GateResult& r) {
-  const std::string verdict = fmt::format(
-      "{}{}{}", name(r.verdict), r.explanation.empty() ? "" : ": " + escape_markdown(r.explanation),
-      r.baseline_can_be_tightened ? "; baseline can be tightened" : "");
-  return markdown_row(escape_markdown(r.rule), escape_markdown(r.patch), escape_markdown(r.method),
-                      number(r.value), number(r.limit), number(r.baseline), r.n, verdict);
+std::string note_of(const GateResult& r) {
+  if (!r.baseline_can_be_tightened) return r.explanation;
+  return r.explanation + (r.explanation.empty() ? "" : "; ") + "baseline can be tightened";
+}
+
+/// Failures first.
+TextTable table_of(const GateReport& report) {
+  std::vector<GateResult> rows = report.results;
+  std::stable_partition(rows.begin(), rows.end(),
+                        [](const GateResult& r) { return r.verdict != Verdict::kPassed; });
+  TextTable table({"gate", "patch", "method"},
+                  {{"value:", "limit:", "baseline:", "n:", "verdict"}});
+  for (const GateResult& r : rows) {
+    table.add(r.rule, r.patch, r.method, number(r.value), number(r.limit), number(r.baseline), r.n,
+              name(r.verdict));
+    table.add_note(note_of(r));
+  }
+  return table;
+}
+
+std::string verdict_line(const GateReport& report, Markup markup) {
+  const char* bold = markup == Markup::kMarkdown ? "**" : "";
+  return fmt::format("Accuracy gate: {}{}{}, {} of {} checks failed.\n\n", bold,
+                     report.passed() ? "passed" : "failed", bold, count_failed(report),
+                     report.results.size());
 }
 
 /// A part of a JUnit class name: viewers take its dots for levels and build paths of it, so all but
@@ -100,9 +119,7 @@ std::string to_junit(const GateReport& report, std::string_view timestamp) {
 }
 
 std::string to_markdown(const GateReport& report, std::size_t max_bytes) {
-  std::vector<GateResult> rows = report.results;
-  std::stable_partition(rows.begin(), rows.end(),
-                        [](const GateResult& r) { return r.verdict != Verdict::kPassed; });
+  const TextTable table = table_of(report);
   std::string tail = "\n";
   for (const std::string& warning : report.warnings) {
     tail += "Warning: " + escape_markdown(warning) + "\n\n";
@@ -111,19 +128,20 @@ std::string to_markdown(const GateReport& report, std::size_t max_bytes) {
   constexpr std::size_t kNoteBytes = 128;
   if (tail.size() > kMaxTailBytes) tail = fmt::format("\n{} warnings.\n", report.warnings.size());
 
-  std::string text =
-      fmt::format("Accuracy gate: **{}**, {} of {} checks failed.\n\n",
-                  report.passed() ? "passed" : "failed", count_failed(report), rows.size()) +
-      markdown_head({"gate", "patch", "method", "value:", "limit:", "baseline:", "n:", "verdict"});
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string row = row_of(rows[i]);
+  std::string text = verdict_line(report, Markup::kMarkdown) + table.markdown_head();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::string row = table.markdown_row(i);
     if (text.size() + row.size() + tail.size() + kNoteBytes > max_bytes) {
-      text += fmt::format("\n{} more rows: see the JUnit file of this job.\n", rows.size() - i);
+      text += fmt::format("\n{} more rows: see the JUnit file of this job.\n", table.size() - i);
       break;
     }
     text += row;
   }
   return text + tail;
+}
+
+std::string to_terminal(const GateReport& report) {
+  return verdict_line(report, Markup::kPlain) + table_of(report).text(Markup::kPlain);
 }
 
 std::string to_json(const GateReport& report) {

@@ -114,7 +114,7 @@ std::optional<Ridge> best_ridge(std::span<const CandidatePlane> candidates,
   return best;
 }
 
-std::string percent(double share) {
+std::string rounded_percent(double share) {
   std::ostringstream text;
   text << std::lround(100.0 * share) << " %";
   return text.str();
@@ -241,7 +241,8 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
     double most = 0.0;
     for (const CandidatePlane& plane : candidates) most = std::max(most, plane.coverage);
     decision.reason = "no plane accompanies the line closely enough: largest coverage " +
-                      percent(most) + ", must be at least " + percent(options.min_coverage);
+                      rounded_percent(most) + ", must be at least " +
+                      rounded_percent(options.min_coverage);
     return decision;
   }
   const CandidatePlane& upper = candidates[along[0]];

@@ -6,9 +6,9 @@ set(evaluate_statistics_sources
   statistics/interval.cpp statistics/matching_quality.cpp statistics/parameter_intervals.cpp
   statistics/reference_errors.cpp tables/reference_table.cpp
   statistics/segment_tree.cpp statistics/strata.cpp statistics/summary.cpp statistics/tolerance_measures.cpp
-  tables/accuracy_table.cpp tables/cells.cpp tables/evaluation_json.cpp tables/evaluation_parse.cpp
+  tables/accuracy_table.cpp tables/cells.cpp tables/display_width.cpp tables/evaluation_json.cpp tables/evaluation_parse.cpp
   tables/format.cpp tables/line_csv.cpp tables/summary_json.cpp tables/table1.cpp tables/table2.cpp
-  statistics/standards.cpp statistics/wireframe.cpp tables/standards_table.cpp tables/terminal_table.cpp tables/tolerance_table.cpp)
+  statistics/standards.cpp statistics/wireframe.cpp tables/standards_table.cpp tables/terminal_table.cpp tables/text_table.cpp tables/tolerance_table.cpp)
 set(evaluate_statistics_headers
   compare/comparison.h compare/matcher_table.h compare/wilcoxon.h
   gates/figure.h gates/gate.h gates/gate_report.h gates/gate_warnings.h gates/metric.h

@@ -4,6 +4,7 @@
 #include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/table2.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,35 +30,32 @@ std::string style_sentence(const AccuracyStatement& total) {
 }
 
 std::string strata_table(const Stratification& stratification) {
-  std::string text =
-      markdown_head({stratification.by, "n / lines:", "RMS:", "95 % interval:", "NMAD:", "95 %:",
-                     "NEES / dof:", "median z2:", "\\|z\\| <= 1.96 %:", "\\|z\\| > 3.29 %:"});
+  TextTable table({stratification.by, "n / lines:", "RMS:", "95 % interval:", "NMAD:", "95 %:",
+                   "NEES / dof:", "median z2:", "|z| <= 1.96 %:", "|z| > 3.29 %:"});
   for (const Stratum& stratum : stratification.strata) {
     const Summary& s = stratum.summary;
-    text += markdown_row(
-        s.line_class, fmt::format("{} / {}", s.n_evaluated, s.n_lines), metres(s.rms_m),
-        interval_text(s), metres(s.nmad_m), metres(s.q95_m),
-        fixed(stratum.calibration.nees_per_dof, 2), fixed(stratum.calibration.median_z2, 2),
-        percent(stratum.calibration.coverage_1_96), percent(stratum.calibration.share_beyond_99_9));
+    table.add(s.line_class, fmt::format("{} / {}", s.n_evaluated, s.n_lines), metres(s.rms_m),
+              interval_text(s), metres(s.nmad_m), metres(s.q95_m),
+              fixed(stratum.calibration.nees_per_dof, 2), fixed(stratum.calibration.median_z2, 2),
+              percent(stratum.calibration.coverage_1_96),
+              percent(stratum.calibration.share_beyond_99_9));
   }
-  return text;
+  return table.text(Markup::kMarkdown);
 }
 
 }  // namespace
 
 std::string to_markdown(std::span<const AccuracyStatement> statements) {
-  std::string text =
-      markdown_head({"class", "n:", "observed (against the planes):", "product (true datum):",
-                     "method only:", "sigma of the reference:", "flags"});
+  TextTable table({"class", "n:", "observed (against the planes):", "product (true datum):",
+                   "method only:", "sigma of the reference:", "flags"});
   for (const AccuracyStatement& s : statements) {
     const std::string method_only = s.numbers.below_reference_noise
                                         ? std::string("below reference noise")
                                         : metres(s.numbers.method_only_m);
-    text += markdown_row(escape_markdown(s.line_class), s.n, metres(s.numbers.observed_m),
-                         metres(s.numbers.product_m), method_only, metres(s.numbers.sigma_ref_m),
-                         flags_text(s));
+    table.add(s.line_class, s.n, metres(s.numbers.observed_m), metres(s.numbers.product_m),
+              method_only, metres(s.numbers.sigma_ref_m), flags_text(s));
   }
-  text += fmt::format("\n{}\n", kFixedSentence);
+  std::string text = fmt::format("{}\n{}\n", table.text(Markup::kMarkdown), kFixedSentence);
   if (!statements.empty()) text += fmt::format("\n{}", style_sentence(statements.back()));
   return text;
 }

@@ -3,18 +3,9 @@
 
 #include "evaluate/tables/format.h"
 
-namespace ridgeline::evaluate {
+#include <fmt/format.h>
 
-std::string markdown_head(const std::vector<std::string>& columns) {
-  std::string head = "|";
-  std::string rule = "|";
-  for (const std::string& column : columns) {
-    const bool is_right = column.ends_with(':');
-    head += " " + column.substr(0, column.size() - (is_right ? 1 : 0)) + " |";
-    rule += is_right ? "--:|" : "---|";
-  }
-  return head + "\n" + rule + "\n";
-}
+namespace ridgeline::evaluate {
 
 std::string interval_text(const std::optional<Interval>& interval_m) {
   if (!interval_m) return std::string(kNoValue);

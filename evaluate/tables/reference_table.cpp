@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/reference_table.h"
 
-#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/core.h>
 
@@ -17,6 +17,45 @@ constexpr int kRatioDecimals = 3;
 std::optional<double> share_of(const ReferenceCompleteness& row) {
   if (row.n_lines == 0) return std::nullopt;
   return static_cast<double>(row.n_reconstructed) / static_cast<double>(row.n_lines);
+}
+
+std::string errors_markdown(const std::vector<ReferenceRow>& rows) {
+  TextTable table({"patch", "method", "class", "lines:", "on a true line:", "RMS m:", "median m:",
+                   "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:",
+                   "median NEES:", "beyond 99.9 %:"});
+  for (const ReferenceRow& row : rows) {
+    for (const ReferenceErrors& e : row.comparison.classes) {
+      table.add(row.patch, row.method, e.line_class, e.n_lines, e.n_on_reference, metres(e.rms_m),
+                metres(e.median_m), metres(e.q95_m), metres(e.max_m), percent(e.gross_share),
+                metres(e.rmse_horizontal_m), metres(e.rmse_vertical_m), metres(e.mean_vertical_m),
+                fixed(e.median_nees_ratio, 2), percent(e.nees_beyond_99_9_share));
+    }
+  }
+  return table.text(Markup::kMarkdown);
+}
+
+std::string completeness_markdown(const std::vector<ReferenceRow>& rows) {
+  TextTable table({"patch", "method", "kind", "true lines:", "reconstructed:", "%:"});
+  for (const ReferenceRow& row : rows) {
+    for (const ReferenceCompleteness& c : row.comparison.completeness) {
+      table.add(row.patch, row.method, c.kind, c.n_lines, c.n_reconstructed, percent(share_of(c)));
+    }
+  }
+  return table.text(Markup::kMarkdown);
+}
+
+std::string wireframe_markdown(const std::vector<ReferenceRow>& rows) {
+  TextTable table({"patch", "method", "threshold m:", "edge precision %:", "recall %:", "F1 %:",
+                   "corner precision %:", "recall %:", "F1 %:", "mean corner offset m:"});
+  for (const ReferenceRow& row : rows) {
+    for (const WireframeScore& w : row.wireframe) {
+      table.add(row.patch, row.method, fmt::format("{:g}", w.threshold_m),
+                percent(w.edges.precision()), percent(w.edges.recall()), percent(w.edges.f1()),
+                percent(w.corners.precision()), percent(w.corners.recall()),
+                percent(w.corners.f1()), metres(w.mean_corner_offset_m));
+    }
+  }
+  return table.text(Markup::kMarkdown);
 }
 
 }  // namespace
@@ -74,49 +113,17 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
 }
 
 std::string reference_to_markdown(const std::vector<ReferenceRow>& rows) {
-  std::string text =
-      "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
-      "(H) and in height at the same place in plan (V). NEES: squared error of the ends over the "
-      "stated covariance, median over its expectation (1), and the share beyond the 99.9 % limit "
-      "(0.1).\n\n" +
-      markdown_head({"patch", "method", "class", "lines:", "on a true line:", "RMS m:", "median m:",
-                     "95 % m:", "max m:", "gross %:", "RMSE H m:", "RMSE V m:", "mean V m:",
-                     "median NEES:", "beyond 99.9 %:"});
-  for (const ReferenceRow& row : rows) {
-    for (const ReferenceErrors& e : row.comparison.classes) {
-      text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method), e.line_class,
-                           e.n_lines, e.n_on_reference, metres(e.rms_m), metres(e.median_m),
-                           metres(e.q95_m), metres(e.max_m), percent(e.gross_share),
-                           metres(e.rmse_horizontal_m), metres(e.rmse_vertical_m),
-                           metres(e.mean_vertical_m), fixed(e.median_nees_ratio, 2),
-                           percent(e.nees_beyond_99_9_share));
-    }
-  }
-  text +=
-      "\nTrue lines that both images show, reconstructed over half of their length to 0.3 m.\n\n" +
-      markdown_head({"patch", "method", "kind", "true lines:", "reconstructed:", "%:"});
-  for (const ReferenceRow& row : rows) {
-    for (const ReferenceCompleteness& c : row.comparison.completeness) {
-      text +=
-          markdown_row(escape_markdown(row.patch), escape_markdown(row.method),
-                       escape_markdown(c.kind), c.n_lines, c.n_reconstructed, percent(share_of(c)));
-    }
-  }
-  text +=
-      "\nThe lines as a wireframe: corners (ends of lines) and edges (both ends) matched one to "
-      "one to true ones.\n\n" +
-      markdown_head({"patch", "method", "threshold m:", "edge precision %:", "recall %:", "F1 %:",
-                     "corner precision %:", "recall %:", "F1 %:", "mean corner offset m:"});
-  for (const ReferenceRow& row : rows) {
-    for (const WireframeScore& w : row.wireframe) {
-      text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method),
-                           fmt::format("{:g}", w.threshold_m), percent(w.edges.precision()),
-                           percent(w.edges.recall()), percent(w.edges.f1()),
-                           percent(w.corners.precision()), percent(w.corners.recall()),
-                           percent(w.corners.f1()), metres(w.mean_corner_offset_m));
-    }
-  }
-  return text;
+  return "Mean distance from the true line that both image segments lie on; RMSE across it in plan "
+         "(H) and in height at the same place in plan (V). NEES: squared error of the ends over "
+         "the stated covariance, median over its expectation (1), and the share beyond the 99.9 % "
+         "limit (0.1).\n\n" +
+         errors_markdown(rows) +
+         "\nTrue lines that both images show, reconstructed over half of their length to 0.3 "
+         "m.\n\n" +
+         completeness_markdown(rows) +
+         "\nThe lines as a wireframe: corners (ends of lines) and edges (both ends) matched one to "
+         "one to true ones.\n\n" +
+         wireframe_markdown(rows);
 }
 
 }  // namespace ridgeline::evaluate

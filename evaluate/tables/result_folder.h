@@ -23,6 +23,8 @@ struct ResultFolder {
   /// references, not the judged lines. Files of several patches may have one name.
   std::set<std::pair<std::string, std::string>> input_hashes;
   std::optional<double> duration_s;
+  /// By the recorded options, see Table2::joint_adjusts_to_faces; empty where they do not tell.
+  std::optional<bool> joint_adjusts_to_faces;
 };
 
 }  // namespace ridgeline::evaluate

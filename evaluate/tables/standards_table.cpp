@@ -3,6 +3,7 @@
 
 #include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 
@@ -23,41 +24,39 @@ std::string asprs_flags(const AsprsFigures& figures) {
 }
 
 std::string asprs_markdown(const std::vector<StandardsBlock>& blocks) {
-  std::string text =
-      "**ASPRS Edition 2** (ridges and hips, error of the reference included) and, apart, "
-      "**NSSDA** at 95 %.\n\n" +
-      markdown_head({"class", "n:", "RMSE_H:", "RMSE_V:", "RMSE_3D:",
-                     "best class the reference attests:", "flags", "NSSDA H:", "NSSDA V:"});
+  TextTable table({"class", "n:", "RMSE_H:", "RMSE_V:", "RMSE_3D:",
+                   "best class the reference attests:", "flags", "NSSDA H:", "NSSDA V:"});
   for (const StandardsBlock& b : blocks) {
-    text += markdown_row(
-        escape_markdown(b.line_class), b.asprs.n, metres(b.asprs.rmse_horizontal_m),
-        metres(b.asprs.rmse_vertical_m), metres(b.asprs.rmse_3d_m), metres(b.asprs.best_class_m),
-        asprs_flags(b.asprs), metres(b.nssda.horizontal_m), metres(b.nssda.vertical_m));
+    table.add(b.line_class, b.asprs.n, metres(b.asprs.rmse_horizontal_m),
+              metres(b.asprs.rmse_vertical_m), metres(b.asprs.rmse_3d_m),
+              metres(b.asprs.best_class_m), asprs_flags(b.asprs), metres(b.nssda.horizontal_m),
+              metres(b.nssda.vertical_m));
   }
-  return text;
+  return "**ASPRS Edition 2** (ridges and hips, error of the reference included) and, apart, "
+         "**NSSDA** at 95 %.\n\n" +
+         table.text(Markup::kMarkdown);
 }
 
 std::string budget_markdown(const std::vector<StandardsBlock>& blocks) {
-  std::string text =
-      "**Uncertainty budget** (GUM) of the distance of one line, and of the RMS of the class.\n\n" +
-      markdown_head({"class", "laser, random:", "laser, systematic:", "plane fit:", "combined u:",
-                     "expanded U = 2u:", "sampling of the RMS:"});
+  TextTable table({"class", "laser, random:", "laser, systematic:", "plane fit:", "combined u:",
+                   "expanded U = 2u:", "sampling of the RMS:"});
   for (const StandardsBlock& b : blocks) {
-    text += markdown_row(escape_markdown(b.line_class), metres(b.budget.laser_random_m),
-                         metres(b.budget.laser_systematic_m), metres(b.budget.plane_fit_m),
-                         metres(b.budget.combined_m()), metres(b.budget.expanded_m()),
-                         metres(b.budget.sampling_m));
+    table.add(b.line_class, metres(b.budget.laser_random_m), metres(b.budget.laser_systematic_m),
+              metres(b.budget.plane_fit_m), metres(b.budget.combined_m()),
+              metres(b.budget.expanded_m()), metres(b.budget.sampling_m));
   }
-  return text;
+  return "**Uncertainty budget** (GUM) of the distance of one line, and of the RMS of the "
+         "class.\n\n" +
+         table.text(Markup::kMarkdown);
 }
 
 std::string measures_markdown(const StandardsBlock& block) {
-  std::string text = "**ISO 19157** measures of class " + escape_markdown(block.line_class) +
-                     ".\n\n" + markdown_head({"id:", "measure", "value:", "unit", "n:"});
+  TextTable table({"id:", "measure", "value:", "unit", "n:"});
   for (const IsoMeasure& m : block.iso19157) {
-    text += markdown_row(m.id, m.name, value_text(m, kNoValue), m.unit, m.n);
+    table.add(m.id, m.name, value_text(m, kNoValue), m.unit, m.n);
   }
-  return text;
+  return "**ISO 19157** measures of class " + escape_markdown(block.line_class) + ".\n\n" +
+         table.text(Markup::kMarkdown);
 }
 
 std::string_view element_of(int id) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/table1.h"
 
-#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
+#include "evaluate/tables/text_table.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
@@ -29,17 +29,17 @@ std::size_t number_of(const Json& row, const char* key) {
 }  // namespace
 
 std::string to_markdown(const Table1& table) {
-  std::string text = markdown_head({"patch", "matcher", "correct:", "false:", "missed:",
-                                    "correctness %:", "completeness %:", "quality %:"});
+  TextTable written({"patch", "matcher", "correct:", "false:", "missed:", "correctness %:",
+                     "completeness %:", "quality %:"});
   for (const Table1Row& row : table.rows) {
     const MatchQuality q = match_quality(row.counts);
-    text += markdown_row(escape_markdown(row.patch), escape_markdown(row.matcher),
-                         row.counts.n_correct, row.counts.n_false, row.counts.n_missed,
-                         share_with_interval(q.correctness, q.correctness_ci95),
-                         share_with_interval(q.completeness, q.completeness_ci95),
-                         share_with_interval(q.quality, q.quality_ci95));
+    written.add(row.patch, row.matcher, row.counts.n_correct, row.counts.n_false,
+                row.counts.n_missed, share_with_interval(q.correctness, q.correctness_ci95),
+                share_with_interval(q.completeness, q.completeness_ci95),
+                share_with_interval(q.quality, q.quality_ci95));
   }
-  text += "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
+  std::string text = written.text(Markup::kMarkdown) +
+                     "\nIn parentheses: 95 % Wilson interval. Basis: number of matches.\n";
   for (const Table1Row& row : table.rows) {
     if (row.n_unjudged == 0) continue;
     text +=

@@ -5,6 +5,7 @@
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table_layout.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ std::string excluded_text(const Summary& s) {
     if (status == Status::kEvaluated || s.n_by_status[i] == 0) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name(status), s.n_by_status[i]);
   }
-  return text.empty() ? std::string(kNoValue) : escape_markdown(text);
+  return text.empty() ? std::string(kNoValue) : text;
 }
 
 std::string published_form_markdown(const Table2& table) {
@@ -44,54 +45,49 @@ std::string published_form_markdown(const Table2& table) {
   std::vector<std::string> columns{"patch"};
   for (const std::string& method : layout.methods) {
     for (const std::string& line_class : layout.classes) {
-      columns.push_back(
-          fmt::format("{} {}:", escape_markdown(method), escape_markdown(line_class)));
+      columns.push_back(fmt::format("{} {}:", method, line_class));
     }
   }
-  std::string text = markdown_head(columns);
+  TextTable written(columns);
   for (const Table2Layout::Row& row : layout.rows) {
-    text += fmt::format("| {} |", escape_markdown(row.patch));
-    for (const Summary* cell : row.cells) text += fmt::format(" {} |", rms_text(cell));
-    text += "\n";
+    std::vector<std::string> cells{row.patch};
+    for (const Summary* cell : row.cells) cells.push_back(rms_text(cell));
+    written.add_row(std::move(cells));
   }
-  return text;
+  return written.text(Markup::kMarkdown);
 }
 
 std::string companions_markdown(const Table2& table) {
-  std::string text = markdown_head(
-      {"patch", "method", "class",
-       "n:", "evaluated %:", "RMS:", "95 % interval:", "clusters:", "bias:", "std:", "median:",
-       "NMAD:", "68.3 %:", "95 %:", "max:", "> gross limit %:", "excluded"});
+  TextTable written({"patch", "method", "class", "n:", "evaluated %:", "RMS:", "95 % interval:",
+                     "clusters:", "bias:", "std:", "median:", "NMAD:", "68.3 %:", "95 %:", "max:",
+                     "> gross limit %:", "excluded"});
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
-      text +=
-          markdown_row(escape_markdown(result.patch), escape_markdown(result.method),
-                       escape_markdown(s.line_class), s.n_evaluated, percent(s.evaluated_share()),
-                       metres(s.rms_m), interval_text(s), s.n_clusters, metres(s.mean_m),
-                       metres(s.std_m), metres(s.median_m), metres(s.nmad_m), metres(s.q683_m),
-                       metres(s.q95_m), metres(s.max_m), percent(s.gross_share), excluded_text(s));
+      written.add(result.patch, result.method, s.line_class, s.n_evaluated,
+                  percent(s.evaluated_share()), metres(s.rms_m), interval_text(s), s.n_clusters,
+                  metres(s.mean_m), metres(s.std_m), metres(s.median_m), metres(s.nmad_m),
+                  metres(s.q683_m), metres(s.q95_m), metres(s.max_m), percent(s.gross_share),
+                  excluded_text(s));
     }
   }
-  return text;
+  return written.text(Markup::kMarkdown);
 }
 
 /// Nothing if no ridge is in the table.
 std::string parts_markdown(const Table2& table) {
-  std::string rows;
+  TextTable written(
+      {"patch", "method", "class", "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"});
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
       if (s.n_parts == 0) continue;
-      rows += markdown_row(escape_markdown(result.patch), escape_markdown(result.method),
-                           escape_markdown(s.line_class), s.n_parts, metres(s.rmse_horizontal_m),
-                           metres(s.rmse_vertical_m), metres(s.mean_vertical_m));
+      written.add(result.patch, result.method, s.line_class, s.n_parts, metres(s.rmse_horizontal_m),
+                  metres(s.rmse_vertical_m), metres(s.mean_vertical_m));
     }
   }
-  if (rows.empty()) return "";
+  if (written.empty()) return "";
   return "Ridges and hips, from both planes: how far across in plan and how far in height. "
          "Movement along a line cannot be seen.\n\n" +
-         markdown_head({"patch", "method", "class",
-                        "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"}) +
-         rows + "\n";
+         written.text(Markup::kMarkdown) + "\n";
 }
 
 /// Whether lines of any result are of the two classes; a result without lines has them, too, but tells
@@ -105,6 +101,12 @@ bool has_classes(const Table2& table) {
   return std::any_of(table.results.begin(), table.results.end(), [&](const auto& result) {
     return (all_empty || !is_empty(result)) && find_class(result.classes, kAligned) != nullptr;
   });
+}
+
+/// `before` stands in front of it; "" without a footnote.
+std::string footnote_line(const Table2& table, std::string_view before) {
+  const std::string_view note = footnote(table);
+  return note.empty() ? "" : fmt::format("{}{}\n", before, note);
 }
 
 }  // namespace
@@ -130,19 +132,31 @@ Table2Layout lay_out(const Table2& table) {
   return layout;
 }
 
-Table2 make_table2(std::span<const Evaluation> evaluations) {
+Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_to_faces) {
   Table2 table;
+  table.joint_adjusts_to_faces = joint_adjusts_to_faces;
   for (const Evaluation& e : evaluations) table.results.push_back({e.patch, e.method, e.classes});
   return table;
 }
 
+std::string_view footnote(const Table2& table) {
+  const auto has = [&](std::string_view method) {
+    return std::ranges::any_of(table.results,
+                               [&](const auto& result) { return result.method == method; });
+  };
+  if (!table.joint_adjusts_to_faces || !has("direct") || !has("joint")) return "";
+  return "joint adjusts lines to the plane faces of the surface beside them (faces_beside); direct "
+         "does not. Their not_aligned lines differ for this reason. With --preset published they "
+         "are equal.";
+}
+
 std::string to_markdown(const Table2& table) {
   return fmt::format(
-      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}\n"
+      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}{}\n"
       "Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of "
       "the mean absolute distances.\n\n{}\n{}{}\n",
-      published_form_markdown(table), companions_markdown(table), parts_markdown(table),
-      kFixedSentence);
+      published_form_markdown(table), footnote_line(table, "\n"), companions_markdown(table),
+      parts_markdown(table), kFixedSentence);
 }
 
 std::string to_csv(const Table2& table) {
@@ -186,7 +200,10 @@ std::string to_json(const Table2& table) {
       rows.push_back(std::move(row));
     }
   }
-  return dump(Json{{"rows", std::move(rows)}, {"note", kFixedSentence}});
+  const std::string_view note = footnote(table);
+  return dump(Json{{"rows", std::move(rows)},
+                   {"note", kFixedSentence},
+                   {"footnote", note.empty() ? Json(nullptr) : Json(note)}});
 }
 
 std::string to_latex(const Table2& table) {
@@ -200,8 +217,9 @@ std::string to_latex(const Table2& table) {
   }
   std::string text = fmt::format(
       "% RMS (m) of the mean orthogonal distances, in parentheses lines evaluated / all lines.\n"
-      "% {}\n\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
-      kFixedSentence, std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
+      "% {}\n{}\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
+      kFixedSentence, footnote_line(table, "% "),
+      std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
   for (const Table2Layout::Row& row : layout.rows) {
     text += escape_latex(row.patch);
     for (const Summary* cell : row.cells) text += " & " + rms_text(cell);

@@ -25,10 +25,16 @@ struct PatchMethodResult {
 /// renderings print these figures.
 struct Table2 {
   std::vector<PatchMethodResult> results;  ///< in the order of the rows
+  /// `joint` ran with the extension `faces_beside`, by which it changes not_aligned lines, too.
+  bool joint_adjusts_to_faces = false;
 };
 
 /// One result per evaluation, on its own lines; on_common_lines() gives the paired set.
-Table2 make_table2(std::span<const Evaluation> evaluations);
+Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_to_faces = false);
+
+/// Why direct and joint differ on not_aligned lines, which the paper's methods give alike: one line of text. "" where
+/// they do not, and where one of them is missing.
+std::string_view footnote(const Table2& table);
 
 /// The published form: a row per patch, methods side by side, RMS with evaluated/all lines in
 /// every cell; below it a row per cell with interval, bias and robust figures, the lines excluded
@@ -43,7 +49,7 @@ std::string to_csv(const Table2& table);
 /// see RidgeDisplacement.
 std::string parts_to_csv(const Table2& table);
 
-/// Every figure in full precision: {"rows": [{patch, method, class, ...}], "note": ...}.
+/// Every figure in full precision: {"rows": [{patch, method, class, ...}], "note": ..., "footnote": ...}.
 std::string to_json(const Table2& table);
 
 /// A `tabular` with booktabs rules in the published layout, n in every cell.

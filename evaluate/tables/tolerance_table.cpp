@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/tolerance_table.h"
 
-#include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
+#include "evaluate/tables/text_table.h"
 
 #include <fmt/core.h>
 
@@ -31,18 +31,17 @@ std::string tolerances_to_csv(const std::vector<ToleranceRow>& rows) {
 }
 
 std::string tolerances_to_markdown(const std::vector<ToleranceRow>& rows) {
-  std::string text = "Length-weighted, in percent; R and P as LIMAP defines them.\n\n" +
-                     markdown_head({"patch", "method", "against", "tolerance m:", "precision:",
-                                    "completeness:", "F:", "redundancy:", "R m:", "P:"});
+  TextTable table({"patch", "method", "against", "tolerance m:", "precision:", "completeness:",
+                   "F:", "redundancy:", "R m:", "P:"});
   for (const ToleranceRow& row : rows) {
     const ToleranceMeasures& m = row.measures;
-    text += markdown_row(escape_markdown(row.patch), escape_markdown(row.method), row.reference,
-                         fixed(m.tolerance_m, kToleranceDecimals), percent(m.precision),
-                         percent(m.completeness), percent(m.f_score),
-                         fixed(m.redundancy, kRatioDecimals), metres(m.limap_r_m),
-                         fixed(m.limap_p_percent, 1));
+    table.add(row.patch, row.method, row.reference, fixed(m.tolerance_m, kToleranceDecimals),
+              percent(m.precision), percent(m.completeness), percent(m.f_score),
+              fixed(m.redundancy, kRatioDecimals), metres(m.limap_r_m),
+              fixed(m.limap_p_percent, 1));
   }
-  return text;
+  return "Length-weighted, in percent; R and P as LIMAP defines them.\n\n" +
+         table.text(Markup::kMarkdown);
 }
 
 }  // namespace ridgeline::evaluate

@@ -29,6 +29,17 @@ void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFol
 
 }  // namespace
 
+std::optional<bool> joint_adjusts_to_faces(const Json& run) {
+  const auto option = [&](const char* key) -> std::optional<bool> {
+    const Json::json_pointer place(std::string("/options/reconstruct/") + key);
+    if (!run.contains(place) || !run[place].is_boolean()) return std::nullopt;
+    return run[place].get<bool>();
+  };
+  const std::optional<bool> faces_beside = option("faces_beside");
+  if (!faces_beside) return std::nullopt;
+  return *faces_beside && option("surface").value_or(true);
+}
+
 Json read_run_json(const fs::path& folder) {
   const fs::path file = folder / "run.json";
   return fs::exists(file) ? read_json_object(file) : Json::object();
@@ -60,6 +71,7 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   }
   const fs::path record = fs::path(folder) / "run.json";
   if (fs::exists(record)) read_run_record(run, record, results);
+  results.joint_adjusts_to_faces = joint_adjusts_to_faces(run);
   return results;
 }
 

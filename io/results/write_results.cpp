@@ -91,8 +91,10 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
   out.write("reference.md", evaluate::reference_to_markdown(references));
 }
 
-void write_table2(std::span<const Evaluation> evaluations, const OutputFolder& out) {
-  const evaluate::Table2 table = evaluate::make_table2(evaluations);
+void write_table2(std::span<const Evaluation> evaluations,
+                  const OutputFolder& out,
+                  bool joint_adjusts_to_faces) {
+  const evaluate::Table2 table = evaluate::make_table2(evaluations, joint_adjusts_to_faces);
   out.write("table2.md", evaluate::to_markdown(table));
   out.write("table2.csv", evaluate::to_csv(table));
   out.write("table2.json", evaluate::to_json(table));
@@ -100,7 +102,8 @@ void write_table2(std::span<const Evaluation> evaluations, const OutputFolder& o
   out.write("parts.csv", evaluate::parts_to_csv(table));
   const std::vector<Evaluation> with_matches = of_matches(evaluations);
   if (has_several_methods(with_matches)) {
-    const evaluate::Table2 paired = evaluate::make_table2(on_common_lines_by_patch(with_matches));
+    const evaluate::Table2 paired =
+        evaluate::make_table2(on_common_lines_by_patch(with_matches), joint_adjusts_to_faces);
     out.write("table2.common.md", evaluate::to_markdown(paired));
     out.write("table2.common.csv", evaluate::to_csv(paired));
   } else {
@@ -175,8 +178,9 @@ void write_plane_points(const std::string& path, const JudgedFiles& judged) {
 
 void write_tables(std::span<const Evaluation> evaluations,
                   const std::vector<TruthRows>& truth,
-                  const OutputFolder& out) {
-  write_table2(evaluations, out);
+                  const OutputFolder& out,
+                  bool joint_adjusts_to_faces) {
+  write_table2(evaluations, out, joint_adjusts_to_faces);
   write_truth(truth, out);
   write_quality(evaluations, truth, out);
 }

@@ -30,7 +30,7 @@ void write_judged(const JudgedFiles& judged,
 /// Writes the points of the planes, coloured by plane as in the report; see io::write_labelled_points().
 void write_plane_points(const std::string& path, const JudgedFiles& judged);
 
-/// Writes the tables of all evaluations. `truth`: one for each.
+/// Writes the tables of all evaluations. `truth`: one for each. `joint_adjusts_to_faces`: see Table2.
 ///   table2.{md,csv,json,tex}, parts.csv; where a patch has several methods table2.common.{md,csv}: the same on the
 ///     lines that all of them have evaluated
 ///   tolerances.{csv,md}: precision and completeness at tolerances
@@ -38,6 +38,7 @@ void write_plane_points(const std::string& path, const JudgedFiles& judged);
 ///   quality.{csv,xml}: the measures of ISO 19157
 void write_tables(std::span<const evaluate::Evaluation> evaluations,
                   const std::vector<TruthRows>& truth,
-                  const OutputFolder& out);
+                  const OutputFolder& out,
+                  bool joint_adjusts_to_faces = false);
 
 }  // namespace ridgeline::results

@@ -123,6 +123,9 @@ struct EstimateExtensionOptions {
   /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
   double min_depth_margin = 2.5;
 
+  /// Whether `joint` and `network` do so.
+  [[nodiscard]] constexpr bool adjusts_to_faces() const { return surface && faces_beside; }
+
   static constexpr EstimateExtensionOptions none() {
     return {.max_end_sigma_m = 1e6,
             .register_profiles = false,

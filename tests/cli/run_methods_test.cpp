@@ -84,7 +84,10 @@ TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
   }
   const ProgramResult result = run({"compare", "m/pairwise", "m/chio", "m/both", "--out", "cmp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out,
+  EXPECT_THAT(result.out, AllOf(HasSubstr("\n1      pairwise  pairwise, by height  "),
+                                HasSubstr("\n1      chio      chio  "),
+                                HasSubstr("\n1      both      both, by")));
+  EXPECT_THAT(read(path("cmp/compare.md")),
               AllOf(HasSubstr("| 1 | pairwise | pairwise, by height |"),
                     HasSubstr("| 1 | chio | chio |"), HasSubstr("| 1 | both | both, by height |")));
   const auto rows = read_json(path("cmp/compare.json"))["rows"];
@@ -156,6 +159,28 @@ TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {
     n_adjusted += !same && j["properties"]["class"] == "not_aligned" ? 1 : 0;
   }
   EXPECT_GT(n_adjusted, 20);
+}
+
+TEST_F(RunPatch, DirectAndJointAreHeldToBeEqualOnlyWithoutFacesBeside) {
+  const auto report_of = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"--no-report"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run_patch(out, arguments).exit_code, 0);
+    EXPECT_EQ(run({"compare", out, "--out", out + "/compared"}).exit_code, 0);
+    return read(path(out + "/compared/compare.md"));
+  };
+  const auto n_differing = [&](const std::string& out) {
+    return read_json(
+        path(out + "/compared/compare.json"))["comparisons"][0]["n_not_aligned_differing"];
+  };
+  EXPECT_THAT(report_of("default", {}), Not(HasSubstr("Warning")));
+  EXPECT_TRUE(n_differing("default").is_null());
+  EXPECT_THAT(read(path("default/table2.md")), HasSubstr("faces_beside"));
+  EXPECT_THAT(read(path("default/table2.common.md")), HasSubstr("faces_beside"));
+
+  EXPECT_THAT(report_of("published", {"--preset", "published"}), Not(HasSubstr("Warning")));
+  EXPECT_EQ(n_differing("published"), 0);
+  EXPECT_THAT(read(path("published/table2.md")), Not(HasSubstr("faces_beside")));
 }
 
 TEST_F(RunPatch, LinesOfPlanesAreCountedByThemselves) {

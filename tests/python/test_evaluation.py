@@ -127,6 +127,18 @@ class EvaluateTakesArrays(Case):
         self.assertNotIn("reference_errors", self.by_files.tables)
 
 
+class GateReportIsText(Case):
+    def test_printed_it_is_the_table_of_the_program(self):
+        program("evaluate", "--lines", LINES, "--cloud", CLOUD, "--out", self.folder / "out", "--no-report")
+        gates = self.folder / "gates.yaml"
+        gates.write_text("gates: [{metric: rms_m, max: 0.3}]\n")
+        printed = program("gate", self.folder / "out", "--gates", gates).stdout.decode()
+        report = ridgeline.gate(self.folder / "out", gates)
+        self.assertEqual(str(report), printed)
+        self.assertIn("total rms_m <= 0.3  lidar", printed)
+        self.assertIn("| total rms_m \\<= 0.3 | lidar |", report.markdown)
+
+
 class ResultTellsWhatWasFound(Case):
     def setUp(self):
         super().setUp()

@@ -2,7 +2,7 @@
 // The report in a real browser: what it shows agrees with the files beside it, everything selects
 // everywhere, a review comes out as a reference that `run` takes, and nothing in the data is markup.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { launch, open } from './browser.mjs';
@@ -105,6 +105,46 @@ test('an evaluation has a title, panels and facts of its own', async () => {
   await close(page);
 });
 
+test('of two line files one leads and is named at the figure, the other stands beside it', async () => {
+  // the first leads even if the second has a method's name
+  const joint = join(work, 'joint.geojson');
+  copyFileSync(join(samples, '1', 'lines.poor.geojson'), joint);
+  ridgeline('evaluate', '--lines', join(samples, '1', 'lines.fair.geojson'), joint, '--cloud', join(samples, '1', 'lidar.las'), '--out', join(work, 'two'));
+  const page = await openReport('two');
+  const rows = readJson('two/table2.json').rows.filter((r) => r.class === 'total');
+  assert.equal(await page.locator('#key-figure .value').innerText(), `${metres(rows[0].rms_m)} m`);
+  assert.match(await page.locator('#key-figure').innerText(), /the lines of lines\.fair from/);
+  const beside = await page.locator('#line-files tbody tr').allInnerTexts();
+  for (const [i, name] of ['lines.fair', 'joint'].entries()) {
+    const row = rows.find((r) => r.method === name);
+    assert.deepEqual(beside[i].split('\t').slice(0, 3), [name, `${row.n_evaluated} of ${row.n_lines}`, metres(row.rms_m)]);
+  }
+  assert.match(await page.locator('#facts').innerText(), /Products/);
+  assert.match(await page.locator('#worst h3').innerText(), /, lines\.fair$/);
+  await page.locator('#line-files tbody button').nth(1).click();
+  assert.match(await page.locator('#worst h3').innerText(), /, joint$/);
+  assert.match(await page.locator('#plan figcaption').innerText(), /, joint\./);
+  await close(page);
+  const one = await openReport('facts');
+  assert.equal(await one.locator('#line-files').count(), 0);
+  await close(one);
+});
+
+test('warnings of the run are counted on top and lead to their texts', async () => {
+  const lines = join(work, 'unstated.geojson');
+  const document = JSON.parse(readFileSync(join(samples, '1', 'lines.fair.geojson'), 'utf8'));
+  delete document.crs;
+  writeFileSync(lines, JSON.stringify(document));
+  ridgeline('evaluate', '--lines', lines, '--cloud', join(samples, '1', 'lidar.las'), '--out', join(work, 'warned'));
+  const page = await openReport('warned');
+  const { warnings } = readJson('warned/run.json');
+  assert.ok(warnings.length > 0);
+  assert.equal(await page.locator('#facts a').innerText(), `${warnings.length}, below`);
+  const texts = await page.locator('#provenance p.caption').allInnerTexts();
+  assert.deepEqual(texts, warnings.map((w) => `Warning: ${w.replace(`${work}/`, '')}`)); // paths are cut on the page
+  await close(page);
+});
+
 test('tables hold the figures of the JSON files', async () => {
   const page = await openReport('demo');
   const table1 = await textOf(page, '#table1 tbody tr');
@@ -123,6 +163,9 @@ test('tables hold the figures of the JSON files', async () => {
   }
   const published = await page.locator('#table2 tbody td').allTextContents();
   assert.deepEqual(published, rows.map((r) => `${metres(r.rms_m)} ${r.n_evaluated}/${r.n_lines}`));
+  const { footnote } = readJson('demo', 'table2.json');
+  assert.match(footnote, /faces_beside/);
+  assert.equal(await page.locator('#table2-footnote').innerText(), footnote);
   await close(page);
 });
 

@@ -26,7 +26,7 @@ class GateReport:
     """The verdicts. True if every gate passed; a gate that checked nothing has not.
 
     gates: a dict for each rule and figure: rule, patch, method, class, metric, value, limit, verdict, explanation, ...
-    junit: JUnit XML. markdown: for the page of a CI job.
+    junit: JUnit XML. markdown: for the page of a CI job. text: what print() shows, in aligned columns.
     """
 
     passed: bool
@@ -34,12 +34,13 @@ class GateReport:
     warnings: list[str]
     junit: str
     markdown: str
+    text: str
 
     def __bool__(self) -> bool:
         return self.passed
 
     def __str__(self) -> str:
-        return self.markdown
+        return self.text
 
 
 def gate(
@@ -68,4 +69,5 @@ def gate(
         found = _core.gate(os.fspath(results), file, text, before)
     report = json.loads(found["json"])
     warn(report["warnings"])
-    return GateReport(found["passed"], report["gates"], report["warnings"], found["junit"], found["markdown"])
+    texts = (found["junit"], found["markdown"], found["text"])
+    return GateReport(found["passed"], report["gates"], report["warnings"], *texts)

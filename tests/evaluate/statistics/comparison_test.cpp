@@ -9,13 +9,17 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
 namespace ridgeline::evaluate {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 constexpr double kTol = 1e-12;
 
@@ -168,6 +172,49 @@ TEST(CompareMethods, ComparesTheMethodsOfAFolderWithItsFirst) {
   ASSERT_EQ(comparisons.size(), 1U);
   EXPECT_EQ(comparisons[0].name_a, "direct");
   EXPECT_EQ(comparisons[0].name_b, "joint");
+}
+
+std::optional<std::size_t> n_differing(std::optional<bool> joint_adjusts_to_faces) {
+  ResultFolder folder;
+  folder.evaluations = {evaluation_a(), evaluation_b()};
+  folder.joint_adjusts_to_faces = joint_adjusts_to_faces;
+  return compare_methods(folder).at(0).n_not_aligned_differing;
+}
+
+TEST(CompareMethods, LooksForADefectOnlyWhereDirectAndJointAreKnownToShareTheCode) {
+  EXPECT_EQ(n_differing(false), 1U);
+  EXPECT_EQ(n_differing(true), std::nullopt);
+  EXPECT_EQ(n_differing(std::nullopt), std::nullopt) << "options that are not known";
+}
+
+TEST(CompareFolders, LooksForADefectOnlyWhereBothAreKnownToShareTheCode) {
+  for (const bool a_adjusts : {false, true}) {
+    for (const bool b_adjusts : {false, true}) {
+      ResultFolder a;
+      a.evaluations = {evaluation_a()};
+      a.joint_adjusts_to_faces = a_adjusts;
+      ResultFolder b;
+      b.evaluations = {evaluation_b()};
+      b.joint_adjusts_to_faces = b_adjusts;
+      const ComparisonReport report = compare_folders(std::vector{a, b});
+      EXPECT_EQ(report.comparisons.at(0).n_not_aligned_differing.has_value(),
+                !a_adjusts && !b_adjusts);
+    }
+  }
+}
+
+TEST(ComparisonInATerminal, HasTheCellsOfTheMarkdownInAlignedColumns) {
+  const ComparisonReport report{{compare(evaluation_a(), evaluation_b(), "a|b", "B")}, {"<odd>"}};
+  const std::string text = to_terminal(report);
+  EXPECT_THAT(text, StartsWith("Patch 1: A = a|b, B = B\n\nLines evaluated in both 3, "));
+  EXPECT_THAT(text, HasSubstr("On the common lines:\n"
+                              "class        n  RMS A  RMS B  B / A           95 %  A - B"));
+  EXPECT_THAT(text, HasSubstr("\naligned      2  0.707  0.515  0.728  0.250 - 1.167  0.192"));
+  EXPECT_THAT(text, HasSubstr("\n\nLines that lost most from A to B:\n"
+                              "id  class        A      B   A - B\n"
+                              "a2  aligned  0.600  0.700  -0.100\n"));
+  EXPECT_THAT(text, HasSubstr("Warning: <odd>\n"));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("\\")), Not(HasSubstr("| ")), Not(HasSubstr("##"))));
 }
 
 TEST(ComparisonRenderings, AgreeToThePrintedDigit) {

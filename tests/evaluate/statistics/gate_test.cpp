@@ -15,6 +15,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
+using testing::AllOf;
+using testing::ContainsRegex;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -317,6 +319,28 @@ TEST(GateMarkdown, PutsFailuresFirstAndStaysBelowItsLimit) {
   const std::string cut = to_markdown(report, kLimit);
   EXPECT_LE(cut.size(), kLimit);
   EXPECT_THAT(cut, HasSubstr("more rows: see the JUnit file"));
+}
+
+TEST(GateInATerminal, HasTheReasonOfAFailureBelowItsRowAndNoMarkup) {
+  GateReport report = mixed_report();
+  report.warnings = {"odd"};
+  const std::string text = to_terminal(report);
+  EXPECT_THAT(text, StartsWith("Accuracy gate: failed, 1 of 2 checks failed.\n\ngate  "));
+  EXPECT_THAT(text, ContainsRegex("verdict\naligned rms_m <= .* failed\n  [^ ].* is above the "
+                                  "limit [0-9.]+\ntotal rms_m <= .* passed\n$"));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("\\")), Not(HasSubstr("|")), Not(HasSubstr("*"))));
+  EXPECT_THAT(text, Not(HasSubstr("baseline"))) << "no gate has one";
+}
+
+TEST(GateInATerminal, HasAllRowsAndTheBaselineWhereThereIsOne) {
+  GateReport report = mixed_report();
+  report.results[0].baseline = 0.25;
+  report.results[0].baseline_can_be_tightened = true;
+  EXPECT_THAT(to_terminal(report), AllOf(HasSubstr("  baseline  "), HasSubstr("  0.2500  "),
+                                         HasSubstr(" passed\n  baseline can be tightened\n")));
+  EXPECT_THAT(to_markdown(report), HasSubstr("| passed: baseline can be tightened |\n"));
+  for (int i = 0; i < 20'000; ++i) report.results.push_back(report.results[0]);
+  EXPECT_GT(to_terminal(report).size(), kMaxSummaryBytes);
 }
 
 TEST(GateJson, HoldsTheVerdictAndEveryNumber) {

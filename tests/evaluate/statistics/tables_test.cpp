@@ -4,6 +4,8 @@
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/table1.h"
 #include "evaluate/tables/table2.h"
+#include "evaluate/tables/terminal_table.h"
+#include "evaluate/tables/text_table.h"
 #include "tests/evaluate/statistics/lines.h"
 
 #include <gmock/gmock.h>
@@ -16,6 +18,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -92,6 +96,30 @@ TEST(Table2Markdown, OfResultsWithoutLinesHasClassesUnlessOthersHaveNone) {
               HasSubstr("| 3 | - (0/0) | - (0/0) | - (0/0) |\n"));
   EXPECT_THAT(to_markdown(make_table2(std::vector{unclassed_evaluation(), empty})),
               HasSubstr("| patch | other_tool total | none total |\n"));
+}
+
+TEST(Table2Footnote, SaysInEveryTextWhyDirectAndJointDiffer) {
+  const std::vector evaluations{small_evaluation("direct"), small_evaluation("joint")};
+  const Table2 table = make_table2(evaluations, true);
+  const std::string note(footnote(table));
+  EXPECT_THAT(note, HasSubstr("faces_beside"));
+  EXPECT_THAT(note, Not(HasSubstr("\n")));
+  EXPECT_THAT(to_markdown(table), HasSubstr(" |\n\n" + note + "\n\n"));
+  EXPECT_THAT(to_latex(table), HasSubstr("\n% " + note + "\n\\begin{tabular}"));
+  EXPECT_THAT(to_terminal(table), EndsWith("\n" + paragraph(note, Markup::kPlain)));
+  EXPECT_EQ(nlohmann::json::parse(to_json(table))["footnote"], note);
+}
+
+TEST(Table2Footnote, IsMissingWhereBothAreEqualOrOneIsMissing) {
+  const std::vector both{small_evaluation("direct"), small_evaluation("joint")};
+  const std::vector joint{small_evaluation("joint"), small_evaluation("network")};
+  for (const Table2& table : {make_table2(both), make_table2(joint, true)}) {
+    EXPECT_EQ(footnote(table), "");
+    EXPECT_THAT(to_markdown(table), AllOf(Not(HasSubstr("faces")), Not(HasSubstr("\n\n\n"))));
+    EXPECT_THAT(to_latex(table), AllOf(Not(HasSubstr("faces")), HasSubstr(".\n\\begin")));
+    EXPECT_THAT(to_terminal(table), Not(HasSubstr("faces")));
+    EXPECT_TRUE(nlohmann::json::parse(to_json(table))["footnote"].is_null());
+  }
 }
 
 TEST(Table2Csv, HasTheContractsColumnsAndEmptyFieldsForMissingFigures) {

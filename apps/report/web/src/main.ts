@@ -81,7 +81,7 @@ class Page {
     const { state } = this;
     const { patch, report } = state;
     const patches = tabs('Patch', report.patches.map((p) => p.id), () => state.now.patch, (i) => state.choosePatch(i));
-    const methods = tabs('Method', patch.methods.map((m) => m.name), () => state.now.method, (i) => state.chooseMethod(i));
+    const methods = tabs(isOfFiles(report) ? 'Line file' : 'Method', patch.methods.map((m) => m.name), () => state.now.method, (i) => state.chooseMethod(i));
     patches.element.id = 'patches';
     methods.element.id = 'methods';
     replace(this.patchHead, h('h2', {}, `Patch ${patch.id}`), patches.element, methods.element,

@@ -17,7 +17,7 @@ export class State {
   private readonly listeners: Listener[] = [];
 
   constructor(readonly report: Report) {
-    this.selection.method = productIndex(this.patch.methods);
+    this.selection.method = productIndex(report, this.patch);
   }
 
   get now(): Selection {
@@ -46,9 +46,9 @@ export class State {
   }
 
   choosePatch(patch: number): void {
-    const methods = this.report.patches[patch]!.methods;
-    const same = methods.findIndex((m) => m.name === this.method.name);
-    this.set({ patch, method: same >= 0 ? same : productIndex(this.report.patches[patch]!.methods), line: null, match: null });
+    const chosen = this.report.patches[patch]!;
+    const same = chosen.methods.findIndex((m) => m.name === this.method.name);
+    this.set({ patch, method: same >= 0 ? same : productIndex(this.report, chosen), line: null, match: null });
   }
 
   /** The other method's line of the same id stays selected. */

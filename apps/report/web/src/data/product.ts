@@ -4,21 +4,24 @@ import type { Line, Method, Patch, Report, Table2Row } from './schema';
 
 const byRank = ['network', 'joint', 'direct'];
 
-/** Of several methods the best that was run; of several line files the first. */
-export function productIndex(methods: readonly Method[]): number {
+export const isOfFiles = (report: Report): boolean => report.run.command === 'evaluate';
+
+/** Of several methods the best that was run; of several line files the first, whatever it is called. */
+export function productIndex(report: Report, patch: Patch): number {
+  if (isOfFiles(report)) return 0;
   for (const name of byRank) {
-    const index = methods.findIndex((m) => m.name === name);
+    const index = patch.methods.findIndex((m) => m.name === name);
     if (index >= 0) return index;
   }
   return 0;
 }
 
-export const product = (patch: Patch): Method | undefined => patch.methods[productIndex(patch.methods)];
+export const product = (report: Report, patch: Patch): Method | undefined => patch.methods[productIndex(report, patch)];
 
 /** Rows of class `total` of each patch's product. */
 export function productRows(report: Report): Table2Row[] {
   return report.patches.flatMap((patch) => {
-    const name = product(patch)?.name;
+    const name = product(report, patch)?.name;
     return report.table2.filter((row) => row.patch === patch.id && row.method === name && row.class === 'total');
   });
 }
@@ -28,5 +31,3 @@ export function worstLines(lines: readonly Line[], n: number): { line: Line; ind
   return lines.map((line, index) => ({ line, index })).filter(({ line }) => line.mean_distance_m !== null)
     .sort((a, b) => b.line.mean_distance_m! - a.line.mean_distance_m!).slice(0, n);
 }
-
-export const isOfFiles = (report: Report): boolean => report.run.command === 'evaluate';

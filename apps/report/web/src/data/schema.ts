@@ -264,5 +264,7 @@ export interface Report {
   gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;
   table1: Table1Row[];
   table2: Table2Row[];
+  /** Why direct and joint differ on not_aligned lines, where they do by design. */
+  table2_footnote: string | null;
   patches: Patch[];
 }

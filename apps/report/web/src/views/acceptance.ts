@@ -6,6 +6,7 @@ import type { GateResult, Report, Summary, Table2Row } from '../data/schema';
 import type { State } from '../state';
 import { h } from '../ui/dom';
 import { fixed, interval, metres, percent } from '../ui/format';
+import { comparedFiles, lineFiles } from './line_files';
 import { Plan } from './plan';
 import { WorstLines } from './worst_lines';
 
@@ -47,6 +48,7 @@ function keyFigure(report: Report): HTMLElement | null {
   const all = pooled(rows);
   if (all.rms_m === null) return null;
   const one = rows.length === 1 ? rows[0]! : null;
+  const [leading] = comparedFiles(report);
   const about = [
     one?.ci95_m ? `95 % interval ${interval(one.ci95_m)} m` : null,
     one ? `median ${metres(one.median_m)} m` : `medians ${rows.map((r) => metres(r.median_m)).join(', ')} m`,
@@ -54,7 +56,7 @@ function keyFigure(report: Report): HTMLElement | null {
     `${all.n} of ${all.lines} lines judged (${percent(all.lines > 0 ? all.n / all.lines : null)} %)`,
   ].filter((text): text is string => text !== null);
   return h('div', { id: 'key-figure' }, h('span', { class: 'value' }, `${metres(all.rms_m)} m`),
-    h('div', {}, h('strong', {}, 'RMS distance of the lines from LIDAR planes'), h('p', { class: 'caption' }, `${about.join('; ')}.`), parts(rows)));
+    h('div', {}, h('strong', {}, `RMS distance of the lines${leading ? ` of ${leading}` : ''} from LIDAR planes`), h('p', { class: 'caption' }, `${about.join('; ')}.`), parts(rows)));
 }
 
 /** Horizontal and vertical, where one patch has ridges. */
@@ -69,14 +71,16 @@ function facts(report: Report): HTMLElement {
   const files = (role: string): string => (run.inputs ?? []).filter((i) => i.role === role).map((i) => `${i.path} (${i.sha256.slice(0, 12)})`).join(', ');
   const methods = [...new Set(productRows(report).map((r) => r.method))].join(', ');
   const images = [...new Set((run.inputs ?? []).filter((i) => i.role === 'image').map((i) => i.path))].length;
-  const rows: [string, string | undefined][] = [
+  const warnings = run.warnings?.length ?? 0;
+  const rows: [string, Node | string | undefined][] = [
     ['Project', run.page?.project],
-    ['Product', isOfFiles(report) ? files('lines') : `3D lines by method ${methods}${images > 0 ? ` of ${(run.inputs ?? []).filter((i) => i.role === 'image').length} images` : ''}`],
+    [comparedFiles(report).length > 0 ? 'Products' : 'Product', isOfFiles(report) ? files('lines') : `3D lines by method ${methods}${images > 0 ? ` of ${(run.inputs ?? []).filter((i) => i.role === 'image').length} images` : ''}`],
     ['Reference', files('cloud') || files('lidar') || 'none'],
     ['CRS', [...new Set(report.patches.map((p) => p.crs))].join('; ')],
     ['Operator', run.page?.operator],
     ['Date', run.page?.date],
     ['Made with', `ridgeline ${run.versions?.['ridgeline'] ?? ''}`],
+    ['Warnings', warnings > 0 ? h('a', { href: '#provenance' }, `${warnings}, below`) : undefined],
   ];
   return h('dl', { id: 'facts' }, ...rows.flatMap(([name, value]) => (value ? [h('dt', {}, name), h('dd', {}, value)] : [])));
 }
@@ -91,7 +95,7 @@ export class Acceptance {
     this.plan = new Plan(state);
     this.worst = new WorstLines(state);
     this.element = h('section', { id: 'acceptance' }, verdict(report),
-      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), facts(report)), this.plan.element, this.worst.element));
+      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report)), this.plan.element, this.worst.element));
     this.show();
     state.onChange((now, before) => {
       if (now.patch !== before.patch || now.method !== before.method) this.show();

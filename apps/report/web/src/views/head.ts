@@ -110,6 +110,7 @@ export function head(report: Report): HTMLElement[] {
     table1(report),
     !hasFigures(report) ? null : h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'),
       table2(report.table2),
+      report.table2_footnote === null ? null : h('p', { class: 'caption', id: 'table2-footnote' }, report.table2_footnote),
       h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note),
       h('details', {}, h('summary', {}, 'All figures'),
         table(all, report.table2, { id: 'table2-all' }),

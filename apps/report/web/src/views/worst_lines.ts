@@ -2,7 +2,7 @@
 // The lines farthest off, each with a piece of the image and a section through the laser points across it.
 import { planeColour, selectionColour } from '../data/colours';
 import { uint16 } from '../data/decode';
-import { worstLines } from '../data/product';
+import { isOfFiles, worstLines } from '../data/product';
 import type { Line, Method, Patch, Points } from '../data/schema';
 import type { State } from '../state';
 import { button, h, replace } from '../ui/dom';
@@ -108,7 +108,7 @@ export class WorstLines {
       images ? crop(images, line) : null,
       patch.points && positions ? section(patch.points, positions, planeOfPoint, line) : null,
     ];
-    replace(this.element, h('h3', {}, `The ${worst.length} lines farthest off in patch ${patch.id}, method ${method.name}`),
+    replace(this.element, h('h3', {}, `The ${worst.length} lines farthest off in patch ${patch.id}, ${isOfFiles(this.state.report) ? '' : 'method '}${method.name}`),
       ...worst.map(({ line, index }) => h('figure', { class: 'worst-line' },
         h('figcaption', {}, button(line.id, () => this.state.set({ line: index }), { class: 'plain', title: 'select the line' }),
           ` ${metres(line.mean_distance_m)} m, ${words(line.class)}, ${line.kind ?? ''}${line.flags.length > 0 ? `, ${line.flags.map(words).join(', ')}` : ''}`),
