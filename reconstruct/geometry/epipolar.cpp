@@ -15,7 +15,7 @@ namespace ridgeline {
 Eigen::Vector4d projection_centre(const ProjectionMatrix& image_from_world) {
   // rows of equal length, so that the null vector does not depend on the scale of a row
   const ProjectionMatrix p = image_from_world.rowwise().normalized();
-  return null_vector(p);
+  return null_vector<4>(p);
 }
 
 Eigen::Vector2d project(const ProjectionMatrix& image_from_world,

@@ -33,8 +33,9 @@ Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b) {
           propagated<3, 3>(skew(a.mean), b.cov) + propagated<3, 3>(skew(b.mean), a.cov)};
 }
 
-Eigen::VectorXd null_vector(const Eigen::MatrixXd& rows) {
-  return rows.jacobiSvd(Eigen::ComputeFullV).matrixV().rightCols<1>();
+template <int N>
+Eigen::Matrix<double, N, 1> null_vector(const Eigen::Matrix<double, Eigen::Dynamic, N>& rows) {
+  return rows.jacobiSvd(Eigen::ComputeFullV).matrixV().col(N - 1);
 }
 
 #define RIDGELINE_PROPAGATED(M, N)                                                          \
@@ -53,6 +54,9 @@ RIDGELINE_PROPAGATED(6, 6);
 
 template Eigen::Matrix<double, 3, 2> tangent_basis<3>(const Eigen::Vector3d&);
 template Eigen::Matrix<double, 4, 3> tangent_basis<4>(const Eigen::Vector4d&);
+template Eigen::Vector4d null_vector<4>(const Eigen::Matrix<double, Eigen::Dynamic, 4>&);
+template Eigen::Matrix<double, 6, 1> null_vector<6>(
+    const Eigen::Matrix<double, Eigen::Dynamic, 6>&);
 template Uncertain<3> spherically_normalised<3>(const Uncertain<3>&);
 template Uncertain<4> spherically_normalised<4>(const Uncertain<4>&);
 template Uncertain<6> spherically_normalised<6>(const Uncertain<6>&);

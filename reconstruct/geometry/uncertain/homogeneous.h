@@ -46,7 +46,8 @@ Uncertain<N> spherically_normalised(const Uncertain<N>& x);
 Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b);
 
 /// The unit vector that the rows map nearest to zero: the right singular vector of the smallest singular value.
-Eigen::VectorXd null_vector(const Eigen::MatrixXd& rows);
+template <int N>
+Eigen::Matrix<double, N, 1> null_vector(const Eigen::Matrix<double, Eigen::Dynamic, N>& rows);
 
 /// d(X_0 / X_h) / dX at a point that is not at infinity.
 inline Eigen::Matrix<double, 3, 4> euclidean_jacobian(const Eigen::Vector4d& x) {

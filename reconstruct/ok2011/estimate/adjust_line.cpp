@@ -34,7 +34,7 @@ struct LineEquations {
   void add(const Incidence& incidence, const Uncertain<4>& entity) {
     const Eigen::Matrix<double, 2, 4>& g = incidence.g;
     const Eigen::Vector2d misclosure = -g * entity.mean;
-    const Eigen::Matrix2d inverse = propagated(g, entity.cov).inverse();
+    const Eigen::Matrix2d inverse = (g * entity.cov * g.transpose()).inverse();
     const Eigen::Vector4d fitted = entity.mean + entity.cov * g.transpose() * inverse * misclosure;
     const Eigen::Matrix<double, 2, 6> c =
         select_rows(incidence.transposed_c(fitted).transpose(), incidence.rows);
@@ -110,7 +110,7 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
 /// The null vector of all conditions, stacked without weights; horizontality among them, because the
 /// iteration does not find it from a vertical line.
 Vector6d start_line(const LineConditions& c) {
-  Eigen::MatrixXd stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
   Eigen::Index row = 0;
   for (const UncertainPlane3& plane : c.planes) {
     stacked.middleRows<4>(row) = pi_matrix(plane.mean).transpose();

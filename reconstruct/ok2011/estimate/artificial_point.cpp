@@ -46,12 +46,12 @@ Conditions linearise(const Adjusted& image, const Eigen::Vector4d& x) {
   c.b_transpose = select_rows(Eigen::Matrix3d(-skew(p * x)), image.rows);
   c.v = image.fitted - image.observation.point.mean;
   c.misclosure = -c.a * x + c.b_transpose * c.v;
-  c.weight = propagated(c.b_transpose, image.observation.point.cov).inverse();
+  c.weight = (c.b_transpose * image.observation.point.cov * c.b_transpose.transpose()).inverse();
   return c;
 }
 
 Eigen::Vector4d first_guess(std::span<const PointObservation> observations) {
-  Eigen::MatrixXd stacked(3 * observations.size(), 4);
+  Eigen::Matrix<double, Eigen::Dynamic, 4> stacked(3 * observations.size(), 4);
   for (std::size_t j = 0; j < observations.size(); ++j) {
     stacked.middleRows<3>(static_cast<Eigen::Index>(3 * j)) =
         skew(observations[j].point.mean) * observations[j].image_from_object;
