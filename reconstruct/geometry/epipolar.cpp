@@ -2,9 +2,9 @@
 #include "reconstruct/geometry/epipolar.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/uncertain/homogeneous.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace ridgeline {
 Eigen::Vector4d projection_centre(const ProjectionMatrix& image_from_world) {
   // rows of equal length, so that the null vector does not depend on the scale of a row
   const ProjectionMatrix p = image_from_world.rowwise().normalized();
-  return Eigen::JacobiSVD<ProjectionMatrix>(p, Eigen::ComputeFullV).matrixV().col(3);
+  return null_vector<4>(p);
 }
 
 Eigen::Vector2d project(const ProjectionMatrix& image_from_world,

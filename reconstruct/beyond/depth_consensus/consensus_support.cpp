@@ -137,7 +137,7 @@ std::optional<UncertainPoint3> point_in_object(const Match& match,
 
 DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double prior) {
   const Eigen::Matrix<double, 3, 4> jacobian = euclidean_jacobian(point.mean);
-  return {point.mean.hnormalized(), jacobian * point.cov * jacobian.transpose(), parameter, prior};
+  return {point.mean.hnormalized(), propagated(jacobian, point.cov), parameter, prior};
 }
 
 /// Whether a segment is long enough for its ends to tell a depth.

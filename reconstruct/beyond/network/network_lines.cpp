@@ -27,7 +27,7 @@ void start_from(const ReconstructedLine& joint,
     Matrix6d by_ends;  // Pi(X) Y = -Pi(Y) X
     by_ends << -pi_matrix(end).leftCols<3>(), pi_matrix(start).leftCols<3>();
     by_ends /= object.scale_m;
-    joined.cov = by_ends * *joint.covariance_m2 * by_ends.transpose();
+    joined.cov = propagated(by_ends, *joint.covariance_m2);
     joined = spherically_normalised(joined);
     line.start_cov = joined.cov;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/roof_planes/faces_beside.h"
 
+#include "reconstruct/geometry/uncertain/homogeneous.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -61,15 +63,15 @@ void adjust_to_face(const Rectification& r, const PlaneFace& face, Vector6d& end
     by_ends.block<1, 3>(end, 3 * end) = at_end.by_point;
     by_plane.row(end) = at_end.by_plane;
   }
-  const Eigen::Matrix2d of_face = by_plane * face.cov * by_plane.transpose() +
+  const Eigen::Matrix2d of_face = propagated(by_plane, face.cov) +
                                   kShared_px * kShared_px * Eigen::Matrix2d::Ones() +
                                   kOwn_px * kOwn_px * Eigen::Matrix2d::Identity();
-  const Eigen::Matrix2d weight = (by_ends * cov * by_ends.transpose() + of_face).inverse();
+  const Eigen::Matrix2d weight = (propagated(by_ends, cov) + of_face).inverse();
   if (misfit.dot(weight * misfit) > kLargest) return;
   const Eigen::Matrix<double, 6, 2> gain = cov * by_ends.transpose() * weight;
   ends -= gain * misfit;
   const Matrix6d kept = Matrix6d::Identity() - gain * by_ends;
-  cov = (kept * cov * kept.transpose() + gain * of_face * gain.transpose()).eval();
+  cov = propagated(kept, cov) + gain * of_face * gain.transpose();
 }
 
 }  // namespace

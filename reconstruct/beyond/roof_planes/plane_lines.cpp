@@ -4,6 +4,7 @@
 #include "reconstruct/beyond/roof_planes/plane_faces.h"
 #include "reconstruct/beyond/roof_planes/plane_intersection.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/uncertain/homogeneous.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ Matrix6d covariance(const PointOfPlanes& start,
   of_planes.bottomRightCorner<3, 3>() = b.cov;
   Matrix6d by_planes;
   by_planes << start.by_planes, end.by_planes;
-  Matrix6d cov = by_planes * of_planes * by_planes.transpose();
+  Matrix6d cov = propagated(by_planes, of_planes);
   const Eigen::Vector3d along =
       kSigmaEnd_px * m_per_px * (end.x_in_local - start.x_in_local).normalized();
   cov.topLeftCorner<3, 3>() += along * along.transpose();

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 namespace ridgeline {
 
@@ -26,33 +25,29 @@ inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
   return (Eigen::Matrix3d() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
 }
 
+/// Covariance J cov J' of what depends on a quantity by the Jacobian J. The templates of this file are compiled in
+/// homogeneous.cpp, for the sizes listed there: Eigen takes seconds for each.
+template <int M, int N>
+Eigen::Matrix<double, M, M> propagated(const Eigen::Matrix<double, M, N>& jacobian,
+                                       const Eigen::Matrix<double, N, N>& cov);
+
 /// Orthonormal basis of the complement of x: the coordinates in which a homogeneous vector has a
 /// regular covariance, B' cov B. N x (N-1).
 template <int N>
-Eigen::Matrix<double, N, N - 1> tangent_basis(const Eigen::Matrix<double, N, 1>& x) {
-  const Eigen::HouseholderQR<Eigen::Matrix<double, N, 1>> qr(x);
-  const Eigen::Matrix<double, N, N> q = qr.householderQ();
-  return q.template rightCols<N - 1>();
-}
+Eigen::Matrix<double, N, N - 1> tangent_basis(const Eigen::Matrix<double, N, 1>& x);
 
 /// x / |x| with the covariance J cov J', J = (I - x_s x_s') / |x|: the covariance loses the part
 /// along x, which says nothing of the entity.
 template <int N>
-Uncertain<N> spherically_normalised(const Uncertain<N>& x) {
-  const double norm = x.mean.norm();
-  const Eigen::Matrix<double, N, 1> unit = x.mean / norm;
-  const Eigen::Matrix<double, N, N> jacobian =
-      (Eigen::Matrix<double, N, N>::Identity() - unit * unit.transpose()) / norm;
-  return {unit, jacobian * x.cov * jacobian.transpose()};
-}
+Uncertain<N> spherically_normalised(const Uncertain<N>& x);
 
 /// a x b of uncorrelated a and b: the join of two image points (Ok et al. 2011, Eq. 1) or the
 /// intersection of two image lines (Eq. 2). Not normalised; zero if both are the same entity.
-inline Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b) {
-  const Eigen::Matrix3d sa = skew(a.mean);
-  const Eigen::Matrix3d sb = skew(b.mean);
-  return {a.mean.cross(b.mean), sa * b.cov * sa.transpose() + sb * a.cov * sb.transpose()};
-}
+Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b);
+
+/// The unit vector that the rows map nearest to zero: the right singular vector of the smallest singular value.
+template <int N>
+Eigen::Matrix<double, N, 1> null_vector(const Eigen::Matrix<double, Eigen::Dynamic, N>& rows);
 
 /// d(X_0 / X_h) / dX at a point that is not at infinity.
 inline Eigen::Matrix<double, 3, 4> euclidean_jacobian(const Eigen::Vector4d& x) {

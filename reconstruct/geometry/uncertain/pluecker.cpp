@@ -92,7 +92,7 @@ UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
     jacobian.block<1, 3>(column, 3 * column) = line.mean.transpose();
   }
   UncertainPlane3 plane = projection_plane(image_from_object, line);
-  plane.cov += jacobian * cov_vec_p * jacobian.transpose();
+  plane.cov += propagated(jacobian, cov_vec_p);
   return plane;
 }
 
@@ -106,8 +106,8 @@ std::optional<UncertainLine3> intersection(const UncertainPlane3& a, const Uncer
   }
   const Eigen::Matrix<double, 6, 4> pi_a = pi_bar_matrix(a.mean);
   const Eigen::Matrix<double, 6, 4> pi_b = pi_bar_matrix(b.mean);
-  return spherically_normalised(UncertainLine3{
-      pi_a * b.mean, pi_a * b.cov * pi_a.transpose() + pi_b * a.cov * pi_b.transpose()});
+  return spherically_normalised(
+      UncertainLine3{pi_a * b.mean, propagated(pi_a, b.cov) + propagated(pi_b, a.cov)});
 }
 
 }  // namespace ridgeline

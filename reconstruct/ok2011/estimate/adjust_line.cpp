@@ -5,7 +5,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <cmath>
 #include <optional>
@@ -123,7 +122,7 @@ Vector6d start_line(const LineConditions& c) {
   }
   stacked.row(row).setZero();
   if (c.sigma_slope) stacked(row, 2) = 1.0;
-  return project_to_pluecker_quadric(stacked.jacobiSvd(Eigen::ComputeFullV).matrixV().col(5));
+  return project_to_pluecker_quadric(null_vector(stacked));
 }
 
 /// The component that chooses the rows: kept within an adjustment, because a change of rows between

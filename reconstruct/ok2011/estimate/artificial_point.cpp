@@ -6,7 +6,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <vector>
 
@@ -51,13 +50,13 @@ Conditions linearise(const Adjusted& image, const Eigen::Vector4d& x) {
   return c;
 }
 
-Eigen::Vector4d null_vector(std::span<const PointObservation> observations) {
+Eigen::Vector4d first_guess(std::span<const PointObservation> observations) {
   Eigen::Matrix<double, Eigen::Dynamic, 4> stacked(3 * observations.size(), 4);
   for (std::size_t j = 0; j < observations.size(); ++j) {
     stacked.middleRows<3>(static_cast<Eigen::Index>(3 * j)) =
         skew(observations[j].point.mean) * observations[j].image_from_object;
   }
-  return stacked.jacobiSvd(Eigen::ComputeFullV).matrixV().col(3);
+  return null_vector(stacked);
 }
 
 /// The normal equations bordered by the length constraint h = (X'X - 1) / 2. Their upper block is
@@ -95,7 +94,7 @@ std::optional<EstimatedPoint> estimate_point(std::span<const PointObservation> o
   for (const PointObservation& observation : observations) {
     images.push_back(start_values(observation));
   }
-  Eigen::Vector4d x = null_vector(observations);
+  Eigen::Vector4d x = first_guess(observations);
   std::vector<Conditions> conditions(images.size());
   for (int pass = 1; pass <= kMaxPasses; ++pass) {
     for (std::size_t j = 0; j < images.size(); ++j) conditions[j] = linearise(images[j], x);

@@ -32,8 +32,7 @@ Endpoint endpoint(const UncertainLine3& line, const UncertainPlane3& plane) {
   const Eigen::Vector4d point = gamma * plane.mean;
   const Eigen::Matrix<double, 3, 4> euclidean = euclidean_jacobian(point);
   const Eigen::Matrix<double, 3, 4> by_plane = euclidean * gamma;
-  return {point, -euclidean * pi_matrix(plane.mean).transpose(),
-          by_plane * plane.cov * by_plane.transpose()};
+  return {point, -euclidean * pi_matrix(plane.mean).transpose(), propagated(by_plane, plane.cov)};
 }
 
 Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3& s) {
@@ -65,7 +64,7 @@ std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
 
   Matrix6d jacobian;
   jacobian << start.jacobian, end.jacobian;
-  Matrix6d cov = jacobian * line.cov * jacobian.transpose();
+  Matrix6d cov = propagated(jacobian, line.cov);
   cov.topLeftCorner<3, 3>() += start.cov_along;
   cov.bottomRightCorner<3, 3>() += end.cov_along;
   return UncertainSegment3{{start.point.hnormalized(), end.point.hnormalized()}, cov};

@@ -57,7 +57,7 @@ UsedPoint used_point(const CandidatePoint& candidate, const ObjectConditioning& 
   const Eigen::Matrix<double, 3, 4> jacobian = object.scale_m * euclidean_jacobian(point.mean);
   const RankedPoint& ranked = candidate.ranked;
   return {.x_in_local = object.local_from_conditioned(point.mean.hnormalized()),
-          .cov_m2 = jacobian * point.cov * jacobian.transpose(),
+          .cov_m2 = propagated(jacobian, point.cov),
           .neighbour = ranked.neighbour,
           .weight = ranked.weight,
           .omega = ranked.omega,
