@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ridgeline {
 namespace {
 
@@ -23,6 +25,32 @@ TEST(Skew, IsTheCrossProduct) {
     const Eigen::Vector3d b = random.vector(-1, 1);
     EXPECT_NEAR((skew(a) * b - a.cross(b)).norm(), 0.0, kTol);
   }
+}
+
+TEST(NullVector, IsTheUnitVectorThatTheRowsMapToZero) {
+  test::Random random(45);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Eigen::Matrix<double, 6, 1> x = random_vector<6>(random).normalized();
+    Eigen::Matrix<double, Eigen::Dynamic, 6> rows(9, 6);
+    for (int i = 0; i < 9; ++i) {
+      const Eigen::Matrix<double, 6, 1> row = random_vector<6>(random);
+      rows.row(i) = row - row.dot(x) * x;
+    }
+    const Eigen::Matrix<double, 6, 1> found = null_vector<6>(rows);
+    EXPECT_NEAR(found.norm(), 1.0, kTol);
+    EXPECT_NEAR(std::abs(found.dot(x)), 1.0, kTol);
+  }
+}
+
+TEST(Propagated, IsTheCovarianceOfALinearFunction) {
+  test::Random random(46);
+  const Eigen::Matrix4d cov = random_covariance<4>(random);
+  const Eigen::Matrix<double, 2, 4> jacobian =
+      (Eigen::Matrix<double, 2, 4>() << 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0).finished();
+  const Eigen::Matrix2d expected =
+      (Eigen::Matrix2d() << cov(0, 0), 2.0 * cov(0, 2), 2.0 * cov(2, 0), 4.0 * cov(2, 2))
+          .finished();
+  EXPECT_NEAR((propagated(jacobian, cov) - expected).norm(), 0.0, kTol);
 }
 
 TEST(TangentBasis, IsOrthonormalAndOrthogonalToTheVector) {
