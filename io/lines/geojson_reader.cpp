@@ -96,7 +96,8 @@ class GeoJsonReader {
   void read_crs(const json& document) {
     const auto crs = document.find("crs");
     if (crs == document.end()) {
-      set_.warnings.push_back("no crs member: reference system and units are taken to be those of the cloud");
+      set_.warnings.push_back(
+          "no crs member: reference system and units are taken to be those of the cloud");
       return;
     }
     if (crs->is_null()) return;
