@@ -125,9 +125,13 @@ void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   result.crs.definition += fmt::format("+{}", code);
   if (of_datum == 0) return;
   const double unit_m = result.vertical_unit_m.value_or(plan_unit_m);
-  if (!same_unit(unit_m, describe(result.crs).vertical_unit_m)) {
-    result.crs = with_vertical_unit(result.crs, unit_m);
-  }
+  if (same_unit(unit_m, describe(result.crs).vertical_unit_m)) return;
+  result.crs = with_vertical_unit(result.crs, unit_m);
+  if (result.vertical_unit_m) return;
+  result.warnings.push_back(fmt::format(
+      "GeoTIFF key 4096 names a vertical datum and key 4099 no unit of heights; they are "
+      "taken in that of the plan, {}",
+      unit_text(unit_m)));
 }
 
 }  // namespace

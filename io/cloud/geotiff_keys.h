@@ -16,8 +16,8 @@ struct GeoTiffCrs {
   /// "EPSG:horizontal" or "EPSG:horizontal+vertical", WKT if its heights have another unit; unknown if the keys name none
   Crs crs;
   std::optional<double> horizontal_unit_m;  ///< stated by key 3076
-  std::optional<double>
-      vertical_unit_m;  ///< stated by key 4099, else by the system of key 4096 alone
+  /// Stated by key 4099, else by the system of key 4096 alone.
+  std::optional<double> vertical_unit_m;
   std::vector<std::string> warnings;
 };
 

@@ -20,8 +20,8 @@ struct ReadOptions {
   std::optional<std::set<std::uint8_t>> classes;
   bool exclude_withheld = true;  ///< points that the producer marked as not to be used
   bool last_returns = false;     ///< keep only the last return of each pulse
-  std::optional<Eigen::AlignedBox3d>
-      bounds_in_file;               ///< in the cloud's own coordinates, borders included
+  /// In the cloud's own coordinates, borders included.
+  std::optional<Eigen::AlignedBox3d> bounds_in_file;
   std::optional<PlanMask> near;     ///< keep only points in the mask; needs `frame`
   std::optional<LocalFrame> frame;  ///< unset: suggest_frame() of the first file with points
   Crs assume_crs;                   ///< declares or overrides the CRS of every file

@@ -145,6 +145,7 @@ TEST(ReadLasCrs, AVerticalDatumTakesTheUnitOfItsKeyOrThePlan) {
   EXPECT_TRUE(compare(stated.crs, {"EPSG:2264+6360"}).compatible);
   const LasCrs by_plan = crs_of_keys({{3072, 2264}, {4096, 5103}});
   EXPECT_TRUE(compare(by_plan.crs, {"EPSG:2264+6360"}).compatible);
+  EXPECT_THAT(by_plan.warnings, ElementsAre(HasSubstr("in that of the plan, US survey foot")));
   EXPECT_TRUE(
       compare(crs_of_keys({{3072, 32617}, {4096, 5103}}).crs, {"EPSG:32617+5703"}).compatible);
   EXPECT_TRUE(
