@@ -83,20 +83,24 @@ std::optional<double> stated_unit_m(const ShortKeys& keys,
   }
 }
 
-bool proj_knows(const Crs& crs) {
+/// What PROJ knows of a reference system.
+std::optional<CrsFacts> known_facts(const Crs& crs) {
   try {
-    describe(crs);
-    return true;
+    return describe(crs);
   } catch (const std::invalid_argument&) {
-    return false;
+    return std::nullopt;
   }
 }
 
-/// The vertical reference system of key 4096, if PROJ knows it; `code` is that of EPSG.
-std::optional<Crs> vertical_crs(std::uint16_t code) {
-  Crs crs{fmt::format("EPSG:{}", code)};
-  if (code == 0 || !proj_knows(crs) || describe(crs).vertical_name.empty()) return std::nullopt;
-  return crs;
+bool is_horizontal(const Crs& crs) {
+  const std::optional<CrsFacts> facts = known_facts(crs);
+  return facts && !facts->horizontal_name.empty();
+}
+
+/// A three-dimensional system states heights too, but is no part of a compound system.
+bool is_vertical_alone(const Crs& crs) {
+  const std::optional<CrsFacts> facts = known_facts(crs);
+  return facts && facts->horizontal_name.empty() && !facts->vertical_name.empty();
 }
 
 /// Makes a compound system of the horizontal one and of key 4096. A datum has no unit: that of key 4099 is its heights', else
@@ -106,8 +110,8 @@ void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   if (stated == 0) return;
   const std::uint16_t of_datum = epsg_code_of_datum(stated);
   const std::uint16_t code = of_datum != 0 ? of_datum : stated;
-  const std::optional<Crs> vertical = vertical_crs(code);
-  if (!vertical) {
+  const Crs vertical{fmt::format("EPSG:{}", code)};
+  if (!is_vertical_alone(vertical)) {
     result.warnings.push_back(
         fmt::format("GeoTIFF key 4096 is {}, no vertical reference system that PROJ knows; "
                     "heights taken as unknown",
@@ -116,13 +120,20 @@ void add_heights(const ShortKeys& keys, GeoTiffCrs& result) {
   }
   if (!result.crs.known()) {
     if (of_datum == 0 && !result.vertical_unit_m) {
-      result.vertical_unit_m = describe(*vertical).vertical_unit_m;
+      result.vertical_unit_m = describe(vertical).vertical_unit_m;
     }
     return;
   }
   const double plan_unit_m =
       result.horizontal_unit_m.value_or(describe(result.crs).horizontal_unit_m);
-  result.crs.definition += fmt::format("+{}", code);
+  const Crs compound{fmt::format("{}+{}", result.crs.definition, code)};
+  if (!known_facts(compound)) {
+    result.warnings.push_back(
+        fmt::format("GeoTIFF key 4096 is {}, which {} cannot be combined with; the key is ignored",
+                    stated, result.crs.definition));
+    return;
+  }
+  result.crs = compound;
   if (of_datum == 0) return;
   const double unit_m = result.vertical_unit_m.value_or(plan_unit_m);
   if (same_unit(unit_m, describe(result.crs).vertical_unit_m)) return;
@@ -146,13 +157,14 @@ GeoTiffCrs parse_geotiff_keys(std::span<const std::byte> directory) {
   // A user-defined projection on a registered geographic CRS is not that geographic CRS.
   const bool user_defined = projected == 0 && keys.contains(kProjectedCrs);
   const Crs horizontal_crs{fmt::format("EPSG:{}", horizontal)};
-  if (user_defined || horizontal == 0 || !proj_knows(horizontal_crs)) {
+  if (user_defined || horizontal == 0 || !is_horizontal(horizontal_crs)) {
     result.warnings.emplace_back(
         keys.empty() ? "GeoTIFF keys are empty or damaged; reference system unknown"
         : user_defined || horizontal == 0
             ? "GeoTIFF keys name no registered reference system; reference system unknown"
             : fmt::format(
-                  "GeoTIFF keys name {}, which PROJ does not know; reference system unknown",
+                  "GeoTIFF keys name {}, no horizontal reference system that PROJ knows; reference "
+                  "system unknown",
                   horizontal_crs.definition));
     add_heights(keys, result);
     return result;

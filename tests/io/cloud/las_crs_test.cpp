@@ -152,6 +152,18 @@ TEST(ReadLasCrs, AVerticalDatumTakesTheUnitOfItsKeyOrThePlan) {
       compare(crs_of_keys({{3072, 27700}, {4096, 5101}}).crs, {"EPSG:27700+5701"}).compatible);
 }
 
+TEST(ReadLasCrs, CodesThatDoNotCombineAreWarnedOf) {
+  const LasCrs ellipsoidal = crs_of_keys({{3072, 25832}, {4096, 7901}});  // three-dimensional
+  EXPECT_EQ(ellipsoidal.crs.definition, "EPSG:25832");
+  EXPECT_THAT(ellipsoidal.warnings, ElementsAre(HasSubstr("key 4096 is 7901")));
+  const LasCrs twice = crs_of_keys({{3072, 7415}, {4096, 5709}});  // 7415 is compound
+  EXPECT_EQ(twice.crs.definition, "EPSG:7415");
+  EXPECT_THAT(twice.warnings, ElementsAre(HasSubstr("key 4096 is 5709")));
+  const LasCrs heights_alone = crs_of_keys({{3072, 5703}});
+  EXPECT_FALSE(heights_alone.crs.known());
+  EXPECT_THAT(heights_alone.warnings, ElementsAre(HasSubstr("EPSG:5703, no horizontal")));
+}
+
 TEST(ReadLasCrs, AKeyThatChangesTheUnitOfHeightsChangesTheirSystem) {
   const LasCrs result = crs_of_keys({{3072, 2264}, {4096, 5703}, {4099, 9003}});
   EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("vertical unit")));
