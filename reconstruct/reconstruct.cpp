@@ -13,9 +13,8 @@
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
-#include "reconstruct/views/normalised_image.h"
 
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <iterator>
@@ -97,10 +96,56 @@ std::vector<Registration> registrations_of(const StereoPair& pair,
                      });
 }
 
-void check_views(std::span<const View> views, std::span<const ViewPair> pairs) {
+/// Beyond the papers: segments without a mate are looked for where the surface tells.
+void guide(const StereoPair& pair, const Options& options, PairMatches& matches) {
+  const MatchExtensionOptions& beyond = options.matching.beyond;
+  if (!beyond.guided || !matches.surface) return;
+  MatchList& list = matches.lists.back();
+  GuidedMatches found = guided_matches(
+      pair, *matches.surface, line_matches(list),
+      {options.extraction.edges, options.matching.candidates, beyond.guided_min_similarity},
+      match_extensions(beyond, options.matching.candidates).look);
+  list.reasons.resize(pair.views[0]->segments.size() + found.mates[0].size());
+  for (const ScoredMatch& scored : found.matches) {
+    list.matches.push_back({scored, kGuided});
+    list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
+  }
+  std::ranges::sort(list.matches, {}, [](const FoundMatch& match) { return match.scored.match; });
+  matches.guided = std::move(found.mates);
+}
+
+/// The lines that edges show: by every method but Method::kPlanes.
+std::vector<ReconstructedLine> lines_of_edges(const StereoPair& pair,
+                                              std::span<const LineMatch> matches,
+                                              const Options& options,
+                                              const Surface* surface) {
+  const EstimationOptions& estimation = options.estimation;
+  const std::array cameras = pair.cameras();
+  const std::array segments{transformed(pair.views[0]->segments, &EdgeSegment::line),
+                            transformed(pair.views[1]->segments, &EdgeSegment::line)};
+  const std::vector<PairConnection> connections =
+      connect_matches(pair, matches, options.matching.pairwise);
+  const std::vector<Registration> registrations = registrations_of(pair, matches, estimation);
+  std::vector<ReconstructedLine> lines = reconstruct_lines(
+      {cameras, segments, matches, connections, registrations, pair.height_range_in_local_m},
+      estimation.lines, estimate_extensions(estimation, surface));
+  if (estimation.beyond.shared_errors) {
+    for (ReconstructedLine& line : lines) add_shared_error(cameras[0], line);
+  }
+  if (surface != nullptr && estimation.beyond.adjusts_to_faces() &&
+      estimation.lines.method != Method::kDirect) {
+    const PlaneFaces faces = plane_faces(*surface);
+    for (ReconstructedLine& line : lines)
+      adjust_to_faces_beside(surface->rectification, faces, line);
+  }
+  return lines;
+}
+
+void check_scene(const Scene& scene, std::span<const ViewPair> pairs) {
+  const std::vector<View>& views = scene.views;
   check(views.size() >= 2, "reconstruct: views = ", views.size(), ", must be 2 or more");
   for (const View& view : views) {
-    const ProjectionMatrix& p = view.image_from_world;
+    const ProjectionMatrix& p = view.image_from_local;
     check(p.allFinite() && p.leftCols<3>().fullPivLu().isInvertible(), "view ", view.id,
           ": the matrix that takes the world to its pixels must be finite and show space");
     check(view.image.channels() == views[0].image.channels(), "view ", view.id,
@@ -112,81 +157,47 @@ void check_views(std::span<const View> views, std::span<const ViewPair> pairs) {
           "reconstruct: pair of views ", pair.base, " and ", pair.search,
           ", must be two different ones of ", views.size());
   }
+  const auto& [lowest_m, highest_m] = scene.height_range_in_local_m;
+  check(std::isfinite(lowest_m) && std::isfinite(highest_m) && lowest_m < highest_m,
+        "height_range_m = ", lowest_m, " to ", highest_m,
+        ", must be the lowest and the highest height, finite");
 }
 
 }  // namespace
 
 const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pairwise" : "chio"; }
 
-LocalFrame local_frame(const ProjectionMatrix& image_from_world,
-                       const Eigen::Vector2d& size_px,
-                       const std::array<double, 2>& height_range_m) {
-  constexpr double kStep_m = 100.0;
-  const double mean_m = 0.5 * (height_range_m[0] + height_range_m[1]);
-  const Eigen::Vector3d x =
-      point_on_plane(image_from_world, 0.5 * size_px, Plane3(Eigen::Vector3d::UnitZ(), -mean_m));
-  return {(x / kStep_m).array().round() * kStep_m};
+std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options) {
+  return extract_segments(view.image, view.ideal_from_image, options.edges,
+                          edge_refinement(options));
 }
 
-cv::Mat normalised(const View& view) {
-  return view.image.depth() == CV_32F ? view.image : normalised_image(view.image);
+void extract(Scene& scene, const ExtractionOptions& options) {
+  tbb::parallel_for_each(scene.views, [&](View& view) {
+    view.image = normalised(view);
+    view.segments = extract(view, options);
+  });
 }
 
-std::vector<EdgeSegment> extract(const cv::Mat& image,
-                                 const PixelMap& ideal_from_image,
-                                 const ExtractionOptions& options) {
-  return extract_segments(image, ideal_from_image, options.edges, edge_refinement(options));
-}
-
-Reconstruction reconstruct(std::span<const View> views,
-                           const std::array<double, 2>& height_range_m,
-                           const Options& options,
-                           std::span<const ViewPair> pairs) {
+Reconstruction reconstruct(Scene scene, const Options& options, std::span<const ViewPair> pairs) {
   constexpr std::array kFirstTwo{ViewPair{0, 1}};
   if (pairs.empty()) pairs = kFirstTwo;
-  check_views(views, pairs);
-  check(std::isfinite(height_range_m[0]) && std::isfinite(height_range_m[1]) &&
-            height_range_m[0] < height_range_m[1],
-        "height_range_m = ", height_range_m[0], " to ", height_range_m[1],
-        ", must be the lowest and the highest height, finite");
+  check_scene(scene, pairs);
   validate(options);
-  Reconstruction result;
-  const cv::Mat& base = views[0].image;
-  result.frame = local_frame(views[0].image_from_world, {base.cols, base.rows}, height_range_m);
-
-  std::vector<cv::Mat> images(views.size());
-  result.segments.resize(views.size());
-  tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t v) {
-    images[v] = normalised(views[v]);
-    result.segments[v] = extract(images[v], views[v].ideal_from_image, options.extraction);
-  });
-
-  const auto matched_view = [&](std::size_t v) -> MatchView {
-    return {image_from_local(views[v].image_from_world, result.frame.origin_m), images[v],
-            result.segments[v], views[v].ideal_from_image};
-  };
-  const double origin_m = result.frame.origin_m.z();
+  Reconstruction result{in_local_frame(std::move(scene)), {}};
+  extract(result.scene, options.extraction);
   for (const ViewPair& views_of_pair : pairs) {
-    StereoPair pair{{matched_view(views_of_pair.base), matched_view(views_of_pair.search)},
-                    {height_range_m[0] - origin_m, height_range_m[1] - origin_m}};
-    const std::optional<Surface> surface = surface_of(pair, options);
-    check(surface || options.estimation.lines.method != Method::kPlanes,
+    const StereoPair pair = stereo_pair(result.scene, views_of_pair);
+    PairMatches matches = match(pair, options);
+    check(matches.surface || options.estimation.lines.method != Method::kPlanes,
           "method planes: there is no surface to find planes in; the images cannot be rectified to "
-          "each other, or "
-          "every option that needs it is off");
-    Matches matches = match(pair, options.matching, surface);
-    guide(pair, matches, options, surface);
-    std::vector<ReconstructedLine> lines = estimate(
-        pair, line_matches(matches.used()), options.estimation, options.matching.pairwise, surface);
-    const auto guided = [&](std::size_t j, std::size_t v) {
-      const std::vector<EdgeSegment>& all = pair.views[j].segments;
-      const auto extracted = static_cast<std::ptrdiff_t>(result.segments[v].size());
-      return std::vector(all.begin() + extracted, all.end());
-    };
-    result.pairs.push_back({views_of_pair,
-                            std::move(matches),
-                            std::move(lines),
-                            {guided(0, views_of_pair.base), guided(1, views_of_pair.search)}});
+          "each other, or every option that needs it is off");
+    const std::array<View, 2> matched = matched_views(pair, matches);
+    std::vector<ReconstructedLine> lines =
+        estimate({{matched.data(), matched.data() + 1}, pair.height_range_in_local_m},
+                 line_matches(matches.used()), options, matches.surface);
+    matches.surface.reset();
+    result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
   }
   return result;
 }
@@ -199,78 +210,45 @@ std::optional<Surface> surface_of(const StereoPair& pair, const Options& options
   return is_taken ? dense_surface(pair) : std::nullopt;
 }
 
-Matches match(const StereoPair& pair,
-              const MatchingOptions& options,
-              const std::optional<Surface>& surface) {
-  Matches result;
-  for (const Matcher matcher : options.matchers) {
+PairMatches match(const StereoPair& pair, const Options& options) {
+  const MatchingOptions& matching = options.matching;
+  PairMatches result;
+  result.surface = surface_of(pair, options);
+  for (const Matcher matcher : matching.matchers) {
     if (matcher == Matcher::kPairwise) {
-      result.lists.push_back(by_pairs(pair, options, surface));
+      result.lists.push_back(by_pairs(pair, matching, result.surface));
     } else {
-      result.chio = chio_match(pair, options.chio, options.candidates,
-                               match_extensions(options.beyond, options.candidates).look);
+      result.chio = chio_match(pair, matching.chio, matching.candidates,
+                               match_extensions(matching.beyond, matching.candidates).look);
       result.lists.push_back(list_of(*result.chio));
     }
   }
   if (result.lists.size() == 2) {
-    result.lists.push_back(combined(pair.views[0].segments, result.lists[0], *result.chio));
+    result.lists.push_back(combined(pair.views[0]->segments, result.lists[0], *result.chio));
   }
+  guide(pair, options, result);
   return result;
+}
+
+std::array<View, 2> matched_views(const StereoPair& pair, const PairMatches& matches) {
+  std::array<View, 2> views{*pair.views[0], *pair.views[1]};
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    std::ranges::copy(matches.guided[v], std::back_inserter(views[v].segments));
+  }
+  return views;
 }
 
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
-                                        const EstimationOptions& options,
-                                        const MatchOptions& pair_options,
+                                        const Options& options,
                                         const std::optional<Surface>& surface) {
-  if (options.lines.method == Method::kPlanes) {
-    if (!surface) return {};
-    EstimationOptions from_edges = options;
-    from_edges.lines.method = Method::kJoint;
-    return plane_lines(pair, *surface, estimate(pair, matches, from_edges, pair_options, surface),
-                       options.lines.max_aligned_angle_deg);
-  }
-  const std::vector<PairConnection> connections = connect_matches(pair, matches, pair_options);
-  const std::vector<Registration> registrations = registrations_of(pair, matches, options);
-  EstimationOptions within_heights = options;
-  within_heights.lines.lowest_height_m = pair.height_range_in_local_m[0];
-  within_heights.lines.highest_height_m = pair.height_range_in_local_m[1];
-  const std::array geometry{transformed(pair.views[0].segments, &EdgeSegment::line),
-                            transformed(pair.views[1].segments, &EdgeSegment::line)};
-  std::vector<ReconstructedLine> lines =
-      reconstruct_lines(pair.cameras(), geometry, matches, connections, within_heights.lines,
-                        registrations, estimate_extensions(within_heights, address(surface)));
-  if (options.beyond.shared_errors) {
-    for (ReconstructedLine& line : lines) add_shared_error(pair.cameras()[0], line);
-  }
-  if (surface && options.beyond.adjusts_to_faces() && options.lines.method != Method::kDirect) {
-    const PlaneFaces faces = plane_faces(*surface);
-    for (ReconstructedLine& line : lines)
-      adjust_to_faces_beside(surface->rectification, faces, line);
-  }
-  return lines;
-}
-
-void guide(StereoPair& pair,
-           Matches& matches,
-           const Options& options,
-           const std::optional<Surface>& surface) {
-  const MatchExtensionOptions& beyond = options.matching.beyond;
-  if (!beyond.guided || !surface) return;
-  MatchList& list = matches.lists.back();
-  GuidedMatches guided = guided_matches(
-      pair, *surface, line_matches(list),
-      {options.extraction.edges, options.matching.candidates, beyond.guided_min_similarity},
-      match_extensions(beyond, options.matching.candidates).look);
-  for (std::size_t v = 0; v < guided.mates.size(); ++v) {
-    std::ranges::move(guided.mates[v], std::back_inserter(pair.views[v].segments));
-  }
-  list.reasons.resize(pair.views[0].segments.size());
-  for (const ScoredMatch& scored : guided.matches) {
-    list.matches.push_back({scored, kGuided});
-    list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
-  }
-  std::ranges::sort(list.matches, {}, [](const FoundMatch& found) { return found.scored.match; });
+  if (options.estimation.lines.method != Method::kPlanes)
+    return lines_of_edges(pair, matches, options, address(surface));
+  if (!surface) return {};
+  Options from_edges = options;
+  from_edges.estimation.lines.method = Method::kJoint;
+  return plane_lines(pair, *surface, lines_of_edges(pair, matches, from_edges, &*surface),
+                     options.estimation.lines.max_aligned_angle_deg);
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {
@@ -291,7 +269,8 @@ void validate(const Options& options) {
   const auto each = [](const auto&... parts) { (ridgeline::validate(parts), ...); };
   each(options.extraction.edges, options.extraction.beyond, options.matching.candidates,
        options.matching.pairwise, options.matching.chio, options.matching.beyond,
-       options.estimation.lines, options.estimation.beyond);
+       options.estimation.lines, options.estimation.beyond, options.estimation.building,
+       options.estimation.consensus);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -4,13 +4,10 @@
 #include "reconstruct/beyond/options.h"
 #include "reconstruct/beyond/surface/surface.h"
 #include "reconstruct/chio_wang2000/chio_match.h"
-#include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/ok2011/match/options.h"
-#include "reconstruct/views/match_view.h"
-
-#include <opencv2/core/mat.hpp>
+#include "reconstruct/views/scene.h"
 
 #include <array>
 #include <cstdint>
@@ -20,19 +17,6 @@
 #include <vector>
 
 namespace ridgeline::reconstruct {
-
-/// An oriented image in memory.
-struct View {
-  std::string id;
-  cv::Mat image;  ///< 8 or 16 bits with 1 to 4 bands, or what normalised_image() made of it
-  ProjectionMatrix image_from_world;  ///< pixel (0, 0) is the centre of the top-left one
-  PixelMap ideal_from_image;  ///< takes the distortion of the lens away; empty: there is none
-};
-
-/// Two of several views, by their numbers.
-struct ViewPair {
-  std::size_t base = 0, search = 1;
-};
 
 enum class Matcher : std::uint8_t { kPairwise, kChio };
 const char* name(Matcher matcher);  ///< "pairwise" | "chio"
@@ -67,9 +51,13 @@ struct MatchList {
   std::vector<std::string> reasons;  ///< per left segment; "matched" or why not
 };
 
-struct Matches {
+/// What matching made of a pair.
+struct PairMatches {
   std::vector<MatchList> lists;  ///< one per matcher, then that of both if there are two
   std::optional<ChioResult> chio;
+  /// Mates found while matching, of the base and the search view: their ids go on from the view's segments.
+  std::array<std::vector<EdgeSegment>, 2> guided{};
+  std::optional<Surface> surface;  ///< none if no option asks for it or the pair has none
 
   /// The list that lines are reconstructed from.
   [[nodiscard]] const MatchList& used() const { return lists.back(); }
@@ -77,67 +65,49 @@ struct Matches {
 
 struct PairReconstruction {
   ViewPair views;
-  Matches matches;
+  PairMatches matches;  ///< without the surface
   std::vector<ReconstructedLine> lines;
-  /// Mates that were found while matching, base and search view: their ids go on from the view's segments.
-  std::array<std::vector<EdgeSegment>, 2> guided{};
 };
 
 struct Reconstruction {
-  LocalFrame frame;                                ///< of all lines: world = local + origin
-  std::vector<std::vector<EdgeSegment>> segments;  ///< by view
+  Scene scene;  ///< in the local frame that all lines are in, with images and segments
   std::vector<PairReconstruction> pairs;
 };
 
 /// 3D lines of oriented images: segments of each view, matches of each pair, lines of each pair with covariance and
 /// status. Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000, with what goes beyond them as the options say.
-/// The stages below can be called one by one.
-/// @param height_range_m  lowest and highest height of objects, world
-/// @param pairs           default: the first two views
+/// Programs that keep files in between call extract(), match() and estimate() in this order.
+/// @param scene  its views have images and no segments
+/// @param pairs  default: the first two views
 /// Deterministic for any number of threads. Throws std::invalid_argument for fewer than two views, a pair that names none
 /// of them, options or heights out of range, images of other types or different numbers of bands, and Method::kPlanes of
 /// a pair without a surface.
-Reconstruction reconstruct(std::span<const View> views,
-                           const std::array<double, 2>& height_range_m,
+Reconstruction reconstruct(Scene scene,
                            const Options& options = {},
                            std::span<const ViewPair> pairs = {});
 
-/// The local frame for a base view: the point that its middle shows at the mean height, rounded to 100 m.
-LocalFrame local_frame(const ProjectionMatrix& image_from_world,
-                       const Eigen::Vector2d& size_px,
-                       const std::array<double, 2>& height_range_m);
+/// The segments of a view with a normalised image.
+std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options = {});
 
-/// The segments of an image.
-/// @param image  as normalised() gives it
-std::vector<EdgeSegment> extract(const cv::Mat& image,
-                                 const PixelMap& ideal_from_image = {},
-                                 const ExtractionOptions& options = {});
+/// Normalises the images of all views and finds their segments.
+void extract(Scene& scene, const ExtractionOptions& options = {});
 
-/// The view's image as the stages use it.
-cv::Mat normalised(const View& view);
+/// The matches of a pair with segments: its surface, the matches of each matcher, those of both together (all of
+/// `pairwise`, and those of `chio` for the segments that it left unmatched), and guided ones (guided_matches()).
+PairMatches match(const StereoPair& pair, const Options& options = {});
 
-/// The surface of a pair for match(), guide() and estimate(); none if no option asks for it or the pair has none.
+/// The surface of a pair as match() takes it.
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options = {});
 
-/// The matches of a pair by each matcher, and of both together: all of `pairwise`, and those of `chio` for the segments
-/// that it left unmatched.
-Matches match(const StereoPair& pair,
-              const MatchingOptions& options = {},
-              const std::optional<Surface>& surface = {});
-
-/// Adds what guided_matches() finds: mates to the segments of the pair, matches to the list that is used.
-/// Nothing without a surface, or if the options do not ask for it.
-void guide(StereoPair& pair,
-           Matches& matches,
-           const Options& options,
-           const std::optional<Surface>& surface);
+/// The views of a pair with the mates that were found while matching among their segments.
+std::array<View, 2> matched_views(const StereoPair& pair, const PairMatches& matches);
 
 /// The lines of matched segments.
-/// @param pair_options  of the pair connections
+/// @param pair     the segments of its views are those that the matches speak of; see matched_views()
+/// @param surface  see surface_of()
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
-                                        const EstimationOptions& options = {},
-                                        const MatchOptions& pair_options = {},
+                                        const Options& options = {},
                                         const std::optional<Surface>& surface = {});
 
 /// The matches of a list without what speaks for them.

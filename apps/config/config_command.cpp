@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/parameters.h"
+#include "apps/common/parameter_flags.h"
 #include "apps/common/say.h"
+#include "apps/pipeline/parameters.h"
 
 #include <memory>
 

@@ -2,9 +2,10 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/parameters.h"
+#include "apps/common/parameter_flags.h"
 #include "apps/common/say.h"
 #include "apps/extract/segment_overlay.h"
+#include "apps/pipeline/parameters.h"
 #include "io/error.h"
 #include "io/image.h"
 #include "io/patch.h"
@@ -63,17 +64,18 @@ void check_outputs(const ExtractArguments& a) {
 int run_extract(const ExtractArguments& a) {
   const reconstruct::ExtractionOptions options = read_parameters(a.parameters).method.extraction;
   check_outputs(a);
-  const PixelMap ideal_from_image = pixel_map(a);
-  const cv::Mat image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
-  const std::vector<EdgeSegment> segments = reconstruct::extract(image, ideal_from_image, options);
+  reconstruct::View view;
+  view.ideal_from_image = pixel_map(a);
+  view.image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
+  const std::vector<EdgeSegment> segments = reconstruct::extract(view, options);
   io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {
-    io::write_png(a.overlay, segment_overlay(image, segments));
+    io::write_png(a.overlay, segment_overlay(view.image, segments));
   }
   double total_px = 0.0;
   for (const EdgeSegment& segment : segments) total_px += length(segment.in_image);
-  say("{}: {} x {} px, {} bands: {} segments, {:.0f} px together\n", a.image, image.cols,
-      image.rows, image.channels(), segments.size(), total_px);
+  say("{}: {} x {} px, {} bands: {} segments, {:.0f} px together\n", a.image, view.image.cols,
+      view.image.rows, view.image.channels(), segments.size(), total_px);
   return kDone;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/info/own_files.h"
 
-#include "apps/common/parameters.h"
+#include "apps/pipeline/parameters.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/csv_table.h"
 #include "io/error.h"

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/check_pair.h"
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/parameters.h"
-#include "apps/common/patch_matchers.h"
-#include "apps/common/patch_views.h"
+#include "apps/common/parameter_flags.h"
 #include "apps/common/say.h"
 #include "apps/match/match_overlay.h"
+#include "apps/pipeline/check_pair.h"
+#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/match_tables.h"
+#include "apps/pipeline/parameters.h"
+#include "apps/pipeline/patch_scene.h"
 #include "io/atomic_file.h"
 #include "io/matches_file.h"
 #include "io/png_writer.h"
 #include "io/results/output_folder.h"
 #include "io/segments_file.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -38,9 +39,10 @@ struct MatchArguments {
   reconstruct::Options options;  ///< as the parameters say
 };
 
-void print_summary(const reconstruct::StereoPair& pair, const reconstruct::Matches& result) {
-  say("{} segments in the left, {} in the right image\n", pair.views[0].segments.size(),
-      pair.views[1].segments.size());
+void print_summary(const std::array<reconstruct::View, 2>& views,
+                   const reconstruct::PairMatches& result) {
+  say("{} segments in the left, {} in the right image\n", views[0].segments.size(),
+      views[1].segments.size());
   for (const reconstruct::MatchList& list : result.lists) {
     std::map<std::string, int> n;
     for (const std::string& reason : list.reasons) ++n[reason];
@@ -68,10 +70,9 @@ void print_processes(const reconstruct::ChioResult& result,
 /// Those that --segments asks for.
 std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchFile& patch) {
   if (a.segments.empty()) return {};
-  const auto file = [&](const std::string& image) {
-    return (std::filesystem::path(a.segments) / fmt::format("segments.{}.csv", image)).string();
-  };
-  return {file(patch.images[0].id), file(patch.images[1].id)};
+  const std::filesystem::path folder(a.segments);
+  return {(folder / segments_file(patch.images[0])).string(),
+          (folder / segments_file(patch.images[1])).string()};
 }
 
 /// Neither inputs nor each other, and all of them can be made.
@@ -100,22 +101,20 @@ int run_match(MatchArguments a) {
   io::PatchFile file = io::read_patch(a.patch);
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
-  reconstruct::StereoPair pair = load_pair(file, a.options.extraction, a.max_y_parallax_px);
-  const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
-  reconstruct::Matches result = reconstruct::match(pair, a.options.matching, surface);
-  if (!a.segments.empty()) {
-    reconstruct::guide(pair, result, a.options, surface);
-    const std::vector<std::string> files = segment_files(a, file);
-    for (std::size_t i = 0; i < 2; ++i) io::write_segments(files[i], pair.views[i].segments);
-  }
+  const LocalFrame frame = check_patch(file);
+  reconstruct::Scene scene = load_scene(file, frame, a.max_y_parallax_px);
+  reconstruct::extract(scene, a.options.extraction);
+  const reconstruct::StereoPair pair = stereo_pair(scene, kPairOfPatch);
+  const reconstruct::PairMatches result = reconstruct::match(pair, a.options);
+  const std::array<reconstruct::View, 2> views = matched_views(pair, result);
+  const std::vector<std::string> files = segment_files(a, file);
+  for (std::size_t i = 0; i < files.size(); ++i) io::write_segments(files[i], views[i].segments);
   io::write_matches(a.out, result.used().matches);
-  if (!a.provenance.empty()) {
-    io::write_file(a.provenance, chio_csv(*result.chio, patch_frame(file)));
-  }
+  if (!a.provenance.empty()) io::write_file(a.provenance, chio_csv(*result.chio, frame));
   if (!a.overlay.empty()) {
-    io::write_png(a.overlay, match_overlay(pair.views[0], pair.views[1], result.used().matches));
+    io::write_png(a.overlay, match_overlay(views[0], views[1], result.used().matches));
   }
-  print_summary(pair, result);
+  print_summary(views, result);
   if (result.chio) print_processes(*result.chio, a.options.matching.chio);
   return kDone;
 }
@@ -132,8 +131,8 @@ Run add_match(CLI::App& subcommand) {
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
   subcommand.add_option(
       "--segments", a->segments,
-      "folder for segments.IMAGE.csv of both images. Guided matches are made only with it: their "
-      "mates are found while matching. reconstruct --matches reads the files beside its own");
+      "folder for segments.IMAGE.csv of both images, with the segments that were found while "
+      "matching. reconstruct --matches reads the files beside its own");
   add_matcher_option(subcommand, a->matchers);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");

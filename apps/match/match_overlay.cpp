@@ -44,8 +44,8 @@ void label(cv::Mat& canvas, const EdgeSegment& segment, int number, const cv::Sc
 
 }  // namespace
 
-cv::Mat match_overlay(const reconstruct::MatchView& left,
-                      const reconstruct::MatchView& right,
+cv::Mat match_overlay(const reconstruct::View& left,
+                      const reconstruct::View& right,
                       std::span<const FoundMatch> matches) {
   constexpr int kLabelled = 5;
   std::array<cv::Mat, 2> canvases{overlay_canvas(left.image), overlay_canvas(right.image)};

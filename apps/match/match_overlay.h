@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/matches_file.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -12,8 +12,8 @@ namespace ridgeline::apps {
 
 /// Both images side by side (CV_8UC3) with their segments: matched ones in a colour of their own,
 /// the same on both sides, with the left index at every fifth; the others thin and grey.
-cv::Mat match_overlay(const reconstruct::MatchView& left,
-                      const reconstruct::MatchView& right,
+cv::Mat match_overlay(const reconstruct::View& left,
+                      const reconstruct::View& right,
                       std::span<const FoundMatch> matches);
 
 }  // namespace ridgeline::apps

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/evaluation_echo.h"
-#include "apps/common/parameters.h"
+#include "apps/pipeline/evaluation_echo.h"
+#include "apps/pipeline/parameters.h"
 #include "apps/python/bindings.h"
 #include "apps/python/clouds.h"
 #include "apps/python/entries.h"

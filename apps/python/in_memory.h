@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/parameters.h"
+#include "apps/pipeline/parameters.h"
 
 #include <algorithm>
 #include <array>

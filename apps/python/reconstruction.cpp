@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/check_pair.h"
-#include "apps/common/parameters.h"
-#include "apps/common/patch_matchers.h"
-#include "apps/common/patch_views.h"
-#include "apps/common/reconstructed_lines.h"
+#include "apps/pipeline/check_pair.h"
+#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/parameters.h"
+#include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/reconstructed_lines.h"
 #include "apps/python/bindings.h"
 #include "apps/python/entries.h"
 #include "apps/python/interruptible.h"
@@ -54,9 +54,10 @@ py::dict lines_of(const io::PatchFile& patch,
     const std::array<cv::Mat, 2> images = read();
     const std::optional<std::string> doubt =
         apps::check_pair(patch, images, apps::kDefaultMaxYParallax_px);
-    const reconstruct::Reconstruction found =
-        reconstruct::reconstruct(apps::patch_views(patch, images), patch.height_range_m, options);
-    io::LineSet set = apps::line_set_of(found.pairs.front().lines, found.frame, patch.crs,
+    reconstruct::Scene scene = apps::patch_scene(patch, {});
+    for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
+    const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
+    io::LineSet set = apps::line_set_of(found.pairs.front().lines, found.scene.frame, patch.crs,
                                         options.estimation.lines.method);
     if (doubt) set.warnings.push_back(*doubt);
     return set;
@@ -77,7 +78,7 @@ py::dict reconstruct_views(const py::dict& entries) {
 py::dict reconstruct_patch(const std::string& path, const py::dict& entries) {
   const io::PatchFile patch = io::read_patch(path);
   return lines_of(patch, options_of(entries), [&] {
-    apps::check_patch(patch);
+    (void)apps::check_patch(patch);
     return apps::patch_images(patch);
   });
 }

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/check_pair.h"
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "apps/common/image_options.h"
-#include "apps/common/parameters.h"
-#include "apps/common/patch_matchers.h"
-#include "apps/common/patch_matching.h"
-#include "apps/common/patch_views.h"
-#include "apps/common/reconstructed_lines.h"
+#include "apps/common/line_format_options.h"
+#include "apps/common/parameter_flags.h"
 #include "apps/common/say.h"
-#include "apps/common/surface_file.h"
-#include "apps/run/run_options.h"
+#include "apps/pipeline/check_pair.h"
+#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/parameters.h"
+#include "apps/pipeline/patch_matching.h"
+#include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/reconstructed_lines.h"
+#include "apps/pipeline/surface_file.h"
 #include "io/cloud/labelled_points.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/lines/write_lines.h"
 #include "io/results/output_folder.h"
 #include "io/segments_file.h"
+#include "reconstruct/beyond/surface/surface.h"
 
 #include <fmt/core.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,6 +28,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::apps {
@@ -43,58 +45,67 @@ struct ReconstructArguments {
   bool local_origin = false;
 };
 
-/// The segments that a matches file speaks of: those in segments.IMAGE.csv beside it, else
-/// extracted now with the given options.
-std::vector<EdgeSegment> segments_of(const io::PatchFile& patch,
-                                     std::size_t i,
-                                     const cv::Mat& image,
-                                     const ReconstructArguments& a) {
-  if (!a.matches.empty()) {
-    const fs::path file =
-        fs::path(a.matches).parent_path() / fmt::format("segments.{}.csv", patch.images[i].id);
-    if (fs::exists(file)) return io::read_segments(file.string());
+/// The segments that the matches speak of: those in segments.IMAGE.csv beside their file, else extracted now.
+void find_segments(const io::PatchFile& patch,
+                   const ReconstructArguments& a,
+                   reconstruct::Scene& scene) {
+  if (a.matches.empty()) return reconstruct::extract(scene, a.options.extraction);
+  const fs::path folder = fs::path(a.matches).parent_path();
+  for (std::size_t i = 0; i < scene.views.size(); ++i) {
+    reconstruct::View& view = scene.views[i];
+    const fs::path file = folder / segments_file(patch.images[i]);
+    view.segments = fs::exists(file) ? io::read_segments(file.string())
+                                     : reconstruct::extract(view, a.options.extraction);
   }
-  return extract_patch_image(patch, i, image, a.options.extraction);
 }
 
-std::vector<LineMatch> matches_of(reconstruct::StereoPair& pair,
-                                  const reconstruct::Options& options,
-                                  const std::optional<reconstruct::Surface>& surface) {
-  reconstruct::Matches matches = reconstruct::match(pair, options.matching, surface);
-  reconstruct::guide(pair, matches, options, surface);
-  return reconstruct::line_matches(matches.used());
+/// A pair with the segments that its matches speak of.
+struct Matched {
+  std::array<reconstruct::View, 2> views;
+  std::vector<LineMatch> matches;
+  std::optional<reconstruct::Surface> surface;
+};
+
+/// The matches of the file, or those made now.
+Matched matched(const reconstruct::StereoPair& pair, const ReconstructArguments& a) {
+  if (!a.matches.empty()) {
+    const std::array<reconstruct::View, 2> views{*pair.views[0], *pair.views[1]};
+    return {views, read_line_matches(a.matches, {views[0].segments, views[1].segments}),
+            reconstruct::surface_of(pair, a.options)};
+  }
+  reconstruct::PairMatches matches = reconstruct::match(pair, a.options);
+  return {matched_views(pair, matches), line_matches(matches.used()), std::move(matches.surface)};
 }
 
 /// Throws IoError for a pair that has none.
 void write_whole_surface(const std::string& file,
                          const io::PatchFile& patch,
+                         const LocalFrame& frame,
                          const std::optional<reconstruct::Surface>& surface) {
   if (!surface)
     throw io::IoError(patch.path, "--write-surface: the images cannot be rectified to each other");
-  write_surface(file, patch, points_in_local(*surface));
+  write_surface(file, points_in_local(*surface), frame, patch.crs);
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.
 std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
+                                                     const LocalFrame& frame,
                                                      const ReconstructArguments& a) {
-  const std::array<cv::Mat, 2> images = patch_images(patch);
-  if (const auto doubt = check_pair(patch, images, a.max_y_parallax_px)) spdlog::warn("{}", *doubt);
-  std::array<std::vector<EdgeSegment>, 2> segments;
-  for (std::size_t i = 0; i < 2; ++i) segments[i] = segments_of(patch, i, images[i], a);
-  reconstruct::StereoPair pair = stereo_pair(patch, images, segments);
-  const std::optional<reconstruct::Surface> surface = reconstruct::surface_of(pair, a.options);
-  if (!surface && a.options.estimation.lines.method == reconstruct::Method::kPlanes) {
+  reconstruct::Scene scene = load_scene(patch, frame, a.max_y_parallax_px);
+  find_segments(patch, a, scene);
+  const Matched found = matched(stereo_pair(scene, kPairOfPatch), a);
+  if (!found.surface && a.options.estimation.lines.method == reconstruct::Method::kPlanes) {
     throw io::IoError(
         patch.path,
         "--method planes: there is no surface to find planes in; the images cannot be "
         "rectified to each other, or --config turns every key off that needs it");
   }
+  const reconstruct::StereoPair pair{{found.views.data(), found.views.data() + 1},
+                                     scene.height_range_in_local_m};
   if (!a.surface.empty())
-    write_whole_surface(a.surface, patch, surface ? surface : dense_surface(pair));
-  const std::vector<LineMatch> matches = a.matches.empty() ? matches_of(pair, a.options, surface)
-                                                           : read_line_matches(a.matches, segments);
-  return reconstruct::estimate(pair, matches, a.options.estimation, a.options.matching.pairwise,
-                               surface);
+    write_whole_surface(a.surface, patch, frame,
+                        found.surface ? found.surface : dense_surface(pair));
+  return reconstruct::estimate(pair, found.matches, a.options, found.surface);
 }
 
 /// How files of the format begin that were written here. Those that GDAL writes bear no such mark.
@@ -138,11 +149,11 @@ int run_reconstruct(ReconstructArguments a) {
   check_preset(a.parameters, {a.options.estimation.lines.method});
   io::PatchFile patch = io::read_patch(a.patch);
   patch.max_image_mpx = a.max_image_mpx;
-  check_patch(patch);
+  const LocalFrame frame = check_patch(patch);
   check_out(a, results::paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
-  const io::LineSet lines = line_set_of(lines_of(patch, a), patch_frame(patch), patch.crs,
-                                        a.options.estimation.lines.method);
+  const io::LineSet lines =
+      line_set_of(lines_of(patch, frame, a), frame, patch.crs, a.options.estimation.lines.method);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/report_input.h"
 
-#include "apps/common/patch_matching.h"
-#include "apps/common/patch_views.h"
-#include "apps/common/stage_cache.h"
-#include "apps/common/surface_file.h"
+#include "apps/pipeline/patch_matching.h"
+#include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/stage_cache.h"
+#include "apps/pipeline/surface_file.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
@@ -41,7 +41,7 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
     shown.images[i] = patch_image(*patch.patch, i);
   }
   const auto segments = [&](std::size_t i) {
-    return folder / fmt::format("segments.{}.csv", patch.patch->images[i].id);
+    return folder / segments_file(patch.patch->images[i]);
   };
   if (fs::exists(segments(0)) && fs::exists(folder / "matches.csv")) {
     for (std::size_t i = 0; i < 2; ++i) {

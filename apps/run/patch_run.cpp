@@ -2,8 +2,8 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/outcome.h"
-#include "apps/common/stage_cache.h"
-#include "apps/common/surface_file.h"
+#include "apps/pipeline/stage_cache.h"
+#include "apps/pipeline/surface_file.h"
 #include "apps/run/patch_stages.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
@@ -14,42 +14,56 @@
 #include "io/sha256.h"
 #include "io/text_file.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <filesystem>
+#include <array>
 
 namespace ridgeline::apps {
-namespace fs = std::filesystem;
 namespace {
 
 using reconstruct::Method;
+
+std::string matrix_text(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+  return fmt::format("{}", fmt::join(matrix.reshaped(), " "));
+}
+
+/// What takes the distortion of a lens away.
+std::string lens_text(const io::PatchImage& image) {
+  if (!image.interior) return "";
+  const auto& [focal_length_px, principal_point_px, distortion, size_px] = *image.interior;
+  return fmt::format("{} {} {} {} {} {} {} {}", matrix_text(focal_length_px),
+                     matrix_text(principal_point_px), matrix_text(image.window_px), distortion.k1,
+                     distortion.k2, distortion.k3, distortion.p1, distortion.p2);
+}
 
 /// One patch on its way through the stages. Each stage either runs or, being done, leaves its files
 /// to be read; what comes after reads files in both cases, so that a resumed run gives the same
 /// bytes.
 class PatchRun {
  public:
-  PatchRun(const io::PatchFile& patch,
+  PatchRun(const CheckedPatch& patch,
            const RunOptions& options,
            const results::OutputFolder& out,
            Progress& progress,
            results::RunRecord& record)
-      : patch_(patch),
+      : patch_(patch.file),
+        frame_(patch.frame),
         options_(options),
         parameters_(echo(options.parameters)),
         out_(out),
         progress_(progress),
         record_(record),
         stages_(patch, options, out),
-        cache_(out.path(patch.id), options.resume) {
-    patch_key_ = stage_key({io::sha256_of_file(patch.path), options.assume_crs.definition});
+        cache_(out.path(patch.file.id), options.resume) {
     if (patch_.reference_lines) references_ = read_references();
   }
 
   PatchResult run() {
+    check_pair();
     extract();
-    keep_surface();
     match();
+    keep_surface();
     result_.matching = stages_.score_matches();
     for (const Method method : options_.methods) reconstruct(method);
     evaluate();
@@ -75,40 +89,68 @@ class PatchRun {
     record_.end_stage(patch_.id + "/" + name);
   }
 
-  void extract() {
-    std::vector<std::string> parts{patch_key_, parameters_["extract"].dump(),
-                                   fmt::format("{}", options_.max_y_parallax_px)};
-    for (std::size_t i = 0; i < 2; ++i) {
-      parts.push_back(io::sha256_of_file(patch_.images[i].path));
+  /// Of everything that the images of the pair and their cameras are.
+  [[nodiscard]] std::string views_key() const {
+    std::vector<std::string> parts{
+        fmt::format("{} {}", patch_.height_range_m[0], patch_.height_range_m[1])};
+    for (std::size_t i = 0; i < image_keys_.size(); ++i) {
+      parts.push_back(image_keys_[i]);
+      parts.push_back(matrix_text(patch_.images[i].image_from_world));
     }
-    extract_key_ = stage_key(parts);
-    stage("extract", extract_key_, stages_.segment_files(), [&] { stages_.extract(); });
+    return stage_key(parts);
+  }
+
+  void check_pair() {
+    for (std::size_t i = 0; i < image_keys_.size(); ++i) {
+      const io::PatchImage& image = patch_.images[i];
+      image_keys_[i] = stage_key({io::sha256_of_file(image.path), lens_text(image)});
+    }
+    stage("check pair", stage_key({views_key(), fmt::format("{}", options_.max_y_parallax_px)}), {},
+          [&] { stages_.check_pair(); });
+  }
+
+  /// A stage an image; those that are not done run at once.
+  void extract() {
+    progress_.begin(fmt::format("{}: extract", patch_.id));
+    const std::vector<std::string> files = stages_.edge_files();
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      extract_keys_[i] = stage_key({image_keys_[i], parameters_["extract"].dump()});
+      if (!cache_.is_done(extract_stage(i), extract_keys_[i])) open.push_back(i);
+    }
+    result_.n_skipped_stages += files.size() - open.size();
+    if (!open.empty()) stages_.extract(open);
+    for (const std::size_t i : open)
+      cache_.set_done(extract_stage(i), extract_keys_[i], {files[i]});
+    record_.end_stage(patch_.id + "/extract");
+  }
+
+  [[nodiscard]] std::string extract_stage(std::size_t i) const {
+    return "extract " + patch_.images[i].id;
+  }
+
+  void match() {
+    std::vector<std::string> parts{views_key(), extract_keys_[0], extract_keys_[1],
+                                   parameters_["match"].dump(), parameters_["chio"].dump()};
+    for (const auto matcher : options_.parameters.method.matching.matchers) {
+      parts.emplace_back(reconstruct::name(matcher));
+    }
+    match_key_ = stage_key(parts);
+    stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });
   }
 
   /// Any option of these groups may ask for the surface.
   void keep_surface() {
     std::vector<std::string> files;
     stage(kSurfaceStage,
-          stage_key({extract_key_, parameters_["match"].dump(), parameters_["reconstruct"].dump()}),
-          files, [&] { files = stages_.keep_surface(); });
-  }
-
-  void match() {
-    std::vector<std::string> parts{extract_key_, parameters_["match"].dump(),
-                                   parameters_["chio"].dump()};
-    for (const auto matcher : options_.parameters.method.matching.matchers) {
-      parts.emplace_back(reconstruct::name(matcher));
-    }
-    match_key_ = stage_key(parts);
-    stage("match", match_key_, stages_.match_files(), [&] {
-      stages_.match();
-      cache_.set_done("extract", extract_key_, stages_.segment_files());  // guided ones joined them
-    });
+          stage_key({match_key_, parameters_["reconstruct"].dump(), patch_.crs.definition}), files,
+          [&] { files = stages_.keep_surface(); });
   }
 
   void reconstruct(Method method) {
     const std::string name = reconstruct::name(method);
-    std::vector<std::string> parts{match_key_, name, parameters_["reconstruct"].dump()};
+    std::vector<std::string> parts{match_key_, name, parameters_["reconstruct"].dump(),
+                                   patch_.crs.definition};
     for (const std::string& file : stages_.line_files(method)) parts.push_back(file);
     if (options_.local_origin) parts.emplace_back("local origin");
     lines_keys_.push_back(stage_key(parts));
@@ -142,6 +184,8 @@ class PatchRun {
 
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
+    parts.push_back(io::sha256_of_file(patch_.path));
+    parts.push_back(options_.assume_crs.definition);
     parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
@@ -163,7 +207,7 @@ class PatchRun {
     options.cloud_paths = patch_.lidar;
     options.patch = patch_;
     options.patch_name = patch_.id;
-    options.cloud.frame = stages_.frame();
+    options.cloud.frame = frame_;
     options.cloud.assume_crs = options_.assume_crs;
     options.judge = options_.parameters.judge;
     options.summary = options_.summary;
@@ -185,7 +229,7 @@ class PatchRun {
       evaluate::Evaluation evaluation;
       evaluation.patch = patch_.id;
       evaluation.method = reconstruct::name(method);
-      evaluation.origin_m = stages_.frame().origin_m;
+      evaluation.origin_m = frame_.origin_m;
       evaluation.options = options_.summary;
       for (auto& result :
            evaluate::judge_lines(nothing, lines_of(method), options_.parameters.judge)) {
@@ -200,7 +244,7 @@ class PatchRun {
 
   [[nodiscard]] std::vector<evaluate::JudgedLine> lines_of(Method method) const {
     return results::judged_lines_of(io::read_lines(in_folder(PatchStages::line_file(method))),
-                                    stages_.frame(), patch_);
+                                    frame_, patch_);
   }
 
   [[nodiscard]] std::vector<evaluate::ReferenceLine> read_references() {
@@ -208,7 +252,7 @@ class PatchRun {
         io::read_lines(*patch_.reference_lines, {.assume_crs = options_.assume_crs});
     results::refuse_mismatch("reference lines and patch", set.path, set.crs, patch_.crs);
     record_.add_warnings(results::own_warnings(set));
-    return results::reference_lines_of(set, stages_.frame());
+    return results::reference_lines_of(set, frame_);
   }
 
   [[nodiscard]] std::string in_folder(const std::string& file) const {
@@ -216,6 +260,7 @@ class PatchRun {
   }
 
   const io::PatchFile& patch_;
+  const LocalFrame& frame_;
   const RunOptions& options_;
   nlohmann::ordered_json parameters_;  ///< by group
   const results::OutputFolder& out_;
@@ -223,7 +268,8 @@ class PatchRun {
   results::RunRecord& record_;
   PatchStages stages_;
   StageCache cache_;
-  std::string patch_key_, extract_key_, match_key_;
+  std::array<std::string, 2> image_keys_, extract_keys_;  ///< by image
+  std::string match_key_;
   std::vector<std::string> lines_keys_;
   std::optional<std::vector<evaluate::ReferenceLine>> references_;
   PatchResult result_;
@@ -231,10 +277,11 @@ class PatchRun {
 
 }  // namespace
 
-void check_run(const io::PatchFile& patch,
+void check_run(const CheckedPatch& checked,
                const RunOptions& options,
                const results::OutputFolder& out) {
-  PatchStages(patch, options, out).check_outputs();
+  PatchStages(checked, options, out).check_outputs();
+  const io::PatchFile& patch = checked.file;
   for (const Method method : options.methods) {
     for (const std::string& file : results::evaluation_names(reconstruct::name(method))) {
       (void)out.path(patch.id + "/" + file);
@@ -248,9 +295,9 @@ void check_run(const io::PatchFile& patch,
   check_scale(patch, of_cloud);
 }
 
-std::size_t count_steps(const RunOptions& options) { return 4 + options.methods.size(); }
+std::size_t count_steps(const RunOptions& options) { return 5 + options.methods.size(); }
 
-PatchResult run_patch(const io::PatchFile& patch,
+PatchResult run_patch(const CheckedPatch& patch,
                       const RunOptions& options,
                       const results::OutputFolder& out,
                       Progress& progress,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/check_pair.h"
-#include "apps/common/parameters.h"
-#include "apps/common/patch_matchers.h"
+#include "apps/common/page_facts.h"
 #include "apps/common/progress.h"
-#include "apps/report/page_facts.h"
+#include "apps/pipeline/check_pair.h"
+#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/parameters.h"
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
 #include "io/crs.h"
@@ -52,14 +52,14 @@ std::size_t count_steps(const RunOptions& options);
 
 /// What can be found wrong before the work begins. Throws IoError for outputs that are inputs, a cloud
 /// that cannot be read or is of another CRS than the patch.
-void check_run(const io::PatchFile& patch,
+void check_run(const CheckedPatch& patch,
                const RunOptions& options,
                const results::OutputFolder& out);
 
 /// Images -> segments -> matches -> 3D lines by each method -> judged lines (Ok et al. 2011), and
 /// the files of one patch in the folder of its id. A patch without LIDAR gets its lines; their
 /// status is `no_lidar`. Throws IoError for a file's fault.
-PatchResult run_patch(const io::PatchFile& patch,
+PatchResult run_patch(const CheckedPatch& patch,
                       const RunOptions& options,
                       const results::OutputFolder& out,
                       Progress& progress,

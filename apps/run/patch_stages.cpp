@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/patch_stages.h"
 
-#include "apps/common/patch_matching.h"
-#include "apps/common/patch_views.h"
-#include "apps/common/reconstructed_lines.h"
-#include "apps/common/surface_file.h"
+#include "apps/pipeline/check_pair.h"
+#include "apps/pipeline/match_tables.h"
+#include "apps/pipeline/patch_matching.h"
+#include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/reconstructed_lines.h"
+#include "apps/pipeline/surface_file.h"
 #include "evaluate/gates/figure.h"
 #include "io/atomic_file.h"
 #include "io/cloud/labelled_points.h"
@@ -13,9 +15,10 @@
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ridgeline::apps {
 namespace {
@@ -47,16 +50,19 @@ std::string verdicts_csv(const std::vector<LineMatch>& matches,
 
 }  // namespace
 
-PatchStages::PatchStages(const io::PatchFile& patch,
+PatchStages::PatchStages(const CheckedPatch& patch,
                          const RunOptions& options,
                          const results::OutputFolder& out)
-    : patch_(patch), options_(options), out_(out), frame_(patch_frame(patch)) {}
+    : patch_(patch.file),
+      options_(options),
+      out_(out),
+      scene_(patch_scene(patch.file, patch.frame)) {}
 
 void PatchStages::check_outputs() const {
   const auto check_files = [this](const std::vector<std::string>& files) {
     for (const std::string& file : files) (void)path(file);
   };
-  check_files(segment_files());
+  check_files(edge_files());
   check_files(match_files());
   check_files({"verdicts.csv"});
   // a name that a user may have chosen for points of another tool
@@ -65,9 +71,12 @@ void PatchStages::check_outputs() const {
   for (const reconstruct::Method method : options_.methods) check_files(line_files(method));
 }
 
+std::vector<std::string> PatchStages::edge_files() const {
+  return {edges_file(patch_.images[0]), edges_file(patch_.images[1])};
+}
+
 std::vector<std::string> PatchStages::segment_files() const {
-  return {fmt::format("segments.{}.csv", patch_.images[0].id),
-          fmt::format("segments.{}.csv", patch_.images[1].id)};
+  return {segments_file(patch_.images[0]), segments_file(patch_.images[1])};
 }
 
 /// The names of the lists of matches.
@@ -118,9 +127,10 @@ std::string PatchStages::path(const std::string& file) const {
   return out_.path(patch_.id + "/" + file);
 }
 
-const cv::Mat& PatchStages::image(std::size_t i) {
-  if (images_[i].empty()) images_[i] = patch_image(patch_, i);
-  return images_[i];
+void PatchStages::read_images() {
+  if (!scene_.views[0].image.empty()) return;
+  const std::array<cv::Mat, 2> images = patch_images(patch_);
+  for (std::size_t i = 0; i < images.size(); ++i) scene_.views[i].image = images[i];
 }
 
 std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
@@ -128,8 +138,11 @@ std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
   return {io::read_segments(path(files[0])), io::read_segments(path(files[1]))};
 }
 
-reconstruct::StereoPair PatchStages::pair() {
-  return stereo_pair(patch_, {image(0), image(1)}, segments());
+reconstruct::StereoPair PatchStages::pair(const std::vector<std::string>& files) {
+  read_images();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    scene_.views[i].segments = io::read_segments(path(files[i]));
+  return stereo_pair(scene_, kPairOfPatch);
 }
 
 /// The stages share it.
@@ -139,27 +152,31 @@ const std::optional<reconstruct::Surface>& PatchStages::surface(
   return *surface_;
 }
 
-void PatchStages::extract() {
-  const std::vector<std::string> files = segment_files();
-  // both at once: of one image, what is traced in the order of lengths would keep one core only
-  images_ = patch_images(patch_);
-  if (const auto doubt = check_pair(patch_, images_, options_.max_y_parallax_px))
-    spdlog::warn("{}", *doubt);
-  std::array<std::vector<EdgeSegment>, 2> extracted;
-  tbb::parallel_for(std::size_t{0}, extracted.size(), [&](std::size_t i) {
-    extracted[i] =
-        extract_patch_image(patch_, i, images_[i], options_.parameters.method.extraction);
+void PatchStages::check_pair() {
+  read_images();
+  const auto doubt = apps::check_pair(patch_, {scene_.views[0].image, scene_.views[1].image},
+                                      options_.max_y_parallax_px);
+  if (doubt) spdlog::warn("{}", *doubt);
+}
+
+void PatchStages::extract(std::span<const std::size_t> images) {
+  read_images();
+  tbb::parallel_for_each(images, [&](std::size_t i) {
+    reconstruct::View& view = scene_.views[i];
+    view.segments = reconstruct::extract(view, options_.parameters.method.extraction);
   });
-  for (std::size_t i = 0; i < 2; ++i) io::write_segments(path(files[i]), extracted[i]);
+  const std::vector<std::string> files = edge_files();
+  for (const std::size_t i : images) io::write_segments(path(files[i]), scene_.views[i].segments);
 }
 
 std::vector<std::string> PatchStages::keep_surface() {
-  const std::optional<reconstruct::Surface>& kept = surface(pair());
+  const std::optional<reconstruct::Surface>& kept = surface(pair(segment_files()));
   if (!kept) {
     out_.remove(patch_.id + "/" + kSurfaceFile);
     return {};
   }
-  write_surface(path(kSurfaceFile), patch_, points_in_local(*kept, kMaxSurfacePoints));
+  write_surface(path(kSurfaceFile), points_in_local(*kept, kMaxSurfacePoints), scene_.frame,
+                patch_.crs);
   return {kSurfaceFile};
 }
 
@@ -177,33 +194,31 @@ void PatchStages::remove_match_lists() const {
 
 void PatchStages::match() {
   remove_match_lists();
-  const reconstruct::Options& options = options_.parameters.method;
-  reconstruct::StereoPair views = pair();
-  for (reconstruct::MatchView& view : views.views)
-    view.segments.resize(extracted(view.segments).size());
-  reconstruct::Matches result = reconstruct::match(views, options.matching, surface(views));
-  reconstruct::guide(views, result, options, surface(views));
+  const reconstruct::StereoPair views = pair(edge_files());
+  reconstruct::PairMatches result = reconstruct::match(views, options_.parameters.method);
   const std::vector<std::string> files = segment_files();
-  for (std::size_t i = 0; i < 2; ++i) io::write_segments(path(files[i]), views.views[i].segments);
+  const std::array<reconstruct::View, 2> matched = matched_views(views, result);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    io::write_segments(path(files[i]), matched[i].segments);
   io::write_matches(path(kMatches), result.used().matches);
   io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
-  if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, frame_));
+  if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, scene_.frame));
   for (std::size_t i = 0; i + 1 < result.lists.size(); ++i) {
     const reconstruct::MatchList& list = result.lists[i];
     io::write_matches(path(list_file("matches", list.name)), list.matches);
     io::write_file(path(list_file("unmatched", list.name)), unmatched_csv(list));
   }
+  surface_ = std::move(result.surface);
 }
 
 void PatchStages::reconstruct(reconstruct::Method method) {
   const std::vector<LineMatch> matches = read_line_matches(path(kMatches), segments());
-  reconstruct::EstimationOptions options = options_.parameters.method.estimation;
-  options.lines.method = method;
-  const reconstruct::StereoPair views = pair();
-  const io::LineSet lines = line_set_of(
-      reconstruct::estimate(views, matches, options, options_.parameters.method.matching.pairwise,
-                            surface(views)),
-      frame_, patch_.crs, method);
+  reconstruct::Options options = options_.parameters.method;
+  options.estimation.lines.method = method;
+  const reconstruct::StereoPair views = pair(segment_files());
+  const io::LineSet lines =
+      line_set_of(reconstruct::estimate(views, matches, options, surface(views)), scene_.frame,
+                  patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {
     const std::string file = line_file(method, info.extension);

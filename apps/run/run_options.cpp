@@ -2,7 +2,9 @@
 #include "apps/run/run_options.h"
 
 #include "apps/common/image_options.h"
+#include "apps/common/line_format_options.h"
 #include "apps/common/option_flags.h"
+#include "apps/common/parameter_flags.h"
 #include "apps/common/schema_option.h"
 #include "apps/report/write_report.h"
 
@@ -12,18 +14,6 @@
 #include <stdexcept>
 
 namespace ridgeline::apps {
-std::vector<std::string> line_format_names() {
-  std::vector<std::string> names;
-  for (const io::LineFormatInfo& info : io::line_formats()) names.emplace_back(info.name);
-  return names;
-}
-
-void add_local_origin_flag(CLI::App& app, bool& local_origin) {
-  app.add_flag(
-      "--local-origin", local_origin,
-      "lines as OBJ and PLY relative to an origin that the file states, for programs that hold "
-      "coordinates in 32 bits");
-}
 
 void add_run_flags(CLI::App& app, RunFlags& flags) {
   add_method_options(app, flags.parameters);

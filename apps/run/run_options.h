@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/parameters.h"
+#include "apps/pipeline/parameters.h"
 #include "apps/run/patch_run.h"
 
 #include <CLI/CLI.hpp>
@@ -23,11 +23,7 @@ struct RunFlags {
 
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
-void add_local_origin_flag(CLI::App& app, bool& local_origin);
-
 /// Throws std::invalid_argument for values out of range.
 RunOptions run_options(const RunFlags& flags);
-
-std::vector<std::string> line_format_names();
 
 }  // namespace ridgeline::apps

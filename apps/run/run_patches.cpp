@@ -2,9 +2,8 @@
 #include "apps/run/run_patches.h"
 
 #include "apps/common/outcome.h"
-#include "apps/common/parameters.h"
-#include "apps/common/patch_views.h"
 #include "apps/common/say.h"
+#include "apps/pipeline/parameters.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
@@ -23,9 +22,9 @@
 namespace ridgeline::apps {
 namespace {
 
-std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
-                                        const RunOptions& options) {
-  std::vector<io::PatchFile> patches;
+std::vector<CheckedPatch> read_patches(const std::vector<std::string>& files,
+                                       const RunOptions& options) {
+  std::vector<CheckedPatch> patches;
   std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
     io::PatchFile patch = io::read_patch(file);
@@ -37,17 +36,17 @@ std::vector<io::PatchFile> read_patches(const std::vector<std::string>& files,
                                           "being the same; results are named after it",
                                           patch.id, other->second));
     }
-    check_patch(patch);
-    patches.push_back(std::move(patch));
+    const LocalFrame frame = check_patch(patch);
+    patches.push_back({std::move(patch), frame});
   }
   return patches;
 }
 
-std::vector<results::InputFile> inputs_of(const std::vector<io::PatchFile>& patches,
+std::vector<results::InputFile> inputs_of(const std::vector<CheckedPatch>& patches,
                                           const RunOptions& options) {
   std::vector<results::InputFile> inputs;
-  for (const io::PatchFile& patch : patches) {
-    for (results::InputFile& file : input_files(patch)) inputs.push_back(std::move(file));
+  for (const CheckedPatch& patch : patches) {
+    for (results::InputFile& file : input_files(patch.file)) inputs.push_back(std::move(file));
   }
   if (!options.config_path.empty()) inputs.push_back({"config", options.config_path});
   return inputs;
@@ -78,8 +77,8 @@ void write_table1(const evaluate::Table1& table, const results::OutputFolder& ou
   out.write("table1.json", evaluate::to_json(table));
 }
 
-void warn_of_images(const std::vector<io::PatchFile>& patches) {
-  for (const io::PatchFile& patch : patches) {
+void warn_of_images(const std::vector<CheckedPatch>& patches) {
+  for (const auto& [patch, frame] : patches) {
     const std::string& left = patch.images[0].path;
     const std::string& right = patch.images[1].path;
     if (io::sha256_of_file(left) == io::sha256_of_file(right)) {
@@ -100,13 +99,13 @@ void run_patches(const std::string& command,
                  const std::string& folder) {
   results::RunRecord record(command);
   record.set_options(echo_options(options));
-  const std::vector<io::PatchFile> patches = read_patches(patch_files, options);
+  const std::vector<CheckedPatch> patches = read_patches(patch_files, options);
   warn_of_images(patches);
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);
   for (const std::string& name : results::result_names({})) (void)out.path(name);
-  for (const io::PatchFile& patch : patches) check_run(patch, options, out);
+  for (const CheckedPatch& patch : patches) check_run(patch, options, out);
   for (const results::InputFile& input : inputs) record.add_input(input);
   record.end_stage("hash_inputs");
 
@@ -116,7 +115,7 @@ void run_patches(const std::string& command,
   std::vector<results::TruthRows> truth;
   std::vector<std::string> messages;
   std::size_t n_skipped = 0;
-  for (const io::PatchFile& patch : patches) {
+  for (const CheckedPatch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
     for (auto& row : result.matching) table1.rows.push_back(std::move(row));
     for (auto& evaluation : result.evaluations) evaluations.push_back(std::move(evaluation));
@@ -145,7 +144,7 @@ void run_patches(const std::string& command,
   say("Results: {}\n", results.string());
   const std::string product =
       reconstruct::name(std::ranges::max(options.methods));  // the last is the best
-  for (const io::PatchFile& patch : patches) {
+  for (const auto& [patch, frame] : patches) {
     say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }
   write_report_of_run(results.string(), options.report);

@@ -113,15 +113,6 @@ struct EstimateExtensionOptions {
   /// `joint` and `network`: lines are adjusted to the plane faces of that surface that they border. See
   /// adjust_to_faces_beside().
   bool faces_beside = true;
-  double sigma_end_px = 1.0;       ///< along the line, if they do
-  double sigma_meeting_m = 0.1;    ///< distance of lines that meet
-  double max_miss_m = 2.5;         ///< of lines that only seem to meet
-  double sigma_slope = 0.01;       ///< of lines that are built horizontal
-  double gable_share = 0.8;        ///< of gables among what has the shape of one
-  double step_share = 0.07;        ///< of places where one crosses: steps of a row
-  double min_cut_length_px = 7.0;  ///< of each part
-  /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
-  double min_depth_margin = 2.5;
 
   /// Whether `joint` and `network` do so.
   [[nodiscard]] constexpr bool adjusts_to_faces() const { return surface && faces_beside; }
@@ -149,15 +140,41 @@ struct EstimateExtensionOptions {
         Field{"surface", &O::surface, false, true,
               "consensus, faces_beside: the surfaces beside the line, by dense matching"},
         Field{"faces_beside", &O::faces_beside, false, true,
-              "joint, network: adjust lines to the planes of roofs and ground that they border"},
+              "joint, network: adjust lines to the planes of roofs and ground that they border"}};
+  }
+};
+
+/// How lines of buildings meet and lie, for depth_consensus and network.
+struct BuildingOptions {
+  double sigma_meeting_m = 0.1;  ///< distance of lines that meet
+  double max_miss_m = 2.5;       ///< of lines that only seem to meet
+  double sigma_slope = 0.01;     ///< of lines that are built horizontal
+
+  static constexpr auto fields() {
+    using O = BuildingOptions;
+    return std::tuple{Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
+                            "consensus, network: distance of lines that meet"},
+                      Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
+                            "network: distance of lines that only seem to meet"},
+                      Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
+                            "consensus, network: scatter of the slope of horizontal lines"}};
+  }
+};
+
+/// Of depth_consensus.
+struct ConsensusOptions {
+  double sigma_end_px = 1.0;       ///< along the line, of ends that show the same point
+  double gable_share = 0.8;        ///< of gables among what has the shape of one
+  double step_share = 0.07;        ///< of places where one crosses: steps of a row
+  double min_cut_length_px = 7.0;  ///< of each part
+  /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
+  double min_depth_margin = 2.5;
+
+  static constexpr auto fields() {
+    using O = ConsensusOptions;
+    return std::tuple{
         Field{"sigma_end_px", &O::sigma_end_px, 1e-3, 1e3,
               "consensus: scatter of corresponding segment ends along the line"},
-        Field{"sigma_meeting_m", &O::sigma_meeting_m, 1e-4, 1e3,
-              "consensus, network: distance of lines that meet"},
-        Field{"max_miss_m", &O::max_miss_m, 1e-3, 1e4,
-              "network: distance of lines that only seem to meet"},
-        Field{"sigma_slope", &O::sigma_slope, 1e-6, 1.0,
-              "consensus: scatter of the slope of horizontal lines"},
         Field{"gable_share", &O::gable_share, 0.0, 1.0,
               "consensus: prior share of gables among what has the shape of one"},
         Field{"step_share", &O::step_share, 0.0, 1.0,
@@ -173,6 +190,8 @@ struct EstimateExtensionOptions {
 struct EstimationOptions {
   ReconstructOptions lines;
   EstimateExtensionOptions beyond;
+  BuildingOptions building;
+  ConsensusOptions consensus;
 };
 
 }  // namespace ridgeline::reconstruct

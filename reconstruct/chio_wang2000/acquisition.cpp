@@ -15,8 +15,8 @@ const CoreCandidate* candidate_of(const CoreCandidates& candidates, int right) {
 
 }  // namespace
 
-Acquisition::Acquisition(const MatchView& left,
-                         const MatchView& right,
+Acquisition::Acquisition(const View& left,
+                         const View& right,
                          const std::vector<CoreCandidates>& candidates,
                          const ChioOptions& options)
     : left_(left),

@@ -4,7 +4,7 @@
 #include "reconstruct/chio_wang2000/core.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/geometry/line_match.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <functional>
 #include <optional>
@@ -29,8 +29,8 @@ class Acquisition {
  public:
   using Allowed = std::function<bool(const CoreCandidate&)>;
 
-  Acquisition(const MatchView& left,
-              const MatchView& right,
+  Acquisition(const View& left,
+              const View& right,
               const std::vector<CoreCandidates>& candidates,
               const ChioOptions& options);
 
@@ -58,8 +58,8 @@ class Acquisition {
   [[nodiscard]] bool has_rival(int left, const CoreCandidate& best, const Allowed& allowed) const;
   [[nodiscard]] bool is_wanted_more(int left, const CoreCandidate& best) const;
 
-  const MatchView& left_;
-  const MatchView& right_;
+  const View& left_;
+  const View& right_;
   const std::vector<CoreCandidates>& candidates_;
   const ChioOptions& options_;
   std::vector<std::optional<Acquired>> acquired_;

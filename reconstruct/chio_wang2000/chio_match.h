@@ -6,7 +6,7 @@
 #include "reconstruct/chio_wang2000/linked_line.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/geometry/line_match.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <array>
 #include <optional>

@@ -24,7 +24,7 @@ struct Screened {
   std::vector<SearchedPoint> points;
 };
 
-struct Scene {
+struct Context {
   const SearchedPair& pair;
   const Radiometry& radiometry;
   const ChioOptions& options;
@@ -44,30 +44,30 @@ double mean_of(const Colour& colour, int n_bands) {
 }
 
 /// Grey difference of the flank that agrees better: an eave hides what is beside it in one of the views.
-double flank_difference(const Scene& scene, const EdgePair& edges) {
-  const int n_bands = scene.pair.left.image.channels();
+double flank_difference(const Context& context, const EdgePair& edges) {
+  const int n_bands = context.pair.left.image.channels();
   const auto grey = [&](const Flank& flank) {
-    return mean_of(scene.radiometry.left_from_right(flank.colour), n_bands);
+    return mean_of(context.radiometry.left_from_right(flank.colour), n_bands);
   };
   const auto [mate_of_left, mate_of_right] = mate_flanks(edges.right, edges.overlap.reversed());
   return std::min(std::abs(mean_of(edges.left.left.colour, n_bands) - grey(*mate_of_left)),
                   std::abs(mean_of(edges.left.right.colour, n_bands) - grey(*mate_of_right)));
 }
 
-ChioOutcome screening(const Scene& scene,
+ChioOutcome screening(const Context& context,
                       const Screened& screened,
                       const Candidate& candidate,
                       const ChainSummary& chain) {
-  const ChioOptions& options = scene.options;
+  const ChioOptions& options = context.options;
   const double gsd_m = screened.transfer.gsd_m;
-  const EdgeSegment& right = scene.pair.right.segments[candidate.right];
+  const EdgeSegment& right = context.pair.right.segments[candidate.right];
   const double noise = options.paper ? 0.0 : kNoiseFactor;
   if (chain.n_reliable < options.min_pieces) return ChioOutcome::kFewPieces;
   if (screened.transfer.turn_rad(screened.left.line.segment, right.line.segment) >
       azimuth_limit_rad(screened.transfer, options)) {
     return ChioOutcome::kAzimuth;
   }
-  if (flank_difference(scene, {screened.left, right, candidate.overlap}) >
+  if (flank_difference(context, {screened.left, right, candidate.overlap}) >
       options.max_flank_difference) {
     return ChioOutcome::kFlank;
   }
@@ -82,12 +82,12 @@ ChioOutcome screening(const Scene& scene,
   return ChioOutcome::kMatched;
 }
 
-CoreCandidates candidates_of(const Scene& scene,
+CoreCandidates candidates_of(const Context& context,
                              const EdgeSegment& left,
                              const std::vector<Candidate>& found) {
-  const Screened screened{left, local_transfer(scene.pair.search, midpoint(left.line.segment)),
-                          searched_points(scene.pair.search.right_from_left,
-                                          ImageSampler(scene.pair.left.image), left)};
+  const Screened screened{left, local_transfer(context.pair.search, midpoint(left.line.segment)),
+                          searched_points(context.pair.search.right_from_left,
+                                          ImageSampler(context.pair.left.image), left)};
   CoreCandidates result;
   result.gsd_m = screened.transfer.gsd_m;
   for (const Candidate& candidate : found) {
@@ -96,20 +96,20 @@ CoreCandidates candidates_of(const Scene& scene,
       continue;
     }
     const ChainSummary chain =
-        edge_chain(scene.pair.search.right_from_left, screened.points, left.line,
-                   scene.pair.right.segments[candidate.right].line, result.gsd_m, scene.options)
+        edge_chain(context.pair.search.right_from_left, screened.points, left.line,
+                   context.pair.right.segments[candidate.right].line, result.gsd_m, context.options)
             .summary;
-    const ChioOutcome verdict = screening(scene, screened, candidate, chain);
+    const ChioOutcome verdict = screening(context, screened, candidate, chain);
     const bool may_begin = verdict == ChioOutcome::kMatched;
     if (!may_begin) result.reason = std::max(result.reason, verdict);
-    if (may_begin || chain.n_reliable >= scene.options.min_link_pieces) {
+    if (may_begin || chain.n_reliable >= context.options.min_link_pieces) {
       result.list.push_back(
           {candidate.right, candidate.overlap, chain, candidate.similarity, may_begin});
     }
   }
   std::ranges::stable_sort(result.list, {}, [&](const CoreCandidate& c) {
-    return scene.options.paper ? std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma)
-                               : std::tuple(!c.may_begin, 0, -c.similarity);
+    return context.options.paper ? std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma)
+                                 : std::tuple(!c.may_begin, 0, -c.similarity);
   });
   return result;
 }
@@ -133,17 +133,17 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
   if (options.paper) wide.max_candidates = kAllCandidates;
   const Candidates found = match_candidates(pair, radiometry, wide, change_look);
-  const Scene scene{pair, radiometry, options};
+  const Context context{pair, radiometry, options};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
-    candidates[i] = candidates_of(scene, pair.left.segments[i], found[i]);
+    candidates[i] = candidates_of(context, pair.left.segments[i], found[i]);
   });
   return candidates;
 }
 
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
-                                  const MatchView& right,
+                                  const View& right,
                                   const ChioOptions& options) {
   const CoreCandidate& first = candidates.list[begin];
   const Segment2& edge = right.segments[first.right].line.segment;

@@ -5,7 +5,7 @@
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/views/candidates.h"
 #include "reconstruct/views/epipolar_overlap.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <cstdint>
 #include <span>
@@ -62,7 +62,7 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
 /// pieces, the same rate and azimuth in object space, on one line in the image. Indices, ascending.
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
-                                  const MatchView& right,
+                                  const View& right,
                                   const ChioOptions& options);
 
 }  // namespace ridgeline::reconstruct

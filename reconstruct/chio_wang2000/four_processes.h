@@ -5,7 +5,7 @@
 #include "reconstruct/chio_wang2000/core.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/views/epipolar_transfer.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <optional>
 #include <span>

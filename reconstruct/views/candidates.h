@@ -3,7 +3,7 @@
 
 #include "reconstruct/geometry/field.h"
 #include "reconstruct/views/line_similarity.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <array>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "reconstruct/views/stereo_lines.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <map>
@@ -55,43 +56,46 @@ void clip_to_mate(ObservedPair& pair, const Eigen::Matrix3d& right_from_left) {
 
 }  // namespace
 
-std::vector<Mates> matched_segments(std::span<const std::vector<UncertainSegment2>> segments,
-                                    std::span<const LineMatch> matches,
-                                    std::span<const Registration> registrations) {
-  std::vector<Mates> all;
-  all.reserve(matches.size());
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    const std::size_t left =
-        checked_index("match: left segment", matches[i].left, segments[0].size());
-    const std::size_t right =
-        checked_index("match: right segment", matches[i].right, segments[1].size());
-    const Registration r = registrations.empty() ? Registration{} : registrations[i];
-    all.push_back({registered(segments[0][left], 0.0, r.sigma_scale),
-                   registered(segments[1][right], r.right_shift_px, r.sigma_scale)});
-  }
-  return all;
+std::vector<Mates> extracted_mates(const MatchedSegments& matched) {
+  return transformed(matched.matches, [&](const LineMatch& match) -> Mates {
+    const auto& [left, right] = match;
+    return {
+        matched.segments[0][checked_index("match: left segment", left, matched.segments[0].size())],
+        matched
+            .segments[1][checked_index("match: right segment", right, matched.segments[1].size())]};
+  });
 }
 
-StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
-                         const std::vector<Mates>& patch,
+std::vector<Mates> registered_mates(const MatchedSegments& matched) {
+  std::vector<Mates> mates = extracted_mates(matched);
+  for (std::size_t i = 0; i < matched.registrations.size(); ++i) {
+    const Registration& r = matched.registrations[i];
+    mates[i] = {registered(mates[i][0], 0.0, r.sigma_scale),
+                registered(mates[i][1], r.right_shift_px, r.sigma_scale)};
+  }
+  return mates;
+}
+
+StereoLines stereo_lines(const MatchedSegments& matched,
                          const std::vector<Mates>& observed,
-                         std::span<const LineMatch> matches,
                          LineCovariance form) {
   std::array<std::vector<Segment2>, 2> seen;
-  for (const Mates& mates : patch) {
+  for (const Mates& mates : extracted_mates(matched)) {
     for (std::size_t j = 0; j < 2; ++j) seen[j].push_back(mates[j].segment);
   }
   StereoLines lines;
-  lines.stereo = condition(cameras.first<2>(), {seen[0], seen[1]});
+  lines.height_range_in_local_m = matched.height_range_in_local_m;
+  lines.stereo = condition(matched.cameras.first<2>(), {seen[0], seen[1]});
   const std::array<ConditionedView, 2>& views = lines.stereo.views;
   lines.right_from_left =
       fundamental_matrix(views[0].image_from_object, views[1].image_from_object);
   std::map<int, int> num_mates;
-  for (const LineMatch& match : matches) ++num_mates[match.left];
-  for (std::size_t i = 0; i < matches.size(); ++i) {
+  for (const LineMatch& match : matched.matches) ++num_mates[match.left];
+  for (std::size_t i = 0; i < observed.size(); ++i) {
     const auto& [left, right] = observed[i];
     lines.lines.push_back({observe(views[0], left, form), observe(views[1], right, form)});
-    if (num_mates[matches[i].left] > 1) clip_to_mate(lines.lines.back(), lines.right_from_left);
+    if (num_mates[matched.matches[i].left] > 1)
+      clip_to_mate(lines.lines.back(), lines.right_from_left);
   }
   return lines;
 }

@@ -10,18 +10,7 @@
 #include <span>
 #include <vector>
 
-// What reconstruct_lines() is given, checked, in the form that it computes with.
-
 namespace ridgeline::reconstruct {
-
-/// The matched lines of a stereo pair in the conditioned frames, ready for estimation.
-struct StereoLines {
-  StereoViews stereo;
-  Eigen::Matrix3d right_from_left;  ///< fundamental matrix of the conditioned images
-  std::vector<ObservedPair> lines;  ///< by match
-};
-
-using Mates = std::array<UncertainSegment2, 2>;  ///< left, right
 
 /// What comparing the images beside the edges of a match tells of their places.
 struct Registration {
@@ -29,22 +18,38 @@ struct Registration {
   double sigma_scale = 1.0;     ///< of the sigmas across both segments
 };
 
-/// The segments of each match, as their registration, if there are any, has them.
-/// Throws std::invalid_argument for an index out of range.
-std::vector<Mates> matched_segments(std::span<const std::vector<UncertainSegment2>> segments,
-                                    std::span<const LineMatch> matches,
-                                    std::span<const Registration> registrations);
+/// The matched segments of two images, which it borrows.
+struct MatchedSegments {
+  std::span<const ProjectionMatrix> cameras;  ///< image_from_local of the left (base), the right
+  std::span<const std::vector<UncertainSegment2>> segments;  ///< of the left, the right image
+  std::span<const LineMatch> matches;
+  std::span<const PairConnection> connections;    ///< in either order; repetitions change nothing
+  std::span<const Registration> registrations{};  ///< by match; or none
+  std::array<double, 2> height_range_in_local_m{-1e5, 1e5};  ///< default: no limit on Earth
+};
 
-/// The matches in the conditioned frames of the patch; of a left segment with several mates each gets the
-/// part that its mate shows.
-/// @param patch     the mates as extracted, which the conditioning is taken from: the same for all that is
-///                  to be compared
-/// @param observed  the mates to be taken
+using Mates = std::array<UncertainSegment2, 2>;  ///< left, right
+
+/// The segments of each match as they were extracted. Throws std::invalid_argument for an index out of range.
+std::vector<Mates> extracted_mates(const MatchedSegments& matched);
+
+/// The segments of each match as their registration, if there are any, has them. Throws as extracted_mates().
+std::vector<Mates> registered_mates(const MatchedSegments& matched);
+
+/// The matched lines of a stereo pair in the conditioned frames, ready for estimation.
+struct StereoLines {
+  StereoViews stereo;
+  Eigen::Matrix3d right_from_left;  ///< fundamental matrix of the conditioned images
+  std::vector<ObservedPair> lines;  ///< by match
+  std::array<double, 2> height_range_in_local_m{};
+};
+
+/// The matches in the conditioned frames of the patch, which the segments as extracted define; of a left segment with
+/// several mates each match gets the part that its mate shows.
+/// @param observed  the segments of each match that are to be taken
 /// Throws as condition() and observe() do.
-StereoLines stereo_lines(std::span<const ProjectionMatrix> cameras,
-                         const std::vector<Mates>& patch,
+StereoLines stereo_lines(const MatchedSegments& matched,
                          const std::vector<Mates>& observed,
-                         std::span<const LineMatch> matches,
                          LineCovariance form);
 
 /// Where two matches cross in both images, conditioned.

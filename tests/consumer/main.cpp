@@ -41,12 +41,12 @@ ProjectionMatrix camera_at(double x) {
 }
 
 View photograph(const char* id, double camera_x) {
-  View view{id, cv::Mat(600, 600, CV_8UC1, cv::Scalar(60)), camera_at(camera_x), {}};
+  View view{id, camera_at(camera_x), cv::Mat(600, 600, CV_8UC1, cv::Scalar(60))};
   const auto fill = [&](const std::vector<Eigen::Vector3d>& corners, double grey) {
     constexpr int kBits = 8;  // of a pixel's fraction
     std::vector<cv::Point> polygon;
     for (const Eigen::Vector3d& corner : corners) {
-      const Eigen::Vector2d x = (view.image_from_world * corner.homogeneous()).hnormalized();
+      const Eigen::Vector2d x = (view.image_from_local * corner.homogeneous()).hnormalized();
       polygon.emplace_back(cvRound(x.x() * (1 << kBits)), cvRound(x.y() * (1 << kBits)));
     }
     cv::fillConvexPoly(view.image, polygon, cv::Scalar(grey), cv::LINE_AA, kBits);
@@ -91,8 +91,8 @@ std::size_t judge_from_files(const Cloud& cloud) {
 
 int main() {
   try {
-    const std::vector<View> views{photograph("left", -15.0), photograph("right", 15.0)};
-    const auto found = ridgeline::reconstruct::reconstruct(views, {-2.0, 12.0});
+    const auto found = ridgeline::reconstruct::reconstruct(
+        {{photograph("left", -15.0), photograph("right", 15.0)}, {-2.0, 12.0}});
     std::vector<JudgedLine> lines;
     ridgeline::io::LineSet file;
     for (const ReconstructedLine& line : found.pairs[0].lines) {

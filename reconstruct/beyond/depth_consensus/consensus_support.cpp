@@ -122,8 +122,7 @@ struct Match {
 /// @param sigma_px  along the line
 std::optional<UncertainPoint3> point_in_object(const Match& match,
                                                const std::array<Eigen::Vector2d, 2>& x,
-                                               double sigma_px,
-                                               const ReconstructOptions& options) {
+                                               double sigma_px) {
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
     const ConditionedView& view = match.lines.stereo.views[j];
@@ -131,7 +130,7 @@ std::optional<UncertainPoint3> point_in_object(const Match& match,
                             end_in_image(match.line[j], x[j], sigma_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
-  if (!estimated || !plausible(match.lines, estimated->point.mean, options)) return std::nullopt;
+  if (!estimated || !plausible(match.lines, estimated->point.mean)) return std::nullopt;
   return estimated->point;
 }
 
@@ -155,9 +154,7 @@ bool fix_direction(std::span<const CandidatePoint> points) {
 }
 
 /// Whether the match may be cut where it meets another one: the parts are long enough in both images.
-bool may_cut(const Match& match,
-             const CandidatePoint& at,
-             const EstimateExtensionOptions& options) {
+bool may_cut(const Match& match, const CandidatePoint& at, const ConsensusOptions& options) {
   if (at.ranked.weight < kLeastCutWeight) return false;
   const auto x = match.crossing_with(at.ranked.neighbour);
   for (std::size_t j = 0; j < 2; ++j) {
@@ -181,20 +178,20 @@ struct MatchEvidence {
 MatchEvidence evidence_of(const Match& match,
                           std::span<const int> neighbours,
                           const EstimationOptions& options) {
-  const auto& [published, beyond] = options;
   MatchEvidence evidence{match, {}, {}, {}, {}};
-  for (const CandidatePoint& c : candidate_points(match.lines, match.line, neighbours, published)) {
-    if (!(c.ranked.weight > published.min_weight)) continue;
+  for (const CandidatePoint& c :
+       candidate_points(match.lines, match.line, neighbours, options.lines)) {
+    if (!(c.ranked.weight > options.lines.min_weight)) continue;
     evidence.points.push_back(c);
     DepthEvidence e =
         evidence_of(c.estimated.point, c.ranked.parameter, kMostPointPrior * c.ranked.weight);
     e.meeting = c.ranked.weight;
-    e.may_cut = may_cut(match, c, beyond);
+    e.may_cut = may_cut(match, c, options.consensus);
     evidence.on_depth.push_back(e);
   }
   for (const int which : {0, 1}) {
     if (const auto end =
-            point_in_object(match, match.ends(which), beyond.sigma_end_px, published)) {
+            point_in_object(match, match.ends(which), options.consensus.sigma_end_px)) {
       evidence.ends.push_back(*end);
       evidence.which_ends.push_back(which);
       evidence.on_depth.push_back(evidence_of(*end, which, kEndPrior));
@@ -223,12 +220,11 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
 bool add_surface_points(const Match& match,
                         const Surface& surface,
                         const DepthPart& part,
-                        const EstimationOptions& options,
                         LineSupport& support) {
   const auto found = SurfaceDepth(surface, match.lines, support.seen).homologous(part.line);
   if (!found) return false;
   for (const SurfaceDepth::Homologous& h : *found) {
-    if (const auto point = point_in_object(match, h.x, h.sigma_px, options.lines)) {
+    if (const auto point = point_in_object(match, h.x, h.sigma_px)) {
       support.ends.push_back(*point);
       support.ends_in_images.push_back(h.x);
       support.sigma_ends_px = std::max(support.sigma_ends_px, h.sigma_px);
@@ -256,23 +252,23 @@ LineSupport support_of(const MatchEvidence& evidence,
     if (i >= evidence.points.size()) continue;
     agreeing.push_back(evidence.points[i]);
     UncertainPoint3& point = agreeing.back().estimated.point;
-    point = scattered(point,
-                      options.beyond.sigma_meeting_m / evidence.match.lines.stereo.object.scale_m);
+    point = scattered(
+        point, options.building.sigma_meeting_m / evidence.match.lines.stereo.object.scale_m);
     RankedPoint& ranked = agreeing.back().ranked;
     const auto x = evidence.match.crossing_with(ranked.neighbour);
     ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
   }
   support.points = best_of_regions(agreeing, options.lines);
-  if (part.horizontal) support.sigma_slope = options.beyond.sigma_slope;
+  if (part.horizontal) support.sigma_slope = options.building.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (surface != nullptr && add_surface_points(evidence.match, *surface, part, options, support))
+  if (surface != nullptr && add_surface_points(evidence.match, *surface, part, support))
     return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
     if (i < evidence.points.size()) continue;
     const std::size_t end = i - evidence.points.size();
     support.ends.push_back(evidence.ends[end]);
-    support.sigma_ends_px = options.beyond.sigma_end_px;
+    support.sigma_ends_px = options.consensus.sigma_end_px;
     support.ends_in_images.push_back(evidence.match.ends(evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
@@ -292,13 +288,14 @@ std::vector<LineSupport> lines_by_consensus(const Match& match,
   const MatchEvidence evidence = evidence_of(match, neighbours, options);
   std::optional<SurfaceDepth> depth;
   if (surface != nullptr) depth.emplace(*surface, match.lines, match.line);
-  const auto consensus = agree_on_depth({match.lines, match.line, evidence.on_depth, heights_nearby,
-                                         options.beyond, depth ? &*depth : nullptr});
+  const auto consensus =
+      agree_on_depth({match.lines, match.line, evidence.on_depth, heights_nearby, options.consensus,
+                      options.building, depth ? &*depth : nullptr});
   if (!consensus) return {LineSupport{.seen = match.line}};
   std::vector<LineSupport> all;
   for (const DepthPart& part : consensus->parts) {
     all.push_back(support_of(evidence, part, surface, options));
-    if (consensus->margin < options.beyond.min_depth_margin) all.back().ambiguous = true;
+    if (consensus->margin < options.consensus.min_depth_margin) all.back().ambiguous = true;
   }
   return all;
 }

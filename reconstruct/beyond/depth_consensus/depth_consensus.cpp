@@ -37,7 +37,7 @@ std::vector<DepthPart> parts_of(const DepthProfile& profile,
       if (is_here && scorer.supports(e, profile.lines[p])) part.supports.push_back(i);
     }
     part.horizontal =
-        slope(profile.lines[p].direction) <= kHorizontalSigma * question.options.sigma_slope;
+        slope(profile.lines[p].direction) <= kHorizontalSigma * question.building.sigma_slope;
   }
   return parts;
 }

@@ -20,14 +20,14 @@ double sloping(double slope) {
          (1.0 - kRoofShare) * bell(slope / kStreet);
 }
 
-double log_straight_prior(double slope, const EstimateExtensionOptions& options) {
+double log_straight_prior(double slope, const BuildingOptions& options) {
   constexpr double kHorizontal = 0.8;  // share of aligned lines that are built so
   return std::log(kHorizontal * bell(slope / options.sigma_slope) +
                   (1.0 - kHorizontal) * sloping(slope));
 }
 
 /// Prior of a cut between two steps of a row: a row that has one step often has more.
-double log_step_prior(bool is_first, const EstimateExtensionOptions& options) {
+double log_step_prior(bool is_first, const ConsensusOptions& options) {
   constexpr double kNextShare = 0.3;
   return std::log(is_first ? options.step_share : kNextShare);
 }
@@ -126,7 +126,7 @@ std::vector<DepthProfile> straight_profiles(const DepthQuestion& question,
   std::vector<DepthProfile> all;
   const auto add = [&](const Eigen::Vector3d& through, const Eigen::Vector3d& direction) {
     all.push_back(
-        {{{through, direction}}, {}, log_straight_prior(slope(direction), question.options)});
+        {{{through, direction}}, {}, log_straight_prior(slope(direction), question.building)});
   };
   const Eigen::Vector3d horizontal = scorer.horizontal();
   for (std::size_t a = 0; a < evidence.size(); ++a) {

@@ -53,7 +53,7 @@ DepthScorer::Misfit DepthScorer::misfit(const DepthEvidence& e, const DepthLine&
   const Eigen::Vector3d across = normal_.cross(line.direction);
   return {unit_m_ * across.dot(e.x - line.through),
           std::hypot(unit_m_ * std::sqrt(across.dot(e.cov * across)),
-                     question_.options.sigma_meeting_m)};
+                     question_.building.sigma_meeting_m)};
 }
 
 bool DepthScorer::supports(const DepthEvidence& e, const DepthLine& line) const {

@@ -19,7 +19,8 @@ struct DepthQuestion {
   const ObservedPair& line;
   std::span<const DepthEvidence> evidence;
   std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
-  const EstimateExtensionOptions& options;
+  const ConsensusOptions& options;
+  const BuildingOptions& building;
   const SurfaceDepth* surface = nullptr;  ///< none where the images are not at hand
 };
 

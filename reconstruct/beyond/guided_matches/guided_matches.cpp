@@ -55,7 +55,7 @@ bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<co
 std::vector<char> has_mate(const StereoPair& pair,
                            std::span<const LineMatch> known,
                            std::size_t view) {
-  std::vector<char> has(pair.views[view].segments.size(), 0);
+  std::vector<char> has(pair.views[view]->segments.size(), 0);
   for (const LineMatch& m : known)
     has.at(static_cast<std::size_t>(view == 0 ? m.left : m.right)) = 1;
   return has;
@@ -67,8 +67,8 @@ std::vector<Step> steps_of(const StereoPair& pair,
                            std::span<const LineMatch> known,
                            std::size_t from,
                            const ExtractOptions& options) {
-  const std::vector<EdgeSegment>& guides = pair.views[from].segments;
-  const MatchView& there = pair.views[1 - from];
+  const std::vector<EdgeSegment>& guides = pair.views[from]->segments;
+  const View& there = *pair.views[1 - from];
   const MatePrediction prediction(surface, from);
   const ImageSampler image(there.image);
   const std::vector<char> is_matched = has_mate(pair, known, from);
@@ -98,6 +98,10 @@ std::vector<Step> steps_of(const StereoPair& pair,
   return steps;
 }
 
+View without_segments(const View& view) {
+  return {view.id, view.image_from_local, view.image, view.ideal_from_image};
+}
+
 /// The look of steps and their guides.
 void compare(const StereoPair& pair,
              std::size_t from,
@@ -105,15 +109,16 @@ void compare(const StereoPair& pair,
              const CandidateLook& change_look,
              std::vector<Step>& steps) {
   constexpr double kUndecided = 0.5;
-  StereoPair guided = pair;
-  for (MatchView& view : guided.views) view.segments.clear();
+  std::array<View, 2> guided{without_segments(*pair.views[0]), without_segments(*pair.views[1])};
   for (const Step& step : steps) {
-    guided.views[from].segments.push_back(pair.views[from].segments[step.guide]);
-    guided.views[1 - from].segments.push_back(step.mate);
+    guided[from].segments.push_back(pair.views[from]->segments[step.guide]);
+    guided[1 - from].segments.push_back(step.mate);
   }
-  const Radiometry radiometry = relative_radiometry(pair.views[0].segments, pair.views[1].segments);
+  const Radiometry radiometry =
+      relative_radiometry(pair.views[0]->segments, pair.views[1]->segments);
   const Candidates candidates =
-      match_candidates(searched(guided), radiometry, options.candidates, change_look);
+      match_candidates(searched({{guided.data(), guided.data() + 1}, pair.height_range_in_local_m}),
+                       radiometry, options.candidates, change_look);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     for (const Candidate& candidate : candidates[k]) {
       if (candidate.right != static_cast<int>(k)) continue;
@@ -136,7 +141,7 @@ GuidedMatches guided_matches(const StereoPair& pair,
     std::vector<Step> steps = steps_of(pair, surface, known, from, options.edges);
     compare(pair, from, options, change_look, steps);
     std::ranges::stable_sort(steps, std::greater{}, &Step::similarity);
-    std::vector<char> is_matched(pair.views[from].segments.size(), 0);
+    std::vector<char> is_matched(pair.views[from]->segments.size(), 0);
     std::vector<Segment2> taken;
     std::vector<EdgeSegment>& mates = result.mates[1 - from];
     for (Step& step : steps) {
@@ -148,7 +153,7 @@ GuidedMatches guided_matches(const StereoPair& pair,
       is_matched[step.guide] = 1;
       taken.push_back(step.mate.line.segment);
       const auto guide = static_cast<int>(step.guide);
-      const auto mate = static_cast<int>(pair.views[1 - from].segments.size() + mates.size());
+      const auto mate = static_cast<int>(pair.views[1 - from]->segments.size() + mates.size());
       result.matches.push_back(
           {from == 0 ? LineMatch{guide, mate} : LineMatch{mate, guide}, step.similarity, 0.0});
       mates.push_back(std::move(step.mate));

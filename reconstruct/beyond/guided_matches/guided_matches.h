@@ -5,7 +5,7 @@
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/ok2011/extract/options.h"
 #include "reconstruct/views/candidates.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <array>
 #include <span>

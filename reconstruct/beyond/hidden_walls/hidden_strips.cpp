@@ -15,9 +15,7 @@ struct Pair {
   const Radiometry& radiometry;
   const std::array<CloseLines, 2>& close;
 
-  [[nodiscard]] const MatchView& view(int image) const {
-    return image == 0 ? views.left : views.right;
-  }
+  [[nodiscard]] const View& view(int image) const { return image == 0 ? views.left : views.right; }
   [[nodiscard]] const EdgeSegment& segment(int image, int id) const {
     return view(image).segments[id];
   }

@@ -32,9 +32,9 @@ struct LineFit {
   [[nodiscard]] double offset() const { return (y - gain() * x) / w; }
 };
 
-MatchView longest_of(const MatchView& view) {
+View longest_of(const View& view) {
   constexpr std::size_t kMost = 300;
-  MatchView longest{view.image_from_local, view.image, view.segments};
+  View longest = view;
   std::ranges::stable_sort(longest.segments, std::greater{},
                            [](const EdgeSegment& edge) { return length(edge.line.segment); });
   if (longest.segments.size() > kMost) longest.segments.resize(kMost);
@@ -92,7 +92,7 @@ Radiometry matched_radiometry(const SearchedPair& pair,
                               const CandidateOptions& options,
                               const CandidateLook& change_look) {
   constexpr std::size_t kFewest = 20;
-  const MatchView longest = longest_of(pair.left);
+  const View longest = longest_of(pair.left);
   const Candidates candidates =
       match_candidates({longest, pair.right, pair.search}, first, options, change_look);
   std::vector<ColourPair> pairs;

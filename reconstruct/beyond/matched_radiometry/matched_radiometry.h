@@ -3,7 +3,7 @@
 
 #include "reconstruct/views/candidates.h"
 #include "reconstruct/views/epipolar_transfer.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 #include "reconstruct/views/strip_look.h"
 
 namespace ridgeline::reconstruct {

@@ -54,7 +54,7 @@ double squared(double x) { return x * x; }
 /// other: normal if they meet, else about uniform over max_miss_m.
 double probability(const Junction& junction,
                    const NetworkAdjustment::Prediction& predicted,
-                   const EstimateExtensionOptions& options) {
+                   const BuildingOptions& options) {
   const double prior = junction.prior;
   if (!std::isfinite(predicted.sigma)) return prior;
   const double widest = options.max_miss_m / junction.sigma_m;
@@ -70,7 +70,7 @@ double probability(const Junction& junction,
 /// given all others at their weights. What the two lines by themselves make improbable stays out: false
 /// meetings of one line, as of a road marking with the cars beside it, would support each other. Decided at
 /// the end.
-bool decide_meetings(NetworkAdjustment& adjustment, const EstimateExtensionOptions& options) {
+bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& options) {
   constexpr int kMostRounds = 20;
   constexpr double kSettled = 1e-3;      // largest change of a weight
   constexpr double kNearMinimum = 1e-2;  // in standard deviations
@@ -100,7 +100,7 @@ void adjust_group(const StereoViews& stereo,
                   std::span<const NetworkLine> lines,
                   const Group& group,
                   const std::array<double, 2>& heights_m,
-                  const EstimateExtensionOptions& options,
+                  const BuildingOptions& options,
                   std::vector<AdjustedInNetwork>& results) {
   const auto members = transformed(group.lines, [&](int line) { return &lines[line]; });
   NetworkAdjustment adjustment(stereo, members, group.meetings, heights_m, options.sigma_slope);
@@ -126,7 +126,7 @@ std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
                                               std::span<const NetworkLine> lines,
                                               std::span<const Meeting> meetings,
                                               const std::array<double, 2>& heights_m,
-                                              const EstimateExtensionOptions& options) {
+                                              const BuildingOptions& options) {
   std::vector<AdjustedInNetwork> results(lines.size());
   const std::vector<Group> groups = connected_groups(lines.size(), meetings);
   tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {

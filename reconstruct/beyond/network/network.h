@@ -59,6 +59,6 @@ std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
                                               std::span<const NetworkLine> lines,
                                               std::span<const Meeting> meetings,
                                               const std::array<double, 2>& heights_m,
-                                              const EstimateExtensionOptions& options);
+                                              const BuildingOptions& options);
 
 }  // namespace ridgeline::reconstruct

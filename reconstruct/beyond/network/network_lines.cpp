@@ -99,12 +99,12 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
 
 /// Whether the line is known far better than by the range of heights alone: of the variance of its
 /// heights in any combination at most this share is left.
-bool is_determined(const ReconstructedLine& line, const ReconstructOptions& options) {
+bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& heights_m) {
   constexpr double kMostLeft = 0.01;
   const Matrix6d& cov = *line.covariance_m2;
   Eigen::Matrix2d heights;
   heights << cov(2, 2), cov(2, 5), cov(5, 2), cov(5, 5);
-  const double range_m = options.highest_height_m - options.lowest_height_m;
+  const double range_m = heights_m[1] - heights_m[0];
   const double largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(heights).eigenvalues()(1);
   return largest <= kMostLeft * range_m * range_m / 12.0;
 }
@@ -124,20 +124,18 @@ void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      const EstimationOptions& options,
                      std::vector<std::vector<JointLine>>& by_match) {
-  const auto& [published, beyond] = options;
   const Members members = members_of(lines, by_match);
   const std::vector<Meeting> meetings =
-      meetings_of(lines, connections, members, published, beyond.sigma_meeting_m);
-  const std::vector<AdjustedInNetwork> adjusted =
-      adjust_network(lines.stereo, members.lines, meetings,
-                     {published.lowest_height_m, published.highest_height_m}, beyond);
+      meetings_of(lines, connections, members, options.lines, options.building.sigma_meeting_m);
+  const std::vector<AdjustedInNetwork> adjusted = adjust_network(
+      lines.stereo, members.lines, meetings, lines.height_range_in_local_m, options.building);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
     ReconstructedLine line = joint;
     if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line,
-                         beyond.max_end_sigma_m, line) ||
-        !is_determined(line, published) ||
+                         options.beyond.max_end_sigma_m, line) ||
+        !is_determined(line, lines.height_range_in_local_m) ||
         !is_better_known(line, adjusted[i].n_meetings, *members.results[i])) {
       continue;
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/geometry/line_match.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <optional>
 #include <span>

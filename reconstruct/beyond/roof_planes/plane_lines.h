@@ -3,7 +3,7 @@
 
 #include "reconstruct/beyond/surface/surface.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <span>
 #include <vector>

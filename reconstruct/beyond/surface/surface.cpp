@@ -86,8 +86,8 @@ class Matching {
   Matching(const StereoPair& pair, const Rectification& r, const SurfaceOptions& options)
       : pair_(pair), rectification_(r), options_(options) {
     const Radiometry radiometry =
-        relative_radiometry(extracted(pair.views[0].segments), extracted(pair.views[1].segments));
-    bytes_ = {in_8_bits(pair.views[0].image, {}), in_8_bits(pair.views[1].image, radiometry)};
+        relative_radiometry(extracted(pair.views[0]->segments), extracted(pair.views[1]->segments));
+    bytes_ = {in_8_bits(pair.views[0]->image, {}), in_8_bits(pair.views[1]->image, radiometry)};
   }
 
   /// Writes the disparities of a tile.
@@ -132,7 +132,7 @@ class Matching {
   [[nodiscard]] Part rectified(std::size_t view, const cv::Rect& part) const {
     Part result{{},
                 image_from_rectified(rectification_.rectified_from_ideal[view],
-                                     pair_.views[view].ideal_from_image, part),
+                                     pair_.views[view]->ideal_from_image, part),
                 bytes_[view].size()};
     cv::remap(bytes_[view], result.image, result.from, cv::noArray(), cv::INTER_CUBIC,
               cv::BORDER_CONSTANT);
@@ -181,7 +181,7 @@ std::vector<Eigen::Vector3d> points_in_local(const Surface& surface, std::size_t
 }
 
 std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOptions& options) {
-  const auto r = rectification(pair.cameras(), pair.views[0].image.size());
+  const auto r = rectification(pair.cameras(), pair.views[0]->image.size());
   if (!r) return std::nullopt;
   Surface surface{*r,
                   cv::Mat(r->size, CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()))};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/beyond/surface/rectification.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <opencv2/core/mat.hpp>
 

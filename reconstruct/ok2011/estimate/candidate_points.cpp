@@ -55,7 +55,7 @@ std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
       PointObservation{lines.stereo.views[0].image_from_object, x[0]},
       PointObservation{lines.stereo.views[1].image_from_object, x[1]}};
   const std::optional<EstimatedPoint> estimated = estimate_point(observations);
-  if (!estimated || !plausible(lines, estimated->point.mean, options)) return std::nullopt;
+  if (!estimated || !plausible(lines, estimated->point.mean)) return std::nullopt;
   const double parameter = parameter_along(line[0].segment, x[0].mean.hnormalized());
   return CandidatePoint{*estimated, {parameter, weight, estimated->omega, neighbour}};
 }
@@ -70,14 +70,13 @@ double pair_weight(const StereoLines& lines,
   return point_weight(measures(lines, line, neighbour, x), options);
 }
 
-bool plausible(const StereoLines& lines,
-               const Eigen::Vector4d& x,
-               const ReconstructOptions& options) {
+bool plausible(const StereoLines& lines, const Eigen::Vector4d& x) {
   for (const ConditionedView& view : lines.stereo.views) {
     if (!in_front(view, x)) return false;
   }
   const double height_m = lines.stereo.object.local_from_conditioned(x.hnormalized()).z();
-  return height_m >= options.lowest_height_m && height_m <= options.highest_height_m;
+  const auto& [lowest_m, highest_m] = lines.height_range_in_local_m;
+  return height_m >= lowest_m && height_m <= highest_m;
 }
 
 std::vector<CandidatePoint> candidate_points(const StereoLines& lines,

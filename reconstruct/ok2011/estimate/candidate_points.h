@@ -21,9 +21,7 @@ struct CandidatePoint {
 };
 
 /// Whether a point of the conditioned frame lies in front of both cameras and within the heights.
-bool plausible(const StereoLines& lines,
-               const Eigen::Vector4d& x,
-               const ReconstructOptions& options);
+bool plausible(const StereoLines& lines, const Eigen::Vector4d& x);
 
 /// W of Eq. 6 of a line and another one: how well they meet in both images, 0 to 1.
 double pair_weight(const StereoLines& lines,

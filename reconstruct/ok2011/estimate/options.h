@@ -28,10 +28,6 @@ struct ReconstructOptions {
   double sigma_epipolar_px = 2.0;    ///< sigma_2 of Eq. 6: distance to the epipolar line
   double min_pair_angle_deg = 10.0;  ///< a pair up to this angle gives no point (t of Eq. 6)
   double min_weight = 0.01;          ///< T_w: points up to this weight are discarded
-  /// Artificial points outside the range of heights (local frame) are discarded. No limit on Earth. Of
-  /// the patch, not options of a user: not among the fields.
-  double lowest_height_m = -1e5;
-  double highest_height_m = 1e5;
 
   static constexpr auto fields() {
     using O = ReconstructOptions;

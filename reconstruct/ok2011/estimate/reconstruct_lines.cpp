@@ -138,12 +138,58 @@ std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
   return results;
 }
 
+/// The lines by `joint`, by match.
+/// @param support  of aligned lines
+/// @param direct   the lines of the matches by `direct`
+std::vector<std::vector<JointLine>> joint_lines(const StereoLines& lines,
+                                                std::span<const ObservedPair> observed,
+                                                const Neighbours& neighbours,
+                                                const SupportOfMatch& support,
+                                                std::span<const ReconstructedLine> direct,
+                                                double max_end_sigma_m) {
+  std::vector<std::vector<JointLine>> by_match(observed.size());
+  tbb::parallel_for(std::size_t{0}, observed.size(), [&](std::size_t i) {
+    Interruption::check();
+    if (direct[i].line_class != LineClass::kAligned) {
+      by_match[i] = {{direct[i], LineSupport{.seen = observed[i]}}};  // the images alone
+      return;
+    }
+    const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
+    by_match[i] = reconstruct_aligned(lines, parts, max_end_sigma_m, direct[i]);
+  });
+  return by_match;
+}
+
 std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_match) {
   std::vector<ReconstructedLine> all;
   for (const std::vector<JointLine>& lines : by_match) {
     for (const JointLine& joint : lines) all.push_back(joint.line);
   }
   return all;
+}
+
+void check_input(const MatchedSegments& matched,
+                 const ReconstructOptions& options,
+                 const EstimateExtensions& beyond) {
+  check(matched.cameras.size() == 2, "reconstruct_lines: cameras = ", matched.cameras.size(),
+        ", must be 2");
+  check(matched.segments.size() == 2, "reconstruct_lines: images = ", matched.segments.size(),
+        ", must be 2");
+  const std::size_t n_registrations = matched.registrations.size();
+  check(n_registrations == 0 || n_registrations == matched.matches.size(),
+        "reconstruct_lines: registrations = ", n_registrations, ", must be one per match, ",
+        matched.matches.size(), ", or none");
+  for (const Registration& r : matched.registrations) {
+    check(std::isfinite(r.right_shift_px), "reconstruct_lines: right_shift_px = ", r.right_shift_px,
+          ", must be finite");
+    check(r.sigma_scale > 0.0 && std::isfinite(r.sigma_scale),
+          "reconstruct_lines: sigma_scale = ", r.sigma_scale, ", must be positive");
+  }
+  validate(options);
+  check(options.method != Method::kPlanes,
+        "reconstruct_lines: method = planes, which takes no matches; see plane_lines()");
+  check(options.method != Method::kNetwork || beyond.network,
+        "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
 }
 
 }  // namespace
@@ -165,43 +211,23 @@ const char* name(Status status) {
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-std::vector<ReconstructedLine> reconstruct_lines(
-    std::span<const ProjectionMatrix> cameras,
-    std::span<const std::vector<UncertainSegment2>> segments,
-    std::span<const LineMatch> matches,
-    std::span<const PairConnection> connections,
-    const ReconstructOptions& options,
-    std::span<const Registration> registrations,
-    const EstimateExtensions& beyond) {
-  check(cameras.size() == 2, "reconstruct_lines: cameras = ", cameras.size(), ", must be 2");
-  check(segments.size() == 2, "reconstruct_lines: images = ", segments.size(), ", must be 2");
-  check(registrations.empty() || registrations.size() == matches.size(),
-        "reconstruct_lines: registrations = ", registrations.size(), ", must be one per match, ",
-        matches.size(), ", or none");
-  for (const Registration& r : registrations) {
-    check(std::isfinite(r.right_shift_px), "reconstruct_lines: right_shift_px = ", r.right_shift_px,
-          ", must be finite");
-    check(r.sigma_scale > 0.0 && std::isfinite(r.sigma_scale),
-          "reconstruct_lines: sigma_scale = ", r.sigma_scale, ", must be positive");
-  }
-  validate(options);
-  check(options.method != Method::kPlanes,
-        "reconstruct_lines: method = planes, which takes no matches; see plane_lines()");
-  check(options.method != Method::kNetwork || beyond.network,
-        "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
-  const Neighbours neighbours = neighbours_of(connections, matches.size());
+std::vector<ReconstructedLine> reconstruct_lines(const MatchedSegments& matched,
+                                                 const ReconstructOptions& options,
+                                                 const EstimateExtensions& beyond) {
+  check_input(matched, options, beyond);
+  const std::span<const LineMatch> matches = matched.matches;
+  const Neighbours neighbours = neighbours_of(matched.connections, matches.size());
   if (matches.empty()) return {};
-  const std::vector<Mates> extracted = matched_segments(segments, matches, {});
-  const std::vector<Mates> registered = matched_segments(segments, matches, registrations);
-  // the consensus on the depth of aligned lines takes what they meet as it was extracted
+  // The consensus on the depth of aligned lines takes what they meet as it was extracted.
   const StereoLines lines =
-      stereo_lines(cameras, extracted, extracted, matches, options.line_covariance);
+      stereo_lines(matched, extracted_mates(matched), options.line_covariance);
+  const std::vector<Mates> registered = registered_mates(matched);
   const std::vector<ObservedPair> observed =
-      stereo_lines(cameras, extracted, registered, matches, options.line_covariance).lines;
+      stereo_lines(matched, registered, options.line_covariance).lines;
 
-  std::vector<ReconstructedLine> results =
+  std::vector<ReconstructedLine> direct =
       direct_lines(lines, observed, matches, options, beyond.max_end_sigma_m);
-  if (options.method == Method::kDirect) return results;
+  if (options.method == Method::kDirect) return direct;
 
   SupportOfMatch support = [&](const ObservedPair& line, std::span<const int> mates) {
     return std::vector{published_support(lines, line, mates, options)};
@@ -210,19 +236,11 @@ std::vector<ReconstructedLine> reconstruct_lines(
     support = beyond.support(
         lines, direct_lines(lines, lines.lines, matches, options, beyond.max_end_sigma_m));
   }
-  std::vector<std::vector<JointLine>> by_match(matches.size());
-  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
-    Interruption::check();
-    if (results[i].line_class != LineClass::kAligned) {
-      by_match[i] = {{results[i], LineSupport{.seen = observed[i]}}};  // the images alone
-      return;
-    }
-    const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
-    by_match[i] = reconstruct_aligned(lines, parts, beyond.max_end_sigma_m, results[i]);
-  });
+  std::vector<std::vector<JointLine>> by_match =
+      joint_lines(lines, observed, neighbours, support, direct, beyond.max_end_sigma_m);
   if (options.method == Method::kNetwork) {
-    beyond.network(stereo_lines(cameras, extracted, registered, matches, LineCovariance::kCentroid),
-                   connections, by_match);
+    beyond.network(stereo_lines(matched, registered, LineCovariance::kCentroid),
+                   matched.connections, by_match);
   }
   return flattened(by_match);
 }

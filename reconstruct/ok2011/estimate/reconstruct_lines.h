@@ -112,23 +112,14 @@ struct EstimateExtensions {
 /// that its mate shows. One line per match, or several of an aligned one that
 /// agree_on_depth() finds to show several.
 ///
-/// @param cameras      image_from_local of the left (base) and the right image, free of error
-/// @param segments     of the left and the right image
-/// @param connections  pairs of matches, in either order; repetitions change nothing
-/// @param registrations  of each match, what the images beside its edges tell of their places
-///                       (compare_profiles()); or none. The points of other lines are made with the
-///                       segments as they are.
+/// @param matched  its cameras are free of error. Registrations say what the images beside the edges tell of their places
+///                 (compare_profiles()); the points of other lines are made with the segments as they are.
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of
 /// range, a connection of a match with itself, a matched segment without length or precision, registrations
 /// of another number than the matches, one that is not finite, and Method::kNetwork without its extension.
-std::vector<ReconstructedLine> reconstruct_lines(
-    std::span<const ProjectionMatrix> cameras,
-    std::span<const std::vector<UncertainSegment2>> segments,
-    std::span<const LineMatch> matches,
-    std::span<const PairConnection> connections,
-    const ReconstructOptions& options = {},
-    std::span<const Registration> registrations = {},
-    const EstimateExtensions& beyond = {});
+std::vector<ReconstructedLine> reconstruct_lines(const MatchedSegments& matched,
+                                                 const ReconstructOptions& options = {},
+                                                 const EstimateExtensions& beyond = {});
 
 }  // namespace ridgeline::reconstruct

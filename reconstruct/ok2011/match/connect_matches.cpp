@@ -42,8 +42,8 @@ std::vector<PairConnection> connect_matches(const StereoPair& pair,
                                             std::span<const LineMatch> matches,
                                             const MatchOptions& options) {
   validate(options);
-  const std::vector<EdgeSegment>& left = pair.views[0].segments;
-  const std::vector<EdgeSegment>& right = pair.views[1].segments;
+  const std::vector<EdgeSegment>& left = pair.views[0]->segments;
+  const std::vector<EdgeSegment>& right = pair.views[1]->segments;
   const auto [left_camera, right_camera] = pair.cameras();
   const StereoSearch search(left_camera, right_camera, pair.height_range_in_local_m);
   std::vector<Segment2> in_left;

@@ -3,7 +3,7 @@
 
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/ok2011/match/options.h"
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 
 #include <span>
 #include <vector>

@@ -126,7 +126,7 @@ std::vector<NearSegment> neighbours_of(int segment,
   return neighbours;
 }
 
-void add_neighbours(VoteGraph& graph, const MatchView& left) {
+void add_neighbours(VoteGraph& graph, const View& left) {
   const std::vector<Segment2> segments = ideal_segments(left);
   const SegmentIndex index(segments);
   graph.neighbours.resize(segments.size());

@@ -11,8 +11,8 @@ namespace ridgeline::reconstruct {
 
 /// The segments of two views with the candidates of the left ones.
 struct MatchChoices {
-  const MatchView& left;
-  const MatchView& right;
+  const View& left;
+  const View& right;
   const Candidates& candidates;
 
   [[nodiscard]] const Segment2& left_line(std::size_t i) const {

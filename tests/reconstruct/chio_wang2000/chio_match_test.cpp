@@ -66,7 +66,7 @@ TEST_F(ChioMatch, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(ChioMatch, WithoutSegmentsFindsNothing) {
-  for (MatchView& view : pair_.views) view.segments.clear();
+  for (View& view : pair_.views) view.segments.clear();
   EXPECT_TRUE(match().lines.empty());
   EXPECT_TRUE(match().outcomes.empty());
 }

@@ -69,7 +69,7 @@ class FigureThree : public testing::Test {
 
   test::StereoPair pair_;
   StereoSearch search_ = pair_.search();
-  std::array<MatchView, 2> views_;
+  std::array<View, 2> views_;
   std::vector<CoreCandidates> candidates_;
 };
 

@@ -5,6 +5,7 @@
 #include "tests/reconstruct/support/stereo_scene.h"
 #include "tests/support/random.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,14 +23,15 @@ struct LineGroup {
   std::vector<std::vector<UncertainSegment2>> segments{2};
   std::vector<LineMatch> matches;
   std::vector<PairConnection> connections;
+  std::array<double, 2> height_range_in_local_m{-1e5, 1e5};
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
       const reconstruct::EstimationOptions& options = published(),
       std::span<const reconstruct::Registration> registrations = {},
       const reconstruct::Surface* surface = nullptr) const {
-    return reconstruct::reconstruct_lines(scene.cameras, segments, matches, connections,
-                                          options.lines, registrations,
-                                          reconstruct::estimate_extensions(options, surface));
+    return reconstruct::reconstruct_lines(
+        {scene.cameras, segments, matches, connections, registrations, height_range_in_local_m},
+        options.lines, reconstruct::estimate_extensions(options, surface));
   }
 };
 

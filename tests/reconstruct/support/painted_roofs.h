@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/views/match_view.h"
+#include "tests/reconstruct/support/owned_pair.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 
 #include <cstdint>
@@ -48,9 +48,9 @@ struct PaintedRoofs {
   double ground_contrast = 1.0;
   double right_turn_rad = 0.0;  ///< of the right image in its plane
 
-  [[nodiscard]] reconstruct::StereoPair pair() const {
+  [[nodiscard]] OwnedPair pair() const {
     const StereoScene scene;
-    reconstruct::StereoPair result;
+    OwnedPair result;
     result.height_range_in_local_m = {-3.0, 12.0};
     for (std::size_t j = 0; j < 2; ++j) {
       const double half = 0.5 * size_px;
@@ -59,7 +59,7 @@ struct PaintedRoofs {
       Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
       turned.topLeftCorner<2, 2>() = turn.toRotationMatrix();
       turned.topRightCorner<2, 1>() = Eigen::Vector2d(half, half) - turn * middle;
-      reconstruct::MatchView& view = result.views[j];
+      reconstruct::View& view = result.views[j];
       view.image_from_local = turned * scene.cameras[j];
       view.image = photograph(view.image_from_local);
     }

@@ -88,9 +88,9 @@ TEST(DepthConsensus, CountsHowFarLinesThatMeetMissEachOther) {
   double sum = 0.0;
   int n = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
-    const LineGroup group =
-        test::make_group_with_misses(test::line_at(0.5), test::kThreeNeighbours,
-                                     options.beyond.sigma_meeting_m, test::scaled({}, 0.2), random);
+    const LineGroup group = test::make_group_with_misses(test::line_at(0.5), test::kThreeNeighbours,
+                                                         options.building.sigma_meeting_m,
+                                                         test::scaled({}, 0.2), random);
     const ReconstructedLine line = group.reconstruct(options)[0];
     if (line.status != Status::kJoint) continue;
     const Segment3& s = segment_of(line);
@@ -131,8 +131,8 @@ TEST(DepthConsensus, HorizontalitySteadiesPointsThatAgreeOnIt) {
     return std::sqrt(rise.dot(covariance_of(line) * rise));
   };
   const EstimationOptions options;
-  EXPECT_LE(sigma_slope(options), options.beyond.sigma_slope);
-  EXPECT_GT(sigma_slope(test::published()), 1.2 * options.beyond.sigma_slope);
+  EXPECT_LE(sigma_slope(options), options.building.sigma_slope);
+  EXPECT_GT(sigma_slope(test::published()), 1.2 * options.building.sigma_slope);
 }
 
 TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
@@ -196,7 +196,8 @@ struct LoneLine {
 
   [[nodiscard]] std::optional<DepthConsensus> consensus(std::span<const DepthEvidence> evidence,
                                                         std::span<const double> nearby = {}) const {
-    return agree_on_depth({lines, lines.lines[0], evidence, nearby, EstimateExtensionOptions{}});
+    return agree_on_depth(
+        {lines, lines.lines[0], evidence, nearby, ConsensusOptions{}, BuildingOptions{}});
   }
 
   /// A point seen at a parameter of the left segment, at this height.
@@ -231,20 +232,21 @@ TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   const auto consensus = line.consensus(evidence);
   ASSERT_TRUE(consensus);
   EXPECT_THAT(consensus->parts.at(0).supports, testing::ElementsAre(1U));
-  EXPECT_GT(consensus->margin, EstimateExtensionOptions{}.min_depth_margin);
+  EXPECT_GT(consensus->margin, ConsensusOptions{}.min_depth_margin);
   // without a say in what hides what, neither is better
   for (DepthEvidence& e : evidence) e.meeting = 0.0;
-  EXPECT_LT(line.consensus(evidence)->margin, EstimateExtensionOptions{}.min_depth_margin);
+  EXPECT_LT(line.consensus(evidence)->margin, ConsensusOptions{}.min_depth_margin);
 }
 
 TEST(RowProfile, IsNoneWithoutRoomForASecondStep) {
   const LoneLine line;
-  const EstimateExtensionOptions options;
+  const ConsensusOptions options;
+  const BuildingOptions building;
   const auto has_row_cut_at = [&](double parameter) {
     std::vector<DepthEvidence> evidence{line.evidence_at(0.0, kHeightM),
                                         line.evidence_at(parameter, kHeightM)};
     evidence[1].may_cut = true;
-    const DepthQuestion question{line.lines, line.lines.lines[0], evidence, {}, options};
+    const DepthQuestion question{line.lines, line.lines.lines[0], evidence, {}, options, building};
     return row_profile(question, DepthScorer(question)).has_value();
   };
   EXPECT_TRUE(has_row_cut_at(0.5));
@@ -263,7 +265,7 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
     for (std::size_t j = 0; j < 2; ++j) with.segments[j].push_back(test::exact(images[j], {}));
     with.matches.push_back({1, 1});  // not connected: it meets nothing
     EstimationOptions options;
-    options.beyond.min_depth_margin = 0.0;  // a weak reason alone
+    options.consensus.min_depth_margin = 0.0;  // a weak reason alone
     const ReconstructedLine line = with.reconstruct(options)[0];
     ASSERT_TRUE(line.segment_in_local) << height_m;
     EXPECT_NEAR(segment_of(line).start.z(), height_m, 0.1) << height_m;
@@ -302,7 +304,7 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
   LineGroup group = with_ends_that_disagree(3.0);
   add_line_with_short_mate(group, left, right, height_m);
   EstimationOptions options;
-  options.beyond.min_depth_margin = 0.0;  // a weak reason alone
+  options.consensus.min_depth_margin = 0.0;  // a weak reason alone
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
   EXPECT_TRUE(lines[1].between_right_ends);
   EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m: known well enough to be compared with
@@ -337,7 +339,7 @@ TEST(DepthConsensus, ChangesNoLineThatIsNotAligned) {
 TEST(DepthConsensus, NeverLosesALineThatDirectHasUnlessItIsAmbiguous) {
   test::Random random(7);
   EstimationOptions decide;
-  decide.beyond.min_depth_margin = 0.0;
+  decide.consensus.min_depth_margin = 0.0;
   for (int i = 0; i < 200; ++i) {
     const LineGroup group = make_group(eave(0.3 + 0.04 * i), {}, {}, &random);
     EXPECT_TRUE(group.reconstruct(decide)[0].segment_in_local) << i;

@@ -159,7 +159,7 @@ TEST(MatchOfSeveralLines, AsPublishedIsOneLine) {
 
 TEST(MatchOfSeveralLines, PartsAreAsLongAsAsked) {
   EstimationOptions options;
-  options.beyond.min_cut_length_px = 0.6 * kLengthPx;
+  options.consensus.min_cut_length_px = 0.6 * kLengthPx;
   EXPECT_EQ(gable().reconstruct(options).size(), gable().matches.size());
 }
 

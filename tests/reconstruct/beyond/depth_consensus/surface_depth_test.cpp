@@ -54,11 +54,10 @@ Surface surface_beside(const test::LineGroup& group, double towards_m, double aw
   return surface;
 }
 
-ReconstructedLine reconstructed(const test::LineGroup& group,
+ReconstructedLine reconstructed(test::LineGroup group,
                                 const Surface* surface,
-                                EstimationOptions options = {}) {
-  options.lines.lowest_height_m = -5.0;
-  options.lines.highest_height_m = 15.0;
+                                const EstimationOptions& options = {}) {
+  group.height_range_in_local_m = {-5.0, 15.0};
   return group.reconstruct(options, {}, surface).front();
 }
 
@@ -124,9 +123,9 @@ TEST(SurfaceDepth, LikelihoodIsThatOfTheNearerSurface) {
   constexpr double kClose = 0.01;  // the planes beside the line take its slope to be small
   const test::LineGroup group = group_of(6.0, {});
   const Surface surface = surface_beside(group, 6.0, 0.0);
-  const std::vector<Mates> mates = matched_segments(group.segments, group.matches, {});
+  const MatchedSegments matched{group.scene.cameras, group.segments, group.matches, {}};
   const StereoLines lines =
-      stereo_lines(group.scene.cameras, mates, mates, group.matches, LineCovariance::kCentroid);
+      stereo_lines(matched, extracted_mates(matched), LineCovariance::kCentroid);
   const SurfaceDepth depth(surface, lines, lines.lines[0]);
   const Segment2 seen = group.scene.images(group.truth[0])[0];
   const auto likelihood_at = [&](double z_m) {

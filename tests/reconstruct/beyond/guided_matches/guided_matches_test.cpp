@@ -51,7 +51,7 @@ class GuidedMatchesTest : public testing::Test {
   test::PaintedRoofs roofs{
       .faces = {{.plan = kHouse, .height_m = kHeight_m, .contrast = 0.4, .brighter = 0.3}},
       .ground_contrast = 0.4};
-  StereoPair pair;
+  test::OwnedPair pair;
   std::optional<Surface> surface;
 };
 

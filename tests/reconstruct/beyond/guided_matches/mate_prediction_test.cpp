@@ -38,7 +38,7 @@ class MatePredictionTest : public testing::Test {
   }
 
   test::PaintedRoofs roofs{.faces = {{.plan = kHouse, .height_m = kHeight_m}}};
-  StereoPair pair = roofs.pair();
+  test::OwnedPair pair = roofs.pair();
   Surface surface;
 };
 

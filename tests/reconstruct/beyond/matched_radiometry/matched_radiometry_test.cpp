@@ -34,7 +34,7 @@ PaintedPair village() {
 }
 
 /// The right image alone shows walls: lines in its corner with darker sides than all others.
-void add_walls(MatchView& right, std::size_t n) {
+void add_walls(View& right, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     EdgeSegment wall = test::edge({{2.0, 2.0}, {2.0, 12.0}});
     wall.left.colour[0] = 0.05F;
@@ -97,7 +97,7 @@ TEST(MatchedRadiometry, DoesNotTakeAWallForTheGroundThatTheOtherImageShows) {
 
 TEST(MatchedRadiometry, KeepsTheGainOfABandWithoutContrast) {
   PaintedPair pair = village();
-  for (MatchView& view : pair.views) {
+  for (View& view : pair.views) {
     for (EdgeSegment& segment : view.segments) {
       segment.left.colour[0] = 0.4F;
       segment.right.colour[0] = 0.41F;

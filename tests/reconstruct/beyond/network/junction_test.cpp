@@ -17,7 +17,7 @@ Junction junction_at(double parameter, double gap_px) {
       scene.scene, line, {.parameter = parameter, .angle_deg = 135, .rise_m = 0, .gap_px = gap_px});
   return junction(scene.stereo, scene.observe(test::exact_pair(scene.scene, line)),
                   scene.observe(test::exact_pair(scene.scene, other)),
-                  EstimateExtensionOptions().sigma_meeting_m);
+                  BuildingOptions().sigma_meeting_m);
 }
 
 TEST(Junction, PriorIsThatOfItsKind) {
@@ -30,7 +30,7 @@ TEST(Junction, PriorIsThatOfItsKind) {
 }
 
 TEST(Junction, LinesThatReachEachOtherMissByLess) {
-  const double sigma_m = EstimateExtensionOptions().sigma_meeting_m;
+  const double sigma_m = BuildingOptions().sigma_meeting_m;
   EXPECT_DOUBLE_EQ(junction_at(0.0, 0.0).sigma_m, 0.5 * sigma_m);
   EXPECT_DOUBLE_EQ(junction_at(0.5, 0.0).sigma_m, 0.5 * sigma_m);
   EXPECT_DOUBLE_EQ(junction_at(0.5, 10.0).sigma_m, sigma_m);

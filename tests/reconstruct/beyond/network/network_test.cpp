@@ -55,7 +55,7 @@ LineGroup group_with_misses(double theta_deg,
                             const EstimationOptions& options,
                             test::Random& random) {
   return test::make_group_with_misses(line_at(theta_deg), neighbours,
-                                      0.5 * options.beyond.sigma_meeting_m, noise, random);
+                                      0.5 * options.building.sigma_meeting_m, noise, random);
 }
 
 TEST(Network, RecoversLinesWithoutErrorAtAnyAngle) {

@@ -60,9 +60,9 @@ class Marking {
   }
   void cut_right_image(int columns) { images_[1] = images_[1].colRange(0, columns); }
 
-  [[nodiscard]] StereoPair pair(const Segment3& in_left, const Segment3& in_right) const {
-    return {{MatchView{cameras_[0], images_[0], {edge(seen(0, in_left))}},
-             MatchView{cameras_[1], images_[1], {edge(seen(1, in_right))}}},
+  [[nodiscard]] test::OwnedPair pair(const Segment3& in_left, const Segment3& in_right) const {
+    return {{View{"left", cameras_[0], images_[0], {}, {edge(seen(0, in_left))}},
+             View{"right", cameras_[1], images_[1], {}, {edge(seen(1, in_right))}}},
             {-10.0, 10.0}};
   }
 

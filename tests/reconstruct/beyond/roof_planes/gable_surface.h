@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/beyond/surface/surface.h"
+#include "tests/reconstruct/support/owned_pair.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 
 #include <cmath>
@@ -29,9 +30,9 @@ class GableSurface {
     rectification_ = *reconstruct::rectification(cameras_, {kSize_px, kSize_px});
   }
 
-  [[nodiscard]] reconstruct::StereoPair pair() const {
+  [[nodiscard]] OwnedPair pair() const {
     return {
-        {reconstruct::MatchView{cameras_[0], {}, {}}, reconstruct::MatchView{cameras_[1], {}, {}}},
+        {reconstruct::View{"left", cameras_[0], {}}, reconstruct::View{"right", cameras_[1], {}}},
         {-1.0, 20.0}};
   }
   [[nodiscard]] const reconstruct::Rectification& rectification() const { return rectification_; }

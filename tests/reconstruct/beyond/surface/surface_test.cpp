@@ -28,8 +28,8 @@ struct Errors {
 Errors errors_of(const test::PaintedRoofs& roofs, const StereoPair& pair, const Surface& surface) {
   std::vector<double> errors;
   std::size_t n = 0;
-  const ProjectionMatrix& left = pair.views[0].image_from_local;
-  const ProjectionMatrix& right = pair.views[1].image_from_local;
+  const ProjectionMatrix& left = pair.views[0]->image_from_local;
+  const ProjectionMatrix& right = pair.views[1]->image_from_local;
   for (int row = 40; row < roofs.size_px - 40; row += 3) {
     for (int column = 40; column < roofs.size_px - 40; column += 3) {
       const Eigen::Vector2d x(column, row);
@@ -56,7 +56,7 @@ constexpr double kBeyond = 0.08;  // beside the steps of the roof
 
 TEST(DenseSurface, KnowsRoofAndGround) {
   const test::PaintedRoofs roofs = scene();
-  const StereoPair pair = roofs.pair();
+  const test::OwnedPair pair = roofs.pair();
   const auto surface = dense_surface(pair);
   ASSERT_TRUE(surface);
   const Errors e = errors_of(roofs, pair, *surface);
@@ -69,7 +69,7 @@ TEST(DenseSurface, IsAsGoodForTurnedViews) {
   for (const double turn_deg : {90.0, 180.0}) {
     test::PaintedRoofs roofs = scene();
     roofs.right_turn_rad = turn_deg * test::kDegree;
-    const StereoPair pair = roofs.pair();
+    const test::OwnedPair pair = roofs.pair();
     const auto surface = dense_surface(pair);
     ASSERT_TRUE(surface);
     const Errors e = errors_of(roofs, pair, *surface);
@@ -79,7 +79,7 @@ TEST(DenseSurface, IsAsGoodForTurnedViews) {
 }
 
 TEST(DenseSurface, IsTheSameForAnyNumberOfThreads) {
-  const StereoPair pair = scene().pair();
+  const test::OwnedPair pair = scene().pair();
   const SurfaceOptions small{.tile_px = 128};
   const auto many = dense_surface(pair, small);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
@@ -94,7 +94,7 @@ TEST(DenseSurface, IsTheSameForAnyNumberOfThreads) {
 TEST(DenseSurface, HardlyDependsOnTheTiles) {
   test::PaintedRoofs roofs = scene();
   roofs.size_px = 500;
-  const StereoPair pair = roofs.pair();
+  const test::OwnedPair pair = roofs.pair();
   const auto whole = dense_surface(pair);
   const auto tiles = dense_surface(pair, {.tile_px = 256});
   ASSERT_TRUE(whole && tiles);
@@ -114,7 +114,7 @@ TEST(DenseSurface, HardlyDependsOnTheTiles) {
 
 TEST(DenseSurface, TakesAnyRangeOfHeights) {
   const test::PaintedRoofs roofs = scene();
-  StereoPair pair = roofs.pair();
+  test::OwnedPair pair = roofs.pair();
   pair.height_range_in_local_m = {-300.0, 300.0};  // by five paths
   const auto wide = dense_surface(pair);
   ASSERT_TRUE(wide);

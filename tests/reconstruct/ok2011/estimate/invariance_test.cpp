@@ -157,8 +157,8 @@ TEST_P(Invariance, OfTheUnitOfTheObjectFrame) {
   LineGroup in_feet = group;
   for (ProjectionMatrix& p : in_feet.scene.cameras) p.leftCols<3>() /= kFeet;
   EstimationOptions in_unit = options();
-  in_unit.beyond.sigma_meeting_m *= kFeet;
-  in_unit.beyond.max_miss_m *= kFeet;
+  in_unit.building.sigma_meeting_m *= kFeet;
+  in_unit.building.max_miss_m *= kFeet;
   const auto expected = group.reconstruct(options());
   auto actual = in_feet.reconstruct(in_unit);
   for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -227,12 +227,11 @@ TEST(ReconstructLines, WeighsPointsByTheMeasuresOfBothImages) {
 }
 
 TEST(ReconstructLines, DiscardsPointsOutsideTheRangeOfHeights) {
-  const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);  // heights 3 to 4 m
-  EstimationOptions options = test::published();
-  options.lines.lowest_height_m = 3.3;
-  EXPECT_EQ(group.reconstruct(options)[0].points.size(), 2);
-  options.lines.highest_height_m = 3.7;
-  EXPECT_EQ(group.reconstruct(options)[0].points.size(), 1);
+  LineGroup group = make_group(line_at(4.0), kThreeNeighbours);  // heights 3 to 4 m
+  group.height_range_in_local_m[0] = 3.3;
+  EXPECT_EQ(group.reconstruct()[0].points.size(), 2);
+  group.height_range_in_local_m[1] = 3.7;
+  EXPECT_EQ(group.reconstruct()[0].points.size(), 1);
 }
 
 TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
@@ -353,8 +352,8 @@ TEST(ReconstructLines, RejectsWrongInput) {
             "reconstruct_lines: right_shift_px = inf, must be finite");
   EXPECT_EQ(rejected_registration({0.0, 0.0}),
             "reconstruct_lines: sigma_scale = 0, must be positive");
-  EXPECT_THROW(reconstruct_lines(std::span(good.scene.cameras).first(1), good.segments,
-                                 good.matches, good.connections),
+  EXPECT_THROW(reconstruct_lines({std::span(good.scene.cameras).first(1), good.segments,
+                                  good.matches, good.connections}),
                std::invalid_argument);
 }
 

@@ -14,11 +14,10 @@ class ConnectMatches : public ::testing::Test {
   ConnectMatches() { look_from(test::StereoPair()); }
 
   void look_from(const test::StereoPair& cameras) {
-    pair_ = {{MatchView{cameras.left, {}, {}}, MatchView{cameras.right, {}, {}}},
-             cameras.heights_m};
+    pair_ = {{View{"left", cameras.left, {}}, View{"right", cameras.right, {}}}, cameras.heights_m};
   }
   void add(const Segment3& line) {
-    for (MatchView& view : pair_.views) {
+    for (View& view : pair_.views) {
       view.segments.push_back(test::edge(project(view.image_from_local, line)));
     }
     matches_.push_back({static_cast<int>(matches_.size()), static_cast<int>(matches_.size())});
@@ -27,7 +26,7 @@ class ConnectMatches : public ::testing::Test {
     return connect_matches(pair_, matches_, options);
   }
 
-  StereoPair pair_;
+  test::OwnedPair pair_;
   std::vector<LineMatch> matches_;
 };
 

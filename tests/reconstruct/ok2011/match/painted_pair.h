@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/views/match_view.h"
+#include "reconstruct/views/scene.h"
 #include "tests/reconstruct/ok2011/match/stereo_pair.h"
+#include "tests/reconstruct/support/owned_pair.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -63,14 +64,14 @@ class PaintedPair {
     add_line({{r.west, r.north, north}, {r.west, r.south, south}});
   }
 
-  [[nodiscard]] reconstruct::StereoPair pair() const { return {views, heights_m}; }
+  [[nodiscard]] OwnedPair pair() const { return {views, heights_m}; }
   [[nodiscard]] reconstruct::SearchedPair searched() const {
     return {
         views[0], views[1],
         reconstruct::StereoSearch(views[0].image_from_local, views[1].image_from_local, heights_m)};
   }
 
-  std::array<reconstruct::MatchView, 2> views;
+  std::array<reconstruct::View, 2> views;
   std::array<double, 2> heights_m{-5.0, 30.0};
 
  private:

@@ -35,12 +35,12 @@ class SimilarityVotes : public ::testing::Test {
     return similarity_votes({left_, right_, candidates_}, pairs, transfer);
   }
 
-  static int add(MatchView& view, const Segment2& s) {
+  static int add(View& view, const Segment2& s) {
     view.segments.push_back(test::edge(s));
     return static_cast<int>(view.segments.size()) - 1;
   }
 
-  MatchView left_, right_;
+  View left_, right_;
   std::vector<std::vector<Candidate>> candidates_;
   double px_per_m_ = 3.25;  ///< of parallax; base to height ratio 0.26
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/patch.h"
-#include "reconstruct/beyond/surface/surface.h"
+#include "io/crs.h"
+#include "reconstruct/geometry/local_frame.h"
 
 #include <Eigen/Core>
 
@@ -19,9 +19,10 @@ inline constexpr const char* kSurfaceStage = "surface";
 /// Points that a run keeps. A point takes 8 bytes of the report.
 inline constexpr std::size_t kMaxSurfacePoints = 150000;
 
-/// Writes points of points_in_local() as LAS in the patch's CRS. Throws IoError if the file cannot be written.
+/// Writes points of points_in_local() as LAS. Throws IoError if the file cannot be written.
 void write_surface(const std::string& file,
-                   const io::PatchFile& patch,
-                   const std::vector<Eigen::Vector3d>& points_in_local);
+                   const std::vector<Eigen::Vector3d>& points_in_local,
+                   const LocalFrame& frame,
+                   const io::Crs& crs);
 
 }  // namespace ridgeline::apps

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/patch_views.h"
+#include "apps/pipeline/check_patch.h"
+
 #include "io/cloud/read_cloud.h"
 #include "io/error.h"
 #include "io/grid_scale.h"
@@ -7,6 +8,7 @@
 #include "io/lines/json_text.h"
 #include "io/lines/text.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/views/scene.h"
 
 #include <Eigen/Dense>
 #include <fmt/core.h>
@@ -132,10 +134,11 @@ void check_scale(const io::PatchFile& patch, const io::Crs& crs) {
   (void)io::require_true_scale(patch.path, crs, centre.head<2>() / unit_m, "");
 }
 
-void check_patch(const io::PatchFile& patch) {
+LocalFrame check_patch(const io::PatchFile& patch) {
   check_id(patch, patch.id);
   check_scale(patch, patch.crs);
   check_image_ids(patch);
+  LocalFrame frame;
   int n_bands = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const io::PatchImage& image = patch.images[i];
@@ -143,13 +146,17 @@ void check_patch(const io::PatchFile& patch) {
     io::check_image_size(image.path, facts, patch.max_image_mpx);
     check_size(image, facts);
     check_heights(patch, image, facts);
-    if (i > 0 && facts.n_bands != n_bands) {
+    if (i == 0) {
+      frame = reconstruct::local_frame(image.image_from_world, {facts.width_px, facts.height_px},
+                                       patch.height_range_m);
+    } else if (facts.n_bands != n_bands) {
       throw io::IoError(image.path, fmt::format("{} bands, but {} has {}; both images of a pair "
                                                 "must have the same bands",
                                                 facts.n_bands, patch.images[0].path, n_bands));
     }
     n_bands = facts.n_bands;
   }
+  return frame;
 }
 
 }  // namespace ridgeline::apps

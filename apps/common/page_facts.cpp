@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/report/page_facts.h"
+#include "apps/common/page_facts.h"
 
 namespace ridgeline::apps {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/stage_cache.h"
+#include "apps/pipeline/stage_cache.h"
 
 #include "io/atomic_file.h"
 #include "io/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/reconstructed_lines.h"
+#include "apps/pipeline/reconstructed_lines.h"
 
 #include <fmt/format.h>
 

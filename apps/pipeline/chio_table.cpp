@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/patch_matchers.h"
+#include "apps/pipeline/match_tables.h"
 #include "reconstruct/geometry/degrees.h"
 
 #include <fmt/core.h>

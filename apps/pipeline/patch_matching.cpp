@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/patch_matching.h"
+#include "apps/pipeline/patch_matching.h"
 
 #include "io/error.h"
 #include "io/matches_file.h"

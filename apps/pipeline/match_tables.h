@@ -3,17 +3,10 @@
 
 #include "reconstruct/reconstruct.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
-#include <vector>
 
 namespace ridgeline::apps {
 
-/// `--matcher`: one or both, separated by a comma.
-void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
-/// In the order of the enum, each once; CLI::IsMember has checked the names.
-std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
 /// unmatched.csv: left_id,reason.
 std::string unmatched_csv(const reconstruct::MatchList& list);
 

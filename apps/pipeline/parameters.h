@@ -4,7 +4,6 @@
 #include "evaluate/judge/options.h"
 #include "reconstruct/reconstruct.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -31,16 +30,6 @@ struct ParameterArguments {
   std::optional<double> lidar_sigma_m;
 };
 
-void add_preset_option(CLI::App& app, std::string& preset);
-/// Unless the command has it already.
-void add_config_option(CLI::App& app, std::string& config);
-/// `--max-aligned-angle-deg`.
-void add_class_option(CLI::App& app, ParameterArguments& arguments);
-/// `--preset --config --max-aligned-angle-deg`.
-void add_method_options(CLI::App& app, ParameterArguments& arguments);
-/// `--config --lidar-sigma-m`.
-void add_judge_options(CLI::App& app, ParameterArguments& arguments);
-
 /// Those of the preset, changed by the config file and then by the options of the command line. Throws IoError naming
 /// file, line, key and rule for a key that is unknown and for a value out of its range; std::invalid_argument for an
 /// option out of its range.
@@ -50,6 +39,9 @@ std::vector<std::string> method_names();
 
 /// Throws std::invalid_argument for none of method_names().
 reconstruct::Method method_named(const std::string& name);
+
+/// In the order of the enum, each once. Throws std::invalid_argument for a name of no matcher.
+std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
 
 /// Throws std::invalid_argument for a method that is none of the papers' under `--preset published`.
 void check_preset(const ParameterArguments& parameters,

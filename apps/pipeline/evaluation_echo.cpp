@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/evaluation_echo.h"
+#include "apps/pipeline/evaluation_echo.h"
 
-#include "apps/common/parameters.h"
+#include "apps/pipeline/parameters.h"
 
 #include <vector>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/common/parameters.h"
+#include "apps/pipeline/parameters.h"
 
-#include "apps/common/option_flags.h"
 #include "io/yaml_check.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -18,6 +18,7 @@ namespace ridgeline::apps {
 namespace {
 
 using evaluate::SampleConsensus;
+using reconstruct::Matcher;
 
 constexpr std::array kConsensus{std::pair{"msac", SampleConsensus::kMsac},
                                 std::pair{"ransac", SampleConsensus::kRansac},
@@ -46,6 +47,8 @@ void for_each_parameter(Parameters& p, Visitor&& visit) {
   group("chio", p.method.matching.chio);
   group("reconstruct", p.method.estimation.lines);
   group("reconstruct", p.method.estimation.beyond);
+  group("reconstruct", p.method.estimation.building);
+  group("reconstruct", p.method.estimation.consensus);
   group("judge", p.judge);
 }
 
@@ -135,38 +138,6 @@ std::string yaml_line(const Field& field, const T& value) {
 
 }  // namespace
 
-void add_preset_option(CLI::App& app, std::string& preset) {
-  app.add_option("--preset", preset,
-                 "default: the best known; published: as the papers say, nothing of ours")
-      ->check(CLI::IsMember({"default", "published"}))
-      ->capture_default_str();
-}
-
-void add_config_option(CLI::App& app, std::string& config) {
-  if (app.get_option_no_throw("--config") != nullptr) return;
-  app.add_option("--config", config,
-                 "parameters in YAML as `ridgeline config` prints them; any may be left out");
-}
-
-void add_method_options(CLI::App& app, ParameterArguments& arguments) {
-  add_preset_option(app, arguments.preset);
-  add_config_option(app, arguments.config);
-  add_class_option(app, arguments);
-}
-
-void add_class_option(CLI::App& app, ParameterArguments& arguments) {
-  app.add_option("--max-aligned-angle-deg", arguments.max_aligned_angle_deg,
-                 "lines up to this angle to the epipolar line are aligned; default: 10")
-      ->check(in_range(0.0, 90.0));
-}
-
-void add_judge_options(CLI::App& app, ParameterArguments& arguments) {
-  add_config_option(app, arguments.config);
-  app.add_option("--lidar-sigma-m", arguments.lidar_sigma_m,
-                 "range noise of the cloud; default: 0.034")
-      ->check(in_range(0.0, 10.0));
-}
-
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   names.reserve(reconstruct::kMethods.size());
@@ -182,6 +153,20 @@ reconstruct::Method method_named(const std::string& name) {
   }
   throw std::invalid_argument(
       fmt::format("method = {}, must be one of direct, joint, network, planes", name));
+}
+
+std::vector<Matcher> matchers_named(const std::vector<std::string>& names) {
+  constexpr std::array kMatchers{Matcher::kPairwise, Matcher::kChio};
+  for (const std::string& name : names) {
+    const bool is_known = std::ranges::any_of(
+        kMatchers, [&](Matcher matcher) { return name == reconstruct::name(matcher); });
+    check(is_known, "matcher = ", name, ", must be pairwise or chio");
+  }
+  std::vector<Matcher> matchers;
+  std::ranges::copy_if(kMatchers, std::back_inserter(matchers), [&](Matcher matcher) {
+    return std::ranges::count(names, reconstruct::name(matcher)) > 0;
+  });
+  return matchers;
 }
 
 void check_preset(const ParameterArguments& parameters,

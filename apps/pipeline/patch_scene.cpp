@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/pipeline/patch_scene.h"
+
+#include "apps/pipeline/check_pair.h"
+#include "io/image.h"
+#include "reconstruct/views/normalised_image.h"
+
+#include <fmt/core.h>
+#include <spdlog/spdlog.h>
+
+#include <future>
+#include <utility>
+
+namespace ridgeline::apps {
+namespace {
+
+/// Empty for a lens without distortion; the view must outlive it.
+PixelMap ideal_from_image(const io::PatchImage& view) {
+  if (!view.interior || view.interior->distortion.is_zero()) return {};
+  return [&view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };
+}
+
+}  // namespace
+
+cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
+  return reconstruct::normalised_image(
+      io::read_image(patch.images.at(i).path, patch.max_image_mpx));
+}
+
+std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch) {
+  auto right = std::async(std::launch::async, [&patch] { return patch_image(patch, 1); });
+  cv::Mat left = patch_image(patch, 0);
+  return {std::move(left), right.get()};
+}
+
+reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame) {
+  const std::array<ProjectionMatrix, 2> cameras = io::cameras_in_local(patch, frame);
+  reconstruct::Scene scene{{}, io::heights_in_local_m(patch, frame), frame};
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const io::PatchImage& image = patch.images[i];
+    scene.views.push_back({image.id, cameras[i], {}, ideal_from_image(image)});
+  }
+  return scene;
+}
+
+reconstruct::Scene load_scene(const io::PatchFile& patch,
+                              const LocalFrame& frame,
+                              double max_y_parallax_px) {
+  const std::array<cv::Mat, 2> images = patch_images(patch);
+  if (const auto doubt = check_pair(patch, images, max_y_parallax_px)) spdlog::warn("{}", *doubt);
+  reconstruct::Scene scene = patch_scene(patch, frame);
+  for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
+  return scene;
+}
+
+std::string edges_file(const io::PatchImage& image) {
+  return fmt::format("edges.{}.csv", image.id);
+}
+
+std::string segments_file(const io::PatchImage& image) {
+  return fmt::format("segments.{}.csv", image.id);
+}
+
+}  // namespace ridgeline::apps
