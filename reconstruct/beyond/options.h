@@ -190,8 +190,8 @@ struct ConsensusOptions {
 struct EstimationOptions {
   ReconstructOptions lines;
   EstimateExtensionOptions beyond;
-  BuildingOptions building;
-  ConsensusOptions consensus;
+  BuildingOptions building{};
+  ConsensusOptions consensus{};
 };
 
 }  // namespace ridgeline::reconstruct

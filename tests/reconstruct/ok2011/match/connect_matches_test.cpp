@@ -2,6 +2,7 @@
 #include "reconstruct/ok2011/match/connect_matches.h"
 
 #include "tests/reconstruct/ok2011/match/stereo_pair.h"
+#include "tests/reconstruct/support/owned_pair.h"
 
 #include <gmock/gmock.h>
 
