@@ -2,9 +2,9 @@
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
 #include "io/error.h"
-#include "io/nearest_name.h"
 #include "io/results/run_record.h"
 #include "io/results/version.h"
+#include "io/text/nearest_name.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

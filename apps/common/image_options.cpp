@@ -2,7 +2,7 @@
 #include "apps/common/image_options.h"
 
 #include "apps/common/option_flags.h"
-#include "io/image.h"
+#include "io/images/image.h"
 
 namespace ridgeline::apps {
 

@@ -3,7 +3,7 @@
 #include "apps/common/exit_code.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/check.h"
 

@@ -4,17 +4,17 @@
 #include "apps/info/own_files.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
+#include "io/crs/grid_scale.h"
 #include "io/error.h"
-#include "io/grid_scale.h"
-#include "io/image.h"
-#include "io/input_file.h"
+#include "io/files/input_file.h"
+#include "io/images/image.h"
 #include "io/kinds/folder_kind.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
-#include "io/lines/text.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 #include "io/results/judged_lines.h"
+#include "io/text/text.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

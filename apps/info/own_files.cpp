@@ -3,12 +3,12 @@
 
 #include "apps/pipeline/parameters.h"
 #include "evaluate/tables/evaluation_json.h"
-#include "io/csv_table.h"
 #include "io/error.h"
+#include "io/files/csv_table.h"
+#include "io/files/text_file.h"
+#include "io/files/yaml_check.h"
 #include "io/results/gate_files.h"
 #include "io/results/result_folder_reader.h"
-#include "io/text_file.h"
-#include "io/yaml_check.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -10,11 +10,11 @@
 #include "apps/pipeline/match_tables.h"
 #include "apps/pipeline/parameters.h"
 #include "apps/pipeline/patch_scene.h"
-#include "io/atomic_file.h"
-#include "io/matches_file.h"
-#include "io/png_writer.h"
+#include "io/files/atomic_file.h"
+#include "io/images/png_writer.h"
+#include "io/project/matches_file.h"
+#include "io/project/segments_file.h"
 #include "io/results/output_folder.h"
-#include "io/segments_file.h"
 
 #include <algorithm>
 #include <array>

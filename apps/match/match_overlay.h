@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/matches_file.h"
+#include "io/project/matches_file.h"
 #include "reconstruct/views/scene.h"
 
 #include <opencv2/core/mat.hpp>

@@ -2,11 +2,11 @@
 #include "apps/pipeline/check_patch.h"
 
 #include "io/cloud/read_cloud.h"
+#include "io/crs/grid_scale.h"
 #include "io/error.h"
-#include "io/grid_scale.h"
-#include "io/image.h"
-#include "io/lines/json_text.h"
-#include "io/lines/text.h"
+#include "io/images/image.h"
+#include "io/text/json_text.h"
+#include "io/text/text.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/views/scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/parameters.h"
 
-#include "io/yaml_check.h"
+#include "io/files/yaml_check.h"
 
 #include <fmt/format.h>
 

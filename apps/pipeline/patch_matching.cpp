@@ -2,7 +2,7 @@
 #include "apps/pipeline/patch_matching.h"
 
 #include "io/error.h"
-#include "io/matches_file.h"
+#include "io/project/matches_file.h"
 
 #include <fmt/core.h>
 

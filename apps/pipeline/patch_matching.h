@@ -2,7 +2,7 @@
 #pragma once
 
 #include "evaluate/matching/match_scoring.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/line_match.h"
 

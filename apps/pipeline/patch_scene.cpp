@@ -2,7 +2,7 @@
 #include "apps/pipeline/patch_scene.h"
 
 #include "apps/pipeline/check_pair.h"
-#include "io/image.h"
+#include "io/images/image.h"
 #include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>

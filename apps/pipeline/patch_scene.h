@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/patch.h"
+#include "io/project/patch.h"
 #include "reconstruct/views/scene.h"
 
 #include <opencv2/core/mat.hpp>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/stage_cache.h"
 
-#include "io/atomic_file.h"
 #include "io/error.h"
+#include "io/files/atomic_file.h"
+#include "io/files/sha256.h"
+#include "io/files/text_file.h"
 #include "io/results/version.h"
-#include "io/sha256.h"
-#include "io/text_file.h"
 
 #include <span>
 

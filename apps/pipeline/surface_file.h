@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/crs.h"
+#include "io/crs/crs.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <Eigen/Core>

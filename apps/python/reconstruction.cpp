@@ -9,7 +9,7 @@
 #include "apps/python/interruptible.h"
 #include "apps/python/lines.h"
 #include "apps/python/views.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/reconstruct.h"
 #include "reconstruct/views/normalised_image.h"

@@ -14,10 +14,10 @@
 #include "apps/pipeline/surface_file.h"
 #include "io/cloud/labelled_points.h"
 #include "io/error.h"
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/lines/write_lines.h"
+#include "io/project/segments_file.h"
 #include "io/results/output_folder.h"
-#include "io/segments_file.h"
 #include "reconstruct/beyond/surface/surface.h"
 
 #include <fmt/core.h>

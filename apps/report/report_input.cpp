@@ -10,13 +10,13 @@
 #include "apps/report/run_inputs.h"
 #include "evaluate/statistics/reference_errors.h"
 #include "io/cloud/cloud_files.h"
-#include "io/csv_table.h"
 #include "io/error.h"
+#include "io/files/csv_table.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/read_lines.h"
+#include "io/project/segments_file.h"
 #include "io/results/judged_lines.h"
 #include "io/results/result_folder_reader.h"
-#include "io/segments_file.h"
 
 #include <fmt/core.h>
 

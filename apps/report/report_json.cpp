@@ -6,7 +6,7 @@
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
-#include "io/encoded_picture.h"
+#include "io/images/encoded_picture.h"
 #include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/epipolar.h"
 

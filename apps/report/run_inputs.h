@@ -5,7 +5,7 @@
 #include "evaluate/tables/summary_json.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 
 #include <cstdint>
 #include <optional>

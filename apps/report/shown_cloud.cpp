@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/shown_cloud.h"
 
-#include "io/crs.h"
+#include "io/crs/crs.h"
 
 #include <algorithm>
 #include <cmath>

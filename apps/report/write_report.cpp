@@ -5,7 +5,7 @@
 #include "apps/report/figures.h"
 #include "apps/report/page.h"
 #include "io/error.h"
-#include "io/png_writer.h"
+#include "io/images/png_writer.h"
 #include "io/results/output_folder.h"
 
 #include <fmt/core.h>

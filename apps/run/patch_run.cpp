@@ -8,11 +8,11 @@
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/cloud/cloud_files.h"
+#include "io/files/sha256.h"
+#include "io/files/text_file.h"
 #include "io/lines/read_lines.h"
 #include "io/results/judge_files.h"
 #include "io/results/write_results.h"
-#include "io/sha256.h"
-#include "io/text_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -8,10 +8,10 @@
 #include "apps/pipeline/reconstructed_lines.h"
 #include "apps/pipeline/surface_file.h"
 #include "evaluate/gates/figure.h"
-#include "io/atomic_file.h"
 #include "io/cloud/labelled_points.h"
-#include "io/matches_file.h"
-#include "io/segments_file.h"
+#include "io/files/atomic_file.h"
+#include "io/project/matches_file.h"
+#include "io/project/segments_file.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>

@@ -7,10 +7,10 @@
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
-#include "io/lines/text.h"
+#include "io/files/sha256.h"
 #include "io/results/judged_map.h"
 #include "io/results/write_results.h"
-#include "io/sha256.h"
+#include "io/text/text.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/simulate/plan_geometry.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
 #include "io/lines/line_set.h"
 #include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/geometry/plane.h"

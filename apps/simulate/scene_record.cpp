@@ -2,8 +2,8 @@
 #include "apps/simulate/scene_record.h"
 
 #include "io/error.h"
-#include "io/sha256.h"
-#include "io/text_file.h"
+#include "io/files/sha256.h"
+#include "io/files/text_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -10,7 +10,7 @@
 #include "apps/simulate/village.h"
 #include "apps/simulate/write_stereo.h"
 #include "io/cloud/las_writer.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
 #include "io/lines/write_lines.h"
 #include "io/results/output_folder.h"
 

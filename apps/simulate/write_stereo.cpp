@@ -4,8 +4,8 @@
 #include "apps/simulate/fittings.h"
 #include "apps/simulate/nominal_pair.h"
 #include "apps/simulate/reference_matches.h"
-#include "io/image_writer.h"
-#include "io/write_patch.h"
+#include "io/images/image_writer.h"
+#include "io/project/write_patch.h"
 
 #include <array>
 

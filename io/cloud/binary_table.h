@@ -2,9 +2,9 @@
 #pragma once
 
 #include "io/cloud/cloud_source.h"
-#include "io/cloud/mapped_file.h"
 #include "io/cloud/point_attribute.h"
 #include "io/cloud/scalar_type.h"
+#include "io/files/mapped_file.h"
 
 #include <cstddef>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "io/cloud/cloud_source.h"
 #include "io/cloud/point_filter.h"
-#include "io/coordinate_steps.h"
+#include "io/crs/coordinate_steps.h"
 
 #include <Eigen/Geometry>
 

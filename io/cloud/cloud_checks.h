@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/cloud/cloud_source.h"
-#include "io/coordinate_steps.h"
+#include "io/crs/coordinate_steps.h"
 
 #include <Eigen/Geometry>
 

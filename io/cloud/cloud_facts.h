@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/cloud/cloud_source.h"
-#include "io/crs.h"
-#include "io/grid_scale.h"
+#include "io/crs/crs.h"
+#include "io/crs/grid_scale.h"
 
 #include <Eigen/Geometry>
 

@@ -5,8 +5,8 @@
 #include "io/cloud/cloud_checks.h"
 #include "io/cloud/cloud_origin.h"
 #include "io/cloud/common_crs.h"
-#include "io/cloud/page_advice.h"
 #include "io/error.h"
+#include "io/files/page_advice.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "io/cloud/local_from_file.h"
 #include "io/cloud/point_cloud.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
 
 #include <Eigen/Geometry>
 

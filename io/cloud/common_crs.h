@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/cloud/cloud_source.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/labelled_points.h"
 
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/cloud/las_writer.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <Eigen/Core>

@@ -3,8 +3,8 @@
 
 #include "io/cloud/bytes.h"
 #include "io/cloud/las_vlr.h"
-#include "io/cloud/mapped_file.h"
 #include "io/error.h"
+#include "io/files/mapped_file.h"
 #include "io/kinds/marks.h"
 #include "reconstruct/geometry/check.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/las_writer.h"
 
-#include "io/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "reconstruct/geometry/check.h"
 
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/cloud/point_cloud.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <array>

@@ -2,11 +2,11 @@
 #include "io/cloud/bytes.h"
 #include "io/cloud/cloud_source.h"
 #include "io/cloud/las_source.h"
-#include "io/cloud/mapped_file.h"
 #include "io/cloud/pcd_source.h"
 #include "io/cloud/ply_source.h"
 #include "io/cloud/xyz_source.h"
 #include "io/error.h"
+#include "io/files/mapped_file.h"
 #include "io/kinds/folder_kind.h"
 #include "io/kinds/recognise.h"
 

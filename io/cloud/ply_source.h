@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/cloud/cloud_source.h"
-#include "io/cloud/mapped_file.h"
+#include "io/files/mapped_file.h"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 #include "io/cloud/text_layout.h"
 
 #include "io/error.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

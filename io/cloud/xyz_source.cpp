@@ -3,7 +3,7 @@
 
 #include "io/cloud/text_layout.h"
 #include "io/cloud/text_table.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "io/kinds/folder_kind.h"
 
 #include "io/kinds/marks.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "io/kinds/folder_kind.h"
 #include "io/kinds/marks.h"
 #include "io/kinds/text_kind.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/text_kind.h"
 
-#include "io/lines/text.h"
-#include "io/lines/wkt.h"
+#include "io/text/text.h"
+#include "io/text/wkt.h"
 
 #include <algorithm>
 #include <array>

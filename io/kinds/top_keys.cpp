@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/top_keys.h"
 
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <algorithm>
 #include <cctype>

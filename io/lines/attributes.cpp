@@ -2,8 +2,8 @@
 #include "io/lines/attributes.h"
 
 #include "io/error.h"
-#include "io/lines/json_text.h"
-#include "io/lines/text.h"
+#include "io/text/json_text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/gdal/ogr_support.h"
 #include "io/lines/feature_collector.h"
-#include "io/lines/ogr_support.h"
+#include "io/lines/ogr_geometry.h"
 #include "io/lines/readers.h"
-#include "io/lines/text.h"
-#include "io/lines/wkt.h"
+#include "io/text/text.h"
+#include "io/text/wkt.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/dxf_header.h"
 
-#include "io/lines/text.h"
-#include "io/utf8.h"
+#include "io/text/text.h"
+#include "io/text/utf8.h"
 
 #include <array>
 #include <optional>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/gdal/ogr_support.h"
 #include "io/kinds/recognise.h"
 #include "io/kinds/text_kind.h"
 #include "io/lines/attributes.h"
 #include "io/lines/feature_collector.h"
-#include "io/lines/json_text.h"
-#include "io/lines/ogr_support.h"
 #include "io/lines/readers.h"
+#include "io/text/json_text.h"
 
 #include <fmt/format.h>
 

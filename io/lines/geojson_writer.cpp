@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/gdal/ogr_support.h"
 #include "io/lines/attributes.h"
-#include "io/lines/json_text.h"
-#include "io/lines/ogr_support.h"
 #include "io/lines/writers.h"
+#include "io/text/json_text.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "io/lines/geopackage_check.h"
 
 #include "io/error.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 #include <sqlite3.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/coordinate_steps.h"
+#include "io/crs/coordinate_steps.h"
 #include "io/lines/line_set.h"
 
 #include <Eigen/Geometry>

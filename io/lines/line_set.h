@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/attribute_table.h"
-#include "io/crs.h"
+#include "io/crs/crs.h"
+#include "io/gdal/attribute_table.h"
 #include "io/lines/kind_counts.h"
 #include "reconstruct/geometry/segment.h"
 

@@ -2,7 +2,7 @@
 #include "io/error.h"
 #include "io/lines/mesh_edges.h"
 #include "io/lines/readers.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
-#include "io/input_file.h"
+#include "io/files/input_file.h"
+#include "io/gdal/ogr_support.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/dxf_header.h"
 #include "io/lines/feature_collector.h"
 #include "io/lines/geopackage_check.h"
-#include "io/lines/ogr_support.h"
+#include "io/lines/ogr_geometry.h"
 #include "io/lines/readers.h"
-#include "io/lines/text.h"
-#include "io/utf8.h"
+#include "io/text/text.h"
+#include "io/text/utf8.h"
 
 #include <fmt/format.h>
 #include <gdal_priv.h>

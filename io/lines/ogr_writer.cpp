@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/gdal/ogr_support.h"
 #include "io/lines/attributes.h"
-#include "io/lines/ogr_support.h"
 #include "io/lines/writers.h"
 
 #include <fmt/format.h>

@@ -2,14 +2,14 @@
 #include "io/lines/read_lines.h"
 
 #include "io/error.h"
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/kinds/marks.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/line_checks.h"
 #include "io/lines/readers.h"
-#include "io/lines/text.h"
-#include "io/lines/wkt.h"
-#include "io/utf8.h"
+#include "io/text/text.h"
+#include "io/text/utf8.h"
+#include "io/text/wkt.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Line3D++, LIMAP and ELSR++ text results. None of them states a CRS, a header or a version.
 #include "io/error.h"
-#include "io/input_file.h"
+#include "io/files/input_file.h"
 #include "io/kinds/folder_kind.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/polyline.h"
 #include "io/lines/readers.h"
-#include "io/lines/text.h"
+#include "io/text/text.h"
 
 #include <fmt/format.h>
 

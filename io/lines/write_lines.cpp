@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/write_lines.h"
 
-#include "io/atomic_file.h"
-#include "io/lines/scratch_folder.h"
+#include "io/files/atomic_file.h"
+#include "io/files/scratch_folder.h"
 #include "io/lines/writers.h"
 
 #include <Eigen/Geometry>

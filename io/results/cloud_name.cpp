@@ -2,7 +2,7 @@
 #include "io/results/cloud_name.h"
 
 #include "io/results/judge_files.h"
-#include "io/utf8.h"
+#include "io/text/utf8.h"
 
 #include <filesystem>
 

@@ -3,7 +3,7 @@
 
 #include "evaluate/gates/figure.h"
 #include "io/error.h"
-#include "io/gates_file.h"
+#include "io/project/gates_file.h"
 #include "io/results/result_folder_reader.h"
 
 #include <fmt/core.h>

@@ -8,7 +8,7 @@
 #include "io/results/judged_map.h"
 #include "io/results/plan_scale.h"
 #include "io/results/value_warnings.h"
-#include "io/utf8.h"
+#include "io/text/utf8.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>

@@ -7,7 +7,7 @@
 #include "io/cloud/cloud_files.h"
 #include "io/cloud/read_cloud.h"
 #include "io/lines/read_lines.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 #include "io/results/judged_lines.h"
 #include "io/results/run_record.h"
 

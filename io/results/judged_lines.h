@@ -7,7 +7,7 @@
 #include "evaluate/tables/reference_table.h"
 #include "evaluate/tables/tolerance_table.h"
 #include "io/lines/line_set.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 #include "reconstruct/geometry/local_frame.h"
 
 #include <optional>

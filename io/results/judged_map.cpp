@@ -2,7 +2,7 @@
 #include "io/results/judged_map.h"
 
 #include "evaluate/judge/roof_kind.h"
-#include "io/geopackage_writer.h"
+#include "io/gdal/geopackage_writer.h"
 #include "io/results/judged_lines.h"
 #include "io/results/map_style.h"
 #include "reconstruct/geometry/check.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/geopackage_writer.h"
+#include "io/gdal/geopackage_writer.h"
 
 namespace ridgeline::results {
 

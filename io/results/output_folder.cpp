@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/output_folder.h"
 
-#include "io/atomic_file.h"
 #include "io/error.h"
-#include "io/png_writer.h"
+#include "io/files/atomic_file.h"
+#include "io/images/png_writer.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/folder_lock.h"
-#include "io/made_folders.h"
+#include "io/files/folder_lock.h"
+#include "io/files/made_folders.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/plan_scale.h"
 
+#include "io/crs/grid_scale.h"
 #include "io/error.h"
-#include "io/grid_scale.h"
 #include "reconstruct/geometry/check.h"
 
 #include <Eigen/Core>

@@ -3,7 +3,7 @@
 
 #include "io/cloud/cloud_files.h"
 #include "io/lines/line_set.h"
-#include "io/patch.h"
+#include "io/project/patch.h"
 
 #include <optional>
 #include <string>

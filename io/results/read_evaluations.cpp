@@ -3,8 +3,8 @@
 
 #include "evaluate/tables/evaluation_json.h"
 #include "io/error.h"
+#include "io/files/text_file.h"
 #include "io/kinds/folder_kind.h"
-#include "io/text_file.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #include "io/results/result_folder_reader.h"
 
 #include "io/error.h"
+#include "io/files/text_file.h"
 #include "io/kinds/recognise.h"
 #include "io/results/read_evaluations.h"
-#include "io/text_file.h"
 
 #include <stdexcept>
 

@@ -2,9 +2,9 @@
 #include "io/results/run_record.h"
 
 #include "evaluate/tables/summary_json.h"
-#include "io/library_versions.h"
+#include "io/files/library_versions.h"
+#include "io/files/sha256.h"
 #include "io/results/version.h"
-#include "io/sha256.h"
 
 #include <Eigen/Core>
 #include <pcl/pcl_config.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/value_warnings.h"
 
-#include "io/coordinate_steps.h"
+#include "io/crs/coordinate_steps.h"
 #include "io/error.h"
 #include "io/lines/line_facts.h"
 #include "io/results/judged_lines.h"

@@ -8,7 +8,7 @@
 // 0.110 m, aligned ones to 0.37 m with 2.0 % of gross errors). False matches are mostly edges of roofs
 // with the foot of a wall that one image alone shows, both verges of a gable that lie on one epipolar
 // line, and both sides of fences; gross errors are half-hipped ends and garden walls along the base.
-#include "io/matches_file.h"
+#include "io/project/matches_file.h"
 #include "tests/other_scenes/edge_profile.h"
 #include "tests/other_scenes/write_scene.h"
 #include "tests/support/csv_rows.h"

@@ -3,8 +3,8 @@
 //   laz_benchmark FILE.laz [--benchmark_...]
 #include "io/cloud/las_header.h"
 #include "io/cloud/laz/laz_points.h"
-#include "io/cloud/mapped_file.h"
 #include "io/error.h"
+#include "io/files/mapped_file.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/png_writer.h"
+#include "io/images/png_writer.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/matches_file.h"
-#include "io/segments_file.h"
+#include "io/project/matches_file.h"
+#include "io/project/segments_file.h"
 #include "tests/cli/cli_fixture.h"
 
 #include <opencv2/imgcodecs.hpp>

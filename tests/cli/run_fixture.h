@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/sha256.h"
+#include "io/files/sha256.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 

@@ -2,8 +2,8 @@
 // Writes the uncompressed records of a LAZ file to standard output, for compare.mjs.
 #include "io/cloud/las_header.h"
 #include "io/cloud/laz/laz_points.h"
-#include "io/cloud/mapped_file.h"
 #include "io/error.h"
+#include "io/files/mapped_file.h"
 
 #include <cstdio>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/other_scenes/write_scene.h"
 
-#include "io/image_writer.h"
+#include "io/images/image_writer.h"
 #include "io/lines/write_lines.h"
-#include "io/matches_file.h"
-#include "io/write_patch.h"
+#include "io/project/matches_file.h"
+#include "io/project/write_patch.h"
 #include "tests/other_scenes/photograph.h"
 #include "tests/other_scenes/random_stream.h"
 #include "tests/other_scenes/settlement.h"

@@ -4,8 +4,8 @@ set(io_laz_sources
   kinds/marks.cpp
   cloud/las_header.cpp
   cloud/las_vlr.cpp
-  cloud/mapped_file.cpp
-  cloud/page_advice.cpp
+  files/mapped_file.cpp
+  files/page_advice.cpp
   cloud/laz/arithmetic_decoder.cpp
   cloud/laz/arithmetic_model.cpp
   cloud/laz/attribute_items.cpp
@@ -31,8 +31,8 @@ set(io_laz_headers
   kinds/marks.h
   cloud/las_header.h
   cloud/las_vlr.h
-  cloud/mapped_file.h
-  cloud/page_advice.h
+  files/mapped_file.h
+  files/page_advice.h
   cloud/laz/arithmetic_decoder.h
   cloud/laz/arithmetic_model.h
   cloud/laz/byte_stream.h
@@ -56,6 +56,3 @@ set(io_laz_headers
   cloud/laz/sequential_records.h
   cloud/laz/wave_packet.h
   cloud/laz/wrapping.h)
-
-list(APPEND io_cloud_sources cloud/laz/laz_source.cpp)
-list(APPEND io_cloud_headers cloud/laz/laz_source.h)

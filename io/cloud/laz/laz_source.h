@@ -3,7 +3,7 @@
 
 #include "io/cloud/cloud_source.h"
 #include "io/cloud/las_header.h"
-#include "io/cloud/mapped_file.h"
+#include "io/files/mapped_file.h"
 
 #include <memory>
 

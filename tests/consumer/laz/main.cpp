@@ -2,8 +2,8 @@
 // Counts the points of a LAS or LAZ file, of the latter by decoding them.
 #include "io/cloud/las_header.h"
 #include "io/cloud/laz/laz_points.h"
-#include "io/cloud/mapped_file.h"
 #include "io/error.h"
+#include "io/files/mapped_file.h"
 
 #include <cstdio>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Output files and digests.
 
-#include "io/atomic_file.h"
-#include "io/folder_lock.h"
-#include "io/sha256.h"
-#include "tests/io/lines/temp_folder.h"
+#include "io/files/atomic_file.h"
+#include "io/files/folder_lock.h"
+#include "io/files/sha256.h"
+#include "tests/support/temp_folder.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

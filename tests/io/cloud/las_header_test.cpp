@@ -2,7 +2,7 @@
 #include "io/cloud/las_header.h"
 
 #include "tests/io/cloud/las_bytes.h"
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

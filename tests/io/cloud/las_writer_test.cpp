@@ -3,7 +3,7 @@
 
 #include "io/cloud/las_header.h"
 #include "io/cloud/read_cloud.h"
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // The PCD and PLY readers against PCL's writers, in every encoding that PCL writes.
 
 #include "io/cloud/read_cloud.h"
-#include "tests/io/lines/temp_folder.h"
 #include "tests/support/random.h"
+#include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <pcl/io/pcd_io.h>

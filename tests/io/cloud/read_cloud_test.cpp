@@ -4,8 +4,8 @@
 #include "io/cloud/cloud_files.h"
 #include "io/cloud/las_writer.h"
 #include "tests/io/cloud/las_bytes.h"
-#include "tests/io/lines/temp_folder.h"
 #include "tests/support/random.h"
+#include "tests/support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
-#include "tests/io/lines/temp_folder.h"
 #include "tests/support/paths.h"
+#include "tests/support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Text clouds as other programs write them.
 
 #include "io/cloud/read_cloud.h"
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

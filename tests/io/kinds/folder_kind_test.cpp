@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/folder_kind.h"
 
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace ridgeline::io {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/recognise.h"
 
-#include "tests/io/lines/temp_folder.h"
 #include "tests/support/paths.h"
+#include "tests/support/temp_folder.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every reader says of a file of another kind.
 #include "io/cloud/read_cloud.h"
-#include "io/gates_file.h"
-#include "io/image.h"
+#include "io/files/yaml_check.h"
+#include "io/images/image.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/read_lines.h"
-#include "io/matches_file.h"
-#include "io/patch.h"
-#include "io/segments_file.h"
-#include "io/yaml_check.h"
-#include "tests/io/lines/temp_folder.h"
+#include "io/project/gates_file.h"
+#include "io/project/matches_file.h"
+#include "io/project/patch.h"
+#include "io/project/segments_file.h"
+#include "tests/support/temp_folder.h"
 
 namespace ridgeline::io {
 namespace {

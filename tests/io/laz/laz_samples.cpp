@@ -3,7 +3,7 @@
 
 #include "io/cloud/las_header.h"
 #include "io/cloud/laz/laz_points.h"
-#include "io/cloud/mapped_file.h"
+#include "io/files/mapped_file.h"
 #include "tests/support/paths.h"
 
 #include <filesystem>

@@ -10,7 +10,7 @@
 #include "tests/io/laz/copc_builder.h"
 #include "tests/io/laz/laz_builder.h"
 #include "tests/io/laz/laz_samples.h"
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small files that would take all memory or never end.
-#include "io/input_file.h"
+#include "io/files/input_file.h"
+#include "io/files/yaml_check.h"
 #include "io/lines/read_lines.h"
 #include "io/lines/write_lines.h"
-#include "io/yaml_check.h"
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

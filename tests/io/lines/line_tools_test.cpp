@@ -2,8 +2,8 @@
 // Results of other tools: OBJ and PLY models, Line3D++, LIMAP, ELSR; Shapefile and DXF.
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
-#include "tests/io/lines/temp_folder.h"
 #include "tests/support/paths.h"
+#include "tests/support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // GeoJSON, CSV, WKT and what is the same for all formats.
 #include "io/lines/read_lines.h"
 
-#include "tests/io/lines/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

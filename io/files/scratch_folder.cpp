@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/files/scratch_folder.h"
+
+#include "io/error.h"
+
+#include <cstdlib>
+
+namespace ridgeline::io {
+
+ScratchFolder::ScratchFolder(const std::string& target)
+    : target_(std::filesystem::absolute(target)) {
+  std::error_code error;  // shows in mkdtemp()
+  std::filesystem::create_directories(target_.parent_path(), error);
+  std::string pattern = (target_.parent_path() / ".ridgeline-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw IoError(target, "cannot be written: its folder cannot be made or is closed to writing");
+  }
+  folder_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;  // a folder that stays behind is no reason to lose the result
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::string ScratchFolder::draft() const { return (folder_ / target_.filename()).string(); }
+
+void ScratchFolder::publish() const {
+  try {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const std::filesystem::path name = entry.path().filename();
+      if (name == target_.filename()) continue;
+      std::filesystem::rename(entry.path(), target_.parent_path() / name);
+    }
+    std::filesystem::rename(draft(), target_);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw IoError(target_.string(), "cannot be written: " + error.code().message());
+  }
+}
+
+}  // namespace ridgeline::io

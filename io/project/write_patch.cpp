@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/project/write_patch.h"
+
+#include "io/files/atomic_file.h"
+#include "reconstruct/geometry/check.h"
+
+#include <yaml-cpp/yaml.h>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr int kLossless = 17;  // digits of a double
+
+void emit(const PatchImage& image, YAML::Emitter& yaml) {
+  check(!image.interior, "write_patch: image ", image.id, " has an interior orientation");
+  yaml << YAML::BeginMap << YAML::Key << "id" << YAML::Value << image.id;
+  yaml << YAML::Key << "path" << YAML::Value << image.path;
+  yaml << YAML::Key << "projection_matrix" << YAML::Value << YAML::BeginSeq;
+  for (int row = 0; row < 3; ++row) {
+    yaml << YAML::Flow << YAML::BeginSeq;
+    for (int column = 0; column < 4; ++column) yaml << image.image_from_world(row, column);
+    yaml << YAML::EndSeq;
+  }
+  yaml << YAML::EndSeq << YAML::EndMap;
+}
+
+}  // namespace
+
+void write_patch(const std::string& path, const PatchFile& patch) {
+  YAML::Emitter yaml;
+  yaml.SetDoublePrecision(kLossless);
+  yaml << YAML::BeginMap << YAML::Key << "id" << YAML::Value << YAML::DoubleQuoted << patch.id;
+  if (patch.crs.known()) yaml << YAML::Key << "crs" << YAML::Value << patch.crs.definition;
+  yaml << YAML::Key << "height_range" << YAML::Value << YAML::Flow << YAML::BeginSeq
+       << patch.height_range_m[0] << patch.height_range_m[1] << YAML::EndSeq;
+  yaml << YAML::Key << "images" << YAML::Value << YAML::BeginSeq;
+  for (const PatchImage& image : patch.images) emit(image, yaml);
+  yaml << YAML::EndSeq;
+  if (!patch.lidar.empty()) yaml << YAML::Key << "lidar" << YAML::Value << patch.lidar;
+  if (patch.reference_matches) {
+    yaml << YAML::Key << "reference_matches" << YAML::Value << *patch.reference_matches;
+  }
+  if (patch.reference_lines) {
+    yaml << YAML::Key << "reference_lines" << YAML::Value << *patch.reference_lines;
+  }
+  yaml << YAML::EndMap;
+  write_file(path, std::string(yaml.c_str()) + "\n");
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/project/patch.h"
+
+#include "tests/support/paths.h"
+#include "tests/support/temp_folder.h"
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace ridgeline::io {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr double kPixelTolerance = 1e-6;
+
+constexpr const char* kPatch = R"(id: "1"
+crs: "EPSG:25832+7837"
+height_range: [250, 300]
+images:
+  - id: left
+    path: images/left.tif
+    projection_matrix:
+      - [1000.0, 0.0, -512.0, 409600.0]
+      - [0.0, -1000.0, -512.0, 409600.0]
+      - [0.0, 0.0, -1.0, 800.0]
+  - id: right
+    path: right.tif
+    interior: {focal_length_mm: 120, pixel_size_um: 12, size_px: [7680, 13824], principal_point_mm: [0, 0], k1: 0.01}
+    exterior: {position_m: [513000, 5403000, 1500], omega_phi_kappa_deg: [0, 0, 90]}
+    window_px: [3000, 6000]
+lidar: [lidar.las, "tiles/*.laz"]
+reference_matches: matches.csv
+reference_lines: /data/truth.geojson
+)";
+
+/// kPatch with the first match of `what` replaced.
+std::string patch_with(const std::string& what, const std::string& replacement) {
+  const std::string text = kPatch;
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.substr(0, at) + replacement + text.substr(at + what.size());
+}
+
+std::string error_of(const std::string& yaml) {
+  const TempFolder folder;
+  const std::string path = folder.write("patch.yaml", yaml);
+  return io_error_of([&] { read_patch(path); });
+}
+
+TEST(ReadPatch, ResolvesPathsAgainstTheFile) {
+  const TempFolder folder;
+  const PatchFile patch = read_patch(folder.write("patch.yaml", kPatch));
+  EXPECT_EQ(patch.id, "1");
+  EXPECT_EQ(patch.crs.definition, "EPSG:25832+7837");
+  EXPECT_THAT(patch.height_range_m, ElementsAre(250.0, 300.0));
+  ASSERT_EQ(patch.images.size(), 2U);
+  EXPECT_EQ(patch.images[0].id, "left");
+  EXPECT_EQ(patch.images[0].path, folder.file("images/left.tif"));
+  EXPECT_THAT(patch.lidar, ElementsAre(folder.file("lidar.las"), folder.file("tiles/*.laz")));
+  EXPECT_EQ(patch.reference_matches, folder.file("matches.csv"));
+  EXPECT_EQ(patch.reference_lines, "/data/truth.geojson");
+}
+
+TEST(ReadPatch, TakesTheMatrixAsItStands) {
+  const TempFolder folder;
+  const PatchFile patch = read_patch(folder.write("patch.yaml", kPatch));
+  ProjectionMatrix expected;
+  expected << 1000, 0, -512, 409600, 0, -1000, -512, 409600, 0, 0, -1, 800;
+  EXPECT_EQ(patch.images[0].image_from_world, expected);
+  EXPECT_FALSE(patch.images[0].interior.has_value());
+}
+
+TEST(ReadPatch, MakesTheMatrixOfTheWindowFromTheOrientation) {
+  const TempFolder folder;
+  const PatchFile patch = read_patch(folder.write("patch.yaml", kPatch));
+  // kappa = 90 deg: image columns run north, rows run east. 1000 m below, 0.1 m is one pixel.
+  const Eigen::Vector3d x(513000.0 + 30.0, 5403000.0 + 20.0, 500.0);
+  const Eigen::Vector2d expected(3839.5 + 200.0 - 3000.0, 6911.5 + 300.0 - 6000.0);
+  EXPECT_LT((project(patch.images[1].image_from_world, x) - expected).norm(), kPixelTolerance);
+}
+
+TEST(ReadPatch, RemovesTheDistortionInPixelsOfTheWindow) {
+  const TempFolder folder;
+  const PatchFile patch = read_patch(folder.write("patch.yaml", kPatch));
+  const PatchImage& image = patch.images[1];
+  ASSERT_TRUE(image.interior.has_value());
+  const Eigen::Vector2d ideal(100.0, 100.0);
+  const Eigen::Vector2d observed =
+      distorted_px(*image.interior, ideal + image.window_px) - image.window_px;
+  EXPECT_GT((observed - ideal).norm(), 0.1);
+  const auto actual = undistorted_px(image, observed);
+  ASSERT_TRUE(actual.has_value());
+  EXPECT_LT((*actual - ideal).norm(), kPixelTolerance);
+  EXPECT_EQ(undistorted_px(patch.images[0], observed), observed);
+}
+
+TEST(ReadPatch, TakesJson) {
+  const TempFolder folder;
+  const PatchFile patch = read_patch(folder.write("patch.json", R"({
+    "id": 7, "height_range": [0, 10], "images": [
+      {"id": 0, "path": "a.png", "projection_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]},
+      {"id": 1, "path": "b.png", "projection_matrix": [[1,0,0,-1],[0,1,0,0],[0,0,1,0]]}]})"));
+  EXPECT_EQ(patch.id, "7");
+  EXPECT_FALSE(patch.crs.known());
+  EXPECT_TRUE(patch.lidar.empty());
+}
+
+TEST(ReadPatch, NamesUnknownKeysWithTheirLine) {
+  EXPECT_THAT(error_of(patch_with("lidar:", "lidra:")),
+              HasSubstr("patch.yaml: line 16: unknown key 'lidra', the nearest is 'lidar'; known "
+                        "keys: id, crs, "));
+  EXPECT_THAT(error_of(patch_with("path: right", "file: right")),
+              HasSubstr("line 12: unknown key 'file', the nearest is 'id'; known keys: id, path, "
+                        "projection_matrix"));
+  EXPECT_THAT(
+      error_of(patch_with("k1:", "K1:")),
+      HasSubstr("line 13: unknown key 'K1', the nearest is 'k1'; known keys: focal_length_mm, "));
+  EXPECT_THAT(error_of(patch_with("position_m", "position")),
+              HasSubstr("line 14: unknown key 'position', the nearest is 'position_m'; known keys: "
+                        "position_m, "));
+}
+
+TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
+  struct Case {
+    const char* what;
+    const char* replacement;
+    const char* message;
+  };
+  for (const Case& c : {
+           Case{"id: \"1\"\n", "", "key 'id' is missing"},
+           Case{"height_range: [250, 300]\n", "", "key 'height_range' is missing"},
+           Case{"[250, 300]", "[300, 250]", "line 3: height_range = [300, 250]; the lowest"},
+           Case{"[250, 300]", "[250, 250]", "line 3: height_range = [250, 250]; the lowest"},
+           Case{"[250, 300]", "[250]", "line 3: height_range must be a list of 2 numbers"},
+           Case{"[250, 300]", "[250, high]", "height_range = high; must be a finite number"},
+           Case{"EPSG:25832+7837", "EPSG:1", "line 2: crs: "},
+           Case{"-512.0", ".nan", "line 8: a row of projection_matrix = .nan; must be a finite"},
+           Case{"-512.0", "nan", "line 8: a row of projection_matrix = nan; must be a finite"},
+           Case{", 409600.0]", "]", "line 8: a row of projection_matrix must be a list of 4"},
+           Case{"[0.0, 0.0, -1.0, 800.0]", "[0.0, 0.0, 0.0, 1.0]", "has rank < 3"},
+           Case{"      - [0.0, 0.0, -1.0, 800.0]\n", "", "must have three rows of four numbers"},
+           Case{"    window_px", "    projection_matrix: []\n    window_px", "stands alone"},
+           Case{"focal_length_mm: 120", "focal_length_mm: 0", "line 13: focal_length_mm = 0"},
+           Case{"[7680, 13824]", "[7680]", "size_px must be a list of 2 numbers"},
+           Case{"id: right", "id: left", "two images have the id left"},
+           Case{"id: left", "id: left\n    id: left", "key 'id' is given twice"},
+           Case{"path: right.tif", "path: [a, b]", "line 12: path must be a text"},
+           Case{"lidar:", "colmap: sparse/0\nlidar:", "one of the keys images and colmap"},
+           Case{"height_range:", "height_range: [", "line 4: "},
+       }) {
+    EXPECT_THAT(error_of(patch_with(c.what, c.replacement)), HasSubstr(c.message)) << c.what;
+  }
+}
+
+TEST(ReadPatch, RefusesTwoCamerasInOnePlace) {
+  const std::string image =
+      "  - {id: ID, path: a.png, projection_matrix: [[1,0,0,-5],[0,1,0,0],[0,0,1,0]]}\n";
+  const std::string head = "id: 1\nheight_range: [0, 1]\nimages:\n";
+  EXPECT_THAT(error_of(head + std::regex_replace(image, std::regex("ID"), "a") +
+                       std::regex_replace(image, std::regex("ID"), "b")),
+              HasSubstr("the cameras of a and b are in one place"));
+  EXPECT_THAT(error_of(head + image), HasSubstr("1 images; at least two are needed"));
+}
+
+TEST(ReadPatch, RefusesFilesThatAreNoPatch) {
+  EXPECT_THAT(error_of(""), HasSubstr("is empty"));
+  EXPECT_THAT(error_of("- 1\n- 2\n"), HasSubstr("a mapping is expected"));
+  EXPECT_THAT(error_of("id: a\n---\nid: b\n"), HasSubstr("line 3: a second document begins"));
+  EXPECT_THAT(error_of("\x89PNG\r\n\x1a\n"), HasSubstr("patch.yaml: "));
+  EXPECT_THAT(io_error_of([] { read_patch("/nowhere/patch.yaml"); }),
+              HasSubstr("/nowhere/patch.yaml: no such file"));
+}
+
+TEST(ReadPatch, ReadsTheVaihingenPatch) {
+  const std::string path = test::shared_data_dir() + "/vaihingen/patch.yaml";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  const PatchFile patch = read_patch(path);
+  ASSERT_EQ(patch.images.size(), 2U);
+  EXPECT_LT((projection_centre(patch.images[1].image_from_world).hnormalized() -
+             Eigen::Vector3d(246.0, 0.0, 800.0))
+                .norm(),
+            kPixelTolerance);
+  ASSERT_EQ(patch.lidar.size(), 1U);
+  EXPECT_TRUE(std::filesystem::exists(patch.lidar[0]));
+}
+
+}  // namespace
+}  // namespace ridgeline::io

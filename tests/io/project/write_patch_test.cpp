@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/project/write_patch.h"
+
+#include "tests/support/temp_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace ridgeline::io {
+namespace {
+
+PatchFile sample_patch() {
+  PatchFile patch;
+  patch.id = "7";
+  patch.crs.definition = "EPSG:25832";
+  patch.height_range_m = {229.0, 280.0};
+  for (int i = 0; i < 2; ++i) {
+    PatchImage image;
+    image.id = i == 0 ? "left" : "right";
+    image.path = image.id + ".tif";
+    // map coordinates need all digits of a double
+    image.image_from_world << 10000.0 / 3.0, 0.1, -512.0, -1710000000.123456789 + 1e6 * i, 0.2,
+        -9999.9, -512.0, 54030000000.98765, -0.01, 0.02, -1.0, 6000.123456789;
+    patch.images.push_back(image);
+  }
+  patch.lidar = {"lidar.las"};
+  patch.reference_matches = "matches.csv";
+  patch.reference_lines = "truth.geojson";
+  return patch;
+}
+
+TEST(WritePatch, IsReadBackWithoutLoss) {
+  const TempFolder folder;
+  const std::string path = folder.file("patch.yaml");
+  const PatchFile written = sample_patch();
+  write_patch(path, written);
+  const PatchFile read = read_patch(path);
+  EXPECT_EQ(read.id, written.id);
+  EXPECT_EQ(read.crs.definition, written.crs.definition);
+  EXPECT_EQ(read.height_range_m, written.height_range_m);
+  ASSERT_EQ(read.images.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.images[i].id, written.images[i].id);
+    EXPECT_EQ(read.images[i].image_from_world, written.images[i].image_from_world);
+  }
+  EXPECT_THAT(read.images[1].path, ::testing::EndsWith("right.tif"));
+  EXPECT_THAT(read.lidar, ::testing::SizeIs(1));
+  EXPECT_TRUE(read.reference_matches);
+  EXPECT_TRUE(read.reference_lines);
+}
+
+TEST(WritePatch, RefusesAnImageWithDistortion) {
+  const TempFolder folder;
+  PatchFile patch = sample_patch();
+  patch.images[0].interior = InteriorOrientation{};
+  EXPECT_THROW(write_patch(folder.file("patch.yaml"), patch), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ridgeline::io
