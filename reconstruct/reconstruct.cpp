@@ -40,12 +40,16 @@ std::vector<FoundMatch> found_by(Matcher matcher, const std::vector<ScoredMatch>
   return transformed(matches, [&](const ScoredMatch& m) { return FoundMatch{m, name(matcher)}; });
 }
 
+ChioExtensions chio_extensions(const MatchingOptions& options) {
+  return chio_extensions(options.beyond_chio,
+                         match_extensions(options.beyond, options.candidates).look);
+}
+
 /// Beyond the papers: lines that the height of matched ones makes possible join the list.
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
-  const CandidateLook look = match_extensions(options.beyond, options.candidates).look;
   for (const ScoredMatch& scored :
        propagate_heights(pair, transformed(list.matches, &FoundMatch::scored), options.chio,
-                         options.candidates, options.beyond, look)) {
+                         options.candidates, chio_extensions(options), options.beyond)) {
     list.matches.push_back({scored, kByHeight});
     list.reasons[static_cast<std::size_t>(scored.match.left)] = "matched";
   }
@@ -218,8 +222,7 @@ PairMatches match(const StereoPair& pair, const Options& options) {
     if (matcher == Matcher::kPairwise) {
       result.lists.push_back(by_pairs(pair, matching, result.surface));
     } else {
-      result.chio = chio_match(pair, matching.chio, matching.candidates,
-                               match_extensions(matching.beyond, matching.candidates).look);
+      result.chio = chio_match(pair, matching.chio, matching.candidates, chio_extensions(matching));
       result.lists.push_back(list_of(*result.chio));
     }
   }
@@ -259,7 +262,7 @@ Options published() {
   Options options;
   options.extraction.beyond = EdgeExtensionOptions::none();
   options.matching.beyond = MatchExtensionOptions::none();
-  options.matching.chio.paper = true;
+  options.matching.beyond_chio = ChioExtensionOptions::none();
   options.estimation.beyond = EstimateExtensionOptions::none();
   return options;
 }
@@ -269,8 +272,8 @@ void validate(const Options& options) {
   const auto each = [](const auto&... parts) { (ridgeline::validate(parts), ...); };
   each(options.extraction.edges, options.extraction.beyond, options.matching.candidates,
        options.matching.pairwise, options.matching.chio, options.matching.beyond,
-       options.estimation.lines, options.estimation.beyond, options.estimation.building,
-       options.estimation.consensus);
+       options.matching.beyond_chio, options.estimation.lines, options.estimation.beyond,
+       options.estimation.building, options.estimation.consensus);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -30,6 +30,7 @@ struct MatchingOptions {
   MatchOptions pairwise;
   ChioOptions chio;
   MatchExtensionOptions beyond;
+  ChioExtensionOptions beyond_chio;
 };
 
 /// The default is the best we know.

@@ -45,6 +45,7 @@ void for_each_parameter(Parameters& p, Visitor&& visit) {
   group("match", p.method.matching.pairwise);
   group("match", p.method.matching.beyond);
   group("chio", p.method.matching.chio);
+  group("chio", p.method.matching.beyond_chio);
   group("reconstruct", p.method.estimation.lines);
   group("reconstruct", p.method.estimation.beyond);
   group("reconstruct", p.method.estimation.building);

@@ -48,6 +48,15 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
   return beyond;
 }
 
+ChioExtensions chio_extensions(const ChioExtensionOptions& options,
+                               const CandidateLook& change_look) {
+  ChioExtensions beyond{change_look};
+  if (options.allow_noise) beyond.noise = NoiseAllowance{options.edge_sigma_px};
+  if (options.by_look)
+    beyond.by_look = ChoiceByLook{options.min_similarity, options.max_similarity_ratio};
+  return beyond;
+}
+
 EstimateExtensions estimate_extensions(const EstimationOptions& options, const Surface* surface) {
   EstimateExtensions beyond;
   beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;

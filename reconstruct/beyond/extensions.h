@@ -3,6 +3,7 @@
 
 #include "reconstruct/beyond/options.h"
 #include "reconstruct/beyond/surface/surface.h"
+#include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
@@ -25,6 +26,11 @@ EdgeRefinement edge_refinement(const ExtractionOptions& options);
 MatchExtensions match_extensions(const MatchExtensionOptions& options,
                                  const CandidateOptions& candidates,
                                  const Surface* surface = nullptr);
+
+/// What goes beyond the paper in the matching in object space, as the options switch it on.
+/// @param change_look  of the candidates
+ChioExtensions chio_extensions(const ChioExtensionOptions& options,
+                               const CandidateLook& change_look);
 
 /// What goes beyond the paper in the estimation, as the options switch it on: where uncertain lines end, depth_consensus
 /// and network.

@@ -93,6 +93,31 @@ struct MatchExtensionOptions {
   }
 };
 
+/// What goes beyond the paper in the matching in object space; see chio_extensions().
+struct ChioExtensionOptions {
+  bool allow_noise = true;
+  bool by_look = true;
+  double edge_sigma_px = 0.25;  ///< of a single edge pixel across its edge
+  double min_similarity = 0.3;
+  double max_similarity_ratio = 0.8;  ///< of the next candidate and the best one
+
+  static constexpr ChioExtensionOptions none() { return {.allow_noise = false, .by_look = false}; }
+
+  static constexpr auto fields() {
+    using O = ChioExtensionOptions;
+    return std::tuple{
+        Field{"allow_noise", &O::allow_noise, false, true,
+              "widen limits by noise and compare heights where lines meet; off: to the letter"},
+        Field{"by_look", &O::by_look, false, true,
+              "candidates compete by their look; off: by their reliable pieces, to the letter"},
+        Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
+              "allow_noise: noise of an edge pixel across its edge"},
+        Field{"min_similarity", &O::min_similarity, 0.0, 1.0, "by_look: of a match"},
+        Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
+              "by_look: of the next candidate and the best one"}};
+  }
+};
+
 /// What goes beyond the paper in the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the

@@ -18,11 +18,11 @@ const CoreCandidate* candidate_of(const CoreCandidates& candidates, int right) {
 Acquisition::Acquisition(const View& left,
                          const View& right,
                          const std::vector<CoreCandidates>& candidates,
-                         const ChioOptions& options)
+                         const std::optional<ChoiceByLook>& by_look)
     : left_(left),
       right_(right),
       candidates_(candidates),
-      options_(options),
+      by_look_(by_look),
       acquired_(candidates.size()),
       outcomes_(candidates.size()),
       takers_(right.segments.size()),
@@ -57,7 +57,7 @@ bool Acquisition::has_rival(int left, const CoreCandidate& best, const Allowed& 
   const auto& list = candidates_[left].list;
   return std::any_of(list.begin(), list.end(), [&](const CoreCandidate& c) {
     return c.may_begin && c.right != best.right && allowed(c) &&
-           c.similarity > options_.max_similarity_ratio * best.similarity &&
+           c.similarity > by_look_->max_similarity_ratio * best.similarity &&
            !are_fragments(edge, right_.segments[c.right].line.segment);
   });
 }
@@ -67,7 +67,7 @@ bool Acquisition::is_wanted_more(int left, const CoreCandidate& best) const {
   return std::any_of(wanters.begin(), wanters.end(), [&](int other) {
     if (other == left || !is_open(other)) return false;
     const CoreCandidate* theirs = candidate_of(candidates_[other], best.right);
-    return best.similarity < options_.max_similarity_ratio * theirs->similarity &&
+    return best.similarity < by_look_->max_similarity_ratio * theirs->similarity &&
            !may_share_mate({left_.segments[left].line.segment, best.overlap},
                            {left_.segments[other].line.segment, theirs->overlap});
   });
@@ -81,7 +81,7 @@ std::optional<int> Acquisition::choose(int left, const Allowed& allowed) {
     if (!list.empty() && list.front().may_begin) outcomes_[left] = ChioOutcome::kHeight;
     return std::nullopt;
   }
-  if (!options_.paper && best->similarity < options_.min_similarity) {
+  if (by_look_ && best->similarity < by_look_->min_similarity) {
     outcomes_[left] = ChioOutcome::kLowScore;
     return std::nullopt;
   }
@@ -89,7 +89,7 @@ std::optional<int> Acquisition::choose(int left, const Allowed& allowed) {
     outcomes_[left] = ChioOutcome::kLostToOther;
     return std::nullopt;
   }
-  if (!options_.paper && (has_rival(left, *best, allowed) || is_wanted_more(left, *best))) {
+  if (by_look_ && (has_rival(left, *best, allowed) || is_wanted_more(left, *best))) {
     outcomes_[left] = ChioOutcome::kAmbiguous;
     return std::nullopt;
   }

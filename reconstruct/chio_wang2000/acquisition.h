@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reconstruct/chio_wang2000/core.h"
-#include "reconstruct/chio_wang2000/options.h"
+#include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/views/scene.h"
 
@@ -32,7 +32,7 @@ class Acquisition {
   Acquisition(const View& left,
               const View& right,
               const std::vector<CoreCandidates>& candidates,
-              const ChioOptions& options);
+              const std::optional<ChoiceByLook>& by_look);
 
   /// With a mate that Core knows.
   [[nodiscard]] bool is_matched(int left) const { return acquired_[left].has_value(); }
@@ -43,10 +43,10 @@ class Acquisition {
   [[nodiscard]] const std::vector<ChioOutcome>& outcomes() const { return outcomes_; }
 
   /// Index of the candidate that Core chooses for an unmatched segment among those allowed: the most
-  /// preferred one that may begin. Nothing, and the outcome says why, if there is none, if another
-  /// left edge has taken it or, unless by paper, if it looks less than min_similarity alike or a
-  /// rival comes closer than max_similarity_ratio:
-  /// another candidate, or another unmatched left segment that looks more like this one.
+  /// preferred one that may begin. Nothing, and the outcome says why, if there is none or if another
+  /// left edge has taken it. If the look decides, also nothing if the candidate looks less than
+  /// min_similarity alike or a rival comes closer than max_similarity_ratio: another candidate, or
+  /// another unmatched left segment that looks more like this one.
   std::optional<int> choose(int left, const Allowed& allowed);
   void acquire(int left, const Acquired& acquired);
   /// Takes a match of another matcher over, with process 0. It can give its height to others if it is
@@ -61,7 +61,7 @@ class Acquisition {
   const View& left_;
   const View& right_;
   const std::vector<CoreCandidates>& candidates_;
-  const ChioOptions& options_;
+  const std::optional<ChoiceByLook>& by_look_;
   std::vector<std::optional<Acquired>> acquired_;
   std::vector<ChioOutcome> outcomes_;
   std::vector<std::vector<int>> takers_;   ///< by right segment: the left ones matched with it

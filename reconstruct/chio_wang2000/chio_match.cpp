@@ -14,14 +14,16 @@ ChioLine line_of(int left_id,
                  const Acquired& acquired,
                  const CoreCandidates& candidates,
                  const SearchedPair& pair,
-                 const ChioOptions& options) {
+                 const ChioOptions& options,
+                 const ChioExtensions& beyond) {
   const CoreCandidate& first = candidates.list[acquired.candidate];
   ChioLine line;
   line.scored = {{left_id, first.right}, first.similarity, 0.0};
   line.acquired = acquired;
   line.chain = first.chain;
   std::vector<int> links{first.right};
-  for (const int c : linked_fragments(candidates, acquired.candidate, pair.right, options)) {
+  for (const int c :
+       linked_fragments(candidates, acquired.candidate, pair.right, options, beyond)) {
     links.push_back(candidates.list[c].right);
   }
   line.fragments.assign(links.begin() + 1, links.end());
@@ -34,13 +36,13 @@ ChioLine line_of(int left_id,
 ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options,
                       const CandidateOptions& candidate_options,
-                      const CandidateLook& change_look,
+                      const ChioExtensions& beyond,
                       std::span<const ScoredMatch> given) {
   validate(options);
   const SearchedPair views = searched(pair);
   const std::vector<CoreCandidates> candidates =
-      core_candidates(views, options, candidate_options, change_look);
-  ProcessedSegments processed = four_processes(views, candidates, options, given);
+      core_candidates(views, options, candidate_options, beyond);
+  ProcessedSegments processed = four_processes(views, candidates, options, beyond, given);
 
   ChioResult result;
   result.outcomes = std::move(processed.outcomes);
@@ -52,7 +54,7 @@ ChioResult chio_match(const StereoPair& pair,
   result.lines.resize(acquired.size());
   tbb::parallel_for(std::size_t{0}, acquired.size(), [&](std::size_t k) {
     const int i = acquired[k];
-    result.lines[k] = line_of(i, *processed.acquired[i], candidates[i], views, options);
+    result.lines[k] = line_of(i, *processed.acquired[i], candidates[i], views, options, beyond);
   });
   return result;
 }

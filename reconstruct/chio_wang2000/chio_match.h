@@ -3,6 +3,7 @@
 
 #include "reconstruct/chio_wang2000/acquisition.h"
 #include "reconstruct/chio_wang2000/core.h"
+#include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/chio_wang2000/linked_line.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/geometry/line_match.h"
@@ -35,13 +36,12 @@ struct ChioResult {
 /// all reliable points. Segments along the epipolar lines are left alone.
 ///
 /// @param candidate_options  of the search of candidates, whose angle to the epipolar line is that of `options`
-/// @param change_look        of the candidates; where what goes beyond the paper enters
 /// @param given              matches of another matcher in place of the first two processes
 /// Deterministic for any number of threads. Throws std::invalid_argument as match_pairwise().
 ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options = {},
                       const CandidateOptions& candidate_options = {},
-                      const CandidateLook& change_look = {},
+                      const ChioExtensions& beyond = {},
                       std::span<const ScoredMatch> given = {});
 
 /// The matches of the lines.

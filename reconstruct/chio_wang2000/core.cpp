@@ -13,8 +13,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Noise is allowed for up to this many standard deviations.
-constexpr double kNoiseFactor = 3.0;
+constexpr double kSigmas = 3.0;      // of the noise of rates that is allowed for
 constexpr int kAllCandidates = 100;  // in place of those that look best
 
 /// One left segment on its way through the screening.
@@ -28,13 +27,26 @@ struct Context {
   const SearchedPair& pair;
   const Radiometry& radiometry;
   const ChioOptions& options;
+  const ChioExtensions& beyond;
 };
 
+/// What noise may add to the mean rate of a chain, and to the standard deviation of its rates.
+struct RateNoise {
+  double mean = 0.0, sigma = 0.0;
+};
+
+RateNoise rate_noise(const ChainSummary& chain, double gsd_m, const ChioExtensions& beyond) {
+  if (!beyond.noise) return {};
+  const double edge_sigma_px = beyond.noise->edge_sigma_px;
+  return {kSigmas * expected_mean_rate_sigma(chain, gsd_m, edge_sigma_px),
+          kSigmas * expected_rate_sigma(chain, gsd_m, edge_sigma_px)};
+}
+
 /// A slope turns a line between the views; the paper's limit makes no allowance for that.
-double azimuth_limit_rad(const LocalTransfer& transfer, const ChioOptions& options) {
+double azimuth_limit_rad(const LocalTransfer& transfer, const Context& context) {
   const double turn_rad =
-      options.paper ? 0.0 : std::atan(options.max_rate * transfer.base_to_height());
-  return options.max_azimuth_deg * kRadPerDeg + turn_rad;
+      context.beyond.noise ? std::atan(context.options.max_rate * transfer.base_to_height()) : 0.0;
+  return context.options.max_azimuth_deg * kRadPerDeg + turn_rad;
 }
 
 double mean_of(const Colour& colour, int n_bands) {
@@ -59,26 +71,19 @@ ChioOutcome screening(const Context& context,
                       const Candidate& candidate,
                       const ChainSummary& chain) {
   const ChioOptions& options = context.options;
-  const double gsd_m = screened.transfer.gsd_m;
+  const RateNoise noise = rate_noise(chain, screened.transfer.gsd_m, context.beyond);
   const EdgeSegment& right = context.pair.right.segments[candidate.right];
-  const double noise = options.paper ? 0.0 : kNoiseFactor;
   if (chain.n_reliable < options.min_pieces) return ChioOutcome::kFewPieces;
   if (screened.transfer.turn_rad(screened.left.line.segment, right.line.segment) >
-      azimuth_limit_rad(screened.transfer, options)) {
+      azimuth_limit_rad(screened.transfer, context)) {
     return ChioOutcome::kAzimuth;
   }
   if (flank_difference(context, {screened.left, right, candidate.overlap}) >
       options.max_flank_difference) {
     return ChioOutcome::kFlank;
   }
-  if (std::abs(chain.mean_rate) >
-      options.max_rate + noise * expected_mean_rate_sigma(chain, gsd_m, options)) {
-    return ChioOutcome::kSteep;
-  }
-  if (chain.rate_sigma >
-      std::max(options.max_rate_sigma, noise * expected_rate_sigma(chain, gsd_m, options))) {
-    return ChioOutcome::kUneven;
-  }
+  if (std::abs(chain.mean_rate) > options.max_rate + noise.mean) return ChioOutcome::kSteep;
+  if (chain.rate_sigma > std::max(options.max_rate_sigma, noise.sigma)) return ChioOutcome::kUneven;
   return ChioOutcome::kMatched;
 }
 
@@ -108,8 +113,9 @@ CoreCandidates candidates_of(const Context& context,
     }
   }
   std::ranges::stable_sort(result.list, {}, [&](const CoreCandidate& c) {
-    return context.options.paper ? std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma)
-                                 : std::tuple(!c.may_begin, 0, -c.similarity);
+    return context.beyond.by_look
+               ? std::tuple(!c.may_begin, 0, -c.similarity)
+               : std::tuple(!c.may_begin, -c.chain.n_reliable, c.chain.rate_sigma);
   });
   return result;
 }
@@ -127,13 +133,13 @@ const char* name(ChioOutcome outcome) {
 std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
-                                            const CandidateLook& change_look) {
+                                            const ChioExtensions& beyond) {
   const Radiometry radiometry = relative_radiometry(pair.left.segments, pair.right.segments);
   CandidateOptions wide = candidate_options;
   wide.min_epipolar_angle_deg = options.min_epipolar_angle_deg;
-  if (options.paper) wide.max_candidates = kAllCandidates;
-  const Candidates found = match_candidates(pair, radiometry, wide, change_look);
-  const Context context{pair, radiometry, options};
+  if (!beyond.by_look) wide.max_candidates = kAllCandidates;
+  const Candidates found = match_candidates(pair, radiometry, wide, beyond.change_look);
+  const Context context{pair, radiometry, options, beyond};
   std::vector<CoreCandidates> candidates(pair.left.segments.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
     candidates[i] = candidates_of(context, pair.left.segments[i], found[i]);
@@ -144,19 +150,19 @@ std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
                                   const View& right,
-                                  const ChioOptions& options) {
+                                  const ChioOptions& options,
+                                  const ChioExtensions& beyond) {
   const CoreCandidate& first = candidates.list[begin];
   const Segment2& edge = right.segments[first.right].line.segment;
-  const double noise = options.paper ? 0.0 : kNoiseFactor;
+  const double first_noise = rate_noise(first.chain, candidates.gsd_m, beyond).mean;
   std::vector<int> fragments;
   for (std::size_t c = 0; c < candidates.list.size(); ++c) {
     const CoreCandidate& other = candidates.list[c];
     if (static_cast<int>(c) == begin || other.chain.n_reliable < options.min_link_pieces) continue;
-    const double rate_noise =
-        noise * std::hypot(expected_mean_rate_sigma(first.chain, candidates.gsd_m, options),
-                           expected_mean_rate_sigma(other.chain, candidates.gsd_m, options));
+    const double noise =
+        std::hypot(first_noise, rate_noise(other.chain, candidates.gsd_m, beyond).mean);
     if (std::abs(other.chain.mean_rate - first.chain.mean_rate) >
-        options.max_link_rate_difference + rate_noise) {
+        options.max_link_rate_difference + noise) {
       continue;
     }
     const double turn_rad =

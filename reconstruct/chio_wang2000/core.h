@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/chio_wang2000/edge_chain.h"
+#include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/views/candidates.h"
 #include "reconstruct/views/epipolar_overlap.h"
@@ -51,18 +52,19 @@ struct CoreCandidates {
 /// The candidates of every left segment that pass the screening of Core (Chio and Wang 2000; the
 /// thresholds of section 4): difference of azimuths, of the grey values beside the edge, number of
 /// reliable pieces, mean rate of height change and its standard deviation. The epipolar band is
-/// searched as match_candidates() does. Preference: the most reliable pieces, then the steadiest
-/// rate, by paper; else the look.
+/// searched as match_candidates() does. Preference: the most reliable pieces, then the steadiest rate;
+/// or the look (ChioExtensions).
 std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
-                                            const CandidateLook& change_look = {});
+                                            const ChioExtensions& beyond = {});
 
 /// Further fragments of the right edge that `begin`, an index of the list, is one of: enough reliable
 /// pieces, the same rate and azimuth in object space, on one line in the image. Indices, ascending.
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
                                   const View& right,
-                                  const ChioOptions& options);
+                                  const ChioOptions& options,
+                                  const ChioExtensions& beyond = {});
 
 }  // namespace ridgeline::reconstruct

@@ -137,14 +137,12 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
   return chain;
 }
 
-double expected_rate_sigma(const ChainSummary& chain, double gsd_m, const ChioOptions& options) {
-  return M_SQRT2 * options.edge_sigma_px * chain.height_per_px_m / gsd_m;
+double expected_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px) {
+  return M_SQRT2 * edge_sigma_px * chain.height_per_px_m / gsd_m;
 }
 
-double expected_mean_rate_sigma(const ChainSummary& chain,
-                                double gsd_m,
-                                const ChioOptions& options) {
-  return expected_rate_sigma(chain, gsd_m, options) / std::max(1, chain.n_reliable);
+double expected_mean_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px) {
+  return expected_rate_sigma(chain, gsd_m, edge_sigma_px) / std::max(1, chain.n_reliable);
 }
 
 }  // namespace ridgeline::reconstruct

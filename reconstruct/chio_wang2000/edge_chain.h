@@ -70,9 +70,7 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
 
 /// What noise of the edge pixels alone makes of the rates of a chain, as standard deviations: of a
 /// single piece and of the mean over n pieces in a row, whose noise cancels but for its ends.
-double expected_rate_sigma(const ChainSummary& chain, double gsd_m, const ChioOptions& options);
-double expected_mean_rate_sigma(const ChainSummary& chain,
-                                double gsd_m,
-                                const ChioOptions& options);
+double expected_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
+double expected_mean_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
 
 }  // namespace ridgeline::reconstruct

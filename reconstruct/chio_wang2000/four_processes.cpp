@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/four_processes.h"
 
+#include "reconstruct/chio_wang2000/neighbour_heights.h"
 #include "reconstruct/chio_wang2000/neighbourhood.h"
 #include "reconstruct/chio_wang2000/structures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
 
 namespace ridgeline::reconstruct {
 namespace {
-
-constexpr double kSigmas = 2.0;  // by which the difference of two heights may be off
 
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
 
@@ -28,15 +26,18 @@ class Iteration {
  public:
   Iteration(const SearchedPair& pair,
             const std::vector<CoreCandidates>& candidates,
-            const ChioOptions& options)
+            const ChioOptions& options,
+            const ChioExtensions& beyond)
       : left_segments_(ideal_segments(pair.left)),
         search_(pair.search),
         candidates_(candidates),
         options_(options),
+        by_look_(beyond.by_look),
+        heights_(left_segments_, beyond.noise),
         structures_(linear_structures(left_segments_, options)),
         right_structures_(linear_structures(ideal_segments(pair.right), options)),
         right_of_segment_(structures_of_segments(right_structures_, pair.right.segments.size())),
-        acquisition_(pair.left, pair.right, candidates, options) {}
+        acquisition_(pair.left, pair.right, candidates, by_look_) {}
 
   ProcessedSegments run() {
     for (const Structure& structure : structures_) first_and_second(structure);
@@ -68,55 +69,21 @@ class Iteration {
                                         : options_.relaxed_height_difference_m;
   }
 
-  /// Height of a candidate's line at a point of the left image beside it.
-  [[nodiscard]] double height_at(int left,
-                                 const CoreCandidate& candidate,
-                                 const Eigen::Vector2d& x) const {
-    return candidate.overlap.height_at(parameter_along(left_segments_[left], x));
-  }
-
-  /// Height of the matched neighbour that the candidates of a segment are compared with.
-  [[nodiscard]] double height_of(const Neighbour& neighbour) const {
-    const CoreCandidate& mate = acquisition_.mate(neighbour.left);
-    return options_.paper || !neighbour.junction_px
-               ? mate.chain.mean_height_m
-               : height_at(neighbour.left, mate, *neighbour.junction_px);
-  }
-
-  [[nodiscard]] bool is_near(int left,
-                             const CoreCandidate& candidate,
-                             const Neighbour& neighbour,
-                             HeightLimit limit) const {
-    const CoreCandidate& mate = acquisition_.mate(neighbour.left);
-    const double most_m = limit_m(limit);
-    if (options_.paper) {
-      return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= most_m;
-    }
-    const double noise_m =
-        kSigmas * std::hypot(candidate.chain.height_sigma_m, mate.chain.height_sigma_m);
-    if (neighbour.junction_px) {
-      return std::abs(height_at(left, candidate, *neighbour.junction_px) - height_of(neighbour)) <=
-             most_m + noise_m;
-    }
-    const auto [low_a, high_a] =
-        std::minmax(candidate.overlap.height_m[0], candidate.overlap.height_m[1]);
-    const auto [low_b, high_b] = std::minmax(mate.overlap.height_m[0], mate.overlap.height_m[1]);
-    return std::max(low_a, low_b) - std::min(high_a, high_b) <= most_m + noise_m;
-  }
-
   /// Tries a segment under the height of one neighbour and, if given, in one right structure.
   bool acquire_beside(int process,
                       int left,
                       const Neighbour& neighbour,
                       HeightLimit limit,
                       const Structure* right_structure) {
+    const CoreCandidate& mate = acquisition_.mate(neighbour.left);
     const auto choice = acquisition_.choose(left, [&](const CoreCandidate& c) {
       return (!right_structure || has_member(*right_structure, c.right)) &&
-             is_near(left, c, neighbour, limit);
+             heights_.agree(left, c, neighbour, mate, limit_m(limit));
     });
     if (!choice) return false;
-    acquisition_.acquire(left, {*choice, process, neighbour.left, height_of(neighbour),
-                                limit_m(limit), limit == HeightLimit::kRelaxed});
+    acquisition_.acquire(left,
+                         {*choice, process, neighbour.left, heights_.height_of(neighbour, mate),
+                          limit_m(limit), limit == HeightLimit::kRelaxed});
     return true;
   }
 
@@ -126,7 +93,7 @@ class Iteration {
 
   /// How much a member speaks for a corresponding junction.
   [[nodiscard]] double strength(const CoreCandidate& candidate) const {
-    return options_.paper ? candidate.chain.n_reliable : candidate.similarity;
+    return by_look_ ? candidate.similarity : candidate.chain.n_reliable;
   }
 
   /// The best candidate of a left segment in a right structure, or its mate if that is one.
@@ -181,9 +148,8 @@ class Iteration {
   }
 
   [[nodiscard]] bool is_ambiguous(const std::vector<Correspondence>& found) const {
-    return !options_.paper && found.size() > 1 &&
-           found[1].members.size() == found[0].members.size() &&
-           found[1].strength > options_.max_similarity_ratio * found[0].strength;
+    return by_look_ && found.size() > 1 && found[1].members.size() == found[0].members.size() &&
+           found[1].strength > by_look_->max_similarity_ratio * found[0].strength;
   }
 
   void first_and_second(const Structure& structure) {
@@ -230,6 +196,8 @@ class Iteration {
   const StereoSearch& search_;
   const std::vector<CoreCandidates>& candidates_;
   const ChioOptions& options_;
+  const std::optional<ChoiceByLook>& by_look_;
+  NeighbourHeights heights_;
   std::vector<Structure> structures_, right_structures_;
   std::vector<std::vector<int>> right_of_segment_;
   Acquisition acquisition_;
@@ -240,8 +208,9 @@ class Iteration {
 ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
+                                 const ChioExtensions& beyond,
                                  std::span<const ScoredMatch> given) {
-  Iteration iteration(pair, candidates, options);
+  Iteration iteration(pair, candidates, options, beyond);
   return given.empty() ? iteration.run() : iteration.run_beside(given);
 }
 

@@ -3,6 +3,7 @@
 
 #include "reconstruct/chio_wang2000/acquisition.h"
 #include "reconstruct/chio_wang2000/core.h"
+#include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/chio_wang2000/options.h"
 #include "reconstruct/views/epipolar_transfer.h"
 #include "reconstruct/views/scene.h"
@@ -27,15 +28,14 @@ struct ProcessedSegments {
 ///      changes;
 ///   4  segments within range of matched ones, constrained by their height, until nothing changes.
 /// 3 and 4 repeat until neither finds more. The geometric constraint becomes looser from process to
-/// process, those of Core never change. By paper heights are the averages of lines; else they are
-/// compared at the junction, and in process 4 as the gap between the heights of two lines, and the
-/// limits are widened by twice the standard deviation of the difference.
+/// process, those of Core never change. NeighbourHeights compares the heights.
 ///
 /// Matches of another matcher may stand in place of the first two processes, `given`; then what 3 and
 /// 4 find beside them by the close limit is all.
 ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,
+                                 const ChioExtensions& beyond = {},
                                  std::span<const ScoredMatch> given = {});
 
 }  // namespace ridgeline::reconstruct

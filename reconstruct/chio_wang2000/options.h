@@ -11,11 +11,6 @@ namespace ridgeline::reconstruct {
 /// the paper's, of images with a ground pixel of 0.24 m; its lengths are in ground pixels here. What
 /// the paper does not state is marked "ours".
 struct ChioOptions {
-  /// Thresholds to the letter, and among the candidates the one with most reliable pieces, then with
-  /// the steadiest rate. Else rates are allowed what their noise makes of them at the base of the
-  /// pair, and candidates compete by their look (ours).
-  bool paper = false;
-
   double min_piece_gsd = 0.5;  ///< dP(i), 0.12 m: shorter pieces are not reliable
   double max_rate = 1.0;       ///< m/m, of the mean rate of height change
   double max_azimuth_deg = 10.0;
@@ -34,15 +29,10 @@ struct ChioOptions {
   double junction_radius_px = 5.0;       ///< of the ends of segments that meet; ours
   double min_junction_angle_deg = 20.0;  ///< ours
   double junction_epipolar_px = 2.0;     ///< of corresponding junctions; ours
-  double edge_sigma_px = 0.25;           ///< of a single edge pixel across its edge; ours
-  double min_similarity = 0.3;           ///< of the look of a match; ours
-  double max_similarity_ratio = 0.8;     ///< of the next candidate and the best one; ours
 
   static constexpr auto fields() {
     using O = ChioOptions;
     return std::tuple{
-        Field{"paper", &O::paper, false, true,
-              "thresholds and choice to the letter, without regard to noise and look"},
         Field{"min_piece_gsd", &O::min_piece_gsd, 0.0, 100.0,
               "horizontal length of a reliable edge piece, in ground pixels"},
         Field{"max_rate", &O::max_rate, 0.0, 1e3, "mean rate of height change, m/m"},
@@ -69,12 +59,7 @@ struct ChioOptions {
         Field{"min_junction_angle_deg", &O::min_junction_angle_deg, 0.1, 89.0,
               "between segments that form a junction"},
         Field{"junction_epipolar_px", &O::junction_epipolar_px, 0.0, 100.0,
-              "of corresponding junctions from their epipolar lines"},
-        Field{"edge_sigma_px", &O::edge_sigma_px, 1e-3, 10.0,
-              "noise of an edge pixel across its edge"},
-        Field{"min_similarity", &O::min_similarity, 0.0, 1.0, "of the look of a match"},
-        Field{"max_similarity_ratio", &O::max_similarity_ratio, 0.0, 1.0,
-              "of the look of the next candidate and the best one"}};
+              "of corresponding junctions from their epipolar lines"}};
   }
 };
 

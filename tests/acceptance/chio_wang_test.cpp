@@ -50,9 +50,10 @@ class ChioWang2000 : public testing::Test {
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
 
-  [[nodiscard]] ProcessCounts counts_of(const std::string& out, const std::string& paper) const {
+  [[nodiscard]] ProcessCounts counts_of(const std::string& out, bool to_the_letter) const {
     const std::string config = out + ".yaml";
-    std::ofstream(folder_ / config) << "chio: {paper: " << paper << "}\n";
+    std::ofstream(folder_ / config)
+        << (to_the_letter ? "chio: {allow_noise: false, by_look: false}\n" : "chio: {}\n");
     std::vector<std::string> arguments{"run",    "--out",      out,    "--matcher",
                                        "chio",   "--config",   config, "--methods",
                                        "direct", "--no-report"};
@@ -89,8 +90,8 @@ class ChioWang2000 : public testing::Test {
 };
 
 TEST_F(ChioWang2000, IterationFindsHalfAsManyLinesAgainAndKeepsThemRight) {
-  const ProcessCounts literal = counts_of("literal", "1");
-  const ProcessCounts ours = counts_of("ours", "0");
+  const ProcessCounts literal = counts_of("literal", true);
+  const ProcessCounts ours = counts_of("ours", false);
   std::cout << "lines per patch                    paper     literal        ours\n";
   print_row("processes 1 and 2", 7, literal.first, ours.first);
   print_row("iteration, heights within 0.5 m", 11, literal.iterated, ours.iterated);

@@ -9,14 +9,18 @@ std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
                                            std::span<const ScoredMatch> given,
                                            const ChioOptions& chio,
                                            const CandidateOptions& candidates,
-                                           const MatchExtensionOptions& options,
-                                           const CandidateLook& change_look) {
+                                           const ChioExtensions& beyond,
+                                           const MatchExtensionOptions& options) {
   if (given.empty()) return {};
   ChioOptions propagation = chio;
   // heights of lines that are only nearby brought more wrong lines than right ones
   propagation.range_m = 0.0;
-  propagation.min_similarity = std::max(chio.min_similarity, options.propagate_min_similarity);
-  return matches_of(chio_match(pair, propagation, candidates, change_look, given));
+  ChioExtensions stricter = beyond;
+  if (stricter.by_look) {
+    double& similarity = stricter.by_look->min_similarity;
+    similarity = std::max(similarity, options.propagate_min_similarity);
+  }
+  return matches_of(chio_match(pair, propagation, candidates, stricter, given));
 }
 
 }  // namespace ridgeline::reconstruct

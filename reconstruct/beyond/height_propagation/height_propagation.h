@@ -16,7 +16,7 @@ std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
                                            std::span<const ScoredMatch> given,
                                            const ChioOptions& chio,
                                            const CandidateOptions& candidates,
-                                           const MatchExtensionOptions& options,
-                                           const CandidateLook& change_look = {});
+                                           const ChioExtensions& beyond,
+                                           const MatchExtensionOptions& options);
 
 }  // namespace ridgeline::reconstruct

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/chio_match.h"
 
+#include "tests/reconstruct/chio_wang2000/our_extensions.h"
 #include "tests/reconstruct/ok2011/match/painted_pair.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ class ChioMatch : public testing::Test {
   void add_inclined_line() { pair_.add_line({{6.0, 5.0, 6.0}, {9.0, 11.0, 6.0}}); }
 
   [[nodiscard]] ChioResult match(const ChioOptions& options = {}) const {
-    return chio_match(pair_.pair(), options);
+    return chio_match(pair_.pair(), options, {}, test::kOurExtensions);
   }
 
   PaintedPair pair_;

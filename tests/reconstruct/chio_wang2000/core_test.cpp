@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/core.h"
 
+#include "tests/reconstruct/chio_wang2000/our_extensions.h"
 #include "tests/reconstruct/ok2011/match/painted_pair.h"
 
 #include <gmock/gmock.h>
@@ -24,11 +25,12 @@ class Core : public testing::Test {
 
   void add(const Segment3& in_left, const Segment3& in_right) { pair_.add_line(in_left, in_right); }
 
-  [[nodiscard]] CoreCandidates candidates(const ChioOptions& options) const {
+  [[nodiscard]] CoreCandidates candidates(
+      const ChioOptions& options, const ChioExtensions& beyond = test::kOurExtensions) const {
     CandidateOptions wide;
     wide.max_slope_deg = 85.0;
     wide.max_turn_deg = 80.0;
-    return core_candidates(pair_.searched(), options, wide).front();
+    return core_candidates(pair_.searched(), options, wide, beyond).front();
   }
 
   PaintedPair pair_;
@@ -50,12 +52,12 @@ TEST_F(Core, RejectsWithTheReason) {
   ChioOptions options;
   options.min_pieces = 500;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kFewPieces);
-  options = ChioOptions{.paper = true};
+  options = {};
   options.max_rate_sigma = 0.001;  // the painted edge is ragged
-  EXPECT_EQ(candidates(options).reason, ChioOutcome::kUneven);
-  options = ChioOptions{.paper = true};
+  EXPECT_EQ(candidates(options, {}).reason, ChioOutcome::kUneven);
+  options = {};
   options.max_flank_difference = 0.0;
-  EXPECT_EQ(candidates(options).reason, ChioOutcome::kFlank);
+  EXPECT_EQ(candidates(options, {}).reason, ChioOutcome::kFlank);
 }
 
 TEST_F(Core, RejectsASteepLineAndATurnedOne) {
@@ -67,7 +69,7 @@ TEST_F(Core, RejectsASteepLineAndATurnedOne) {
   };
   pair_.add_segment(1, {along_ray(eave_.start, 2.0), along_ray(eave_.end, 16.0)});
   ChioOptions options;
-  EXPECT_EQ(candidates(ChioOptions{.paper = true}).reason, ChioOutcome::kAzimuth);
+  EXPECT_EQ(candidates(options, {}).reason, ChioOutcome::kAzimuth);
   options.max_azimuth_deg = 90.0;
   EXPECT_EQ(candidates(options).reason, ChioOutcome::kSteep);
 }
@@ -95,7 +97,7 @@ TEST_F(Core, LinksFragmentsOfOneEdgeOnly) {
     return static_cast<int>(std::find(order.begin(), order.end(), right) - order.begin());
   };
   ASSERT_LT(index_of(0), static_cast<int>(order.size()));
-  EXPECT_THAT(linked_fragments(found, index_of(0), pair_.views[1], options),
+  EXPECT_THAT(linked_fragments(found, index_of(0), pair_.views[1], options, test::kOurExtensions),
               ElementsAre(index_of(1)));
 }
 

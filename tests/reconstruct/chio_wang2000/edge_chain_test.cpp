@@ -126,8 +126,8 @@ TEST_F(Chain, ExpectedRateNoiseIsThatOfDisturbedPixels) {
   const Segment3 edge{{0.0, 0.0, 6.0}, {3.0, 8.0, 7.0}};
   const EdgeSegment left = test::edge(project(pair.left, edge));
   const EdgeSegment right = test::edge(project(pair.right, edge));
-  ChioOptions options;
-  options.edge_sigma_px = 0.1;
+  const ChioOptions options;
+  constexpr double kEdgeSigma_px = 0.1;
   test::Random random(1);
   double sum = 0.0;
   constexpr int kTrials = 100;
@@ -136,7 +136,7 @@ TEST_F(Chain, ExpectedRateNoiseIsThatOfDisturbedPixels) {
     const Eigen::Vector2d u = (left.line.segment.end - left.line.segment.start).normalized();
     std::vector<SearchedPoint> points = perfect_points(search, left.line.segment);
     for (SearchedPoint& p : points) {
-      p.point.x_px += random.normal(options.edge_sigma_px) * Eigen::Vector2d(-u.y(), u.x());
+      p.point.x_px += random.normal(kEdgeSigma_px) * Eigen::Vector2d(-u.y(), u.x());
       p.stretch = search.right_from_left.stretch(p.point.x_px);
     }
     last =
@@ -144,7 +144,7 @@ TEST_F(Chain, ExpectedRateNoiseIsThatOfDisturbedPixels) {
     sum += last.rate_sigma / kTrials;
   }
   // pieces are a pixel long, a ground pixel within the height of the edge and its perspective
-  EXPECT_NEAR(sum / expected_rate_sigma(last, kGsd_m, options), 1.0, 0.05);
+  EXPECT_NEAR(sum / expected_rate_sigma(last, kGsd_m, kEdgeSigma_px), 1.0, 0.05);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/four_processes.h"
 
+#include "tests/reconstruct/chio_wang2000/our_extensions.h"
 #include "tests/reconstruct/ok2011/match/stereo_pair.h"
 
 #include <gmock/gmock.h>
@@ -57,9 +58,11 @@ class FigureThree : public testing::Test {
         [](const CoreCandidate& a, const CoreCandidate& b) { return a.similarity > b.similarity; });
   }
 
-  [[nodiscard]] ProcessedSegments process(const ChioOptions& options = {},
-                                          std::span<const ScoredMatch> given = {}) const {
-    return four_processes({views_[0], views_[1], search_}, candidates_, options, given);
+  [[nodiscard]] ProcessedSegments process(
+      const ChioOptions& options = {},
+      std::span<const ScoredMatch> given = {},
+      const ChioExtensions& beyond = test::kOurExtensions) const {
+    return four_processes({views_[0], views_[1], search_}, candidates_, options, beyond, given);
   }
 
   static std::ptrdiff_t count(const ProcessedSegments& processed) {
@@ -74,10 +77,8 @@ class FigureThree : public testing::Test {
 };
 
 TEST_F(FigureThree, IsAcquiredInTheOrderOfThePaper) {
-  for (const bool paper : {false, true}) {
-    ChioOptions options;
-    options.paper = paper;
-    const auto [acquired, outcomes] = process(options);
+  for (const ChioExtensions& beyond : {test::kOurExtensions, ChioExtensions{}}) {
+    const auto [acquired, outcomes] = process({}, {}, beyond);
     for (const auto& line : acquired) ASSERT_TRUE(line);
     EXPECT_EQ(acquired[kA1]->process, 1);
     EXPECT_EQ(acquired[kA1]->neighbour, -1);
@@ -166,9 +167,7 @@ TEST_F(FigureThree, TwoCandidatesOfOneLookAreAmbiguousButByPaper) {
   options.height_difference_m = 5.0;  // 0.8 m aside is 3 m of height
   EXPECT_EQ(process(options).outcomes[kC], ChioOutcome::kAmbiguous);
   EXPECT_EQ(process().outcomes[kC], ChioOutcome::kMatched);  // the height decides
-  ChioOptions paper = options;
-  paper.paper = true;
-  EXPECT_EQ(process(paper).outcomes[kC], ChioOutcome::kMatched);
+  EXPECT_EQ(process(options, {}, ChioExtensions{}).outcomes[kC], ChioOutcome::kMatched);
 }
 
 TEST_F(FigureThree, ARightSegmentServesOneLeftEdge) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
 
+#include "reconstruct/beyond/extensions.h"
 #include "tests/reconstruct/ok2011/match/painted_pair.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ class PropagateHeights : public testing::Test {
                                               double min_similarity = 0.0) const {
     MatchExtensionOptions options;
     options.propagate_min_similarity = min_similarity;
-    return propagate_heights(pair_.pair(), given, {}, {}, options);
+    return propagate_heights(pair_.pair(), given, {}, {}, chio_extensions({}, {}), options);
   }
 
   PaintedPair pair_;

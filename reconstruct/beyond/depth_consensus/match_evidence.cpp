@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/depth_consensus/match_evidence.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// The probability that two lines which cross in both images meet, at W = 1.
+constexpr double kMostPointPrior = 0.7;
+/// The probability that the ends of both segments show the same point.
+constexpr double kEndPrior = 0.75;
+constexpr double kLeastCutWeight = 0.3;  // W of the point where a match is cut
+
+/// A segment's end: uncertain along the line by sigma_end, across as the line is there.
+UncertainPoint2 end_in_image(const ObservedLine& observed,
+                             const Eigen::Vector2d& end,
+                             double sigma_end) {
+  const Eigen::Vector2d u = along(observed.segment);
+  const Eigen::Vector2d n = normal_of(u);
+  const Eigen::Vector3d x = end.homogeneous();
+  const double norm = observed.line.mean.head<2>().norm();
+  const double variance_across = x.dot(observed.line.cov * x) / (norm * norm);
+  UncertainPoint2 point{x, Eigen::Matrix3d::Zero()};
+  point.cov.topLeftCorner<2, 2>() =
+      sigma_end * sigma_end * u * u.transpose() + variance_across * n * n.transpose();
+  return spherically_normalised(point);
+}
+
+/// What the left camera sees at a pixel on the level of the patch's centre, seen by the right one.
+Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_left) {
+  const ProjectionMatrix& left = stereo.views[0].image_from_object;
+  Eigen::Matrix3d image_from_level;  // of (X, Y, 1)
+  image_from_level << left.col(0), left.col(1), left.col(3);
+  const Eigen::Vector3d x = image_from_level.inverse() * x_in_left.homogeneous();
+  return (stereo.views[1].image_from_object * Eigen::Vector4d(x.x(), x.y(), 0.0, x.z()))
+      .hnormalized();
+}
+
+bool is_reversed(const StereoViews& stereo, const ObservedPair& line) {
+  const Segment2& left = line[0].segment;
+  const Eigen::Vector2d expected = on_level(stereo, left.end) - on_level(stereo, left.start);
+  return expected.dot(line[1].segment.end - line[1].segment.start) < 0.0;
+}
+
+DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double prior) {
+  const Eigen::Matrix<double, 3, 4> jacobian = euclidean_jacobian(point.mean);
+  return {point.mean.hnormalized(), propagated(jacobian, point.cov), parameter, prior};
+}
+
+/// Whether the match may be cut where it meets another one: the parts are long enough in both images.
+bool may_cut(const AlignedMatch& match, const CandidatePoint& at, const ConsensusOptions& options) {
+  if (at.ranked.weight < kLeastCutWeight) return false;
+  const auto x = match.crossing_with(at.ranked.neighbour);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double shortest = options.min_cut_length_px / match.lines.stereo.views[j].image.scale_px;
+    const Segment2& segment = match.line[j].segment;
+    const double to_end = std::min((x[j] - segment.start).norm(), (x[j] - segment.end).norm());
+    if (!(distance(segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+AlignedMatch::AlignedMatch(const StereoLines& all, const ObservedPair& observed)
+    : lines(all), line(observed), runs_back(is_reversed(all.stereo, observed)) {}
+
+std::array<Eigen::Vector2d, 2> AlignedMatch::ends(int which) const {
+  const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
+  return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != runs_back)};
+}
+
+std::array<Eigen::Vector2d, 2> AlignedMatch::crossing_with(int other) const {
+  return crossing(line, lines.lines[static_cast<std::size_t>(other)]);
+}
+
+std::optional<UncertainPoint3> point_in_object(const AlignedMatch& match,
+                                               const std::array<Eigen::Vector2d, 2>& x,
+                                               double sigma_px) {
+  std::vector<PointObservation> observations;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const ConditionedView& view = match.lines.stereo.views[j];
+    observations.push_back({view.image_from_object,
+                            end_in_image(match.line[j], x[j], sigma_px / view.image.scale_px)});
+  }
+  const auto estimated = estimate_point(observations);
+  if (!estimated || !plausible(match.lines, estimated->point.mean)) return std::nullopt;
+  return estimated->point;
+}
+
+MatchEvidence evidence_of(const AlignedMatch& match,
+                          std::span<const int> neighbours,
+                          const EstimationOptions& options) {
+  MatchEvidence evidence{match, {}, {}, {}, {}};
+  for (const CandidatePoint& c :
+       candidate_points(match.lines, match.line, neighbours, options.lines)) {
+    if (!(c.ranked.weight > options.lines.min_weight)) continue;
+    evidence.points.push_back(c);
+    DepthEvidence e =
+        evidence_of(c.estimated.point, c.ranked.parameter, kMostPointPrior * c.ranked.weight);
+    e.meeting = c.ranked.weight;
+    e.may_cut = may_cut(match, c, options.consensus);
+    evidence.on_depth.push_back(e);
+  }
+  for (const int which : {0, 1}) {
+    if (const auto end =
+            point_in_object(match, match.ends(which), options.consensus.sigma_end_px)) {
+      evidence.ends.push_back(*end);
+      evidence.which_ends.push_back(which);
+      evidence.on_depth.push_back(evidence_of(*end, which, kEndPrior));
+    }
+  }
+  return evidence;
+}
+
+}  // namespace ridgeline::reconstruct

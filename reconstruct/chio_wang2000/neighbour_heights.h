@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/chio_wang2000/core.h"
+#include "reconstruct/chio_wang2000/extensions.h"
+#include "reconstruct/chio_wang2000/neighbourhood.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <optional>
+#include <span>
+
+namespace ridgeline::reconstruct {
+
+/// Compares the height of a candidate with that of a matched neighbour: the averages of both lines or, if noise is allowed for,
+/// the heights where the two lines meet, else the gap between the ranges of their heights, less the noise of both.
+class NeighbourHeights {
+ public:
+  /// Both must live as long as this.
+  NeighbourHeights(std::span<const Segment2> left_segments,
+                   const std::optional<NoiseAllowance>& noise)
+      : left_segments_(left_segments), noise_(noise) {}
+
+  /// The height of the neighbour that a candidate is compared with.
+  /// @param mate  the candidate that the neighbour has taken
+  [[nodiscard]] double height_of(const Neighbour& neighbour, const CoreCandidate& mate) const;
+
+  /// Whether a candidate of a left segment is as high as its neighbour, within a limit.
+  [[nodiscard]] bool agree(int left,
+                           const CoreCandidate& candidate,
+                           const Neighbour& neighbour,
+                           const CoreCandidate& mate,
+                           double limit_m) const;
+
+ private:
+  [[nodiscard]] double height_at(int left,
+                                 const CoreCandidate& candidate,
+                                 const Eigen::Vector2d& x_px) const;
+
+  std::span<const Segment2> left_segments_;
+  const std::optional<NoiseAllowance>& noise_;
+};
+
+}  // namespace ridgeline::reconstruct
