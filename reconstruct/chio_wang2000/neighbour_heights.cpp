@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kSigmas = 2.0;  // of the difference of two heights that are allowed for
+constexpr double kHeightSigmas = 2.0;  // of the difference of two heights that are allowed for
 
 /// How far the heights of two lines are apart; negative where they overlap.
 double gap_m(const CoreCandidate& a, const CoreCandidate& b) {
@@ -37,7 +37,7 @@ bool NeighbourHeights::agree(int left,
                              double limit_m) const {
   if (!noise_) return std::abs(candidate.chain.mean_height_m - mate.chain.mean_height_m) <= limit_m;
   const double noise_m =
-      kSigmas * std::hypot(candidate.chain.height_sigma_m, mate.chain.height_sigma_m);
+      kHeightSigmas * std::hypot(candidate.chain.height_sigma_m, mate.chain.height_sigma_m);
   const double difference_m = neighbour.junction_px
                                   ? std::abs(height_at(left, candidate, *neighbour.junction_px) -
                                              height_of(neighbour, mate))
