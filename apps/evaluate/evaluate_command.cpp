@@ -20,7 +20,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <memory>
 #include <set>
 

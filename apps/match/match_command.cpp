@@ -21,7 +21,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 
 namespace ridgeline::apps {
 namespace {

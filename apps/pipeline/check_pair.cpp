@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/check_pair.h"
 
-#include "apps/pipeline/patch_scene.h"
 #include "io/error.h"
 #include "reconstruct/pair_check/pair_fit.h"
 

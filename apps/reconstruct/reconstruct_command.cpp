@@ -20,8 +20,6 @@
 #include "io/results/output_folder.h"
 #include "reconstruct/beyond/surface/surface.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -3,8 +3,6 @@
 
 #include <opencv2/core/types.hpp>
 
-#include <array>
-
 namespace ridgeline::apps {
 
 /// Okabe and Ito's colours, which the colour-blind tell apart; the page uses the same (report.css,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/overlay_canvas.h"
-#include "apps/pipeline/patch_scene.h"
 #include "apps/report/figure_colours.h"
 #include "apps/report/figure_frame.h"
 #include "apps/report/figures.h"

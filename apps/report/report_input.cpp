@@ -18,8 +18,6 @@
 #include "io/results/judged_lines.h"
 #include "io/results/result_folder_reader.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/report_json.h"
 
-#include "apps/pipeline/patch_scene.h"
 #include "apps/report/base64.h"
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/tables/evaluation_json.h"

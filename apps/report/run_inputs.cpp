@@ -7,8 +7,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
-#include <cmath>
 #include <filesystem>
 
 namespace ridgeline::apps {

@@ -8,10 +8,7 @@
 #include "apps/common/schema_option.h"
 #include "apps/report/write_report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
 namespace ridgeline::apps {
 

@@ -10,7 +10,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace ridgeline::simulate {

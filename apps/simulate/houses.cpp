@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cmath>
 
 namespace ridgeline::simulate {

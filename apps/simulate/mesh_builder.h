@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <span>
 #include <vector>
 
 namespace ridgeline::simulate {

@@ -2,7 +2,6 @@
 #include "apps/simulate/plan_geometry.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ridgeline::simulate {
 namespace {

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <embree3/rtcore.h>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/reference_matches.h"
 
-#include "reconstruct/geometry/check.h"
-
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 

@@ -5,7 +5,6 @@
 #include "apps/simulate/point_spread.h"
 #include "reconstruct/geometry/degrees.h"
 
-#include <Eigen/Geometry>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 

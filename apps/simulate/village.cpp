@@ -9,8 +9,6 @@
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

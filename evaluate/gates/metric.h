@@ -5,7 +5,6 @@
 #include "evaluate/tables/table1.h"
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/plane_sigma.h"
 
-#include <Eigen/LU>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>

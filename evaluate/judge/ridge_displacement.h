@@ -3,8 +3,6 @@
 
 #include "evaluate/line_evaluation.h"
 
-#include <Eigen/Core>
-
 #include <array>
 #include <optional>
 

@@ -6,7 +6,6 @@
 #include "evaluate/statistics/summary.h"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

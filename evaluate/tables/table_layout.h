@@ -3,7 +3,6 @@
 
 #include "evaluate/tables/table2.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>

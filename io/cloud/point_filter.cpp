@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/point_filter.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 

@@ -3,7 +3,6 @@
 
 #include "io/files/made_folders.h"
 
-#include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <string>

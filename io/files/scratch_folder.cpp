@@ -3,8 +3,6 @@
 
 #include "io/error.h"
 
-#include <cstdlib>
-
 namespace ridgeline::io {
 
 ScratchFolder::ScratchFolder(const std::string& target)

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 namespace ridgeline::io {

@@ -3,7 +3,6 @@
 
 #include "io/error.h"
 #include "io/files/input_file.h"
-#include "io/kinds/marks.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/line_checks.h"
 #include "io/lines/readers.h"

@@ -4,7 +4,6 @@
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/geometry/segment.h"
 
-#include <array>
 #include <span>
 #include <string>
 #include <variant>

@@ -6,7 +6,6 @@
 #include "io/files/csv_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <string_view>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/gate_files.h"
 
-#include "evaluate/gates/figure.h"
 #include "io/error.h"
 #include "io/project/gates_file.h"
 #include "io/results/result_folder_reader.h"

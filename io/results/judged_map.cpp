@@ -6,7 +6,6 @@
 #include "io/results/judged_lines.h"
 #include "io/results/map_style.h"
 #include "reconstruct/geometry/check.h"
-#include "reconstruct/geometry/local_frame.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

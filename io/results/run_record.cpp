@@ -6,7 +6,6 @@
 #include "io/files/sha256.h"
 #include "io/results/version.h"
 
-#include <Eigen/Core>
 #include <pcl/pcl_config.h>
 #include <sys/resource.h>
 #include <tbb/version.h>

@@ -2,7 +2,6 @@
 #include "io/text/utf8.h"
 
 #include <cstddef>
-#include <cstdint>
 
 namespace ridgeline::io {
 namespace {

@@ -8,8 +8,6 @@
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
 
-#include <span>
-
 // What goes beyond the papers, in the form in which the published steps take it.
 
 namespace ridgeline::reconstruct {

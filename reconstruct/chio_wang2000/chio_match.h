@@ -9,7 +9,6 @@
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/views/scene.h"
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>

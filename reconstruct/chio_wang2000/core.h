@@ -9,7 +9,6 @@
 #include "reconstruct/views/scene.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {

@@ -9,8 +9,6 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 #include <tuple>
 #include <utility>

@@ -4,10 +4,7 @@
 #include "reconstruct/geometry/median.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

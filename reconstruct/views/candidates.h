@@ -5,8 +5,6 @@
 #include "reconstruct/views/line_similarity.h"
 #include "reconstruct/views/scene.h"
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <tuple>
 #include <vector>

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <optional>
 
 namespace ridgeline::reconstruct {
 

@@ -2,6 +2,7 @@
 #include "io/cloud/laz/layered_items.h"
 
 #include "io/cloud/bytes.h"
+#include "io/cloud/laz/channel_contexts.h"
 #include "io/cloud/laz/color.h"
 #include "io/cloud/laz/point14.h"
 #include "io/cloud/laz/wave_packet.h"
@@ -17,11 +18,13 @@ Layer make_layer(Bytes bytes) {
   return ArithmeticDecoder(ByteStream(bytes));
 }
 
-class Rgb14 final : public LayeredItemDecoder {
+/// RGB14, wave packets: one layer with all of the value.
+template <typename Models, typename Value>
+class OneLayer final : public LayeredItemDecoder {
  public:
-  Rgb14(ItemVersion version, unsigned channel, Bytes first, std::span<const Bytes> layers)
+  OneLayer(ItemVersion version, unsigned channel, Bytes first, std::span<const Bytes> layers)
       : layer_(make_layer(layers[0])),
-        contexts_(version, channel, RgbModels(), load<Rgb>(first.data())) {}
+        contexts_(version, channel, Models(), load<Value>(first.data())) {}
 
   void decode(unsigned channel, std::byte* item) override {
     auto [models, last] = contexts_.select(channel);
@@ -31,7 +34,7 @@ class Rgb14 final : public LayeredItemDecoder {
 
  private:
   Layer layer_;
-  ChannelContexts<RgbModels, Rgb> contexts_;
+  ChannelContexts<Models, Value> contexts_;
 };
 
 class RgbNir14 final : public LayeredItemDecoder {
@@ -62,23 +65,6 @@ class RgbNir14 final : public LayeredItemDecoder {
   Layer rgb_layer_;
   Layer nir_layer_;
   ChannelContexts<Models, Value> contexts_;
-};
-
-class WavePacket14 final : public LayeredItemDecoder {
- public:
-  WavePacket14(ItemVersion version, unsigned channel, Bytes first, std::span<const Bytes> layers)
-      : layer_(make_layer(layers[0])),
-        contexts_(version, channel, WavePacketModels(), load<WavePacket>(first.data())) {}
-
-  void decode(unsigned channel, std::byte* item) override {
-    auto [models, last] = contexts_.select(channel);
-    if (layer_) last = models.decode(*layer_, last);
-    store(item, last);
-  }
-
- private:
-  Layer layer_;
-  ChannelContexts<WavePacketModels, WavePacket> contexts_;
 };
 
 class Byte14 final : public LayeredItemDecoder {
@@ -112,32 +98,22 @@ class Byte14 final : public LayeredItemDecoder {
 
 }  // namespace
 
-std::unique_ptr<LayeredItemDecoder> make_rgb14_decoder(ItemVersion version,
-                                                       unsigned channel,
-                                                       Bytes first,
-                                                       std::span<const Bytes> layers) {
-  return std::make_unique<Rgb14>(version, channel, first, layers);
-}
-
-std::unique_ptr<LayeredItemDecoder> make_rgb_nir14_decoder(ItemVersion version,
-                                                           unsigned channel,
-                                                           Bytes first,
-                                                           std::span<const Bytes> layers) {
-  return std::make_unique<RgbNir14>(version, channel, first, layers);
-}
-
-std::unique_ptr<LayeredItemDecoder> make_wave_packet14_decoder(ItemVersion version,
-                                                               unsigned channel,
-                                                               Bytes first,
-                                                               std::span<const Bytes> layers) {
-  return std::make_unique<WavePacket14>(version, channel, first, layers);
-}
-
-std::unique_ptr<LayeredItemDecoder> make_byte14_decoder(ItemVersion version,
-                                                        unsigned channel,
-                                                        Bytes first,
-                                                        std::span<const Bytes> layers) {
-  return std::make_unique<Byte14>(version, channel, first, layers);
+std::unique_ptr<LayeredItemDecoder> make_layered_item_decoder(const Item& item,
+                                                              unsigned channel,
+                                                              Bytes first,
+                                                              std::span<const Bytes> layers) {
+  const auto version = static_cast<ItemVersion>(item.version);
+  switch (item.type) {
+    case ItemType::kRgb14:
+      return std::make_unique<OneLayer<RgbModels, Rgb>>(version, channel, first, layers);
+    case ItemType::kRgbNir14:
+      return std::make_unique<RgbNir14>(version, channel, first, layers);
+    case ItemType::kWavePacket14:
+      return std::make_unique<OneLayer<WavePacketModels, WavePacket>>(version, channel, first,
+                                                                      layers);
+    default:
+      return std::make_unique<Byte14>(version, channel, first, layers);
+  }
 }
 
 }  // namespace ridgeline::io::laz

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/cloud/laz/channel_contexts.h"
+#include "io/cloud/laz/laszip_record.h"
 
 #include <cstddef>
 #include <memory>
@@ -20,24 +20,14 @@ class LayeredItemDecoder {
   virtual void decode(unsigned channel, std::byte* item) = 0;
 };
 
-/// Each takes the scanner channel and the item of the chunk's first record, which is stored raw,
-/// and the item's layers: one for RGB14 and wave packets, two for RGBNIR14 (colour, infrared), one
-/// per byte for extra bytes. An empty layer means that the value never changes.
-std::unique_ptr<LayeredItemDecoder> make_rgb14_decoder(ItemVersion version,
-                                                       unsigned channel,
-                                                       Bytes first,
-                                                       std::span<const Bytes> layers);
-std::unique_ptr<LayeredItemDecoder> make_rgb_nir14_decoder(ItemVersion version,
-                                                           unsigned channel,
-                                                           Bytes first,
-                                                           std::span<const Bytes> layers);
-std::unique_ptr<LayeredItemDecoder> make_wave_packet14_decoder(ItemVersion version,
-                                                               unsigned channel,
-                                                               Bytes first,
-                                                               std::span<const Bytes> layers);
-std::unique_ptr<LayeredItemDecoder> make_byte14_decoder(ItemVersion version,
-                                                        unsigned channel,
-                                                        Bytes first,
-                                                        std::span<const Bytes> layers);
+/// The decoder of an item that is not the core of the record.
+/// @param channel  scanner channel of the chunk's first record
+/// @param first    the item of that record, which is stored raw
+/// @param layers   of the item: one for RGB14 and wave packets, two for RGBNIR14 (colour, infrared), one per byte for extra
+///                 bytes. An empty layer means that the value never changes.
+std::unique_ptr<LayeredItemDecoder> make_layered_item_decoder(const Item& item,
+                                                              unsigned channel,
+                                                              Bytes first,
+                                                              std::span<const Bytes> layers);
 
 }  // namespace ridgeline::io::laz

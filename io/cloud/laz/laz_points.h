@@ -7,7 +7,6 @@
 #include "io/cloud/laz/record_parts.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>

@@ -8,7 +8,6 @@
 #include "io/cloud/laz/running_median.h"
 #include "io/cloud/laz/wrapping.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 

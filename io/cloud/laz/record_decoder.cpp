@@ -76,23 +76,6 @@ std::size_t num_layers(const Item& item) {
   }
 }
 
-std::unique_ptr<LayeredItemDecoder> make_layered_item_decoder(const Item& item,
-                                                              unsigned channel,
-                                                              Bytes first,
-                                                              std::span<const Bytes> layers) {
-  const auto version = static_cast<ItemVersion>(item.version);
-  switch (item.type) {
-    case ItemType::kRgb14:
-      return make_rgb14_decoder(version, channel, first, layers);
-    case ItemType::kRgbNir14:
-      return make_rgb_nir14_decoder(version, channel, first, layers);
-    case ItemType::kWavePacket14:
-      return make_wave_packet14_decoder(version, channel, first, layers);
-    default:
-      return make_byte14_decoder(version, channel, first, layers);
-  }
-}
-
 // The first record, raw, the number of points, the sizes of all layers, then all layers.
 struct LayeredChunk {
   LayeredChunk(const LaszipRecord& laszip, ByteStream stream)

@@ -6,7 +6,6 @@
 #include "reconstruct/geometry/line_match.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace ridgeline::reconstruct {

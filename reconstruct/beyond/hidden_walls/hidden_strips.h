@@ -5,7 +5,6 @@
 #include "reconstruct/views/candidates.h"
 
 #include <array>
-#include <vector>
 
 namespace ridgeline::reconstruct {
 

@@ -3,8 +3,6 @@
 
 #include "reconstruct/views/stereo_lines.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace ridgeline::reconstruct {

@@ -4,7 +4,6 @@
 #include "reconstruct/ok2011/extract/line_sums.h"
 #include "reconstruct/ok2011/extract/straight_pieces.h"
 
-#include <cmath>
 #include <optional>
 
 namespace ridgeline::reconstruct {

@@ -5,7 +5,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace ridgeline::reconstruct {
 

@@ -4,9 +4,6 @@
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/ok2011/match/options.h"
 
-#include <Eigen/Core>
-
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include "reconstruct/ok2011/match/base_pairs.h"
 #include "reconstruct/ok2011/match/pair_similarity.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ridgeline::reconstruct {

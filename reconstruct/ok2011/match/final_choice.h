@@ -6,7 +6,6 @@
 #include "reconstruct/ok2011/match/similarity_voting.h"
 
 #include <span>
-#include <vector>
 
 namespace ridgeline::reconstruct {
 

@@ -6,7 +6,6 @@
 #include "reconstruct/views/candidates.h"
 #include "reconstruct/views/scene.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
