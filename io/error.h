@@ -6,7 +6,7 @@
 
 namespace ridgeline::io {
 
-/// The file's fault. Message: "PATH: what is wrong: value, and the rule it breaks", one line.
+/// A fault of a file. Message: "PATH: what is wrong: value, and the rule it breaks", one line.
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& path, const std::string& message)
@@ -18,7 +18,7 @@ class IoError : public std::runtime_error {
   std::string path_;
 };
 
-/// The file or folder is not there.
+/// The error for a file or folder that is not there.
 class MissingFileError : public IoError {
  public:
   using IoError::IoError;

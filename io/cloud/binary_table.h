@@ -24,7 +24,8 @@ struct TableColumn {
 
 /// Rows of numbers, row by row (PLY, PCD binary) or column by column (PCD binary_compressed).
 struct BinaryTable {
-  /// Holds `bytes` alive: the mapped file, or numbers unpacked from it; or nothing does but the caller.
+  /// The owner of `bytes`: the mapped file, or the numbers unpacked from it. With std::monostate the caller keeps
+  /// them alive.
   std::variant<MappedFile, std::vector<std::byte>, std::monostate> storage;
   std::span<const std::byte> bytes{};
   std::vector<TableColumn> columns{};
@@ -35,7 +36,7 @@ struct BinaryTable {
 /// Throws IoError if a coordinate column is missing or a column runs past the bytes.
 std::unique_ptr<CloudSource> open_binary_table(BinaryTable table, CloudFileInfo info);
 
-/// Whether x, y and z are among the columns. Shared with text tables.
+/// Checks that x, y and z are among the columns of a binary or text table.
 /// Throws IoError naming the missing one.
 void check_coordinates(std::span<const PointAttribute> attributes, const std::string& path);
 

@@ -63,7 +63,8 @@ void check_range(const Eigen::AlignedBox3d& extent_in_world, const std::string& 
   }
 }
 
-/// The number of points of a block that the file's index shows to lie outside the wanted region.
+/// The number of points of a block, if the file's index shows that all of them lie outside the wanted region; else
+/// nothing.
 std::optional<std::uint64_t> points_outside(const CloudSource& source,
                                             std::size_t index,
                                             const LocalFromFile& local_from_file,
@@ -116,8 +117,8 @@ void add(const ReadSummary& part, ReadSummary& sum) {
   sum.drops.share += part.drops.share;
 }
 
-/// Calls `visit(block)` for every block in file order, decoding some ahead in parallel, until it
-/// answers false. A fault is held back until its turn, so that the first one in the file is reported
+/// Calls `visit(block)` for every block in file order until it returns false; some blocks are decoded ahead in
+/// parallel. A block's fault is thrown only when its turn comes, so that the first one in the file is reported
 /// whatever the timing.
 template <typename Visit>
 void for_each_block(const CloudSource& source,

@@ -35,7 +35,7 @@ std::uint64_t count_kept(const CloudSource& source,
                          const LocalFromFile& local_from_file,
                          const PointFilter& filter);
 
-/// The box of these points, local metres; empty without any.
+/// The box of the points that append_points() would append, local metres; empty if there are none.
 Eigen::AlignedBox3d kept_extent(const CloudSource& source,
                                 const LocalFromFile& local_from_file,
                                 const PointFilter& filter);

@@ -25,7 +25,7 @@ T load(const std::byte* source) {
   return value;
 }
 
-/// As load(), of a value with the most significant byte first.
+/// The big-endian value at `source`, under the conditions of load().
 template <typename T>
 T load_big_endian(const std::byte* source) {
   std::array<std::byte, sizeof(T)> reversed;

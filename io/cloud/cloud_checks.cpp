@@ -23,7 +23,7 @@ bool holds_block(const Eigen::AlignedBox3d& box, const CloudSource& source, std:
   });
 }
 
-/// Steps that the way of storing brings with it, metres.
+/// Steps of the coordinates that the storage of the file causes (the scale of LAS, or float32), metres.
 Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
                                const Eigen::Vector3d& unit_m,
                                const Eigen::AlignedBox3d& extent_in_world) {
@@ -42,13 +42,14 @@ Eigen::Vector3d stored_steps_m(const CloudFileInfo& info,
   return steps_m;
 }
 
-/// Whether the plan is a raster of cells with a point each at most: of the first block no two points stand at one
-/// place, and the cells of the steps are a good part filled.
+/// Whether the plan is a raster whose cells have the size of the steps of the coordinates and hold one point each at
+/// most. No two points of the first block share a cell, and a good part of all cells is filled.
 bool is_raster(const CloudSource& source,
                const Eigen::Vector3d& unit_m,
                const Eigen::Vector3d& steps_m,
                const SeenPoints& seen) {
-  constexpr double kLeastFill = 0.1;  // a quarter where the middles of cells double the steps
+  // Points at the centres of cells may halve the step; a full raster then fills a quarter of the cells.
+  constexpr double kLeastFill = 0.1;
   if (!(steps_m.x() > 0.0) || steps_m.x() != steps_m.y() || source.n_blocks() == 0) return false;
   const Eigen::Vector3d size_m = seen.extent_in_world.sizes();
   const double n_cells = (size_m.x() / steps_m.x() + 1.0) * (size_m.y() / steps_m.y() + 1.0);
@@ -114,7 +115,8 @@ std::optional<Eigen::AlignedBox3d> confirmed_bounds(const CloudSource& source) {
   if (!size.allFinite() || !(size.head<2>().minCoeff() > 0.0)) return std::nullopt;
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kTolerance);
   const Eigen::AlignedBox3d box(stated->min() - margin, stated->max() + margin);
-  constexpr std::size_t kChecked = 4;  // files are passed over by the thousand, so not all of them
+  // A run passes over thousands of files, so only some blocks of each are read.
+  constexpr std::size_t kChecked = 4;
   const std::size_t n_checked = std::min(kChecked, n_blocks);
   for (std::size_t i = 0; i < n_checked; ++i) {
     const std::size_t block = n_checked == 1 ? 0 : i * (n_blocks - 1) / (n_checked - 1);

@@ -28,10 +28,12 @@ struct CloudFacts {
   std::map<std::uint8_t, std::uint64_t> n_by_return;  ///< by return number
   std::uint64_t n_withheld = 0;
   CrsFacts crs;
-  std::optional<GridScale> plan_scale;  ///< in the middle of the points; of a projected CRS
-  /// Metres per coordinate unit by axis, of the file's own unit keys if it has any.
+  /// Scale of the plan at the middle of the points; unset unless the CRS is projected.
+  std::optional<GridScale> plan_scale;
+  /// Metres per coordinate unit by axis, from the CRS or the file's own unit keys.
   Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
-  bool states_unit = false;  ///< by reference system or unit keys; else metres are a guess
+  /// Whether the CRS or unit keys state the unit; else metres are a guess.
+  bool states_unit = false;
   /// LAS and LAZ: resolution and offset of the stored coordinates, file units.
   std::optional<Eigen::Vector3d> scale;
   std::optional<Eigen::Vector3d> offset;

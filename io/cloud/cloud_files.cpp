@@ -189,7 +189,7 @@ void CloudFiles::reserve(const PointFilter& filter, std::uint64_t max_points, Po
   }
 }
 
-/// False if there are more points than allowed.
+/// Appends the wanted points of a file. Returns false if the cloud then has more than `max_points`.
 bool CloudFiles::append(File& file,
                         const PointFilter& filter,
                         std::uint64_t max_points,

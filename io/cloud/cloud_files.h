@@ -15,46 +15,47 @@
 
 namespace ridgeline::io {
 
-/// The files of one cloud. Headers are read once, points as often as they are asked for, e.g. around
-/// some lines after others. A file is passed over where its header's bounds show that it has no
-/// wanted point; as headers are often wrong, they count only if the points of some of the file's blocks confirm
-/// them, and until distrust_headers().
+/// The files of one cloud. Headers are read once; points are read as often as they are asked for, for example around
+/// one group of lines after another. A file is passed over if its header's bounds show that it has no wanted point.
+/// Headers are often wrong, so the bounds count only if points of some of the file's blocks confirm them, and only
+/// until distrust_headers() is called.
 class CloudFiles {
  public:
   /// Opens every file. `options.near` has no meaning here: it is given with each reading.
   /// Throws as read_cloud().
   CloudFiles(const std::vector<std::string>& paths_or_patterns, const ReadOptions& options);
-  /// A cloud that is open, such as one in memory. Throws std::invalid_argument unless it is_light().
+  /// Takes a cloud that is open already, such as one in memory. Throws std::invalid_argument unless it is_light().
   CloudFiles(std::unique_ptr<CloudSource> source, const ReadOptions& options);
   ~CloudFiles();
 
-  /// The options' frame, else by the origin rule of suggest_frame().
+  /// The frame that the options give, else the one of suggest_frame()'s origin rule.
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
 
   [[nodiscard]] const Crs& crs() const { return crs_; }
 
-  /// ReadOptions::bounds_in_file, of a box in metres.
+  /// Sets ReadOptions::bounds_in_file from a box in metres.
   void set_bounds(const Eigen::AlignedBox3d& box_in_world);
 
-  /// ReadOptions::plan_scale, which depends on where the data lie; frame and units follow.
+  /// Sets ReadOptions::plan_scale, which depends on where the data lie. Frame and units change with it.
   void set_plan_scale(const Eigen::Vector2d& scale);
   [[nodiscard]] const Eigen::Vector2d& plan_scale() const { return options_.plan_scale; }
 
-  /// The first file's.
+  /// The path of the first file.
   [[nodiscard]] const std::string& path() const { return files_.front().info.path; }
 
-  /// Metres per coordinate unit by axis, on the ground: of the CRS, else of the first file's own unit keys.
+  /// Metres on the ground per coordinate unit by axis, from the CRS, else from the first file's own unit keys.
   [[nodiscard]] const Eigen::Vector3d& unit_m() const { return files_.front().unit_m; }
 
-  /// The points that the options keep, and of these those in the mask, if there is one. What is said
-  /// of read_cloud() holds.
+  /// The points that the options keep and that lie in the mask, if there is one. Order, units, counts and errors are
+  /// those of read_cloud().
   PointCloud read(std::optional<PlanMask> near);
 
-  /// read(), or nothing if there are more than `max_points`; that is found out without holding more
-  /// than these and a few blocks.
+  /// The points of read(), or nothing if there are more than `max_points`. No more than these and a few blocks are
+  /// held to find that out.
   std::optional<PointCloud> read_at_most(std::optional<PlanMask> near, std::uint64_t max_points);
 
-  /// read() of the largest share, 1, 1/4, 1/16, ... of the options', that has at most `max_points`.
+  /// The points of read() with the largest share that gives at most `max_points`. The shares tried are 1, 1/4, 1/16,
+  /// ... of the options' share.
   PointCloud read_thinned(const std::optional<PlanMask>& near, std::uint64_t max_points);
 
   /// From now on no file is passed over because of its header.
@@ -70,10 +71,11 @@ class CloudFiles {
   struct File {
     CloudFileInfo info;
     Eigen::Vector3d unit_m = Eigen::Vector3d::Ones();
-    std::unique_ptr<CloudSource> source;  ///< none while closed
+    std::unique_ptr<CloudSource> source;  ///< null while the file is closed
     bool is_read = false;
     bool is_checked = false;
-    std::optional<Eigen::AlignedBox3d> confirmed_bounds;  ///< file units; set if checked and right
+    /// The header's bounds, file units; set if the file's points confirm them.
+    std::optional<Eigen::AlignedBox3d> confirmed_bounds;
   };
 
   void begin();

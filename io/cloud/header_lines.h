@@ -19,13 +19,15 @@ class HeaderLines {
   /// than a header's can be: the header does not end.
   std::vector<std::string_view> next();
 
-  [[nodiscard]] std::size_t offset() const { return offset_; }       ///< of the line after the last
-  [[nodiscard]] std::uint64_t line_number() const { return line_; }  ///< of the last line, from 1
+  /// Byte at which the line that next() reads begins.
+  [[nodiscard]] std::size_t offset() const { return offset_; }
+  /// Number of the line that was read last, from 1.
+  [[nodiscard]] std::uint64_t line_number() const { return line_; }
 
   /// Throws IoError "line N: MESSAGE".
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// A whole number of 0 to 2^64 - 1. Throws IoError naming `what`.
+  /// The word as a whole number of 0 to 2^64 - 1. Throws IoError naming `what` if it is none.
   [[nodiscard]] std::uint64_t parse_count(std::string_view word, std::string_view what) const;
 
  private:

@@ -96,7 +96,8 @@ void require_point_format(const std::string& path) {
 }
 
 bool is_own_points_file(const std::string& path) {
-  constexpr std::size_t kSystemIdentifier = 26;  // of the header of LAS
+  // Byte of the system identifier in the header of LAS.
+  constexpr std::size_t kSystemIdentifier = 26;
   std::string start(128, '\0');
   std::ifstream stream(path, std::ios::binary);
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -40,7 +40,8 @@ Crs checked_wkt(const std::string& wkt, std::vector<std::string>& warnings) {
   return {};
 }
 
-/// Replaces units that the keys state otherwise than the reference system, with a warning.
+/// Replaces the units of some axes by the one that the keys state, with a warning if the reference system states
+/// another.
 void apply_stated_unit(
     double stated_m, const char* what, int first_axis, int n_axes, LasCrs& result) {
   auto units = result.unit_m.segment(first_axis, n_axes);
@@ -55,7 +56,8 @@ void apply_stated_unit(
                   what, stated_m, of_crs_m));
 }
 
-/// Heights without a unit of their own are in that of the plan, as in a registered system.
+/// Applies the units of the keys. Heights without a unit of their own are in that of the plan, as in a registered
+/// system.
 void apply_stated_units(const GeoTiffCrs& keys, bool has_vertical_crs, LasCrs& result) {
   if (keys.horizontal_unit_m) {
     apply_stated_unit(*keys.horizontal_unit_m, "horizontal", 0, 2, result);
@@ -77,7 +79,7 @@ std::string units_text(const GeoTiffCrs& keys, const Eigen::Vector3d& unit_m) {
                      heights);
 }
 
-/// WKT or keys, by the rule of read_las_crs(); true if the WKT won.
+/// Chooses the WKT or the keys by the rule of read_las_crs(). Returns whether the WKT was chosen.
 bool choose(const LasHeader& header, const Crs& wkt, const Crs& keys, LasCrs& result) {
   const bool wkt_wins = header.crs_is_wkt() || header.version_minor >= 5;
   const bool both = wkt.known() && keys.known();

@@ -36,7 +36,7 @@ Eigen::Vector3d load_vector(const std::byte* source) {
   return {load<double>(source), load<double>(source + 8), load<double>(source + 16)};
 }
 
-/// Quoted where they are printable, else in hexadecimal.
+/// The first bytes of a file for a message, quoted if they are printable, else in hexadecimal.
 std::string describe_first_bytes(std::string_view content) {
   constexpr std::size_t kShown = 8;
   if (content.empty()) return "nothing (the file is empty)";

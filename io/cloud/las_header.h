@@ -28,11 +28,12 @@ struct LasHeader {
   std::uint16_t global_encoding = 0;
   std::uint64_t file_size = 0;
   std::uint16_t header_size = 0;
-  std::uint32_t point_offset = 0;      ///< of the first record; of the LAZ data if compressed
+  /// Byte of the first record, or of the LAZ data if compressed.
+  std::uint32_t point_offset = 0;
   std::uint8_t raw_point_format = 0;   ///< as stored: bits 6 and 7 mark LAZ
   std::uint8_t point_format = 0;       ///< 0..10
   std::uint16_t record_length = 0;     ///< bytes, at least the format's own size
-  std::uint64_t n_points = 0;          ///< present in the file, unless it is compressed
+  std::uint64_t n_points = 0;          ///< records in the file; if compressed, the number claimed
   std::uint64_t n_points_claimed = 0;  ///< differs from n_points only when salvaging
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();

@@ -22,8 +22,8 @@ struct LasRecordLayout {
 
 LasRecordLayout las_record_layout(const LasHeader& header);
 
-/// Decodes whole uncompressed records, one a point, in order. The overlap flag of formats 0-5 is
-/// class 12.
+/// Decodes whole uncompressed records, one for each point, in order. In formats 0-5, points of class 12 get the
+/// overlap flag.
 /// Throws std::invalid_argument unless `records` has record_length bytes for each of `points`.
 void decode_las_records(std::span<const std::byte> records,
                         const LasHeader& header,

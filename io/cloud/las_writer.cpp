@@ -75,7 +75,7 @@ void store_bounds(const Statistics& statistics,
                   const LocalFrame& frame,
                   double scale_m,
                   char* header) {
-  if (statistics.raw_bounds.isEmpty()) return;  // zeros
+  if (statistics.raw_bounds.isEmpty()) return;  // the bounds of a file without points stay 0
   for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
     const double origin = frame.origin_m[axis];
     store(statistics.raw_bounds.max()[axis] * scale_m + origin, header + 179 + 16 * axis);
@@ -165,7 +165,7 @@ void add_extra_bytes(VariableRecords& records) {
   ++records.n;
 }
 
-/// Behind a record of point format 6.
+/// Stores a label behind a record of point format 6.
 void store_label(const PointLabel& label, char* record) {
   for (std::size_t i = 0; i < 3; ++i) {
     store(static_cast<std::uint16_t>(label.rgb[i] << 8U), record + 30 + 2 * i);

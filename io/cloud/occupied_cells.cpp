@@ -9,7 +9,7 @@ namespace ridgeline::io {
 void OccupiedCells::add(double x, double y) {
   constexpr double kLimitM = 1e9;  // keeps the cell indices in 32 bits
   if (!(std::abs(x) < kLimitM && std::abs(y) < kLimitM)) return;
-  // Modulo 2^32, so that negative indices keep their order within a tile.
+  // Indices are taken modulo 2^32, so that negative ones keep their order within a tile.
   const auto column = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(x)));
   const auto row = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(y)));
   const std::uint64_t tile = std::uint64_t{column >> 3U} << 32U | row >> 3U;

@@ -9,7 +9,7 @@ namespace ridgeline::io {
 /// The cells of 1 m in plan that hold points, for the density of a cloud of any extent.
 class OccupiedCells {
  public:
-  /// Metres. Coordinates beyond 1e9 m, which are damage, are left out.
+  /// Adds the cell of a place, metres. Coordinates beyond 1e9 m are damage and are left out.
   void add(double x, double y);
   void merge(const OccupiedCells& other);
   [[nodiscard]] std::uint64_t count() const;

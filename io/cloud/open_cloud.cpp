@@ -47,7 +47,7 @@ std::unique_ptr<CloudSource> open_cloud(const std::string& path, const OpenCloud
   refuse_other_kind(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                     Expected::kCloud);
   if (has_xyz_name(path)) return open_xyz(std::move(file), path);
-  // Whatever else it is, the LAS reader says best what is wrong with it.
+  // Any other file goes to the LAS reader, which says best what is wrong with it.
   return open_las(std::move(file), path, options);
 }
 

@@ -28,7 +28,7 @@ using Words = std::vector<std::string_view>;
 struct PcdField {
   std::string name;
   ScalarType type = ScalarType::kFloat32;
-  std::uint64_t count = 1;  ///< numbers a point
+  std::uint64_t count = 1;  ///< numbers of this field in a point
 
   [[nodiscard]] std::uint64_t size() const { return size_of(type) * count; }
 };
@@ -47,7 +47,7 @@ struct PcdHeader {
   }
 };
 
-/// The words after each keyword, up to and with DATA.
+/// The words after each keyword of the header, up to and including DATA.
 std::map<std::string, Words, std::less<>> read_entries(HeaderLines& lines) {
   std::map<std::string, Words, std::less<>> entries;
   while (!entries.contains("DATA")) {
@@ -64,7 +64,7 @@ class PcdEntries {
 
   [[nodiscard]] bool has(std::string_view key) const { return entries_.contains(key); }
 
-  /// Exactly `n` words (any positive number for 0).
+  /// The words of an entry. Throws IoError unless there are exactly `n`, or at least one if `n` is 0.
   [[nodiscard]] const Words& words(std::string_view key, std::size_t n) const {
     const auto entry = entries_.find(key);
     if (entry == entries_.end()) lines_.fail(fmt::format("the header has no {}", key));
@@ -86,7 +86,8 @@ class PcdEntries {
 };
 
 std::vector<PcdField> read_fields(const PcdEntries& entries, const HeaderLines& lines) {
-  constexpr std::uint64_t kMostNumbers = 1U << 20U;  // a point, as each takes memory of ours
+  // Most numbers of a point; each takes memory of the reader.
+  constexpr std::uint64_t kMostNumbers = 1U << 20U;
   std::uint64_t n_numbers = 0;
   const Words& names = entries.words("FIELDS", 0);
   const Words& sizes = entries.words("SIZE", names.size());
@@ -119,7 +120,7 @@ std::uint64_t read_point_count(const PcdEntries& entries, const HeaderLines& lin
   const std::uint64_t width = entries.count("WIDTH");
   const std::uint64_t height = entries.count("HEIGHT");
   const std::uint64_t n_points = entries.has("POINTS") ? entries.count("POINTS") : width * height;
-  // Compared by division, as the product of two arbitrary counts may wrap around.
+  // The product of two arbitrary counts may wrap around, so they are compared by division.
   const bool agree =
       height == 0 ? n_points == 0 : n_points % height == 0 && n_points / height == width;
   if (!agree) {
@@ -159,7 +160,7 @@ std::unique_ptr<CloudSource> open_ascii(MappedFile file,
   return open_text_table(std::move(table), std::move(info), true);
 }
 
-/// Columns of rows one after the other, or (packed files) of fields one after the other.
+/// The columns of a table whose rows lie one after the other or, in packed files, whose fields do.
 std::vector<TableColumn> lay_out(const PcdHeader& header, bool field_after_field) {
   std::vector<TableColumn> columns;
   std::size_t offset = 0;
@@ -221,7 +222,7 @@ std::unique_ptr<CloudSource> open_pcd(MappedFile file, const std::string& path) 
     table.storage = std::move(file);
   } else {
     std::vector<std::byte> unpacked = unpack(data, header, path);
-    table.columns = lay_out(header, true);  // safe sizes: the counts were just checked
+    table.columns = lay_out(header, true);  // unpack() has checked the counts, so no size overflows
     table.bytes = unpacked;
     table.storage = std::move(unpacked);
   }

@@ -13,7 +13,7 @@ namespace ridgeline::io {
 
 namespace {
 
-constexpr double kFarthest_m = 1e8;  // as the coordinates of clouds
+constexpr double kFarthest_m = 1e8;  // the limit of the coordinates of clouds, too
 constexpr double kMaxCells = 6.4e7;  // 64 MB; lines spread wider get coarser cells
 
 /// The parameters [t0, t1] of a segment at which its y lies in [low, high]; empty (t0 > t1) if
@@ -85,8 +85,9 @@ void PlanMask::mark(const Segment2& segment, double radius_m) {
   }
 }
 
-/// A point of this row within the radius is near a part of the segment that lies in the row's band
-/// widened by the radius; the cells beside that part, by the radius, are marked.
+/// Marks the cells of a row that may hold points within the radius. Such a point is near the part of the segment that
+/// lies in the row's band widened by the radius, so the cells beside that part are marked as far as the radius
+/// reaches.
 void PlanMask::mark_row(const Segment2& segment, double radius_m, std::size_t row) {
   const double cell = cell_size_m();
   const double row_low = min_.y() + static_cast<double>(row) * cell;

@@ -17,7 +17,7 @@ namespace ridgeline::io {
 /// up to about 2 cells more, so that a test is one table look-up.
 class PlanMask {
  public:
-  /// Segments in plan (x, y) of the local frame, metres. No segment: an empty mask.
+  /// Segments are in plan (x, y) of the local frame, metres. Without segments the mask is empty.
   /// Throws std::invalid_argument unless radius_m > 0 and all coordinates are finite, at most 1e8 m.
   PlanMask(std::span<const Segment2> segments_in_local, double radius_m);
 

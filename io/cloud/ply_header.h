@@ -15,7 +15,8 @@ namespace ridgeline::io {
 struct PlyProperty {
   std::string name;
   ScalarType type = ScalarType::kFloat32;
-  std::optional<ScalarType> list_count_type{};  ///< set for a list: its length, then the numbers
+  /// Type of the count before a list's numbers; unset for a number.
+  std::optional<ScalarType> list_count_type{};
 };
 
 struct PlyElement {
@@ -33,10 +34,10 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;  ///< in file order
   std::size_t data_offset = 0;
-  std::uint64_t data_line = 0;  ///< of the last header line, from 1
+  std::uint64_t data_line = 0;  ///< number of the last header line, from 1
 };
 
-/// Throws IoError "line N: ...".
+/// Reads the header of a PLY file. Throws IoError "line N: ...".
 /// Source: G. Turk, The PLY Polygon File Format, 1994.
 PlyHeader read_ply_header(std::span<const std::byte> file, const std::string& path);
 

@@ -40,7 +40,7 @@ class RowWalker {
     }
   }
 
-  /// The rows of `element` without their lists, one size each.
+  /// The rows of `element` without their lists, so that all have one size.
   std::vector<std::byte> copy_without_lists(const PlyElement& element) {
     std::vector<std::byte> rows;
     for (std::uint64_t row = 0; row < element.count; ++row) {
@@ -81,7 +81,7 @@ class RowWalker {
   std::string path_;
 };
 
-/// Columns of the numbers of a row; lists have been left out.
+/// The columns of the numbers of a row whose lists have been left out.
 std::vector<TableColumn> lay_out(const PlyElement& vertex) {
   std::vector<TableColumn> columns;
   std::size_t offset = 0;

@@ -9,7 +9,7 @@
 
 namespace ridgeline::io {
 
-/// What of a point a named column of a PCD, PLY or text file gives.
+/// The part of a point that a named column of a PCD, PLY or text file gives.
 enum class PointAttribute {
   kX,
   kY,
@@ -22,11 +22,11 @@ enum class PointAttribute {
   kSourceId
 };
 
-/// By the column's name, whatever its case, also with CloudCompare's prefix "scalar_"; `label` is
-/// read as a class. Nothing for columns that are not kept.
+/// The attribute that a column of this name gives, in any case and also with CloudCompare's prefix "scalar_"; `label`
+/// is read as a class. Nothing for columns that are not kept.
 std::optional<PointAttribute> attribute_of_column(std::string_view name);
 
-/// Stores a file's number. Coordinates are reduced to local metres; a code that is no whole number
+/// Stores a file's number in a point. Coordinates are reduced to local metres; a code that is no whole number
 /// of its field's range becomes 0, and an intensity is clamped.
 void set_attribute(PointAttribute attribute,
                    double value,

@@ -24,7 +24,7 @@ struct CloudPoint {
 };
 static_assert(sizeof(CloudPoint) == 32);
 
-/// The only return of its pulse, without class or intensity.
+/// A point that is the only return of its pulse, without class or intensity.
 inline CloudPoint single_return(const Eigen::Vector3d& x_in_local) {
   return {.x = x_in_local.x(),
           .y = x_in_local.y(),
@@ -53,7 +53,7 @@ struct PointCloud {
   std::uint64_t n_dropped_return = 0;  ///< by --last-returns
   std::uint64_t n_dropped_bounds = 0;  ///< by --bounds or because no line is near
   std::uint64_t n_dropped_non_finite = 0;
-  std::uint64_t n_dropped_share = 0;  ///< else kept, left out by ReadOptions::share
+  std::uint64_t n_dropped_share = 0;  ///< left out by ReadOptions::share alone
 };
 
 }  // namespace ridgeline::io

@@ -48,7 +48,7 @@ DropCounts PointFilter::apply(std::vector<CloudPoint>& points) const {
 }
 
 std::uint64_t DropCounts::*PointFilter::reason_to_drop(const CloudPoint& point) const {
-  // One sum instead of three tests: it is finite unless a part is not, as parts are below 1e9.
+  // One sum replaces three tests. As coordinates are below 1e9, it is finite if all of them are.
   if (!std::isfinite(point.x + point.y + point.z)) return &DropCounts::non_finite;
   if (exclude_withheld_ && (point.flags & kWithheldFlag) != 0) return &DropCounts::withheld;
   if (!kept_classes_[point.classification]) return &DropCounts::classification;

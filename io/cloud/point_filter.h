@@ -11,7 +11,7 @@
 
 namespace ridgeline::io {
 
-/// Points dropped, by the first reason that held.
+/// Numbers of points dropped, by the first reason that held.
 struct DropCounts {
   std::uint64_t non_finite = 0;
   std::uint64_t withheld = 0;
@@ -24,7 +24,7 @@ struct DropCounts {
 /// The keep rule of ReadOptions for points in local metres. The options must outlive it.
 class PointFilter {
  public:
-  /// `local_from_file`: of the bounds.
+  /// `local_from_file` converts the bounds of the options.
   PointFilter(const ReadOptions& options, const LocalFromFile& local_from_file);
 
   /// Removes the points that are not kept; the order of the rest stays.

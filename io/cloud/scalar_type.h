@@ -24,10 +24,10 @@ enum class ScalarType {
 /// Bytes of one number.
 std::size_t size_of(ScalarType type);
 
-/// By PLY's old (char .. double) or new (int8 .. float64) name.
+/// The type by PLY's old (char .. double) or new (int8 .. float64) name; nothing for another name.
 std::optional<ScalarType> scalar_type_of_ply_name(std::string_view name);
 
-/// By PCD's TYPE (I, U, F) and SIZE (1, 2, 4, 8).
+/// The type by PCD's TYPE (I, U, F) and SIZE (1, 2, 4, 8); nothing for another pair.
 std::optional<ScalarType> scalar_type_of_pcd_field(char type, std::size_t size);
 
 /// The number at `source`, which has size_of(type) bytes. Integers above 2^53 are rounded.

@@ -30,7 +30,7 @@ struct LayoutLine {
   std::size_t offset = 0;
 };
 
-/// The lines of a text; few are looked at, however many there are.
+/// The lines of a text, found one by one, as only the first few are looked at.
 class LayoutLines {
  public:
   LayoutLines(std::string_view text, std::size_t offset) : text_(text), offset_(offset) {}
@@ -74,12 +74,12 @@ std::string shown(std::string_view text) {
   return std::string(trimmed(text).substr(0, kShown));
 }
 
-/// "1,5", the decimal comma of half of the world.
+/// Whether the field is a number such as "1,5", with the decimal comma of half of the world.
 bool has_decimal_comma(std::string_view field) {
   return has_char(field, ',') && table_number(field);
 }
 
-/// "512,999.314" or "5,403,002".
+/// Whether commas group the thousands of a number: "512,999.314" or "5,403,002".
 bool groups_thousands(std::string_view field) {
   if (field.starts_with('-')) field.remove_prefix(1);
   const std::string_view whole = field.substr(0, field.find('.'));
@@ -93,7 +93,8 @@ bool groups_thousands(std::string_view field) {
   });
 }
 
-/// Without case, units in brackets, blanks and the marks that join words: "POINT_X" -> "pointx", "X [m]" -> "x".
+/// A column's name without case, units in brackets, blanks and the marks that join words: "POINT_X" -> "pointx",
+/// "X [m]" -> "x".
 std::string plain_name(std::string_view name) {
   std::string plain;
   int depth = 0;
@@ -211,7 +212,8 @@ class LayoutFinder {
     if (text_.starts_with("\xef\xbb\xbf")) layout_.offset = 3;
   }
 
-  /// Never ends the search: points follow.
+  /// Takes a comment for the names of the columns if it names all axes. Returns false, as the points are still to
+  /// come.
   bool is_named_by_comment(const LayoutLine& line) {
     ColumnNames columns = column_names(line);
     if (columns.has_all_axes()) columns_ = std::move(columns);
@@ -267,7 +269,7 @@ class LayoutFinder {
                           shown(*found)));
   }
 
-  /// Commas are decimal where another mark separates.
+  /// The separator of a row of points. Commas mark decimals if another mark separates the fields.
   [[nodiscard]] char separator_of_points(std::string_view row) const {
     if (has_char(row, ';')) return ';';
     if (columns_ && has_char(row, '\t')) return '\t';
@@ -297,12 +299,12 @@ class LayoutFinder {
       auto& attribute = layout_.items[i].attribute;
       const bool is_text = attribute && *attribute > PointAttribute::kZ && !fields[i].empty() &&
                            !table_number(fields[i]);
-      if (is_text) attribute.reset();  // a class by name
+      if (is_text) attribute.reset();  // the column holds text, such as names of classes
     }
     drop_trailing_items();
   }
 
-  /// More fields than names: the names may belong to other fields than those above them.
+  /// Refuses a row with more fields than names, as a name may then belong to another field than the one in its place.
   void refuse_other_count(const LayoutLine& row, Fields fields) const {
     while (!fields.empty() && fields.back().empty()) fields.pop_back();
     const std::size_t n_named = columns_->names.size();
@@ -352,7 +354,8 @@ class LayoutFinder {
     return items;
   }
 
-  /// "512999,314,5403002,956,250,001": digits after a decimal comma may begin with 0, whole numbers do not.
+  /// Refuses rows such as "512999,314,5403002,956,250,001", whose commas separate and mark decimals. A second field
+  /// of a pair that begins with 0 shows it: digits after a decimal comma may begin so, whole numbers do not.
   void refuse_split_decimals() const {
     for (const LayoutLine& row : sample_) {
       if (has_char(row.text, '.') || has_char(row.text, ';')) return;
@@ -367,7 +370,7 @@ class LayoutFinder {
     }
   }
 
-  /// A number of the point before x, y and z.
+  /// Refuses points whose first column numbers them, before x, y and z.
   void refuse_running_number() const {
     constexpr std::size_t kFewest = 3;
     double first = 0.0, first_y = 0.0;
@@ -383,7 +386,7 @@ class LayoutFinder {
       if (*number != first + static_cast<double>(i)) return;
       has_other_y = has_other_y || *y != first_y;
     }
-    if (!has_other_y) return;  // the first row of a raster
+    if (!has_other_y) return;  // the points are the first row of a raster
     fail(sample_.front(),
          fmt::format("\"{}\": the first column counts the points; name the columns "
                      "in a line before it, such as id,x,y,z",
@@ -402,7 +405,7 @@ class LayoutFinder {
                           column + 1, fields[column]));
   }
 
-  /// What follows the last item that is kept need not be there.
+  /// Drops the items behind the last one that is kept, as rows need not have them.
   void drop_trailing_items() {
     while (!layout_.items.empty() && !layout_.items.back().attribute) layout_.items.pop_back();
   }

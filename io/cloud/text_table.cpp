@@ -115,7 +115,7 @@ class TextTableSource : public CloudSource {
       const double value = number(field, line_number);
       if (item.attribute) set_attribute(*item.attribute, value, local_from_file, point);
       if (!item.is_list) continue;
-      // a row that is shorter than its list says ends in an error
+      // A row that is shorter than its list says leads to an error below.
       constexpr double kLongestList = 1e6;
       const auto n = value > 0.0 ? std::lround(std::min(std::ceil(value), kLongestList)) : 0L;
       for (long i = 0; i < n; ++i) (void)number(take_field(fields, line_number), line_number);
@@ -151,7 +151,8 @@ std::optional<std::string_view> TextFields::next_between_marks() {
   std::size_t end = 0;
   const std::size_t first = rest_.find_first_not_of(kBlankChars);
   if (separator_ != '\t' && first != std::string_view::npos && rest_[first] == '"') {
-    end = std::min(rest_.find('"', first + 1), rest_.size());  // may hold the separator
+    // A quoted field may hold the separator.
+    end = std::min(rest_.find('"', first + 1), rest_.size());
   }
   end = rest_.find(separator_, end);
   const std::string_view field = rest_.substr(0, end);
@@ -193,7 +194,7 @@ bool is_text_row(std::string_view line) {
   const auto word =
       std::ranges::find_if_not(line, [](char c) { return is_blank(c) || is_mark(c); });
   if (word == line.end()) return false;
-  // "; note", but an empty field may stand before a number
+  // A line "; note" is a comment, but ";" may also stand for an empty field before a number.
   return line.front() != ';' || starts_number(*word) || *word == '"';
 }
 

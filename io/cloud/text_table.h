@@ -14,8 +14,8 @@
 
 namespace ridgeline::io {
 
-/// Between the fields of a row: a mark of its own, else blanks (kBlanks), else blanks, commas and
-/// semicolons alike (kAnySeparator).
+/// What separates the fields of a row: a mark such as ';', or blanks (kBlanks), or blanks, commas and semicolons
+/// alike (kAnySeparator).
 inline constexpr char kAnySeparator = '\0';
 inline constexpr char kBlanks = ' ';
 
@@ -25,7 +25,7 @@ class TextFields {
  public:
   TextFields(std::string_view row, char separator) : rest_(row), separator_(separator) {}
 
-  /// Nothing after the last one.
+  /// The next field; nothing after the last one.
   std::optional<std::string_view> next();
 
  private:
@@ -37,7 +37,7 @@ class TextFields {
   bool has_ended_ = false;
 };
 
-/// Whether a line has something to say and is no comment, which starts with # % ! ; or //.
+/// Whether a line is a row: not blank, and no comment, which starts with # % ! ; or //.
 bool is_text_row(std::string_view line);
 
 /// A number of a table, with a point or a comma before its decimals; the comma only where it can
@@ -50,12 +50,12 @@ struct TextItem {
   bool is_list = false;
 };
 
-/// Lines of numbers. Lines that is_text_row() denies are no rows; items that are not kept may be text, those after the
-/// listed ones are ignored.
+/// A table of numbers, with one row a line. Lines for which is_text_row() is false are no rows. Items that are not
+/// kept may be text; those after the listed ones are ignored.
 struct TextTable {
   MappedFile file;
-  std::size_t offset = 0;            ///< of the first row
-  std::uint64_t first_line = 1;      ///< its number, for messages
+  std::size_t offset = 0;            ///< byte of the first row
+  std::uint64_t first_line = 1;      ///< number of its line, for messages
   std::uint64_t n_skipped_rows = 0;  ///< rows before the points
   std::vector<TextItem> items;
   char separator = kAnySeparator;

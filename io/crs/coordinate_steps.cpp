@@ -10,7 +10,7 @@
 namespace ridgeline::io {
 namespace {
 
-constexpr double kRounding = 0.0006;  // file units: of a float32 that was printed with 3 decimals
+constexpr double kRounding = 0.0006;  // file units; rounding of a float32 printed with 3 decimals
 constexpr double kFarthest = 1e12;    // multiples of any base fit in 64 bits
 constexpr std::size_t kSamples = 16;
 
@@ -20,7 +20,7 @@ double smallest_power(double radix, double above) {
   return power;
 }
 
-/// 5 x 10^k or 10^k, the next above.
+/// The smallest of the numbers 5 x 10^k and 10^k that is larger than `above`.
 double smallest_decimal(double above) {
   const double power = smallest_power(10.0, above);
   return power / 2.0 > above ? power / 2.0 : power;
@@ -66,7 +66,7 @@ void AxisSteps::merge(const AxisSteps& other) {
   largest_ = std::max(largest_, other.largest_);
 }
 
-/// The largest step up to `limit` that all values share; `next` gives the one above a step. 0 for none.
+/// The largest step up to `limit` that all values share; 0 if there is none. `next` gives the next larger step.
 template <typename Next>
 double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
   if (!is_alive || divisor == 0) return 0.0;
@@ -79,10 +79,11 @@ double AxisSteps::Lattice::largest_step(double limit, const Next& next) const {
 }
 
 std::optional<double> AxisSteps::step() const {
-  // Believed if values on a grid of 0.01 would share it by chance once in 100,000 cases.
+  // A step is believed if values on a grid of 0.01 would share it by chance once in 100,000 cases.
   const double fine_grid = decimal_.is_alive ? 0.01 : 2.0 * kRounding;
   constexpr double kFewestDigits = 5.0;
-  constexpr double kLargestBinary = 0.5;  // whole numbers are decimals
+  // Larger powers of 2 are whole numbers, which the decimal steps cover.
+  constexpr double kLargestBinary = 0.5;
   const double step =
       std::max(binary_.largest_step(kLargestBinary, [](double s) { return 2.0 * s; }),
                decimal_.largest_step(kFarthest, smallest_decimal));

@@ -14,9 +14,9 @@ namespace ridgeline::io {
 /// Coarsest tolerable step of coordinates: a quarter of the 0.1 m plane tolerance.
 inline constexpr double kMaxCoordinateStep_m = 0.025;
 
-/// Finds the step that coordinates of one axis were rounded to: by float32 (a power of 2, 0.5 m at the
-/// northings of UTM) or by too few decimals or digits (1, 5, 10 or so times a power of 10). Nearly all values of
-/// a fine grid fail after the first few, so the rest cost nothing.
+/// Finds the step that coordinates of one axis were rounded to: by float32 (a power of 2, 0.5 m at the northings of
+/// UTM) or by too few decimals or digits (1, 5, 10 or so times a power of 10). Values of a fine grid nearly always
+/// rule out a step within the first few, so the rest cost nothing.
 class AxisSteps {
  public:
   /// Steps of up to `tolerable`, file units, are not looked for.
@@ -30,23 +30,23 @@ class AxisSteps {
   /// Whether the values so far share a step.
   [[nodiscard]] bool may_have_step() const { return binary_.is_alive || decimal_.is_alive; }
 
-  /// The largest step that all values are multiples of, file units; nothing if there is none above the tolerable,
-  /// or if so few different values may share it by chance or by design: two eaves of 3 and 6 m.
+  /// The largest step that all values are multiples of, file units. Nothing if there is none above the tolerable one,
+  /// or if the values are so few that they may share it by chance or by design (two eaves of 3 and 6 m).
   [[nodiscard]] std::optional<double> step() const;
 
   /// Whether step() is a power of 2 that no decimal number explains: only float32 rounds so.
   [[nodiscard]] bool has_binary_step() const { return step() && !decimal_.is_alive; }
 
-  /// Of the magnitude of the values, as long as they may have a step; file units.
+  /// The step of float32 at the largest of the values, file units; 0 once the values cannot share a step.
   [[nodiscard]] double float32_step() const;
 
  private:
-  /// Multiples of `base`, up to the millimetres that a text keeps of them.
+  /// Whether all values are multiples of `base`, up to the millimetres that a text keeps of them.
   struct Lattice {
     double base = 0.0;
     bool is_alive = true;
-    std::int64_t divisor = 0;           ///< of all multiples
-    std::vector<std::int64_t> samples;  ///< the first different ones
+    std::int64_t divisor = 0;           ///< greatest common divisor of all multiples
+    std::vector<std::int64_t> samples;  ///< the first different multiples
 
     void add(double value);
     void add_multiple(std::int64_t multiple);
@@ -58,10 +58,10 @@ class AxisSteps {
   void add_to_lattices(double value);
 
   Lattice binary_, decimal_;
-  double largest_ = 0.0;  ///< magnitude
+  double largest_ = 0.0;  ///< largest magnitude of the values
 };
 
-/// The axes of coordinates in file units.
+/// The steps of all three axes of coordinates in file units.
 class CoordinateSteps {
  public:
   CoordinateSteps() : CoordinateSteps(Eigen::Vector3d::Ones()) {}
@@ -75,7 +75,7 @@ class CoordinateSteps {
   void merge(const CoordinateSteps& other);
   [[nodiscard]] bool may_have_steps() const;
 
-  /// Metres; 0 where no step is found. Once float32 has shown itself in an axis, its steps in all.
+  /// Steps by axis, metres; 0 where no step is found. If one axis shows float32, all axes have the steps of float32.
   [[nodiscard]] Eigen::Vector3d steps_m() const;
 
   [[nodiscard]] bool went_through_float32() const;
@@ -86,7 +86,7 @@ class CoordinateSteps {
   std::array<AxisSteps, 3> axes_;
 };
 
-/// "y are multiples of 10 m, x of 1 m" for steps that are not 0, the largest first.
+/// "y in steps of 10 m, x in steps of 1 m" for steps that are not 0, the largest first.
 std::string steps_text(const Eigen::Vector3d& steps_m);
 
 }  // namespace ridgeline::io

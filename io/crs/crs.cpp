@@ -15,12 +15,12 @@
 namespace ridgeline::io {
 namespace {
 
-/// What was found for the latest definitions: the tiles of a survey state one and the same, and PROJ
-/// takes tens of milliseconds to read it.
+/// Keeps what was found for the latest definitions. All tiles of a survey state the same definition, and PROJ takes
+/// tens of milliseconds to read it.
 template <typename Value>
 class Memo {
  public:
-  /// The value for a definition; `find` gives it the first time, and is asked again if it throws.
+  /// The value for a definition. `find` computes it the first time, and again if it has thrown.
   template <typename Find>
   Value get(const std::string& definition, const Find& find) {
     constexpr std::size_t kMost = 64;
@@ -40,7 +40,7 @@ class Memo {
   std::map<std::string, Value> values_;
 };
 
-/// What EPSG calls a unit of this size, with its code; "unknown" without one.
+/// The name and code that EPSG has for a unit of this size; "unknown" if it has none.
 struct NamedUnit {
   const char* name = "unknown";
   const char* code = nullptr;

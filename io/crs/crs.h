@@ -5,9 +5,9 @@
 
 namespace ridgeline::io {
 
-/// A coordinate reference system as a file states it: a code ("EPSG:25832+7837",
-/// "urn:ogc:def:crs:EPSG::25832"), WKT1, WKT2, PROJJSON or a PROJ string; no name, as PROJ would take
-/// the next one like it. An empty definition means that the file states none.
+/// A coordinate reference system as a file states it: a code ("EPSG:25832+7837", "urn:ogc:def:crs:EPSG::25832"),
+/// WKT1, WKT2, PROJJSON or a PROJ string. A name is not accepted, as PROJ would take the next one like it. An empty
+/// definition means that the file states none.
 struct Crs {
   std::string definition;
   [[nodiscard]] bool known() const { return !definition.empty(); }
@@ -20,10 +20,10 @@ struct CrsFacts {
   std::string vertical_name;    ///< empty if the CRS has no vertical part
   bool is_geographic = false;   ///< coordinates are degrees: refused for evaluation
   double horizontal_unit_m = 1.0;
-  double vertical_unit_m = 1.0;  ///< of the vertical part, else the horizontal unit
+  double vertical_unit_m = 1.0;  ///< of the vertical part; without one, the horizontal unit
   std::string horizontal_unit_name = "metre";
   std::string vertical_unit_name = "metre";
-  /// Programs write a plane that is nowhere ("Undefined SRS") where they have none.
+  /// Whether the CRS stands for none: programs that have no CRS write a plane that is nowhere ("Undefined SRS").
   [[nodiscard]] bool states_nothing() const {
     return name.starts_with("Undefined ") || horizontal_unit_m == 0.0;
   }
@@ -32,28 +32,28 @@ struct CrsFacts {
 constexpr double kFoot_m = 0.3048;
 constexpr double kSurveyFoot_m = 1200.0 / 3937.0;
 
-/// Equal but for rounding: the two feet differ.
+/// Whether two units are equal but for rounding; the two feet are not.
 bool same_unit(double a_m, double b_m);
 
-/// "US survey foot (0.304800609601 m)".
+/// A unit for messages: "US survey foot (0.304800609601 m)".
 std::string unit_text(double unit_m);
 
-/// Throws std::invalid_argument if PROJ does not find its data base, without which it understands
-/// nothing: what could not be read may be right.
+/// Throws std::invalid_argument if PROJ does not find its data base. Without it PROJ understands nothing, and a
+/// definition that could not be read may be right.
 void require_proj_data();
 
 /// Whether PROJ reads the definition as WKT, of any dialect.
 bool is_wkt(const Crs& crs);
 
-/// Throws std::invalid_argument if PROJ cannot read the definition, or finds no data base of its own.
-/// An unknown CRS: metres assumed.
+/// The facts of a CRS; metres are assumed for an unknown one. Throws std::invalid_argument if PROJ cannot read the
+/// definition, or finds no data base of its own.
 CrsFacts describe(const Crs& crs);
 
-/// WKT1 in GDAL's dialect, which LAS readers of every age understand.
+/// The CRS as WKT1 in GDAL's dialect, which LAS readers of every age understand.
 /// Throws std::invalid_argument if PROJ cannot read the definition or has no such form of it.
 std::string to_wkt(const Crs& crs);
 
-/// The same compound CRS with heights in another unit; the CRS itself without a vertical part.
+/// The same compound CRS with heights in another unit; the CRS itself if it has no vertical part.
 /// Throws std::invalid_argument if PROJ cannot read the definition.
 Crs with_vertical_unit(const Crs& crs, double unit_m);
 
@@ -64,9 +64,9 @@ struct CrsAgreement {
   std::string warning;  ///< e.g. one vertical CRS is unknown: heights may differ by tens of metres
 };
 
-/// Horizontal and vertical parts are compared apart, by PROJ's equivalence (an EPSG code and its
-/// WKT1 and WKT2 agree; axis order of geographic CRS ignored), never by text. Known parts that
-/// differ are incompatible, units included; an unknown part gives a warning.
+/// Compares horizontal and vertical parts apart, by PROJ's equivalence and never by text: an EPSG code and its WKT1
+/// and WKT2 agree, and the axis order of a geographic CRS is ignored. Known parts that differ, also in their units,
+/// are incompatible; an unknown part gives a warning.
 CrsAgreement compare(const Crs& a, const Crs& b);
 
 }  // namespace ridgeline::io

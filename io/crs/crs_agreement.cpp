@@ -18,7 +18,7 @@ namespace {
 using proj::Object;
 using proj::Parts;
 
-/// False too if the CRS carries no EPSG-like identifier.
+/// Whether both carry the same EPSG-like identifier; false if one carries none.
 bool same_identifier(const PJ* a, const PJ* b) {
   const auto text = [](const char* value) { return std::string_view(value ? value : ""); };
   const std::string_view code = text(proj_get_id_code(a, 0));
@@ -45,7 +45,7 @@ std::string datum_name(PJ_CONTEXT* context, const PJ* crs) {
   return name == nullptr ? "" : name;
 }
 
-/// What a CRS is made of, a thing a word: its datum and the parameters of its PROJ string.
+/// What a CRS is made of, one thing a word: its datum and the parameters of its PROJ string.
 std::vector<std::string> ingredients(PJ_CONTEXT* context, const PJ* crs) {
   std::vector<std::string> words{fmt::format("datum \"{}\"", datum_name(context, crs))};
   const char* const text = proj_as_proj_string(context, crs, PJ_PROJ_4, nullptr);
@@ -54,7 +54,7 @@ std::vector<std::string> ingredients(PJ_CONTEXT* context, const PJ* crs) {
   return words;
 }
 
-/// Those of `words` that `others` lack; "no others" without any.
+/// The words that `others` lacks; "none of these" if it has all of them.
 std::string only_in(const std::vector<std::string>& words, const std::vector<std::string>& others) {
   std::string text;
   for (const std::string& word : words) {
@@ -110,7 +110,7 @@ void compare_horizontal(PJ_CONTEXT* context,
   agreement.reason = disagreement("horizontal", part(a, a_facts), part(b, b_facts));
 }
 
-/// Two files, of which one states no vertical reference system.
+/// The warning for two files of which only one states a vertical reference system.
 std::string one_without_heights(const CrsFacts& a, const CrsFacts& b) {
   const std::string who = a.name == b.name
                               ? fmt::format("only one of two files in \"{}\"", a.name)
@@ -120,7 +120,8 @@ std::string one_without_heights(const CrsFacts& a, const CrsFacts& b) {
       a.vertical_name.empty() ? b.vertical_name : a.vertical_name);
 }
 
-/// In compatible plans. Heights above the ellipsoid of one datum differ by no more than their unit.
+/// Whether the heights of two systems with compatible plans agree. Heights above the ellipsoid of one datum can
+/// differ in their unit only.
 bool same_heights(PJ_CONTEXT* context, Parts& a, Parts& b) {
   if (a.vertical && b.vertical) return equivalent(context, *a.vertical, *b.vertical);
   return !a.vertical && !b.vertical &&

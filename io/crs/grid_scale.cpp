@@ -37,7 +37,7 @@ std::optional<Ellipsoid> ellipsoid_of(PJ_CONTEXT* context, const PJ* crs) {
   return Ellipsoid{a_m, 1.0 - (b_m * b_m) / (a_m * a_m)};
 }
 
-/// From east and north of a projected CRS to longitude and latitude of its own datum, degrees.
+/// The operation from east and north of a projected CRS to longitude and latitude of its own datum, degrees.
 Object lonlat_from_grid(PJ_CONTEXT* context, const PJ* projected) {
   const Object geodetic(proj_crs_get_geodetic_crs(context, projected));
   if (!geodetic) return nullptr;
@@ -47,7 +47,7 @@ Object lonlat_from_grid(PJ_CONTEXT* context, const PJ* projected) {
   return Object(proj_normalize_for_visualization(context, operation.get()));
 }
 
-/// Longitude and latitude; not finite where the projection has none.
+/// Longitude and latitude of a place, degrees; not finite where the projection has none.
 Eigen::Vector2d lonlat_deg(PJ* operation, const Eigen::Vector2d& x) {
   const PJ_COORD out = proj_trans(operation, PJ_FWD, proj_coord(x.x(), x.y(), 0.0, 0.0));
   return {out.xy.x, out.xy.y};
@@ -81,7 +81,7 @@ bool holds_place(PJ_CONTEXT* context, const PJ* crs, double lon_deg, double lat_
   return in_longitude && lat_deg >= south && lat_deg <= north;
 }
 
-/// "9.177 E, 48.780 N".
+/// The place for messages: "9.177 E, 48.780 N".
 std::string place_text(const GridScale& scale) {
   return fmt::format("{:.3f} {}, {:.3f} {}", std::abs(scale.lon_deg),
                      scale.lon_deg < 0.0 ? 'W' : 'E', std::abs(scale.lat_deg),
@@ -134,7 +134,7 @@ std::string scale_text(const GridScale& scale) {
 std::string utm_zone_text(const Crs& crs, const GridScale& scale) {
   struct Series {
     std::string_view datum;
-    int first_code;  ///< of zone 1
+    int first_code;  ///< code of a zone, less its number
     int first_zone, last_zone;
   };
   constexpr std::array kSeries{Series{"ETRS89", 25800, 28, 38}, Series{"NAD83", 26900, 1, 23}};

@@ -18,22 +18,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The ending of `path` is kept, since some libraries choose a format by it.
+/// A name in the folder of `path`. The ending of `path` is kept, since some libraries choose a format by it.
 std::string temporary_name(const fs::path& path) {
-  static std::atomic<unsigned> counter{0};  // apart from other writers of this process
+  static std::atomic<unsigned> counter{0};  // tells the writers of this process apart
   const std::string name = fmt::format(".{}.{}.{}.tmp{}", path.stem().string(), getpid(),
                                        counter.fetch_add(1), path.extension().string());
   return (path.parent_path() / name).string();
 }
 
-/// No file of its own: a device, a pipe, or a link as /dev/stdout to what a shell has opened.
+/// Whether the path is no file of its own: a device, a pipe, or a link such as /dev/stdout to what a shell has
+/// opened.
 bool is_device(const std::string& path) {
-  std::error_code ignored;  // nothing there
+  std::error_code ignored;  // a path that does not exist is no device
   const bool is_of_system = path.starts_with("/dev/") || path.starts_with("/proc/");
   return fs::is_other(path, ignored) || (is_of_system && fs::is_symlink(path, ignored));
 }
 
-/// A device's folder is no place for files.
+/// The path beside which the temporary file lies. A device's folder is no place for files, so the system's folder for
+/// temporary files takes its place.
 fs::path beside(const fs::path& path, bool is_device) {
   return is_device ? fs::temp_directory_path() / path.filename() : path;
 }

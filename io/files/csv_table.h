@@ -22,7 +22,7 @@ class CsvTable {
   explicit CsvTable(const std::string& path, std::optional<Expected> expected = std::nullopt);
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// Names of columns count in lower case.
+  /// Whether there is a column of this name, given in lower case. The header may use any case.
   [[nodiscard]] bool has(std::string_view column) const { return find(column).has_value(); }
   /// Throws IoError naming the column if there is none.
   [[nodiscard]] std::size_t column(std::string_view name) const;
@@ -30,8 +30,9 @@ class CsvTable {
   [[nodiscard]] std::string_view text(std::size_t row, std::size_t column) const {
     return rows_[row].fields[column];
   }
-  /// Throw IoError naming row and value unless it is a finite number, an index (0, 1, ...).
+  /// The value as a finite number. Throws IoError naming row and value if it is none.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  /// The value as an index (0, 1, ...). Throws IoError naming row and value if it is none.
   [[nodiscard]] int index(std::size_t row, std::size_t column) const;
 
   /// `path:row` of the file, for messages.
@@ -46,7 +47,8 @@ class CsvTable {
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 
   std::string path_, content_;
-  std::deque<std::vector<std::string>> quoted_;  ///< rows with quotes; the others lie in content_
+  /// Fields of rows with quotes; the others lie in content_.
+  std::deque<std::vector<std::string>> quoted_;
   std::vector<std::string> names_;
   std::vector<Row> rows_;
 };

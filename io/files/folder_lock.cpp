@@ -32,7 +32,7 @@ std::string content_of(int descriptor) {
   return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
 }
 
-/// Whether the name still stands for the open file: its last owner may have removed it meanwhile.
+/// Whether the path still names the open file. Its last owner may have removed the file after it was opened here.
 bool is_in_place(int descriptor, const fs::path& file) {
   struct stat open_file {};
   struct stat named {};
@@ -40,7 +40,8 @@ bool is_in_place(int descriptor, const fs::path& file) {
          open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
 }
 
-/// Open and locked.
+/// Opens the lock file, locks it and returns its descriptor. Throws IoError if another process holds the lock, or if
+/// the file cannot be opened.
 int locked_file(const fs::path& folder, const fs::path& file) {
   for (;;) {
     const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
@@ -55,7 +56,7 @@ int locked_file(const fs::path& folder, const fs::path& file) {
                                                  "choose another folder",
                                                  owner));
     }
-    // a file system without locks: results are written all the same
+    // On a file system without locks flock() fails with another error. Results are written there all the same.
     if (is_in_place(descriptor, file)) return descriptor;
     close(descriptor);
   }
@@ -65,7 +66,7 @@ void remove_left_files(const fs::path& folder) {
   std::error_code error;
   for (auto it = fs::recursive_directory_iterator(folder, error); it != fs::end(it);
        it.increment(error)) {
-    constexpr int kDeepest = 1;  // FOLDER/PATCH/FILE
+    constexpr int kDeepest = 1;  // the deepest files are FOLDER/PATCH/FILE
     if (it.depth() >= kDeepest) it.disable_recursion_pending();
     if (is_left_by_dead_process(it->path().filename().string())) fs::remove(it->path(), error);
     if (error) break;
@@ -78,7 +79,8 @@ FolderLock::FolderLock(const fs::path& folder)
     : file_(folder / ".ridgeline.lock"), descriptor_(locked_file(folder, file_)) {
   const std::string owner = owner_text();
   if (ftruncate(descriptor_, 0) == 0) {
-    (void)!pwrite(descriptor_, owner.data(), owner.size(), 0);  // for the message alone
+    // Only the messages of other processes need the name of the owner, so a failed write is ignored.
+    (void)!pwrite(descriptor_, owner.data(), owner.size(), 0);
   }
   remove_left_files(folder);
 }

@@ -11,9 +11,9 @@ namespace ridgeline::io {
 /// owner in a process removes the file.
 class FolderLock {
  public:
-  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the temporary files
-  /// that processes killed earlier have left in it. Throws IoError, with the process that holds it, if another
-  /// one does, or if the folder cannot be written to.
+  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the temporary files in
+  /// the folder that killed processes have left. Throws IoError if another process holds the lock, which it names, or
+  /// if the folder cannot be written to.
   static std::shared_ptr<FolderLock> of(const std::filesystem::path& folder);
 
   ~FolderLock();

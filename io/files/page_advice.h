@@ -6,8 +6,8 @@
 
 namespace ridgeline::io {
 
-/// Gives the system one of madvise(2)'s hints for the pages that lie whole in a range of memory. A
-/// mere hint: whether it is taken changes no byte.
+/// Gives the system one of madvise(2)'s hints for the pages that lie whole in a range of memory. The hint changes no
+/// byte, whether the system takes it or not.
 void advise_whole_pages(std::span<const std::byte> range, int advice);
 
 }  // namespace ridgeline::io

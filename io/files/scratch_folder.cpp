@@ -7,7 +7,7 @@ namespace ridgeline::io {
 
 ScratchFolder::ScratchFolder(const std::string& target)
     : target_(std::filesystem::absolute(target)) {
-  std::error_code error;  // shows in mkdtemp()
+  std::error_code error;  // a failure shows in mkdtemp()
   std::filesystem::create_directories(target_.parent_path(), error);
   std::string pattern = (target_.parent_path() / ".ridgeline-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {

@@ -6,9 +6,9 @@
 
 namespace ridgeline::io {
 
-/// For a format of several files, or a library that needs the final name: a folder of its own
-/// beside the target, on the same disk so that finished files can be renamed into place. Removed
-/// with all that is left in it. One file written by us needs AtomicFile only.
+/// A temporary folder for a format of several files, or for a library that needs the final name. It lies beside the
+/// target, on the same disk, so that finished files can be renamed into place. It is removed with all that is left in
+/// it. A single file that we write ourselves needs AtomicFile only.
 class ScratchFolder {
  public:
   /// Makes missing folders. Throws IoError naming `target` if that fails or writing is forbidden.
@@ -17,11 +17,11 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  /// Where to write what will become `target`.
+  /// The path at which to write what will become `target`.
   [[nodiscard]] std::string draft() const;
 
-  /// Moves all files of the folder beside the target, replacing older ones; the target itself last,
-  /// so that where it is, all is. Throws IoError.
+  /// Moves all files of the folder beside the target, replacing older ones. The target itself is moved last, so that
+  /// all files are there once it is. Throws IoError.
   void publish() const;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace ridgeline::io {
 
-/// The whole file. Throws IoError if it cannot be read.
+/// The content of a file. Throws IoError if it cannot be read.
 std::string read_text_file(const std::string& path);
 
 }  // namespace ridgeline::io

@@ -28,9 +28,9 @@ double number_of(const std::string& path, const YAML::Node& node, const std::str
   return *value;
 }
 
-/// yaml-cpp takes half a kilobyte and 5 microseconds for each value.
+/// Throws IoError if the file has too many values. yaml-cpp takes half a kilobyte and 5 microseconds for each.
 void refuse_too_many_values(const std::string& path, std::string_view content) {
-  constexpr std::ptrdiff_t kMostValues = 400'000;  // cameras of 10,000 images
+  constexpr std::ptrdiff_t kMostValues = 400'000;  // enough for the cameras of 10,000 images
   const auto n_values = std::ranges::count_if(
       content, [](char c) { return std::string_view(",:\n[{").find(c) != std::string_view::npos; });
   if (n_values <= kMostValues) return;

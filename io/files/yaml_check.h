@@ -14,7 +14,7 @@
 
 namespace ridgeline::io {
 
-/// Throws IoError "PATH: line N: MESSAGE"; without the line if the node has no place in the file.
+/// Throws IoError "PATH: line N: MESSAGE", without the line if the node has no place in the file.
 [[noreturn]] void fail_yaml(const std::string& path,
                             const YAML::Node& node,
                             const std::string& message);
@@ -22,7 +22,8 @@ namespace ridgeline::io {
 /// The root of a YAML file. Throws IoError if it cannot be read, with the parser's line, if it is
 /// empty or has more than one document, and if it is known to be of another kind than `expected`.
 YAML::Node load_yaml(const std::string& path, std::optional<Expected> expected = std::nullopt);
-/// The same of a text; `path` is what messages call it.
+/// The root of a YAML text. Throws IoError as load_yaml() does for its content; `path` is what messages call the
+/// text.
 YAML::Node parse_yaml(const std::string& content, const std::string& path);
 
 /// A mapping that is read strictly: a misspelt key must not silently become a default.
@@ -33,7 +34,7 @@ class YamlMap {
 
   [[nodiscard]] bool has(const char* key) const { return find(key).has_value(); }
 
-  // Each throws IoError if the key is missing or its value has another form.
+  // Each of the functions below throws IoError if the key is missing or its value has another form.
   [[nodiscard]] YAML::Node node(const char* key) const;
   [[nodiscard]] std::string text(const char* key) const;
   [[nodiscard]] double number(const char* key) const;  ///< finite

@@ -17,7 +17,7 @@ bool is_number(ColumnType type) {
          type == ColumnType::kReal;
 }
 
-/// Whether the number gives the word back.
+/// Whether the word is an integer that is written back as the same word.
 bool is_plain_integer(const std::string& word) {
   const std::optional<long> number = to_integer(word);
   return number && fmt::format("{}", *number) == word;

@@ -28,10 +28,10 @@ struct Column {
   ColumnType type = ColumnType::kText;
 };
 
-/// Empty, a number (0 and 1 of a boolean), or text.
+/// A value: empty, a number (0 and 1 of a boolean), or text.
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
 
-/// The values of a feature that has them, by the number of the column.
+/// The values that a feature has, each with the number of its column. Columns without a value are left out.
 using SparseRow = std::vector<std::pair<std::size_t, Value>>;
 
 /// What the features of a file state, column by column.
@@ -40,10 +40,10 @@ struct AttributeTable {
   std::vector<SparseRow> rows;
 };
 
-/// The type that holds the values of both: integers become real where they must, all else text.
+/// The type that holds the values of both types: for two types of numbers the wider one, for all other pairs text.
 ColumnType common_type(ColumnType a, ColumnType b);
 
-/// The type of a word of a text file: an integer if the number gives the word back ("007" and "+1" are
+/// The type of a word of a text file: an integer if the number is written back as the same word ("007" and "+1" are
 /// text), real with a point or an exponent, else text.
 ColumnType type_of_word(const std::string& word);
 

@@ -15,7 +15,7 @@ namespace ridgeline::io {
 enum class MapGeometry : std::uint8_t { kLine, kPolygon };
 
 struct MapFeature {
-  /// In the map's CRS; a polygon's ring need not be closed. Without vertices: no geometry.
+  /// Vertices in the map's CRS. A polygon's ring need not be closed. Without vertices the feature has no geometry.
   std::vector<Eigen::Vector3d> vertices;
   SparseRow values;
 };

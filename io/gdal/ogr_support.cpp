@@ -34,7 +34,7 @@ QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }
 QuietGdal::~QuietGdal() { CPLPopErrorHandler(); }
 
 std::string QuietGdal::complaints(const std::string& fallback) const {
-  constexpr std::size_t kMostCharacters = 200;  // of GDAL, which quotes whole definitions
+  constexpr std::size_t kMostCharacters = 200;  // GDAL quotes whole definitions
   std::string all;
   for (const std::string& complaint : complaints_) all += (all.empty() ? "" : "; ") + complaint;
   if (all.size() > kMostCharacters) all = all.substr(0, kMostCharacters) + " ...";
@@ -85,7 +85,7 @@ OGRSpatialReference undefined_plane() {
 
 Crs crs_of(const OGRSpatialReference* reference) {
   if (reference == nullptr) return {};
-  // GeoPackage has names for none, and GDAL writes the geographic one whatever the coordinates are
+  // GeoPackage names two undefined systems, and GDAL writes the geographic one whatever the coordinates are.
   const char* const name = reference->GetName();
   if (name != nullptr && std::string_view(name).starts_with("Undefined ")) return {};
   const QuietGdal quiet;

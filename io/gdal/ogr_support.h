@@ -12,8 +12,8 @@
 
 namespace ridgeline::io {
 
-/// Keeps GDAL from printing while it lives and collects what it complains of. GDAL's handlers are a
-/// stack per thread, so an object must end in the thread and block that it began in.
+/// Keeps GDAL from printing while it lives and collects GDAL's complaints. GDAL's handlers are a stack per thread, so
+/// an object must end in the thread and block that it began in.
 class QuietGdal {
  public:
   QuietGdal();
@@ -31,7 +31,7 @@ class QuietGdal {
 /// Registers GDAL's drivers, once in the process: GDALAllRegister() must not run in two threads.
 void register_gdal_drivers();
 
-/// A GeoPackage stores when it was written; a fixed date makes equal sets equal files. The option
+/// Fixes the date that a GeoPackage stores as its time of writing, so that equal sets give equal files. The option
 /// holds for this thread only.
 class FixedDate {
  public:
@@ -42,23 +42,24 @@ class FixedDate {
   FixedDate& operator=(const FixedDate&) = delete;
 };
 
-/// Nothing if PROJ cannot read the definition or it is empty. Axes are east, north, up.
+/// The reference system for GDAL, with axes east, north, up. Nothing if the definition is empty or PROJ cannot read
+/// it.
 std::optional<OGRSpatialReference> spatial_reference(const Crs& crs);
 
-/// GDALDataset::CreateLayer(). GDAL complains of a projected system with three axes, which has no WKT1, and
-/// then writes WKT2 (GeoPackage): what it said is forgotten if there is a layer. A Shapefile has WKT1 alone and
-/// gets the system of the plan.
+/// Makes a layer by GDALDataset::CreateLayer(). GDAL complains of a projected system with three axes, which has no
+/// WKT1, and then writes WKT2 (GeoPackage); this complaint is forgotten if there is a layer. A Shapefile has WKT1
+/// alone and gets the system of the plan.
 OGRLayer* create_layer(GDALDataset& dataset,
                        const std::string& name,
                        const OGRSpatialReference* reference,
                        OGRwkbGeometryType type,
                        CSLConstList options);
 
-/// The system of a file for what states none: a plane with metres that is nowhere on Earth.
+/// The name of the system of a file whose data state none: a plane with metres that is nowhere on Earth.
 inline constexpr const char* kUndefinedPlane = "Undefined Cartesian SRS";
 OGRSpatialReference undefined_plane();
 
-/// As WKT2; unknown for null and for the undefined ones of GeoPackage.
+/// The system as WKT2; unknown for null and for the undefined systems of GeoPackage.
 Crs crs_of(const OGRSpatialReference* reference);
 
 }  // namespace ridgeline::io

@@ -17,7 +17,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A copy of the picture in memory, bands in GDAL's order; none if that fails.
+/// A copy of the picture in memory, bands in GDAL's order; null if that fails.
 GDALDatasetUniquePtr in_memory(const cv::Mat& picture) {
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
   if (driver == nullptr) return nullptr;
@@ -34,7 +34,7 @@ GDALDatasetUniquePtr in_memory(const cv::Mat& picture) {
   return error == CE_None ? std::move(dataset) : nullptr;
 }
 
-/// As a file of GDAL's file system in memory, which is taken from there.
+/// The bytes of a picture that GDAL encodes into a file of its file system in memory.
 std::string encoded(const cv::Mat& picture, const char* driver_name, const CPLStringList& options) {
   static std::atomic<int> n_files = 0;
   const QuietGdal quiet;
@@ -70,7 +70,8 @@ void check_type(const char* function, const cv::Mat& picture) {
 std::string png_bytes(const cv::Mat& picture) {
   check_type("png_bytes", picture);
   CPLStringList options;
-  options.SetNameValue("ZLEVEL", "3");  // of pictures for people: time counts more than bytes
+  // The pictures are for people, so time counts more than bytes.
+  options.SetNameValue("ZLEVEL", "3");
   return encoded(picture, "PNG", options);
 }
 

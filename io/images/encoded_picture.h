@@ -11,7 +11,7 @@ namespace ridgeline::io {
 /// std::invalid_argument.
 std::string png_bytes(const cv::Mat& picture);
 
-/// The bytes of a JPEG file of such a picture; quality 1 to 100, else std::invalid_argument.
+/// The bytes of a JPEG file. `picture` as for png_bytes(); quality 1 to 100, else std::invalid_argument.
 std::string jpeg_bytes(const cv::Mat& picture, int quality);
 
 }  // namespace ridgeline::io

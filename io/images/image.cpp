@@ -33,13 +33,13 @@ class GdalOptions {
   static constexpr std::array<std::pair<const char*, const char*>, 3> kOptions{{
       // a JPEG that ends early is grey from there on; libjpeg calls that a warning
       {"GDAL_ERROR_ON_LIBJPEG_WARNING", "TRUE"},
-      // files beside an image, such as .aux.xml: nobody gave them, and none is to be left
+      // Files beside an image, such as .aux.xml, were not given by the user, so none is read and none is left behind.
       {"GDAL_PAM_ENABLED", "NO"},
       {"GDAL_DISABLE_READDIR_ON_OPEN", "EMPTY_DIR"},
   }};
 };
 
-/// GDAL repeats itself for every block of a damaged file.
+/// Shortens a message, as GDAL repeats itself for every block of a damaged file.
 std::string shortened(std::string text) {
   constexpr std::size_t kLongest = 200;
   if (text.size() <= kLongest) return text;
@@ -60,7 +60,7 @@ GDALDatasetUniquePtr open(const std::string& path, const QuietGdal& quiet) {
     throw IoError(path, "is a device, pipe or socket; an image must be a file");
   }
   register_gdal_drivers();
-  // Only these: other drivers of GDAL follow references to more files and to addresses.
+  // Only these drivers are used, as others of GDAL follow references to more files and to addresses.
   const char* const drivers[] = {"GTiff", "PNG", "JPEG", nullptr};
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));

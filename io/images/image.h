@@ -17,12 +17,12 @@ struct ImageFacts {
   int bits = 0;  ///< per band, 8 or 16
 };
 
-/// Pixels that one image may have whatever its user allows: the most that OpenCV takes by far.
+/// The most pixels that one image may have, whatever its user allows; OpenCV takes no more by default.
 constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 30;
 
-/// What is taken for an image that its user means: at most so many megapixels, and beyond the first few at
-/// most so many pixels per byte of the file. A photograph has one byte for at most six or seven pixels, a few
-/// kilobytes that decode to gigabytes are none.
+/// Limits for an image whose size its user has not allowed: at most so many megapixels, and beyond kFreeImage_mpx at
+/// most so many pixels per byte of the file. A photograph has one byte for at most six or seven pixels. A few
+/// kilobytes that decode to gigabytes are no photograph.
 constexpr double kDefaultMaxImage_mpx = 400.0;
 constexpr double kFreeImage_mpx = 4.0;
 constexpr double kMaxPixelsPerByte = 10.0;
@@ -37,10 +37,11 @@ ImageFacts image_facts(const std::string& path);
 /// constants above say. Throws IoError with the size, the limit and the option `--max-image-mpx`.
 void check_image_size(const std::string& path, const ImageFacts& facts, double max_mpx);
 
-/// The pixels, CV_8UC(n) or CV_16UC(n), n = 1..4, bands in the order of the file, values as stored.
-/// Georeference, overviews, masks and nodata values are not read, files beside the image neither read nor written.
-/// `max_mpx` as for check_image_size(). Throws IoError as image_facts() and check_image_size(),
-/// for fewer than 2 x 2 pixels and if they cannot be decoded, be it by a missing end of the file.
+/// The pixels, CV_8UC(n) or CV_16UC(n), n = 1..4, bands in the order of the file, values as stored. Georeference,
+/// overviews, masks and nodata values are not read; files beside the image are neither read nor written. `max_mpx` as
+/// for check_image_size().
+/// Throws IoError as image_facts() and check_image_size(), for fewer than 2 x 2 pixels, and for pixels that cannot be
+/// decoded, also if the end of the file is missing.
 cv::Mat read_image(const std::string& path, double max_mpx = 0.0);
 
 }  // namespace ridgeline::io

@@ -14,7 +14,7 @@ namespace {
 
 /// The chunk "Software" of the texts of a PNG (its specification, 11.3.4.3), with length and checksum.
 constexpr std::string_view kSoftware("\0\0\0\x12tEXtSoftware\0ridgeline\xfd\x5e\x07\x06", 30);
-constexpr std::size_t kEndOfHeader = 33;  ///< of signature and IHDR, which must come first
+constexpr std::size_t kEndOfHeader = 33;  ///< bytes of signature and IHDR, which must come first
 
 }  // namespace
 

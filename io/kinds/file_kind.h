@@ -6,7 +6,7 @@
 
 namespace ridgeline::io {
 
-/// Kinds of files and folders by which readers of ours take them.
+/// Kinds of files and folders, grouped by the readers that take them.
 enum class FileGroup : std::uint8_t {
   kUnknown,
   kEmpty,
@@ -33,9 +33,10 @@ enum class FileGroup : std::uint8_t {
 struct FileKind {
   FileGroup group = FileGroup::kUnknown;
   std::string what = {};    ///< "a LAS point cloud"
-  std::string advice = {};  ///< what its user does with it; may be empty
-  std::string ending = {};  ///< by which the reader of such lines is chosen; may be empty
-  bool by_name = false;     ///< the name alone tells; the content is not known
+  std::string advice = {};  ///< what the user may do with the file; may be empty
+  /// Ending of the name by which the reader of such lines is chosen; may be empty.
+  std::string ending = {};
+  bool by_name = false;  ///< the name alone tells; the content is not known
 
   [[nodiscard]] bool is_known() const {
     return group != FileGroup::kUnknown && group != FileGroup::kEmpty;

@@ -16,7 +16,7 @@ namespace {
 
 using enum FileGroup;
 
-/// Names of the entries, sorted; none of a folder that cannot be read.
+/// Names of the entries, sorted; empty for a folder that cannot be read.
 std::vector<std::string> names_in(const fs::path& folder) {
   constexpr std::size_t kMost = 100'000;
   std::vector<std::string> names;
@@ -51,7 +51,7 @@ std::string counted(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-/// "2 clouds and 1 image"; empty if there are none. The kinds are told by the endings.
+/// "2 clouds and 1 image", told by the endings of the names; empty if there are none.
 std::string contents(const std::vector<std::string>& names) {
   struct Count {
     FileGroup group;

@@ -16,7 +16,7 @@ struct Mark {
   FileGroup group;
   const char* what;
   const char* advice = "";
-  std::size_t at = 0;  ///< byte of the file
+  std::size_t at = 0;  ///< byte of the file where the mark begins
   const char* ending = "";
 };
 
@@ -26,7 +26,7 @@ constexpr const char* kAsGeoPackage = "save its lines as GeoPackage";
 constexpr const char* kAsTiff = "save it as TIFF";
 constexpr const char* kInUtf8 = "save it in UTF-8";
 
-/// The first that fits decides: special marks stand before general ones.
+/// All marks. The first that fits decides, so special marks stand before general ones.
 constexpr std::array kMarks{
     Mark{"copc", kCloud, "a COPC point cloud", "", 377},
     Mark{"LASF", kCloud, "a LAS point cloud"},

@@ -29,7 +29,7 @@ bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// The program's own page, which is a web page like any other but for its mark.
+/// Whether the file is the program's own report, which is a web page like any other but for its mark.
 bool is_report(std::string_view start) {
   return start.starts_with("<!doctype html>") && holds(start, "content=\"ridgeline\"");
 }
@@ -43,7 +43,7 @@ FileKind kind_of_ply(std::string_view start) {
 }
 
 bool is_laz(std::string_view start) {
-  constexpr std::size_t kPointFormat = 104;  // whose highest bit LASzip sets
+  constexpr std::size_t kPointFormat = 104;  // LASzip sets the highest bit of this byte
   return start.starts_with("LASF") && start.size() > kPointFormat &&
          (static_cast<unsigned char>(start[kPointFormat]) & 0x80U) != 0;
 }
@@ -62,7 +62,8 @@ FileKind kind_by_bytes(std::string_view start) {
   return kind;
 }
 
-/// The index of a Shapefile begins as a Shapefile does, a sequence of JSON as GeoJSON: there the name tells more.
+/// Lets the name decide where it tells more: the index of a Shapefile begins as a Shapefile does, and a sequence of
+/// JSON as GeoJSON.
 FileKind with_name(const FileKind& kind, std::string_view extension) {
   constexpr std::array kExact{".shx", ".geojsonl", ".geojsons", ".ndjson", ".jsonl"};
   const bool is_exact = std::ranges::find(kExact, extension) != kExact.end();
@@ -123,13 +124,13 @@ const Reader& reader_of(Expected expected) {
   return *std::ranges::find(kReaders, expected, &Reader::expected);
 }
 
-/// Endings of one reader are one: what is in them is told by the content.
+/// The ending that stands for all endings of the same reader, which tells by the content what is in the file.
 std::string_view reader_ending(std::string_view extension) {
   if (extension == ".json") return ".geojson";
   return extension == ".wkt" || extension == ".txt" ? ".csv" : extension;
 }
 
-/// Lines are read by the ending of their name.
+/// Throws IoError if the name has another ending than its content needs, as lines are read by the ending.
 void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
   const std::string extension = extension_in(path);
   const bool fits = kind.ending.empty() || reader_ending(kind.ending) == reader_ending(extension);

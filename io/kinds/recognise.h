@@ -10,7 +10,7 @@
 
 namespace ridgeline::io {
 
-/// What a reader takes.
+/// The kind of input that a reader takes.
 enum class Expected : std::uint8_t {
   kLines,
   kCloud,
@@ -24,24 +24,26 @@ enum class Expected : std::uint8_t {
   kResults
 };
 
-/// So much of a file tells what it is, comments at its head included.
+/// This many bytes of a file tell what it is, comments at its head included.
 inline constexpr std::size_t kTelling_bytes = 16384;
 
 /// The beginning of a regular file; empty for all else, so that no pipe is opened.
 std::string beginning_of(const std::string& path);
 
-/// What a file is: by its beginning first, then by its name.
+/// What a file is, told by its beginning first, then by its name.
 FileKind kind_of_content(std::string_view content, const std::string& path);
-/// The same of a file or folder.
+/// What a file or folder is, told by its content and name.
 FileKind kind_of_path(const std::string& path);
 
-/// "is a LAS point cloud, not a patch file (patch.yaml); give it as --cloud": what IoError says of it.
+/// The text of the IoError for such a file: "is a LAS point cloud, not a patch file (patch.yaml); give it as
+/// --cloud".
 std::string refusal(const FileKind& kind, Expected expected);
 
 /// Throws IoError if the content is known to be of another kind than is expected. What is unknown or empty is left to its
 /// reader, which knows the rule that it breaks.
 void refuse_other_kind(const std::string& path, std::string_view content, Expected expected);
-/// The same of a file or folder, of which no more than the beginning is read.
+/// Throws IoError if a file or folder is known to be of another kind than is expected. No more than its beginning is
+/// read.
 void refuse_other_kind(const std::string& path, Expected expected);
 
 }  // namespace ridgeline::io

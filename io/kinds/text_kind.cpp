@@ -28,7 +28,7 @@ constexpr std::array kGeoJsonTypes{"FeatureCollection", "Feature",      "Point",
                                    "MultiPoint",        "LineString",   "MultiLineString",
                                    "Polygon",           "MultiPolygon", "GeometryCollection"};
 
-/// Of documents that no user writes for us.
+/// The kind of a document in a format of exchange between programs; kUnknown for any other.
 FileKind kind_of_interchange(const TopKeys& keys) {
   if (std::ranges::find(kGeoJsonTypes, keys.type) != kGeoJsonTypes.end()) {
     return ours(kLines, "GeoJSON", ".geojson");
@@ -44,7 +44,7 @@ FileKind kind_of_interchange(const TopKeys& keys) {
   if (keys.has("geometryType") || keys.has("spatialReference")) {
     return not_read("JSON of Esri", "save it as GeoJSON");
   }
-  // others may write the type last
+  // The type may stand behind the features, where it is not read.
   return keys.has("features") ? ours(kLines, "GeoJSON", ".geojson") : FileKind();
 }
 
@@ -63,7 +63,7 @@ FileKind kind_of_result(const TopKeys& keys) {
   return {};
 }
 
-/// Of the files that users write, which may have a wrong key: the kind with most keys.
+/// The kind of a file that users write: the one of which it has the most keys, as single keys may be wrong.
 FileKind kind_of_settings(const TopKeys& keys) {
   const auto count = [&](std::initializer_list<const char*> known) {
     return std::ranges::count_if(known, [&](const char* name) { return keys.has(name); });
@@ -90,7 +90,7 @@ FileKind kind_of_xml(std::string_view start) {
   return not_read("XML, as of GML and CityGML", kAdvice);
 }
 
-/// Fields of a row in lower case, without quotes, whatever divides them.
+/// The fields of a row in lower case, without quotes, whatever divides them.
 std::vector<std::string> fields_of_any(std::string_view row) {
   std::vector<std::string> fields(1);
   for (const char c : lower_case(row)) {
@@ -102,7 +102,7 @@ std::vector<std::string> fields_of_any(std::string_view row) {
   return fields;
 }
 
-/// By the names of its columns.
+/// The kind of a table by the names of its columns.
 FileKind kind_of_table(const std::vector<std::string>& names) {
   const auto has = [&](std::initializer_list<const char*> wanted) {
     return std::ranges::all_of(
@@ -133,12 +133,12 @@ bool is_numbers(const std::vector<std::string>& fields) {
          });
 }
 
-/// In a column, if not alone.
+/// Whether a row is WKT or holds it in a column.
 bool holds_wkt(const TextRow& row) {
   return begins_as_wkt(row.text) || lower_case(row.text).find("linestring") != std::string::npos;
 }
 
-/// By the rows that are no comments.
+/// The kind of a text by its rows that are no comments.
 FileKind kind_of_rows(std::span<const TextRow> rows) {
   if (std::ranges::any_of(rows.first(std::min<std::size_t>(rows.size(), 2)), holds_wkt)) {
     return ours(kLines, "lines as WKT", ".wkt");
@@ -180,7 +180,7 @@ FileKind kind_of_text(std::string_view start, bool is_whole) {
   if (FileKind kind = kind_of_document(top_keys(start)); kind.is_known()) return kind;
   const bool is_json =
       !rows.empty() && (rows.front().text.starts_with('{') || rows.front().text.starts_with('['));
-  if (is_json) return {};  // its rows say nothing
+  if (is_json) return {};  // the rows of JSON say nothing
   if (!is_whole && rows.size() > 1) rows.pop_back();
   std::erase_if(rows, is_aside);
   return rows.empty() ? FileKind() : kind_of_rows(rows);

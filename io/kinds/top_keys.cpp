@@ -82,7 +82,7 @@ bool begins_a_key(std::string_view row) {
                           std::string_view("_\"'").find(row.front()) != std::string_view::npos);
 }
 
-/// `key:` at the very beginning of a row.
+/// The keys of YAML in block style: `key:` at the very beginning of a row.
 TopKeys block_keys(std::string_view text) {
   TopKeys found;
   while (!text.empty()) {

@@ -39,7 +39,7 @@ bool is_empty(const json& value) {
   return value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
 }
 
-/// A value that may be wrapped in text.
+/// The value itself if it is JSON wrapped in text.
 json unwrapped(const json& value) {
   if (!value.is_string()) return value;
   const std::string& text = value.get_ref<const std::string&>();
@@ -48,9 +48,9 @@ json unwrapped(const json& value) {
   return inner.is_discarded() ? value : inner;
 }
 
-/// A value of another shape than ours, so of a column of another tool.
+/// Thrown for a value of another shape than ours, which belongs to a column of another tool.
 struct OtherShape {
-  std::string rule;  ///< that ours obey
+  std::string rule;  ///< shape that our values have
 };
 
 double number_of(const json& value) {
@@ -109,7 +109,7 @@ json with_lower_case_names(const json& properties) {
   for (const auto& [name, value] : properties.items()) {
     if (!is_empty(value)) lower[lower_case(name)] = value;
   }
-  // The name that fits the ten characters of a Shapefile's column.
+  // The name epi_deg fits the ten characters of a Shapefile's column.
   if (lower.contains("epi_deg")) lower.emplace("epipolar_angle_deg", lower["epi_deg"]);
   return lower;
 }
@@ -128,14 +128,15 @@ void clear_attribute(std::string_view name, Line& line) {
   }
 }
 
-/// "feature 3" of "lines.geojson: feature 3", "row 4" of "lines.csv:4": warnings begin with the path.
+/// The place without the path, as warnings begin with it: "feature 3" of "lines.geojson: feature 3", "row 4" of
+/// "lines.csv:4".
 std::string place_in_file(std::string_view where, std::string_view path) {
   if (where.starts_with(path)) where.remove_prefix(path.size());
   if (where.starts_with(": ")) return std::string(where.substr(2));
   return where.starts_with(':') ? fmt::format("row {}", where.substr(1)) : std::string(where);
 }
 
-/// A value of our shape that no line can have is a fault of the file.
+/// Throws IoError for a value of our shape that no line can have, as this is a fault of the file.
 void check_covariance(const Matrix6d& covariance_m2,
                       const std::string& id,
                       const std::string& where) {
@@ -229,7 +230,7 @@ void AttributeReader::take_covariance(const json& values, const std::string& whe
       is_whole = is_whole && !misfits_.contains(name);
     }
     if (!is_whole) return;
-    // the squares of negative ones would pass for variances
+    // The sign is kept, as the squares of negative sigmas would pass for variances.
     line.covariance_m2 = sigma_m.cwiseProduct(sigma_m.cwiseAbs()).asDiagonal();
   }
   if (line.covariance_m2) check_covariance(*line.covariance_m2, line.id, where);

@@ -21,10 +21,11 @@ constexpr std::array<std::string_view, 6> kCoordinates{"x1", "y1", "z1", "x2", "
 constexpr std::array<std::string_view, 5> kWktNames{"wkt", "geometry", "geom", "the_geom",
                                                     "wkt_geom"};
 
-/// In place of a separator: the row is one field.
+/// Stands in place of a separator if the row is one field.
 constexpr char kOneField = '\0';
 
-/// The first of ; tab , | that stands outside quotes, else blanks between words.
+/// The separator of a row: the first of the list ; tab , | that stands outside quotes, else a blank if there are
+/// several words.
 char separator_of(std::string_view row) {
   std::string unquoted;
   bool quoted = false;
@@ -49,7 +50,7 @@ std::vector<std::string> row_fields(std::string_view row,
   return csv_fields_of(row, separator, where);
 }
 
-/// A number whose decimal mark may be a comma, where that separates nothing.
+/// A number. Its decimal mark may be a comma if commas do not separate the fields.
 std::optional<double> coordinate_of(const std::string& word, char separator) {
   const std::optional<double> number = to_double(word);
   if (number || separator == ',' || std::ranges::count(word, ',') != 1) return number;
@@ -134,7 +135,7 @@ Vertices coordinates_of(const std::vector<std::string>& fields,
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
-/// How a file's rows are written, and the first of them that is a line's.
+/// How a file's rows are written, and which of them is the first with a line.
 struct Layout {
   char separator = ',';
   bool bare = false;
@@ -143,7 +144,7 @@ struct Layout {
   std::size_t first_row = 0;
 };
 
-/// "sep=;", which Excel reads and writes in a first row.
+/// The separator that a first row such as "sep=;" states, as Excel reads and writes it.
 std::optional<char> stated_separator(std::string_view row) {
   if (!lower_case(row.substr(0, 4)).starts_with("sep=") || row.size() > 5) return std::nullopt;
   return row.size() == 5 ? row[4] : '\t';  // a tab is trimmed off the row
@@ -155,14 +156,14 @@ std::optional<std::string_view> comment_of(std::string_view row) {
   return trimmed(row.substr(std::min(row.find_first_not_of("#/"), row.size())));
 }
 
-/// Whether a comment names columns; a sentence may hold the word "geometry".
+/// Whether a comment names columns. A sentence that holds the word "geometry" does not.
 bool is_header(const std::vector<std::string>& fields, char separator) {
   const std::vector<std::string> names = lower_case_names(fields);
   if (has_coordinates(names)) return true;
   return separator != ' ' && separator != kOneField && wkt_column(names, {}).has_value();
 }
 
-/// Comments before the first row are passed over; one that names the columns is the header.
+/// The layout of a file. Comments before the first row are passed over; one that names the columns is the header.
 Layout layout_of(const std::string& path, const std::vector<TextRow>& rows) {
   Layout layout;
   std::size_t i = 0;

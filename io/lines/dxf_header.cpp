@@ -11,7 +11,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// A value and the code of its meaning, a row each.
+/// A code, which tells the meaning of a value, and the value, one row each.
 struct DxfGroup {
   long code = -1;
   std::string_view value;
@@ -21,7 +21,7 @@ class DxfGroups {
  public:
   explicit DxfGroups(std::string_view content) : rest_(content) {}
 
-  /// Nothing at the end, and where the rows are no groups.
+  /// The next group; nothing at the end, and where the rows are no groups.
   std::optional<DxfGroup> next() {
     if (rest_.empty()) return std::nullopt;
     const std::optional<long> code = to_integer(row());
@@ -40,7 +40,7 @@ class DxfGroups {
   std::string_view rest_;
 };
 
-/// Names of $INSUNITS; metres (6) and none (0) need no word.
+/// The name of a unit of $INSUNITS; empty for metres (6) and none (0), which need no word.
 std::string unit_name(long code) {
   constexpr std::array<std::pair<long, const char*>, 11> kUnits{{{1, "inches"},
                                                                  {2, "feet"},
@@ -70,7 +70,7 @@ void take_group(const DxfGroup& group, DxfLayer& layer) {
   constexpr unsigned long kFrozen = 1;
   if (group.code == 2) layer.name = lower_case(as_utf8(group.value));
   if (group.code == 70) layer.is_frozen = (static_cast<unsigned long>(number) & kFrozen) != 0;
-  if (group.code == 62) layer.is_off = number < 0;  // the colour
+  if (group.code == 62) layer.is_off = number < 0;  // a layer that is off has a negative colour
 }
 
 }  // namespace

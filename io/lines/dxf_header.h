@@ -7,13 +7,13 @@
 
 namespace ridgeline::io {
 
-/// What a DXF says before its entities and GDAL does not tell.
+/// What a DXF states before its entities but GDAL does not tell.
 struct DxfHeader {
   std::string unit;  ///< of $INSUNITS, "millimetres"; empty for metres and where none is stated
   std::set<std::string> hidden_layers;  ///< frozen or off; in lower case, UTF-8
 };
 
-/// Text that is no DXF, or a binary one, states nothing.
+/// Reads the header of a DXF. Text that is no DXF, or a binary DXF, states nothing.
 DxfHeader dxf_header(std::string_view content);
 
 }  // namespace ridgeline::io

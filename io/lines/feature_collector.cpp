@@ -33,7 +33,7 @@ class NewEdges {
  private:
   using Cell = std::array<double, 3>;
 
-  /// Neighbours state a common corner with other last digits.
+  /// The rounded place of a corner, as neighbours state a common corner with other last digits.
   static Cell cell_of(const Eigen::Vector3d& x) {
     constexpr double kPerUnit = 1000.0;
     return {std::round(x.x() * kPerUnit), std::round(x.y() * kPerUnit),

@@ -19,13 +19,15 @@ namespace ridgeline::io {
 struct FeatureGeometry {
   std::vector<Vertices> lines;
   std::vector<Vertices> rings;  ///< of polygons with heights; closed
-  std::size_t n_polygons = 0;   ///< that the rings bound
+  std::size_t n_polygons = 0;   ///< number of polygons that the rings bound
   KindCounts others;
 
-  /// Adds a polygon; one of which a ring lacks a height, or without rings, to the others.
+  /// Adds a polygon to the rings. A polygon without rings, or with a ring that lacks a height, is counted in
+  /// `others`.
   void add_polygon(std::vector<Vertices> polygon_rings);
   [[nodiscard]] bool has_lines() const { return !lines.empty(); }
-  /// Points alone make no line. A feature without anything stays in the set, as a line without a place.
+  /// Whether the geometry may give lines. Points alone make no line. A feature without anything stays in the set, as
+  /// a line without a place.
   [[nodiscard]] bool may_be_line() const { return has_lines() || !rings.empty() || others.empty(); }
 };
 
@@ -34,15 +36,16 @@ struct FeatureGeometry {
 struct Feature {
   FeatureGeometry geometry;
   nlohmann::json properties;
-  std::string id;        ///< where the properties have none; may be empty
+  std::string id;        ///< used if the properties have none; may be empty
   std::int64_t fid = 0;  ///< see Line::source_fid
   int layer = 0;
   std::string where;                  ///< for messages on the properties
-  std::function<SparseRow()> values;  ///< what its columns hold; asked if it becomes a line
+  std::function<SparseRow()> values;  ///< gives what its columns hold; called if it becomes a line
 };
 
-/// From the features of a file of points, lines and polygons to its lines: those that it holds, or, where it holds no 3D
-/// line, the edges of its polygons with heights, an edge of neighbours once. All else is counted in LineSet::left_out.
+/// Turns the features of a file of points, lines and polygons into lines. These are the lines that the file holds. If
+/// it holds no 3D line, they are the edges of its polygons with heights; an edge that neighbours share is taken once.
+/// All else is counted in LineSet::left_out.
 class FeatureCollector {
  public:
   explicit FeatureCollector(LineSet& set) : set_(set) {}

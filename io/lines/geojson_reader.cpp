@@ -92,7 +92,7 @@ class GeoJsonReader {
     return document["type"].get<std::string>();
   }
 
-  /// `crs` is of GeoJSON 2008; RFC 7946 dropped it in favour of degrees, which cannot be judged.
+  /// Reads `crs`, which is of GeoJSON 2008. RFC 7946 dropped it in favour of degrees, which cannot be judged.
   void read_crs(const json& document) {
     const auto crs = document.find("crs");
     if (crs == document.end()) {
@@ -201,7 +201,7 @@ class GeoJsonReader {
     return vertices;
   }
 
-  /// JSON has no NaN: tools write null, which is kept as one. A missing z is one as well.
+  /// JSON has no NaN, so tools write null, which is read as NaN. A missing z is read as NaN as well.
   static Eigen::Vector3d vertex_of(const json& position, const std::string& where) {
     if (!position.is_array() || position.size() < 2) {
       throw IoError(where, "position " + excerpt(position) + "; must be [x, y, z]");
@@ -221,7 +221,7 @@ class GeoJsonReader {
   std::string path_;
   LineSet set_;
   FeatureCollector features_;
-  json lone_geometry_;  ///< as a feature, where the file has none
+  json lone_geometry_;  ///< a geometry that the file holds without a feature, as a feature
   std::int64_t number_ = 0;
   std::unordered_map<std::string, std::size_t> columns_by_name_;
 };

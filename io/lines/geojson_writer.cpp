@@ -12,7 +12,7 @@
 namespace ridgeline::io {
 namespace {
 
-/// JSON has no NaN; null is what read_geojson() takes back as one.
+/// A coordinate as JSON, which has no NaN: read_geojson() takes null back as NaN.
 std::string coordinate(double value) {
   return std::isfinite(value) ? fmt::format("{:.4f}", value) : "null";
 }
@@ -71,7 +71,7 @@ std::string feature_text(const Line& line) {
                      properties_text(line), geometry_text(line.segment_in_world));
 }
 
-/// "urn:ogc:def:crs:EPSG::25832" where all parts are EPSG's, else the definition as it is.
+/// "urn:ogc:def:crs:EPSG::25832" if all parts are EPSG's, else the definition as it is.
 std::string crs_name(const Crs& crs) {
   const std::optional<OGRSpatialReference> reference = spatial_reference(crs);
   if (!reference) return crs.definition;
@@ -90,7 +90,8 @@ std::string crs_name(const Crs& crs) {
   return fmt::format("urn:ogc:def:crs,crs:EPSG::{},crs:EPSG::{}", *horizontal, *vertical);
 }
 
-/// GDAL, and so QGIS, takes a file without `crs` or with null for degrees of WGS 84.
+/// The CRS, or the undefined plane for an unknown one. GDAL, and so QGIS, takes a file without `crs`, or with null,
+/// for degrees of WGS 84.
 Crs stated(const Crs& crs) {
   if (crs.known()) return crs;
   char* text = nullptr;

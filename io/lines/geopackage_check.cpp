@@ -27,7 +27,7 @@ struct StatementCloser {
 using Database = std::unique_ptr<sqlite3, DatabaseCloser>;
 using Statement = std::unique_ptr<sqlite3_stmt, StatementCloser>;
 
-/// Ends a query after some seconds' steps: pages of a damaged file may lead to each other.
+/// Ends a query after the steps of some seconds, as pages of a damaged file may lead to each other.
 void limit_steps(sqlite3* database) {
   constexpr int kSteps = 50'000'000;
   sqlite3_progress_handler(
@@ -73,7 +73,7 @@ std::vector<SchemaEntry> schema_of(sqlite3* database) {
   return entries;
 }
 
-/// In lower case; `list`: the table of GeoPackage that lists them.
+/// Names of the layers that the GeoPackage table `list` lists, in lower case.
 std::vector<std::string> layers_of(sqlite3* database, const char* list) {
   const Statement statement =
       prepare(database, fmt::format("SELECT lower(table_name) FROM {}", list));
@@ -90,7 +90,7 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-/// What computes the rows of a layer when they are read; empty for a plain table.
+/// Says what computes the rows of a layer when they are read; empty for a plain table.
 std::string computed_by(sqlite3* database, const SchemaEntry& entry) {
   if (entry.is_view) return "is a view, which may compute without end";
   if (entry.is_virtual) return "is a virtual table";
@@ -114,7 +114,8 @@ std::vector<std::string> columns_of_table(sqlite3* database, const std::string& 
   return columns;
 }
 
-/// SQLite answers length() of a value from the row's head, without the value.
+/// Throws IoError for a binary value that is larger than the file. SQLite answers length() from the row's head,
+/// without reading the value.
 void refuse_large_values(sqlite3* database,
                          const std::string& path,
                          const std::string& table,
@@ -155,7 +156,7 @@ std::vector<UnreadLayer> unread_layers(const std::string& path) {
   if (!database) return {};
   const std::vector<SchemaEntry> schema = schema_of(database.get());
   for (const SchemaEntry& entry : schema) {
-    // the tables that say which layers there are, before they are asked
+    // The queries below read these tables, which list the layers, so they must not be views.
     const std::string name = lower_case(entry.name);
     if (entry.is_view && (name.starts_with("gpkg_") || name.starts_with("sqlite_"))) {
       throw IoError(path, fmt::format("is no GeoPackage: its table {} is a view", entry.name));

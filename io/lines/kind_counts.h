@@ -41,7 +41,7 @@ class KindCounts {
     std::string one;
     std::size_t n = 0;
   };
-  std::map<std::string, Count> counts_;  ///< by the name of several
+  std::map<std::string, Count> counts_;  ///< the key is Kind::several
 };
 
 }  // namespace ridgeline::io

@@ -20,7 +20,7 @@ bool within_degrees(const Eigen::Vector3d& x) {
   return std::abs(x.x()) <= 180.0 && std::abs(x.y()) <= 90.0;
 }
 
-/// Without lines nothing speaks for degrees.
+/// Whether the coordinates are degrees by their size. Without lines nothing speaks for degrees.
 bool looks_like_degrees(const LineSet& set) {
   constexpr double kLongestRoofDeg = 0.01;
   std::vector<double> lengths;
@@ -46,7 +46,8 @@ const Kind& kind_of_placeless(const Segment3& s) {
   return has_plan && has_nan(s) ? kinds::kFlatLine : kinds::kNonFiniteLine;
 }
 
-/// Whether our own tool gave it no place and says so by its status; in other files the column means anything.
+/// Whether our own tool gave the line no place and says so by its status. In other files the column may mean
+/// anything.
 bool is_left_out(const Line& line) {
   constexpr std::array<std::string_view, 8> kReasons{
       "not_reconstructed", "horizontal",      "no_points",       "rank_deficient",
@@ -82,7 +83,7 @@ void refuse_degrees(const LineSet& set) {
 void add_coordinate_warnings(LineSet& set) {
   KindCounts placeless;
   std::size_t n_placeless = 0;
-  std::size_t n_hopeless = 0;  // of kinds that no line of a 3D file is
+  std::size_t n_hopeless = 0;  // lines of a kind that does not occur in a 3D file
   bool all_zero = true;
   for (const Line& line : set.lines) {
     const Segment3& s = line.segment_in_world;

@@ -5,7 +5,7 @@
 
 namespace ridgeline::io {
 
-/// What a judgement needs of lines, however they were read:
+/// Checks what a judgement needs of lines, however they were read:
 ///   - no degrees. Throws IoError if the set's CRS is geographic, or if the numbers can only be degrees, whatever CRS is
 ///     stated or assumed: all within [-180, 180] x [-90, 90] and half of the lines shorter than 0.01 in plan, which is 1 km
 ///     in degrees but 1 cm in metres. RFC 7946 makes degrees the default of GeoJSON, so the numbers must decide.

@@ -21,16 +21,16 @@ namespace ridgeline::io {
 /// have stay empty.
 struct Line {
   std::string id;         ///< the file's own `id` property or column, else source_fid
-  std::string parent_id;  ///< of the polyline or track it is a part of; empty if it is whole
+  std::string parent_id;  ///< id of the polyline or track it is a part of; empty if it is whole
   Segment3 segment_in_world{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< file's CRS, m
   std::string line_class;  ///< `class`: aligned | not_aligned, or the file's own
   std::string method;      ///< direct | joint | ...
   std::string kind;        ///< ridge | hip | valley | eave | verge | ground (true lines)
   std::string building;    ///< building id: the cluster of the bootstrap
   std::string status;
-  std::string left_id, right_id;  ///< image segments
-  /// Their ends in the base and in the other image as the line was made from them, ideal pixels: our
-  /// own right ones may be moved across (compare_profiles()).
+  std::string left_id, right_id;  ///< ids of its image segments
+  /// Ends of the image segments in the base and in the other image from which the line was made, ideal pixels. Right
+  /// segments in our own files may have been moved across their direction (compare_profiles()).
   std::optional<Segment2> left_px, right_px;
   std::optional<double> epipolar_angle_deg;
   /// Share of the length of a true line that the base and the other image show, 0..1.
@@ -39,7 +39,7 @@ struct Line {
   std::optional<int> n_images;  ///< supporting images (Line3D++, LIMAP)
   /// Covariance of (start, end) in world axes, m^2.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
-  std::vector<int> plane_ids;  ///< of true lines: the planes they bound
+  std::vector<int> plane_ids;  ///< ids of the planes that a true line bounds
   /// Id of its feature in the file: GDAL's feature id, an integer `id` of GeoJSON, else its place from 0.
   std::int64_t source_fid = 0;
   int part = 0;         ///< place in its feature, from 0
@@ -52,11 +52,12 @@ struct LineSet {
   std::string format;  ///< "GeoJSON", "Line3D++", ...
   Crs crs;
   std::vector<Line> lines;
-  AttributeTable features;  ///< all that the file states of them; no columns in formats without
-  std::vector<std::string> layers;  ///< names of those with lines; none in formats without
-  KindCounts left_out;              ///< what the file holds that is no 3D line
-  std::size_t n_straight_vertices =
-      0;  ///< between the ends of a straight line, which they do not divide
+  /// All that the file states of its features; formats without attributes have no columns.
+  AttributeTable features;
+  /// Names of the layers with lines; none in formats without layers.
+  std::vector<std::string> layers;
+  KindCounts left_out;                  ///< what the file holds that is no 3D line
+  std::size_t n_straight_vertices = 0;  ///< vertices on a straight line, which do not divide it
   std::vector<std::string> warnings;
   /// Metres per coordinate unit by axis, where the CRS does not say.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
@@ -65,7 +66,7 @@ struct LineSet {
   /// A unit that the file names beside its coordinates, "millimetres"; no more than a hint, as most programs write the one
   /// of their template ($INSUNITS of DXF).
   std::string stated_unit;
-  /// For lines that a reader may still add; see lines_for_file().
+  /// Memory for lines that a reader may still add; see lines_for_file().
   std::size_t memory_left_bytes = std::numeric_limits<std::size_t>::max();
 };
 

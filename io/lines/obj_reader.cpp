@@ -23,7 +23,7 @@ struct ObjFile {
   std::vector<Record> faces;
 };
 
-/// Rows that end in a backslash continue on the next one.
+/// A row together with the rows that continue it. A row that ends in a backslash continues on the next one.
 struct LogicalRow {
   int number = 0;
   std::string text;
@@ -49,7 +49,8 @@ Eigen::Vector3d parse_vertex(const std::vector<std::string_view>& words, const s
   return {x[0], x[1], x[2]};
 }
 
-/// `v`, `v/vt`, `v//vn`, `v/vt/vn`; negative counts back from the last vertex so far.
+/// Reads the words `v`, `v/vt`, `v//vn` or `v/vt/vn` of a record. A negative index counts back from the last vertex
+/// so far.
 Record parse_indices(const std::vector<std::string_view>& words,
                      int row,
                      std::size_t n_vertices,
@@ -65,7 +66,7 @@ Record parse_indices(const std::vector<std::string_view>& words,
   return record;
 }
 
-/// `set`: for the lines; it has to have room for them.
+/// Reads the records. `set` is where the lines will go; it must have room for them.
 ObjFile parse_obj(const std::string& path, std::string_view content, const LineSet& set) {
   constexpr std::size_t kLongestRow = 4U << 20U;  // polylines of half a million vertices
   ObjFile obj;
@@ -88,7 +89,7 @@ ObjFile parse_obj(const std::string& path, std::string_view content, const LineS
   return obj;
 }
 
-/// Indices from 0, checked.
+/// The records as lists of indices from 0. Throws IoError for an index that no vertex has.
 std::vector<IndexList> resolved(const std::vector<Record>& records,
                                 std::size_t n_vertices,
                                 const std::string& path) {
@@ -106,8 +107,8 @@ std::vector<IndexList> resolved(const std::vector<Record>& records,
   return lists;
 }
 
-/// ELSR writes each segment as two vertices of its own, then records "l k k+1", "l k+2 k+3", ...
-/// that do not begin at 1.
+/// Whether the file is ELSR's, which writes each segment as two vertices of its own, then records "l k k+1",
+/// "l k+2 k+3", ... that do not begin at 1.
 bool has_shifted_pairs(const ObjFile& obj) {
   if (!obj.faces.empty() || obj.lines.empty() || obj.vertices.size() % 2 != 0) return false;
   const auto is_pair = [](const Record& record) {
@@ -120,7 +121,8 @@ bool has_shifted_pairs(const ObjFile& obj) {
   return obj.lines.front().indices[0] != 1;
 }
 
-/// TopoLAP's `l` records name the vertices of a face each, without the closing edge.
+/// Whether the `l` records repeat the faces. Each of TopoLAP's names the vertices of a face, without the closing
+/// edge.
 bool lines_repeat_faces(const ObjFile& obj) {
   return obj.lines.size() == obj.faces.size() &&
          std::equal(obj.lines.begin(), obj.lines.end(), obj.faces.begin(),
@@ -149,7 +151,7 @@ double median_length(const std::vector<Line>& lines) {
   return *middle;
 }
 
-/// ELSR leaves the failures of its triangulation in the file.
+/// Drops segments that are not finite or far too long: ELSR leaves the failures of its triangulation in the file.
 void drop_failed_segments(LineSet& set) {
   constexpr double kHugeRatio = 1000.0;  // far above any roof edge, in whatever unit
   const double limit = kHugeRatio * median_length(set.lines);

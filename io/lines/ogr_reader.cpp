@@ -34,7 +34,7 @@ Driver driver_for(std::string_view extension) {
   return {"DXF", "DXF"};
 }
 
-/// GDAL would open a Shapefile without z as lines at height 0.
+/// Throws IoError for a Shapefile without z, which GDAL would open as lines at height 0.
 void refuse_flat_shapefile(const std::string& path) {
   const std::string bytes = beginning_of(path);
   if (bytes.size() < 100) throw IoError(path, "is no Shapefile: shorter than its header");
@@ -113,7 +113,7 @@ nlohmann::json properties_of(OGRFeature& feature) {
 /// The reference system of the layers that give lines.
 class LayersCrs {
  public:
-  /// Throws IoError naming both layers if an earlier one states another system.
+  /// Takes the system of one more layer. Throws IoError naming both layers if an earlier one states another system.
   void take(const std::string& path, const std::string& layer, const Crs& crs) {
     if (!crs.known()) return;
     if (crs_.known() && crs.definition != crs_.definition) {
@@ -141,7 +141,7 @@ class OgrReader {
     if (is_geopackage) unread_ = unread_layers(path);
     if (std::string_view(driver.name) == "DXF") dxf_ = dxf_header(read_input(path));
     const char* const drivers[] = {driver.name, nullptr};
-    // tables that are no layers may be views, whatever they compute
+    // Tables that are no layers are not opened, as they may be views, whatever these compute.
     const char* const stated_layers[] = {"LIST_ALL_TABLES=NO", nullptr};
     const unsigned int flags = GDAL_OF_VECTOR | GDAL_OF_READONLY;
     dataset_.reset(
@@ -172,7 +172,7 @@ class OgrReader {
         unread_, [&](const UnreadLayer& unread) { return lower_case(unread.name) == name; });
   }
 
-  /// The layers with geometries; of several, the one called `lines` alone, as in our own maps.
+  /// The layers with geometries. If there are several, only the one called `lines` is taken, as in our own maps.
   std::vector<OGRLayer*> feature_layers() {
     std::vector<OGRLayer*> layers;
     std::string others;
@@ -206,7 +206,7 @@ class OgrReader {
     set_.left_out.add(kinds::kTableRow, n_rows_);
   }
 
-  /// Numbers in the set's table of the layer's columns.
+  /// Adds the columns of a layer to the set's table and returns their numbers there.
   std::vector<std::size_t> add_columns(OGRFeatureDefn& layer) {
     std::vector<Column>& columns = set_.features.columns;
     std::vector<std::size_t> numbers;
@@ -237,12 +237,12 @@ class OgrReader {
     columns_ = add_columns(*layer.GetLayerDefn());
     set_.layers.emplace_back(layer.GetName());
     const Crs crs = crs_of(layer.GetSpatialRef());
-    if (!set_.crs.known()) set_.crs = crs;  // of a file without lines
+    if (!set_.crs.known()) set_.crs = crs;  // kept for a file without lines
     for (const OGRFeatureUniquePtr& feature : layer) read_feature(*feature, crs);
     if (CPLGetLastErrorType() == CE_Failure) throw IoError(path_, quiet_.complaints("is damaged"));
   }
 
-  /// Records of a damaged file may lead to each other without end.
+  /// Throws IoError for too many features, as records of a damaged file may lead to each other without end.
   void count_feature() {
     if (++number_ <= n_most_features_) return;
     throw IoError(path_, fmt::format("gives more than {} features; its size cannot hold them",
@@ -281,11 +281,13 @@ class OgrReader {
   LineSet set_;
   FeatureCollector features_;
   std::vector<UnreadLayer> unread_;
-  std::size_t n_rows_ = 0;  ///< of tables without geometry
+  std::size_t n_rows_ = 0;  ///< rows of tables without geometry
   DxfHeader dxf_;
   LayersCrs lines_crs_, surfaces_crs_;
-  std::vector<std::size_t> columns_;  ///< of the layer that is read, in the set's table
-  bool ids_name_layer_ = false;       ///< feature ids count in each layer
+  /// For each column of the layer that is read, its number in the set's table.
+  std::vector<std::size_t> columns_;
+  /// Whether ids begin with the name of the layer, as feature ids start anew in each layer.
+  bool ids_name_layer_ = false;
   std::size_t number_ = 0;
   std::size_t n_most_features_ = 0;
 };

@@ -45,7 +45,7 @@ class OgrWriter {
         create_layer(*dataset_, name, reference ? &*reference : nullptr, wkbLineString25D, nullptr);
     require(layer_ != nullptr);
     create_fields();
-    // One transaction: a GeoPackage would otherwise sync the disk for each line.
+    // All lines are one transaction, as a GeoPackage would otherwise sync the disk for each line.
     dataset_->StartTransaction();
     for (const Line& line : set.lines) write_line(line);
     dataset_->CommitTransaction();
@@ -95,7 +95,7 @@ class OgrWriter {
     if (target_.has_long_text) set_wide_attributes(line, feature);
   }
 
-  /// What does not fit into a Shapefile's columns, by the width of the value or of the name.
+  /// Sets what does not fit into a Shapefile's columns, by the width of the value or of the name.
   static void set_wide_attributes(const Line& line, OGRFeature& feature) {
     for (const NumberAttribute& attribute : number_attributes()) {
       const std::optional<double>& value = line.*attribute.member;

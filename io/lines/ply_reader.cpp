@@ -22,7 +22,7 @@ namespace {
 PlyHeader header_of(const std::string& path, std::string_view content) {
   PlyHeader header = read_ply_header(std::as_bytes(std::span(content)), path);
   for (const PlyElement& element : header.elements) {
-    // its rows, of no bytes, would never end
+    // rows of no bytes would never end
     if (element.properties.empty()) throw IoError(path, element.name + " has no properties");
   }
   return header;
@@ -45,7 +45,7 @@ bool is_index_type(ScalarType type) {
 struct PlyColumns {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::array<std::size_t, 3> xyz{kNone, kNone, kNone};
-  std::array<std::size_t, 2> ends{kNone, kNone};  ///< of an edge
+  std::array<std::size_t, 2> ends{kNone, kNone};  ///< the two vertices of an edge
   std::size_t edge_list = kNone, face_list = kNone;
 };
 
@@ -72,7 +72,7 @@ std::size_t index_list(const PlyElement& element) {
   return found;
 }
 
-/// vertex1 and vertex2, else the only two indices that an edge has, whatever their names.
+/// The ends of an edge: vertex1 and vertex2, else the only two indices that it has, whatever their names.
 std::array<std::size_t, 2> edge_ends(const PlyElement& element) {
   const std::array named{property_named(element, "vertex1"), property_named(element, "vertex2")};
   if (named[0] != PlyColumns::kNone && named[1] != PlyColumns::kNone) return named;
@@ -231,7 +231,7 @@ class PlyReader {
   PlyColumns columns_;
   Body body_;
   std::vector<double> values_;    ///< scalars of the item that is read
-  std::vector<IndexList> lists_;  ///< and its lists
+  std::vector<IndexList> lists_;  ///< lists of the item that is read
   Vertices vertices_;
   std::vector<IndexList> edges_;
   std::vector<IndexList> faces_;

@@ -31,7 +31,7 @@ void append_feature(const Line& attributes,
                     LineSet& set,
                     SparseRow values = {});
 
-/// The feature with the one segment.
+/// Adds a feature with one segment, see append_feature(). Its fid is `number`.
 void append_segment(const Line& attributes,
                     const Segment3& segment_in_world,
                     std::size_t number,

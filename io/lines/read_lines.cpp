@@ -59,7 +59,7 @@ LineSet read_text(const std::string& path, const std::string& content) {
   return read_csv(path, content);
 }
 
-/// Text in UTF-8; what is none is taken as Latin-1.
+/// Reads a text file of lines. Text that is no UTF-8 is taken as Latin-1.
 LineSet read_text_file(const std::string& path,
                        const std::string& extension,
                        const ReadLinesOptions& options) {
@@ -98,7 +98,7 @@ LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   refuse_by_extension(path, extension);
 }
 
-/// A reference system that PROJ cannot read is the file's fault, not the caller's.
+/// Throws IoError for a reference system that PROJ cannot read, as that is the file's fault and not the caller's.
 void check_stated_crs(const LineSet& set) {
   try {
     (void)describe(set.crs);

@@ -8,27 +8,27 @@
 
 namespace ridgeline::io {
 
-// One reader per format: from a file's content to its lines, format name and CRS. What is the same
-// for all formats (CRS override, checks on coordinates) is read_lines()'s. `path` serves messages.
+// One reader per format: from a file's content to its lines, format name and CRS. read_lines() does what is the same
+// for all formats (CRS override, checks on coordinates). `path` serves messages.
 
 LineSet read_geojson(const std::string& path, std::string_view content);
 
-/// With header: columns x1..z2 or a column of WKT, in any order. Without: six numbers a row.
-/// Separator: comma, semicolon or tab.
+/// Reads a table. With a header it has columns x1..z2 or a column of WKT, in any order; without one, six numbers a
+/// row. The separator is a semicolon, a tab, a comma, | or blanks.
 LineSet read_csv(const std::string& path, std::string_view content);
 
-/// One geometry a row: LINESTRING Z or MULTILINESTRING Z, also EWKT with SRID.
+/// Reads one geometry a row: LINESTRING Z or MULTILINESTRING Z, also EWKT with SRID.
 LineSet read_wkt(const std::string& path, std::string_view content);
 
-/// `l` records; where they only repeat outlines of faces, or there are none, each distinct edge of
-/// the `f` polygons once. ELSR's files, whose `l` records start at a wrong index: vertices two by
-/// two.
+/// Reads the `l` records. If these only repeat outlines of faces, or there are none, each distinct edge of the `f`
+/// polygons is read once. In ELSR's files, whose `l` records start at a wrong index, the vertices two by two are the
+/// lines.
 LineSet read_obj(const std::string& path, std::string_view content, bool vertex_pairs);
 
-/// Edge elements, ascii or binary; without them each distinct edge of the faces once.
+/// Reads edge elements, ascii or binary; without them, each distinct edge of the faces once.
 LineSet read_ply(const std::string& path, std::string_view content);
 
-/// GeoPackage, Shapefile, DXF.
+/// Reads a GeoPackage, Shapefile or DXF.
 LineSet read_ogr(const std::string& path, std::string_view extension);
 
 LineSet read_line3dpp(const std::string& path, std::string_view content);

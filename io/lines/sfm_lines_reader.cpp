@@ -38,7 +38,7 @@ void expect_words(const std::vector<std::string_view>& words,
   throw IoError(where, fmt::format("{} fields; {} are expected", words.size(), count));
 }
 
-/// Images of the supports (camera, segment, 4 coordinates each).
+/// The number of images in the supports (camera, segment, 4 coordinates each).
 int count_images(const std::vector<std::string_view>& words, std::size_t first) {
   std::set<std::string_view> cameras;
   for (std::size_t i = first; i < words.size(); i += 6) cameras.insert(words[i]);
@@ -61,7 +61,7 @@ class RowReader {
 
   [[nodiscard]] bool at_end() const { return next_ == rows_.size(); }
 
-  /// Words of the next row; `what` it should be.
+  /// Words of the next row. `what` names the row for messages.
   std::vector<std::string_view> words(std::string_view what) {
     if (at_end()) throw IoError(path_, fmt::format("ends before {}", what));
     where_ = place(path_, rows_[next_].number);
@@ -92,7 +92,7 @@ std::optional<long> track_number(const std::filesystem::path& path) {
   return to_integer(std::string_view(stem).substr(6));
 }
 
-/// Camera ids per line beside ELSR++'s spaceLines.txt; empty if the file is not there.
+/// The number of cameras of each line, from cams.txt beside ELSR++'s spaceLines.txt; empty if that file is not there.
 std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const std::filesystem::path cameras = space_lines.parent_path() / "cams.txt";
   if (!std::filesystem::exists(cameras)) return {};

@@ -28,7 +28,7 @@ bool layers_share_ids(const LineSet& set) {
 void name_by_layer(LineSet& set) {
   for (Line& line : set.lines) {
     const std::string prefix = set.layers[static_cast<std::size_t>(line.layer)] + ".";
-    if (line.id.starts_with(prefix)) continue;  // had no id of its own
+    if (line.id.starts_with(prefix)) continue;  // the line had no id of its own
     line.id = prefix + line.id;
     if (!line.parent_id.empty()) line.parent_id = prefix + line.parent_id;
   }
@@ -40,7 +40,7 @@ bool is_numbered_part(const Line& line) {
   return line.id == fmt::format("{}.{}", line.parent_id, line.part);
 }
 
-/// A number behind `id` that no line has.
+/// An id that no line has: `id` with a number behind it.
 std::string numbered(const std::string& id,
                      const std::unordered_set<std::string>& known,
                      int& last_number) {

@@ -31,16 +31,16 @@ struct LineFormatInfo {
 };
 std::span<const LineFormatInfo> line_formats();
 
-/// Nothing for an unknown name.
+/// The format of this name; nothing for an unknown name.
 std::optional<LineFormat> line_format(std::string_view name);
 
-/// Throws std::invalid_argument if lines cannot be written in this format to any path, as GDAL finds
-/// no data for it: to be asked before the work is done.
+/// Throws std::invalid_argument if lines cannot be written in this format to any path, as GDAL finds no data for it.
+/// It is to be called before the work is done.
 void require_writable(LineFormat format);
 
 struct WriteLinesOptions {
-  /// OBJ and PLY: coordinates relative to an origin of whole hundreds of metres that the file states, for
-  /// programs that hold them in 32 bits.
+  /// Whether coordinates of OBJ and PLY are relative to an origin of whole hundreds of metres that the file states,
+  /// for programs that hold them in 32 bits.
   bool local_origin = false;
 };
 

@@ -13,12 +13,12 @@ namespace ridgeline::io {
 std::string geojson_text(const LineSet& set);
 std::string csv_text(const LineSet& set);
 std::string wkt_csv_text(const LineSet& set);
-/// All coordinates finite; `origin` is stated and taken off them.
+/// The text of an OBJ or PLY file. All coordinates must be finite; `origin` is stated and subtracted from them.
 std::string obj_text(const LineSet& set, const Eigen::Vector3d& origin);
 std::string ply_text(const LineSet& set, const Eigen::Vector3d& origin);
 
-/// GeoPackage, Shapefile or DXF at `draft`, which must not exist. Throws IoError naming `path`, the
-/// file that the draft will become.
+/// Writes a GeoPackage, Shapefile or DXF to `draft`, which must not exist. Throws IoError naming `path`, the file
+/// that the draft will become.
 void write_ogr(const std::string& path,
                const std::string& draft,
                const LineSet& set,

@@ -21,7 +21,7 @@ namespace {
 using Cameras = std::map<std::uint32_t, InteriorOrientation>;
 
 struct CameraModel {
-  int id;  ///< in .bin
+  int id;  ///< number of the model in .bin files
   std::string_view name;
   std::size_t n_params;
 };
@@ -76,7 +76,7 @@ const InteriorOrientation& camera_of(const Cameras& cameras,
   return it->second;
 }
 
-/// Rows that are no comments; blank ones stay: an image without points has a blank second row.
+/// Rows that are no comments. Blank ones stay, as an image without points has a blank second row.
 std::vector<TextRow> rows_with_blanks(std::string_view content) {
   std::vector<TextRow> rows;
   for (int number = 1; !content.empty(); ++number) {

@@ -10,12 +10,12 @@ namespace ridgeline::io {
 
 /// One entry of a gates file, as written. What the file does not say stays empty.
 struct GateEntry {
-  /// How far a figure may rise above its baseline; no value: the word `default`.
+  /// How far a figure may rise above its baseline; without a value the file has the word `default`.
   struct Increase {
     std::optional<double> value;
   };
 
-  int line = 0;  ///< of the file, from 1
+  int line = 0;  ///< line of the file, from 1
   std::optional<std::string> patch, method, line_class, metric;
   std::optional<double> max, min;
   std::optional<std::string> max_ratio_to_class;
@@ -31,7 +31,7 @@ struct GateEntry {
 /// Throws IoError for a file that cannot be read or is not YAML, an unknown or repeated key (naming
 /// the nearest and all known ones), a value of the wrong type, or an empty list of gates.
 std::vector<GateEntry> read_gates_file(const std::filesystem::path& path);
-/// The same of a text; `path` is what messages call it.
+/// Reads gates from a text as read_gates_file() does from a file; `path` is what messages call it.
 std::vector<GateEntry> parse_gates(const std::string& content, const std::string& path);
 
 }  // namespace ridgeline::io

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
-/// Rows are scaled first: those of a matrix in pixels differ by the focal length.
+/// Whether the camera has a centre that is not at infinity. Rows are scaled first: those of a matrix in pixels differ
+/// by the focal length.
 bool is_central_camera(const ProjectionMatrix& P) {
   constexpr double kSmallestRatio = 1e-9;
   const Eigen::Matrix3d rows = P.leftCols<3>().rowwise().normalized();
@@ -25,7 +26,8 @@ bool is_central_camera(const ProjectionMatrix& P) {
   return singular_values.z() > kSmallestRatio * singular_values.x();
 }
 
-/// A copied orientation, not a short base: a millimetre is far below any stereo base.
+/// Whether two cameras are in one place, which is a copied orientation and no short base: a millimetre is far below
+/// any stereo base.
 bool in_one_place(const ProjectionMatrix& a, const ProjectionMatrix& b) {
   constexpr double kRelativeTolerance = 1e-9;  // a few millimetres in six million metres
   const Eigen::Vector3d centre_a = projection_centre(a).hnormalized();

@@ -21,7 +21,7 @@ struct PatchImage {
   std::string path;                   ///< of the image file; not checked to exist
   ProjectionMatrix image_from_world;  ///< world -> ideal (undistorted) pixel of this file
   Eigen::Vector2d window_px = Eigen::Vector2d::Zero();  ///< top-left pixel in the full frame
-  /// Full frame; only if the patch gives it. Its distortion is to be removed by undistorted_px().
+  /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px() removes its distortion.
   std::optional<InteriorOrientation> interior;
 };
 
@@ -39,7 +39,7 @@ struct PatchFile {
   std::vector<std::string> lidar;          ///< files or glob patterns; may be empty
   std::optional<std::string> reference_matches;
   std::optional<std::string> reference_lines;
-  double max_image_mpx = 0.0;  ///< of read_image(); no key of the file, its user says it
+  double max_image_mpx = 0.0;  ///< argument of read_image(); the user says it, not the file
 };
 
 /// Cameras of the pair, the first two images, and the range of heights in the local frame.

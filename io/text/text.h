@@ -14,7 +14,7 @@ struct TextRow {
   std::string_view text;
 };
 
-/// The rows that are not blank; line ends LF and CR LF. The views point into `content`.
+/// The rows that are not blank, with line ends LF or CR LF. The views point into `content`.
 std::vector<TextRow> rows_of(std::string_view content);
 
 /// `path:number`, the place that an IoError about a row names.

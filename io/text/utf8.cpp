@@ -10,7 +10,7 @@ unsigned byte_at(std::string_view bytes, std::size_t i) {
   return static_cast<unsigned char>(bytes[i]);
 }
 
-/// Bytes of the sequence that begins at `i`; 0 where none does.
+/// Length in bytes of the UTF-8 sequence that begins at `i`; 0 if none begins there.
 std::size_t sequence_length(std::string_view bytes, std::size_t i) {
   const unsigned lead = byte_at(bytes, i);
   if (lead < 0x80) return 1;

@@ -9,7 +9,7 @@ namespace ridgeline::io {
 /// Whether the bytes are UTF-8 of RFC 3629: no overlong forms, no surrogates.
 bool is_utf8(std::string_view bytes);
 
-/// The text in UTF-8: bytes that are none are taken as Latin-1.
+/// The text in UTF-8. Bytes that are no UTF-8 are taken as Latin-1.
 std::string as_utf8(std::string_view text);
 
 }  // namespace ridgeline::io

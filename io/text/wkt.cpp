@@ -27,7 +27,7 @@ bool is_geometry_name(std::string_view lower) {
   return std::ranges::find(kGeometryNames, lower) != kGeometryNames.end();
 }
 
-/// "z" of "linestringz"; empty without.
+/// The dimensions at the end of a geometry's name: "z" of "linestringz"; empty if it has none.
 std::string_view dimensions_of(std::string_view lower) {
   for (const std::string_view ending : {"zm", "z", "m"}) {
     if (lower.ends_with(ending) &&
@@ -38,7 +38,7 @@ std::string_view dimensions_of(std::string_view lower) {
   return {};
 }
 
-/// A word of WKT with what follows a dimension.
+/// A word of WKT, with blanks around the dimensions that it ends in.
 std::string standard_word(std::string_view word) {
   const std::string lower = lower_case(word);
   if (lower == "z" || lower == "m" || lower == "zm") return std::string(word) + " ";
@@ -56,7 +56,7 @@ bool begins_as_wkt(std::string_view text) {
   if (lower.starts_with("srid=")) return text.find(';') != std::string_view::npos;
   const std::string name = lower.substr(0, word_length(lower));
   if (!is_geometry_name(name.substr(0, name.size() - dimensions_of(name).size()))) return false;
-  // not the header of a table, "point,x,y"
+  // The name alone may also begin the header of a table, "point,x,y".
   const std::string_view rest = trimmed(text.substr(name.size()));
   const std::string next = lower_case(rest.substr(0, word_length(rest)));
   return rest.starts_with('(') || next == "z" || next == "m" || next == "zm" || next == "empty";

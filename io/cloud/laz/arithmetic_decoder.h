@@ -50,12 +50,13 @@ class ArithmeticDecoder {
     return symbol;
   }
 
-  /// `num_bits` (1 to 32) that were stored without a model.
+  /// Reads `num_bits` (1 to 32) bits that were stored without a model.
   std::uint32_t read_bits(unsigned num_bits);
   std::uint32_t read_u32();
   std::uint64_t read_u64();
 
-  /// A coder writes as many bytes as its decoder reads: behind the last symbol this is its end.
+  /// The stream at its present position. A coder writes as many bytes as its decoder reads, so behind the last symbol
+  /// that is the end of the coder's bytes.
   [[nodiscard]] const ByteStream& stream() const { return stream_; }
 
  private:

@@ -14,7 +14,7 @@ class ByteStream {
  public:
   explicit ByteStream(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-  /// Throws CodecError behind the last byte.
+  /// The next byte. Throws CodecError behind the last one.
   std::uint32_t next() {
     if (position_ == bytes_.size()) throw_end(1);
     return std::to_integer<std::uint32_t>(bytes_[position_++]);

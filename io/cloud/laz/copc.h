@@ -27,8 +27,8 @@ struct CopcNode {
 struct CopcHierarchy {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double half_size = 0.0;       ///< of the root's cube
-  double spacing = 0.0;         ///< between the points of the root; half of it per level
-  std::vector<CopcNode> nodes;  ///< those with points, in the order of the pages
+  double spacing = 0.0;         ///< between the points of the root; each level halves it
+  std::vector<CopcNode> nodes;  ///< nodes with points, in the order of the pages
 };
 
 /// Reads VLR "copc" 1 and the pages of the hierarchy; unset if the file has no such VLR.

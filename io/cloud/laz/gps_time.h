@@ -31,7 +31,7 @@ class GpsTimeSequences {
   enum class Action { kUnchanged, kDifference, kFull, kSwitch };
   struct Decision {
     Action action;
-    std::uint32_t argument;  // multiple of the step, or number of sequences to go on
+    std::uint32_t argument;  // multiple of the step, or how many sequences to go on
   };
 
   Decision decode_decision(ArithmeticDecoder& decoder);

@@ -14,7 +14,7 @@ namespace ridgeline::io::laz {
 /// per k) and raw low bits.
 class IntegerDecompressor {
  public:
-  /// `num_bits` 8, 16 or 32.
+  /// `num_bits` is 8, 16 or 32.
   explicit IntegerDecompressor(unsigned num_bits, unsigned num_contexts = 1);
 
   /// The value modulo 2^num_bits, as an unsigned number of that many bits (for 32: the same bits as

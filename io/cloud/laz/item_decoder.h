@@ -19,7 +19,8 @@ class ItemDecoder {
   virtual void decode(ArithmeticDecoder& decoder, std::byte* item) = 0;
 };
 
-/// Each takes the item of the chunk's first record, which is stored raw. Version 1 or 2.
+/// Each function makes the decoder of an item from the item of the chunk's first record, which is stored raw. The
+/// version is 1 or 2.
 std::unique_ptr<ItemDecoder> make_point10_decoder(int version, std::span<const std::byte> first);
 std::unique_ptr<ItemDecoder> make_gps_time11_decoder(int version, std::span<const std::byte> first);
 std::unique_ptr<ItemDecoder> make_rgb12_decoder(int version, std::span<const std::byte> first);

@@ -39,7 +39,8 @@ struct LaszipRecord {
   static constexpr std::uint32_t kVariableChunkSize = 0xFFFFFFFF;
 
   Compressor compressor = Compressor::kPointwiseChunked;
-  std::uint32_t chunk_size = kVariableChunkSize;  ///< points; meaningless without chunks
+  /// Points in a chunk; meaningless if there are no chunks.
+  std::uint32_t chunk_size = kVariableChunkSize;
   std::uint16_t record_length = 0;
   std::vector<Item> items;
 

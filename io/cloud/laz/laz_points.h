@@ -17,20 +17,20 @@ namespace ridgeline::io::laz {
 
 class SequentialRecords;
 
-/// The compressed records of a LAZ file as blocks that can be decoded in any order and from any
-/// thread. A block is a chunk, where the file has a table of them; otherwise (LASzip's compressor
-/// 1, or the table is lost) blocks are cut from one stream, which is decoded once if they are asked
-/// for nearly in order, and again from its start for a block long passed.
+/// The compressed records of a LAZ file as blocks that can be decoded in any order and from any thread. If the file
+/// has a table of chunks, a block is a chunk. Otherwise (LASzip's compressor 1, or the table is lost) blocks are cut
+/// from one stream. The stream is decoded once if blocks are asked for nearly in order, and again from its start for
+/// a block long passed.
 class LazPoints {
  public:
   /// `file` must outlive the object; `path` serves messages.
-  /// Throws IoError: as read_laszip_record(); no usable chunk table though chunk sizes vary.
+  /// Throws IoError as read_laszip_record(), and if chunk sizes vary but no chunk table is usable.
   LazPoints(std::span<const std::byte> file, const LasHeader& header, std::string path);
   ~LazPoints();
   LazPoints(LazPoints&&) noexcept;
   LazPoints& operator=(LazPoints&&) noexcept;
 
-  /// What had to be worked around, without the path.
+  /// Warnings about what had to be worked around, without the path.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   [[nodiscard]] std::size_t n_blocks() const;
@@ -39,7 +39,7 @@ class LazPoints {
   /// The chunks, one a block; empty if blocks are cut from one stream.
   [[nodiscard]] std::span<const Chunk> chunks() const { return chunks_; }
 
-  /// Takes consecutive uncompressed records, the first of them at this place in the block.
+  /// Receives consecutive uncompressed records; `first` is the place of the first of them in the block.
   using Consume = std::function<void(std::span<const std::byte> records, std::size_t first)>;
 
   /// Decodes a block in portions that fit a core's cache.

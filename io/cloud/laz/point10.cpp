@@ -33,7 +33,7 @@ using ByteModels = std::vector<SymbolModel>;
 
 ByteModels byte_models(std::size_t count) { return ByteModels(count, SymbolModel(256)); }
 
-// A byte whose distribution depends on its previous value.
+// Decodes a byte whose distribution depends on its previous value.
 std::uint8_t decode_next(ArithmeticDecoder& decoder, ByteModels& models, std::uint8_t previous) {
   return static_cast<std::uint8_t>(decoder.decode_symbol(models[previous]));
 }

@@ -21,7 +21,7 @@ inline constexpr std::array<std::array<std::uint8_t, 8>, 8> kReturnKind8{{
     {8, 9, 10, 11, 12, 13, 14, 15},
 }};
 
-/// As above for the 4-bit counts of point formats 6 to 10.
+/// The same classes as in kReturnKind8 for the 4-bit counts of point formats 6 to 10.
 inline constexpr std::array<std::array<std::uint8_t, 16>, 16> kReturnKind16{{
     {0, 1, 2, 3, 4, 5, 3, 4, 4, 5, 5, 5, 5, 5, 5, 5},
     {1, 0, 1, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3},
@@ -41,8 +41,8 @@ inline constexpr std::array<std::array<std::uint8_t, 16>, 16> kReturnKind16{{
     {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5},
 }};
 
-/// How many returns lie between this one and the last of its pulse, at most 7: the contexts of the
-/// previous height.
+/// How many returns lie between this one and the last of its pulse, at most 7. The previous height has a context for
+/// each level.
 constexpr unsigned return_level(unsigned number_of_returns, unsigned return_number) {
   const unsigned distance = number_of_returns > return_number ? number_of_returns - return_number
                                                               : return_number - number_of_returns;
