@@ -125,7 +125,7 @@ void for_each_block(const CloudSource& source,
                     const LocalFromFile& local_from_file,
                     const PointFilter& filter,
                     const Visit& visit) {
-  constexpr std::size_t kMaxBlocksAhead = 16;         // with LAS blocks: 8 MB
+  constexpr std::size_t kMaxBlocksAhead = 16;         // 8 MB with LAS blocks
   constexpr std::size_t kMaxPointsAhead = 2'000'000;  // 64 MB, for LAZ with large chunks
   const std::size_t n_ahead =
       std::clamp(kMaxPointsAhead / std::max<std::size_t>(1, source.max_block_points()),

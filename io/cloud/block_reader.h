@@ -16,8 +16,8 @@ namespace ridgeline::io {
 struct ReadSummary {
   std::uint64_t n_read = 0;
   DropCounts drops;
-  Eigen::AlignedBox3d extent_in_world;  ///< of all decoded finite points, kept or not; metres
-  CoordinateSteps steps;                ///< of all decoded points
+  Eigen::AlignedBox3d extent_in_world;  ///< box of all decoded finite points, kept or not; metres
+  CoordinateSteps steps;                ///< steps of all decoded points
   bool has_whole_extent = true;         ///< false if blocks outside the region were passed over
 };
 

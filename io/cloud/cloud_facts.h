@@ -21,7 +21,7 @@ struct CloudFacts {
   std::string format;  ///< "LAZ 1.4, point format 6", "PCD, binary", ...
   std::uint64_t n_points = 0;
   std::uint64_t n_non_finite = 0;
-  Eigen::AlignedBox3d bounds;  ///< of the points, in file units; empty without points
+  Eigen::AlignedBox3d bounds;  ///< box of the points, file units; empty without points
   /// Points per square metre of the 1 m cells that have points; unset for coordinates in degrees.
   std::optional<double> density_per_m2;
   std::map<std::uint8_t, std::uint64_t> n_by_class;

@@ -21,7 +21,7 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   if (status == GLOB_NOMATCH) throw MissingFileError(pattern, "matches no file");
   if (status != 0) throw IoError(pattern, "cannot be searched; check the folder's permissions");
   std::vector<std::string> names(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-  std::ranges::sort(names);  // by bytes: glob's own order depends on the locale
+  std::ranges::sort(names);  // sorted by bytes, as glob's own order depends on the locale
   return names;
 }
 

@@ -22,7 +22,8 @@ namespace {
 using Bytes = std::span<const std::byte>;
 
 constexpr std::array<std::uint16_t, 11> kRecordSizes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
-constexpr std::array<std::uint16_t, 6> kHeaderSizes{227, 227, 227, 235, 375, 393};  // by version
+// Sizes of the header by minor version, 0 to 5.
+constexpr std::array<std::uint16_t, 6> kHeaderSizes{227, 227, 227, 235, 375, 393};
 // Writers leave +-DBL_MAX as bounds until they finish; no map coordinate comes near.
 constexpr double kUnsetBound = 1e300;
 

@@ -18,7 +18,7 @@ namespace ridgeline::io {
 struct LasVlr {
   std::string user_id;
   std::uint16_t record_id = 0;
-  std::uint64_t data_offset = 0;  ///< of the payload, from the start of the file
+  std::uint64_t data_offset = 0;  ///< byte of the file at which the payload begins
   std::uint64_t data_size = 0;
 };
 
@@ -64,7 +64,7 @@ LasHeader parse_las_header(std::span<const std::byte> file,
                            const std::string& path,
                            const LasHeaderOptions& options = {});
 
-/// parse_las_header() of a file on disk.
+/// Reads the header of a file on disk, see parse_las_header().
 LasHeader read_las_header(const std::string& path, const LasHeaderOptions& options = {});
 
 /// The first record with this user and record id, if any.

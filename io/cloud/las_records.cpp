@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint8_t kOldOverlapClass = 12;
 constexpr unsigned kOverlapFlag = 0x08;
 
-/// x_in_local = scale * raw + offset, by axis.
+/// Transform by axis: x_in_local = scale * raw + offset.
 struct RawTransform {
   double scale[3];
   double offset[3];

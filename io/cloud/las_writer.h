@@ -20,7 +20,7 @@ struct LasWriteOptions {
 struct PointLabel {
   std::array<std::uint8_t, 3> rgb{};
   std::uint32_t plane_id = 0;
-  float distance_m = 0.0F;  ///< from the plane, along its normal
+  float distance_m = 0.0F;  ///< distance from the plane, along its normal
 };
 
 /// Writes points of a local frame as LAS 1.4, point format 6, GPS time 0. The frame's origin becomes the header's

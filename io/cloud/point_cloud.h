@@ -48,10 +48,10 @@ struct PointCloud {
   double horizontal_unit_m = 1.0;
   double vertical_unit_m = 1.0;
   std::uint64_t n_read = 0;           ///< records in the files
-  std::uint64_t n_dropped_class = 0;  ///< by the class filter (default: 7 and 18, noise)
+  std::uint64_t n_dropped_class = 0;  ///< dropped by the class filter (default: 7 and 18, noise)
   std::uint64_t n_dropped_withheld = 0;
-  std::uint64_t n_dropped_return = 0;  ///< by --last-returns
-  std::uint64_t n_dropped_bounds = 0;  ///< by --bounds or because no line is near
+  std::uint64_t n_dropped_return = 0;  ///< dropped by --last-returns
+  std::uint64_t n_dropped_bounds = 0;  ///< dropped by --bounds or because no line is near
   std::uint64_t n_dropped_non_finite = 0;
   std::uint64_t n_dropped_share = 0;  ///< left out by ReadOptions::share alone
 };

@@ -31,7 +31,7 @@ PointCloud read_cloud(const std::vector<std::string>& paths_or_patterns,
   CloudFiles files(paths_or_patterns, options);
   PointCloud cloud = files.read(options.near);
   if (!cloud.points.empty() || files.unread_paths().empty()) return cloud;
-  files.distrust_headers();  // no point at all is more likely a header's fault
+  files.distrust_headers();  // if no point is found at all, a wrong header is likely
   return files.read(options.near);
 }
 

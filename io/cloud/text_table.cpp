@@ -51,7 +51,8 @@ struct BlockStart {
 };
 
 struct RowIndex {
-  std::vector<BlockStart> starts;  ///< of every kRowsPerBlock-th row, and of what follows the last
+  /// Begins of every kRowsPerBlock-th row, and the begin of what follows the last row.
+  std::vector<BlockStart> starts;
   std::uint64_t n_rows = 0;
 };
 

@@ -86,7 +86,7 @@ class CoordinateSteps {
   std::array<AxisSteps, 3> axes_;
 };
 
-/// "y in steps of 10 m, x in steps of 1 m" for steps that are not 0, the largest first.
+/// The steps that are not 0, the largest first: "y in steps of 10 m, x in steps of 1 m".
 std::string steps_text(const Eigen::Vector3d& steps_m);
 
 }  // namespace ridgeline::io

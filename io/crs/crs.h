@@ -20,7 +20,7 @@ struct CrsFacts {
   std::string vertical_name;    ///< empty if the CRS has no vertical part
   bool is_geographic = false;   ///< coordinates are degrees: refused for evaluation
   double horizontal_unit_m = 1.0;
-  double vertical_unit_m = 1.0;  ///< of the vertical part; without one, the horizontal unit
+  double vertical_unit_m = 1.0;  ///< unit of the vertical part; without one, the horizontal unit
   std::string horizontal_unit_name = "metre";
   std::string vertical_unit_name = "metre";
   /// Whether the CRS stands for none: programs that have no CRS write a plane that is nowhere ("Undefined SRS").

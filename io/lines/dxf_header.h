@@ -9,7 +9,7 @@ namespace ridgeline::io {
 
 /// What a DXF states before its entities but GDAL does not tell.
 struct DxfHeader {
-  std::string unit;  ///< of $INSUNITS, "millimetres"; empty for metres and where none is stated
+  std::string unit;  ///< unit by $INSUNITS, "millimetres"; empty for metres and if none is stated
   std::set<std::string> hidden_layers;  ///< frozen or off; in lower case, UTF-8
 };
 

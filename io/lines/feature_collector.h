@@ -18,7 +18,7 @@ namespace ridgeline::io {
 /// What a feature's geometry holds, however deep in collections.
 struct FeatureGeometry {
   std::vector<Vertices> lines;
-  std::vector<Vertices> rings;  ///< of polygons with heights; closed
+  std::vector<Vertices> rings;  ///< rings of polygons with heights; closed
   std::size_t n_polygons = 0;   ///< number of polygons that the rings bound
   KindCounts others;
 
@@ -39,7 +39,7 @@ struct Feature {
   std::string id;        ///< used if the properties have none; may be empty
   std::int64_t fid = 0;  ///< see Line::source_fid
   int layer = 0;
-  std::string where;                  ///< for messages on the properties
+  std::string where;                  ///< place of the feature, for messages
   std::function<SparseRow()> values;  ///< gives what its columns hold; called if it becomes a line
 };
 
@@ -53,7 +53,7 @@ class FeatureCollector {
   /// Throws IoError as AttributeReader does, and if the lines take too much memory.
   void add(Feature feature);
 
-  /// To be called after the last feature.
+  /// Completes the set; to be called after the last feature.
   void finish();
 
   /// Whether the edges of polygons are the lines of what was added so far.

@@ -71,7 +71,7 @@ std::string feature_text(const Line& line) {
                      properties_text(line), geometry_text(line.segment_in_world));
 }
 
-/// "urn:ogc:def:crs:EPSG::25832" if all parts are EPSG's, else the definition as it is.
+/// The name of a CRS: "urn:ogc:def:crs:EPSG::25832" if all parts are EPSG's, else the definition as it is.
 std::string crs_name(const Crs& crs) {
   const std::optional<OGRSpatialReference> reference = spatial_reference(crs);
   if (!reference) return crs.definition;

@@ -33,7 +33,7 @@ class KindCounts {
   void add(const KindCounts& others);
   [[nodiscard]] bool empty() const { return counts_.empty(); }
 
-  /// "7 points, 1 polygon without heights"; kinds in the order of their names.
+  /// The counts as text, "7 points, 1 polygon without heights"; kinds in the order of their names.
   [[nodiscard]] std::string text() const;
 
  private:

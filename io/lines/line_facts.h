@@ -17,8 +17,8 @@ struct LineFacts {
   std::size_t n_lines = 0;
   std::size_t n_polylines = 0;  ///< polylines or tracks that several of the lines are parts of
   std::size_t n_non_finite = 0;
-  double total_length = 0.0;            ///< of the finite lines, file units
-  Eigen::AlignedBox3d bounds;           ///< of the finite lines, file units; empty without any
+  double total_length = 0.0;            ///< length of the finite lines, file units
+  Eigen::AlignedBox3d bounds;           ///< box of the finite lines, file units; empty without any
   std::vector<std::string> attributes;  ///< names of those that at least one line has
 };
 

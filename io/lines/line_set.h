@@ -44,7 +44,7 @@ struct Line {
   std::int64_t source_fid = 0;
   int part = 0;         ///< place in its feature, from 0
   int layer = 0;        ///< place in LineSet::layers
-  std::size_t row = 0;  ///< of its feature in LineSet::features
+  std::size_t row = 0;  ///< row of its feature in LineSet::features
 };
 
 struct LineSet {

@@ -28,7 +28,7 @@ PlyHeader header_of(const std::string& path, std::string_view content) {
   return header;
 }
 
-/// "x, y, z, red" of an element, for a message.
+/// The names of an element's properties for a message: "x, y, z, red".
 std::string property_names(const PlyElement& element) {
   std::string names;
   for (const PlyProperty& property : element.properties) {

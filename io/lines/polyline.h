@@ -16,8 +16,8 @@ namespace ridgeline::io {
 /// it append_feature() throws IoError, as small files can repeat vertices and attributes endlessly.
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes);
 
-/// Throws IoError if the set has no room for so many lines; for readers that hold something for each
-/// before they append them.
+/// Throws IoError if the set has no room for so many lines. It is for readers that hold something for each line
+/// before they append it.
 void refuse_more_lines(const LineSet& set, std::size_t n_lines);
 
 /// Adds one feature of a file to the set, with what its columns hold. `fid`: see Line::source_fid; it is the id

@@ -18,7 +18,7 @@ namespace ridgeline::io {
 /// One oriented image of a patch.
 struct PatchImage {
   std::string id;
-  std::string path;                   ///< of the image file; not checked to exist
+  std::string path;                   ///< path of the image file; not checked to exist
   ProjectionMatrix image_from_world;  ///< world -> ideal (undistorted) pixel of this file
   Eigen::Vector2d window_px = Eigen::Vector2d::Zero();  ///< top-left pixel in the full frame
   /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px() removes its distortion.

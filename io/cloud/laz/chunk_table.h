@@ -13,7 +13,7 @@ namespace ridgeline::io::laz {
 
 /// A run of records that is decoded on its own.
 struct Chunk {
-  std::uint64_t offset;  ///< of its first byte in the file
+  std::uint64_t offset;  ///< byte of the file at which it begins
   std::uint64_t n_bytes;
   std::uint64_t first_record;
   std::uint32_t n_points;
@@ -25,7 +25,8 @@ inline constexpr std::size_t kChunkTableOffsetSize = 8;
 /// Points of the largest chunk that is decoded, which bounds what a damaged count may cost. LASzip's own chunks have
 /// 50 000 points, those of COPC up to about 100 000.
 inline constexpr std::uint32_t kMaxChunkPoints = 2'000'000;
-inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;  // of its decoded records
+// Bytes of the decoded records of the largest chunk that is decoded.
+inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{64} << 20;
 
 /// Whether `n_bytes` can hold `n_records`. Even a record that repeats its predecessor takes a share of a bit: with
 /// all models at their most skewed, about 1000 records fit a byte.

@@ -19,14 +19,14 @@ inline constexpr int kMaxCopcLevel = 30;  ///< the cells of a level are counted 
 struct CopcNode {
   std::int32_t level;  ///< 0: the root
   std::int32_t x, y, z;
-  std::uint64_t offset;  ///< of its chunk in the file
+  std::uint64_t offset;  ///< byte of the file at which its chunk begins
   std::int32_t n_points;
 };
 
 /// The octree of a cloud-optimised file (COPC 1.0). Lengths in the file's units.
 struct CopcHierarchy {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double half_size = 0.0;       ///< of the root's cube
+  double half_size = 0.0;       ///< half of the side of the root's cube
   double spacing = 0.0;         ///< between the points of the root; each level halves it
   std::vector<CopcNode> nodes;  ///< nodes with points, in the order of the pages
 };

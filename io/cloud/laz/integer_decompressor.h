@@ -30,7 +30,7 @@ class IntegerDecompressor {
   std::uint32_t mask_;
   unsigned bit_count_ = 0;
   std::vector<SymbolModel> bit_count_models_;  // one per context
-  std::vector<SymbolModel> high_bits_models_;  // for k = 1, 2, ...
+  std::vector<SymbolModel> high_bits_models_;  // one for each k = 1, 2, ...
   BitModel zero_or_one_model_;                 // for k = 0
 };
 

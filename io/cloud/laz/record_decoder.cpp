@@ -15,7 +15,7 @@ namespace {
 template <typename Decoder>
 struct Placed {
   std::unique_ptr<Decoder> decoder;
-  std::size_t offset;  // of the item in the record
+  std::size_t offset;  // byte of the record at which the item begins
 };
 
 std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, Bytes first) {

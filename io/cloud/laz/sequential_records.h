@@ -53,9 +53,9 @@ class SequentialRecords {
   std::size_t next_block_ = 0;
   std::map<std::size_t, std::vector<std::byte>> kept_;
   std::unique_ptr<RecordDecoder> decoder_;
-  std::size_t chunk_begin_ = 0;  // in bytes_
+  std::size_t chunk_begin_ = 0;  // byte of bytes_ at which the chunk begins
   std::uint64_t chunk_index_ = 0;
-  std::uint64_t place_in_chunk_ = 0;  // of the next record
+  std::uint64_t place_in_chunk_ = 0;  // place of the next record
 };
 
 }  // namespace ridgeline::io::laz

@@ -23,7 +23,7 @@ class WavePacketModels {
   std::uint64_t decode_offset(ArithmeticDecoder& decoder, const WavePacket& last);
 
   SymbolModel descriptor_{256};
-  std::vector<SymbolModel> offset_kind_{4, SymbolModel(4)};  // by the previous kind
+  std::vector<SymbolModel> offset_kind_{4, SymbolModel(4)};  // one model for each previous kind
   IntegerDecompressor offset_step_{32};
   IntegerDecompressor size_{32};
   IntegerDecompressor return_place_{32};
