@@ -21,7 +21,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+using ::testing::DoubleNear;
 using ::testing::HasSubstr;
+using ::testing::Pointwise;
 
 constexpr std::array<double, 2> kHeights_m{-5.0, 20.0};
 
@@ -113,10 +115,18 @@ TEST_F(TwoViews, GiveWhatTheStagesGiveOneByOne) {
 }
 
 TEST_F(TwoViews, GiveTheSameFromAnyFrame) {
-  Scene moved = in_local_frame(oriented());
-  EXPECT_FALSE(moved.frame.origin_m.isZero());
-  EXPECT_EQ(coordinates(reconstruct(moved).pairs[0]),
-            coordinates(reconstruct(oriented()).pairs[0]));
+  constexpr double kRounding_m = 1e-6;  // of cameras that are moved by kilometres and back
+  const Eigen::Vector3d origin_m(1000.0, -2000.0, 300.0);
+  Scene moved = oriented();
+  moved.frame.origin_m = origin_m;
+  for (View& view : moved.views)
+    view.image_from_local = image_from_local(view.image_from_local, origin_m);
+  for (double& height_m : moved.height_range_in_local_m) height_m -= origin_m.z();
+  const Reconstruction found = reconstruct(moved);
+  const Reconstruction expected = reconstruct(oriented());
+  EXPECT_EQ(found.scene.frame.origin_m, expected.scene.frame.origin_m);
+  EXPECT_THAT(coordinates(found.pairs[0]),
+              Pointwise(DoubleNear(kRounding_m), coordinates(expected.pairs[0])));
 }
 
 TEST_F(TwoViews, OfMoreAreTheFirstTwoUnlessPairsAreNamed) {
