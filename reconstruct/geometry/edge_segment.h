@@ -13,8 +13,8 @@
 
 namespace ridgeline {
 
-/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which
-/// the distortion is known. Empty: they are the same.
+/// The ideal (undistorted) pixel of a pixel of the file, or nothing outside of the field for which the
+/// distortion is known. An empty function means that both are the same.
 using PixelMap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>;
 
 /// Look of a strip along one side of an edge: means of the normalised image (0 dark, 1 bright).
@@ -27,15 +27,15 @@ struct Flank {
 /// right, which for u = end - start is the side that n = (-u_y, u_x) points to (y runs down).
 struct EdgeSegment {
   UncertainSegment2 line;  ///< ideal pixels: the distortion of the lens is removed
-  Segment2 in_image;       ///< the same in pixels of the file; where the image can be sampled
+  Segment2 in_image;       ///< the segment in pixels of the file, where the image is sampled
   Flank left, right;
   int n_edge_pixels = 0;
-  double rms_px = 0.0;    ///< of the edge pixels across the line
+  double rms_px = 0.0;    ///< root mean square distance of the edge pixels from the line
   double contrast = 0.0;  ///< mean strength of the colour gradient along the edge, 1/px
-  bool guided = false;    ///< found where a segment of another view told to look
+  bool guided = false;    ///< whether it was found where a segment of another view predicted it
 };
 
-/// The segments of a view but guided ones, which are its last.
+/// The segments of a view without the guided ones, which are its last.
 inline std::span<const EdgeSegment> extracted(const std::vector<EdgeSegment>& segments) {
   return {segments.begin(), std::ranges::find_if(segments, &EdgeSegment::guided)};
 }

@@ -6,7 +6,8 @@
 
 namespace ridgeline {
 
-/// Thrown by a computation that was asked to stop. Nothing is half done: it has no result.
+/// Thrown by a computation that was asked to stop. The computation then has no result, not even a partial
+/// one.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
@@ -19,7 +20,7 @@ class Interruption {
   static void request() { is_requested = true; }
   static void clear() { is_requested = false; }
   [[nodiscard]] static bool is_standing() { return is_requested; }
-  /// Throws Interrupted if a request stands. From any thread; costs no more than a read of memory.
+  /// Throws Interrupted if a request stands. Any thread may call it; it costs no more than a read of memory.
   static void check() {
     if (is_requested.load(std::memory_order_relaxed)) throw Interrupted();
   }

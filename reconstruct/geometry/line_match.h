@@ -13,18 +13,18 @@ struct LineMatch {
   friend auto operator<=>(const LineMatch&, const LineMatch&) = default;
 };
 
-/// A match with what speaks for it.
+/// A match with its similarity and its votes.
 struct ScoredMatch {
   LineMatch match;
   double score = 0.0;  ///< similarity in [0, 1]
   double votes = 0.0;  ///< sum of the scores of the pairs that support it
 };
 
-/// A match and who found it.
+/// A match and the name of the matcher that found it.
 struct FoundMatch {
   ScoredMatch scored;
-  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", "guided" (by the surface), two of them joined by '+' where both found
-  /// it, or the name of another tool.
+  /// "pairwise", "pairwise_height" (by the height of neighbours), "chio", "guided" (by the surface), or the
+  /// name of another tool; two names are joined by '+' if both found the match.
   std::string matcher;
 };
 

@@ -7,7 +7,7 @@
 
 namespace ridgeline {
 
-/// The middle one of n > 0 values in order; of an even number the upper one of the two.
+/// The middle one of n > 0 values in order; for an even n, the upper one of the two in the middle.
 template <typename T>
 T median(std::vector<T> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

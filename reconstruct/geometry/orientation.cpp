@@ -32,7 +32,7 @@ Eigen::Matrix2d distortion_jacobian(const BrownDistortion& d, const Eigen::Vecto
   const double y = v.y();
   const double r2 = v.squaredNorm();
   const double radial = 1.0 + r2 * (d.k1 + r2 * (d.k2 + r2 * d.k3));
-  const double slope = 2.0 * (d.k1 + r2 * (2.0 * d.k2 + 3.0 * r2 * d.k3));  // d radial/d r2, twice
+  const double slope = 2.0 * (d.k1 + r2 * (2.0 * d.k2 + 3.0 * r2 * d.k3));  // 2 d radial / d r2
   const double mixed = slope * x * y + 2.0 * d.p1 * x + 2.0 * d.p2 * y;
   Eigen::Matrix2d J;
   J << radial + slope * x * x + 2.0 * d.p1 * y + 6.0 * d.p2 * x, mixed, mixed,
@@ -71,7 +71,7 @@ ProjectionMatrix projection_matrix(const InteriorOrientation& interior,
   Eigen::Matrix3d K = Eigen::Matrix3d::Identity();
   K.diagonal().head<2>() = interior.focal_length_px;
   K.col(2).head<2>() = interior.principal_point_px;
-  // From axes x right, y up, z backwards to x right, y down, z forwards.
+  // The flip turns axes x right, y up, z backwards into x right, y down, z forwards.
   const Eigen::Vector3d flip(1.0, -1.0, -1.0);
   const Eigen::Matrix3d KR = K * flip.asDiagonal() * exterior.world_from_camera_axes.transpose();
   ProjectionMatrix P;
@@ -99,8 +99,7 @@ std::optional<Eigen::Vector2d> undistorted_px(const InteriorOrientation& interio
   for (int i = 0; i < kMaxIterations; ++i) {
     const Eigen::Vector2d residual = distort(interior.distortion, x) - target;
     const Eigen::Matrix2d J = distortion_jacobian(interior.distortion, x);
-    // Beyond the fold of the polynomial radii shrink again: a solution there is not the ideal
-    // pixel.
+    // The radii shrink again beyond the fold of the polynomial, so a solution there is not the ideal pixel.
     if (!(J.determinant() > 0.0)) return std::nullopt;
     if (residual.cwiseProduct(interior.focal_length_px).norm() <= kTolerancePx) {
       return pixel(interior, x);

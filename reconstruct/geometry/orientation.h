@@ -56,7 +56,7 @@ ProjectionMatrix projection_matrix(const InteriorOrientation& interior,
 ProjectionMatrix window_from_world(const ProjectionMatrix& image_from_world,
                                    const Eigen::Vector2d& window_px);
 
-/// The pixel that the lens makes of an ideal one.
+/// The distorted pixel at which the lens shows an ideal pixel.
 Eigen::Vector2d distorted_px(const InteriorOrientation& interior, const Eigen::Vector2d& ideal_px);
 
 /// The inverse of distorted_px(), by Newton's method, to 1e-10 px. Nothing where the distortion has

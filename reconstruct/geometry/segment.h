@@ -51,7 +51,7 @@ inline Segment2 plan(const Segment3& s) { return {s.start.head<2>(), s.end.head<
 double closest_parameter(const Segment2& segment, const Eigen::Vector2d& x);
 double closest_parameter(const Segment3& segment, const Eigen::Vector3d& x);
 
-/// Distance from `x` to the segment, clamped at its ends: never that of the infinite line.
+/// Distance from `x` to the segment, which ends at its end points: not the distance to the infinite line.
 double distance(const Segment2& segment, const Eigen::Vector2d& x);
 double distance(const Segment3& segment, const Eigen::Vector3d& x);
 
@@ -59,18 +59,19 @@ double distance(const Segment3& segment, const Eigen::Vector3d& x);
 double distance(const Segment2& a, const Segment2& b);
 
 /// Acute angle in [0, pi/2] between two directions of any length, by atan2(|a x b|, |a.b|), which
-/// stays exact near 0 and pi/2 where acos does not. 0 if either has zero length.
+/// stays exact near 0 and pi/2 where acos does not. The angle is 0 if either has zero length.
 double acute_angle_rad(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 double acute_angle_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 double acute_angle_rad(const Segment2& a, const Segment2& b);
 
-/// Where the lines of two segments meet; nothing for an acute angle up to `min_angle_rad`.
+/// The point where the infinite lines of two segments meet; nothing if their acute angle is at most
+/// `min_angle_rad`.
 std::optional<Eigen::Vector2d> intersection(const Segment2& a,
                                             const Segment2& b,
                                             double min_angle_rad);
 
-/// Whether two segments of an image are parts of one straight edge: all their ends within the
-/// tolerance of the line between the two that are farthest apart.
+/// Whether two segments of an image are parts of one straight edge. They are if all their ends lie within the
+/// tolerance of the line between the two ends that are farthest apart.
 bool are_fragments(const Segment2& a, const Segment2& b, double tolerance_px = 1.5);
 
 }  // namespace ridgeline

@@ -16,10 +16,11 @@ class SegmentIndex {
  public:
   explicit SegmentIndex(std::span<const Segment2> segments);
 
-  /// Segments that may come into the box, in ascending order, each once: all that do, and some that
-  /// only pass nearby.
+  /// The segments that may run through the box, in ascending order, each once. The result has all segments
+  /// that do and some that only pass nearby.
   [[nodiscard]] std::vector<int> in_box(const Eigen::AlignedBox2d& box) const;
-  /// The same for the box of a segment, grown by a margin.
+  /// The segments that may run through the bounding box of a segment, grown by a margin, as in_box() finds
+  /// them.
   [[nodiscard]] std::vector<int> near(const Segment2& segment, double margin_px) const;
 
  private:
@@ -27,7 +28,8 @@ class SegmentIndex {
 
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
   Eigen::Vector2i n_cells_ = Eigen::Vector2i::Zero();
-  std::vector<std::size_t> first_;  ///< per cell, into ids_; one more than cells
+  /// Per cell, the index of its first entry in ids_; one more element than there are cells.
+  std::vector<std::size_t> first_;
   std::vector<int> ids_;
 };
 

@@ -15,8 +15,8 @@ struct Features {
   Eigen::Vector2d scale;  ///< pixels of the image per pixel of the reduced one
 };
 
-/// To half of its size, a small one to less than that and a large one to more: the points get inexact with the
-/// factor, the time goes with the pixels.
+/// A grey image reduced to half of its size; a small image is reduced less, a large one more. The points get
+/// less exact the more an image is reduced, and the time grows with the number of pixels.
 cv::Mat reduced_grey(const cv::Mat& image) {
   constexpr double kLeastSide_px = 500.0;
   constexpr double kLongestSide_px = 1500.0;

@@ -20,13 +20,14 @@ using UncertainPoint3 = Uncertain<4>;  ///< (X_0; X_h), Euclidean part first
 using UncertainPlane3 = Uncertain<4>;  ///< (A_h; A_0), normal first: A.X = 0
 using UncertainLine3 = Uncertain<6>;   ///< Pluecker (L_h; L_0), direction first
 
-/// S(a) b = a x b.
+/// The matrix S(a) with S(a) b = a x b.
 inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
   return (Eigen::Matrix3d() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
 }
 
-/// Covariance J cov J' of what depends on a quantity by the Jacobian J. The templates of this file are compiled in
-/// homogeneous.cpp, for the sizes listed there: Eigen takes seconds for each.
+/// Covariance J cov J' of a function of a quantity with covariance cov; J is the function's Jacobian. The
+/// templates of this file are compiled in homogeneous.cpp, for the sizes listed there, because Eigen takes
+/// seconds for each.
 template <int M, int N>
 Eigen::Matrix<double, M, M> propagated(const Eigen::Matrix<double, M, N>& jacobian,
                                        const Eigen::Matrix<double, N, N>& cov);
@@ -42,7 +43,8 @@ template <int N>
 Uncertain<N> spherically_normalised(const Uncertain<N>& x);
 
 /// a x b of uncorrelated a and b: the join of two image points (Ok et al. 2011, Eq. 1) or the
-/// intersection of two image lines (Eq. 2). Not normalised; zero if both are the same entity.
+/// intersection of two image lines (Eq. 2). The result is not normalised; it is zero if both are the same
+/// entity.
 Uncertain<3> cross(const Uncertain<3>& a, const Uncertain<3>& b);
 
 /// The unit vector that the rows map nearest to zero: the right singular vector of the smallest singular value.

@@ -12,29 +12,33 @@
 namespace ridgeline {
 
 /// Points X = (X_0; X_h), planes A = (A_h; A_0) and Pluecker lines L = (L_h; L_0) with direction
-/// L_h, moment L_0 = X_0 x L_h and L_h . L_0 = 0, and the matrices that join, intersect and test
-/// them (Foerstner and Wrobel 2016, section 7). A point and a plane have the same matrix; taking
-/// the barred form for the plain one is no error of types, only a wrong result.
+/// L_h, moment L_0 = X_0 x L_h and L_h . L_0 = 0, and the matrices that join, intersect and test them
+/// (Foerstner and Wrobel 2016, section 7). The matrices of points and planes have the same type: if the
+/// barred form is taken for the plain one, the compiler does not notice and the result is wrong.
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Pi(X) Y = X ^ Y, the join of two points; Pi'(A) L = 0: the line lies in the plane. 6x4.
+/// The 6x4 matrix Pi. Pi(X) Y = X ^ Y is the join of two points; Pi'(A) L = 0 means that the line lies in the
+/// plane.
 Eigen::Matrix<double, 6, 4> pi_matrix(const Eigen::Vector4d& x);
 
-/// PiBar(A) B = A n B, the intersection of two planes; PiBar'(X) L = 0: the point is on the line.
-/// 6x4.
+/// The 6x4 matrix PiBar. PiBar(A) B = A n B is the intersection of two planes; PiBar'(X) L = 0 means that the
+/// point is on the line.
 Eigen::Matrix<double, 6, 4> pi_bar_matrix(const Eigen::Vector4d& x);
 
-/// Gamma(L) A = L n A, the intersection of line and plane; Pi'(A) L = -Gamma(L) A. 4x4, rank 2.
+/// The 4x4 matrix Gamma of rank 2. Gamma(L) A = L n A is the intersection of line and plane; Pi'(A) L =
+/// -Gamma(L) A.
 Eigen::Matrix4d gamma_matrix(const Vector6d& line);
 
-/// GammaBar(L) X = L ^ X, the join of line and point; PiBar'(X) L = -GammaBar(L) X. 4x4, rank 2.
+/// The 4x4 matrix GammaBar of rank 2. GammaBar(L) X = L ^ X is the join of line and point; PiBar'(X) L =
+/// -GammaBar(L) X.
 Eigen::Matrix4d gamma_bar_matrix(const Vector6d& line);
 
-/// (L_0; L_h): the dual line, D L.
+/// The dual line D L = (L_0; L_h).
 Vector6d dual(const Vector6d& line);
 
-/// l = Q L: the image of a line, with the sign of the join of the images of two of its points. 3x6.
+/// The 3x6 matrix Q. l = Q L is the image of a line, with the sign of the join of the images of two of its
+/// points.
 Eigen::Matrix<double, 3, 6> line_projection(const ProjectionMatrix& image_from_object);
 
 /// Two independent rows of the four of a line's incidence conditions, chosen for the largest
@@ -59,21 +63,21 @@ Eigen::Matrix<double, 2, Derived::ColsAtCompileTime> select_rows(
 /// directions and moments have comparable size.
 Vector6d project_to_pluecker_quadric(const Vector6d& line);
 
-/// Orthonormal basis of the four directions in which a unit line can change and stay one, the null
-/// space of (D L, L)'. 6x4.
+/// Orthonormal basis of the four directions in which a unit Pluecker line can change and stay one. It spans
+/// the null space of (D L, L)'. 6x4.
 Eigen::Matrix<double, 6, 4> line_tangent_basis(const Vector6d& line);
 
 /// Signed distance of two lines in the unit of the coordinates, for any scale of the homogeneous
-/// vectors; its sign changes with that of either. Not finite for parallel lines.
+/// vectors; its sign changes with the sign of either vector. It is not finite for parallel lines.
 double signed_distance(const Vector6d& a, const Vector6d& b);
 
-/// A = P' l, the plane of the projection centre and an image line, P free of error (Ok et al. 2011,
-/// Eq. 5). Not normalised.
+/// The plane A = P' l of the projection centre and an image line; P counts as free of error (Ok et al. 2011,
+/// Eq. 5). The result is not normalised.
 UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
                                  const UncertainLine2& line);
 
-/// The same with the covariance of vec(P), columns stacked. The Kronecker factors of the printed
-/// Eq. 5 are exchanged; here they are (I_4 x l') cov_P (I_4 x l).
+/// The plane A = P' l for a P with the covariance of vec(P), columns stacked. The Kronecker factors of the
+/// printed Eq. 5 are exchanged; here they are (I_4 x l') cov_P (I_4 x l).
 UncertainPlane3 projection_plane(const ProjectionMatrix& image_from_object,
                                  const Eigen::Matrix<double, 12, 12>& cov_vec_p,
                                  const UncertainLine2& line);

@@ -10,7 +10,7 @@
 namespace ridgeline {
 namespace {
 
-/// A segment in conditioned coordinates; `sigma_e` of conditioned length as well.
+/// A segment in conditioned coordinates; sigma_q and sigma_e are conditioned lengths as well.
 struct LineFrame {
   Eigen::Vector2d start, end, centroid;
   Eigen::Vector2d along;  ///< unit, from start to end
@@ -28,7 +28,7 @@ LineFrame line_frame(const UncertainSegment2& s, const ImageConditioning& image)
           .sigma_e = s.sigma_e_px / image.scale_px};
 }
 
-/// l = (n, -n.c) with dl/dphi = (-u, u.c) and dl/dq = (0, 0, -1).
+/// The line l = (n, -n.c) with dl/dphi = (-u, u.c) and dl/dq = (0, 0, -1).
 UncertainLine2 centroid_line(const LineFrame& s) {
   const Eigen::Vector2d& u = s.along;
   const Eigen::Vector2d normal(-u.y(), u.x());
@@ -40,7 +40,8 @@ UncertainLine2 centroid_line(const LineFrame& s) {
   return {line, jacobian * variances.asDiagonal() * jacobian.transpose()};
 }
 
-/// Endpoint with variance sigma_e^2 along the line and that of the line at this place across it.
+/// An endpoint. Its variance along the line is sigma_e^2; across the line it is that of the line at this
+/// place.
 UncertainPoint2 endpoint(const LineFrame& s, const Eigen::Vector2d& x) {
   const double distance = s.along.dot(x - s.centroid);
   const double across = s.sigma_q * s.sigma_q + std::pow(distance * s.sigma_phi_rad, 2);

@@ -15,11 +15,11 @@ namespace ridgeline {
 /// form in which the two parameters are uncorrelated: shift across the line at the centroid,
 /// direction.
 struct UncertainSegment2 {
-  Segment2 segment;             ///< on the regression line
-  Eigen::Vector2d centroid_px;  ///< of the edge pixels, on the line
-  double sigma_q_px = 0.0;      ///< across the line at the centroid
-  double sigma_phi_rad = 0.0;   ///< direction
-  double sigma_e_px = 0.0;      ///< of an endpoint along the line
+  Segment2 segment;             ///< its ends are on the regression line
+  Eigen::Vector2d centroid_px;  ///< centroid of the edge pixels, on the line
+  double sigma_q_px = 0.0;      ///< standard deviation across the line at the centroid
+  double sigma_phi_rad = 0.0;   ///< standard deviation of the direction
+  double sigma_e_px = 0.0;      ///< standard deviation of an endpoint along the line
 };
 
 /// How the covariance of the homogeneous line is formed.
@@ -30,8 +30,8 @@ enum class LineCovariance : std::uint8_t {
 
 /// The line of a segment in the conditioned image, oriented from start to end, spherically
 /// normalised. The endpoints of a regression line are correlated (-2 sigma_q^2 against a variance
-/// of 4 sigma_q^2 for an unweighted one); `kEq1` ignores that, as the paper does, which doubles the
-/// variance across and takes a third off that of the direction.
+/// of 4 sigma_q^2 for an unweighted one). `kEq1` ignores that, as the paper does. This doubles the variance
+/// across the line and takes a third off the variance of the direction.
 /// Throws std::invalid_argument unless the segment has a length and sigma_q, sigma_phi are
 /// positive.
 UncertainLine2 uncertain_line(const UncertainSegment2& segment,
