@@ -23,7 +23,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The matcher of what height propagation adds to `pairwise`.
+/// The name of the matcher of those matches that height propagation adds to `pairwise`.
 constexpr const char* kByHeight = "pairwise_height";
 constexpr const char* kGuided = "guided";
 
@@ -84,7 +84,8 @@ MatchList combined(const std::vector<EdgeSegment>& left,
   return both;
 }
 
-/// What the profiles across the edges tell of their places, as the options have it; empty: nothing.
+/// The registration of each match by the profiles across its edges, as the options say; empty if they ask for
+/// none.
 std::vector<Registration> registrations_of(const StereoPair& pair,
                                            std::span<const LineMatch> matches,
                                            const EstimationOptions& options) {
@@ -100,7 +101,7 @@ std::vector<Registration> registrations_of(const StereoPair& pair,
                      });
 }
 
-/// Beyond the papers: segments without a mate are looked for where the surface tells.
+/// Beyond the papers: looks for the mates of segments without one where the surface predicts them.
 void guide(const StereoPair& pair, const Options& options, PairMatches& matches) {
   const MatchExtensionOptions& beyond = options.matching.beyond;
   if (!beyond.guided || !matches.surface) return;
@@ -118,7 +119,7 @@ void guide(const StereoPair& pair, const Options& options, PairMatches& matches)
   matches.guided = std::move(found.mates);
 }
 
-/// The lines that edges show: by every method but Method::kPlanes.
+/// The lines of matched edges, by every method but Method::kPlanes.
 std::vector<ReconstructedLine> lines_of_edges(const StereoPair& pair,
                                               std::span<const LineMatch> matches,
                                               const Options& options,

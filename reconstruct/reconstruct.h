@@ -21,42 +21,43 @@ namespace ridgeline::reconstruct {
 enum class Matcher : std::uint8_t { kPairwise, kChio };
 const char* name(Matcher matcher);  ///< "pairwise" | "chio"
 
-/// The name of the list that combines both.
+/// The name of the list that combines the matches of both matchers.
 inline constexpr const char* kBothMatchers = "both";
 
 struct MatchingOptions {
   std::vector<Matcher> matchers{Matcher::kPairwise};  ///< each once
-  CandidateOptions candidates;                        ///< of both
+  CandidateOptions candidates;                        ///< of both matchers
   MatchOptions pairwise;
   ChioOptions chio;
   MatchExtensionOptions beyond;
   ChioExtensionOptions beyond_chio;
 };
 
-/// The default is the best we know.
+/// The options of all stages. The defaults are the best we know.
 struct Options {
   ExtractionOptions extraction;
   MatchingOptions matching;
   EstimationOptions estimation;
 };
 
-/// What the papers state without our extensions. The votes of the matching still rest on the look of single lines. Where
-/// the papers are silent (weights of the eight constraints, thresholds of
-/// the matching, the detection of edges) our calibrated values stand. Method::kNetwork is not of a paper.
+/// The options for what the papers state without our extensions. The votes of the matching still rest on the
+/// look of single lines. Our calibrated values stand where the papers are silent (weights of the eight
+/// constraints, thresholds of the matching, the detection of edges). Method::kNetwork is not of a paper.
 Options published();
 
-/// What one matcher, or both together, made of a pair.
+/// The matches that one matcher, or both together, found for a pair.
 struct MatchList {
   std::string name;                  ///< "pairwise", "chio" or "both"
-  std::vector<FoundMatch> matches;   ///< by left, then by right index
-  std::vector<std::string> reasons;  ///< per left segment; "matched" or why not
+  std::vector<FoundMatch> matches;   ///< sorted by left, then by right index
+  std::vector<std::string> reasons;  ///< per left segment: "matched", or why it has no match
 };
 
-/// What matching made of a pair.
+/// The results of matching a pair.
 struct PairMatches {
-  std::vector<MatchList> lists;  ///< one per matcher, then that of both if there are two
+  std::vector<MatchList> lists;  ///< one per matcher, then the combined list if there are two
   std::optional<ChioResult> chio;
-  /// Mates found while matching, of the base and the search view: their ids go on from the view's segments.
+  /// Segments found while matching, in the base and the search view. Their ids go on from those of the view's
+  /// segments.
   std::array<std::vector<EdgeSegment>, 2> guided{};
   std::optional<Surface> surface;  ///< none if no option asks for it or the pair has none
 
@@ -75,14 +76,15 @@ struct Reconstruction {
   std::vector<PairReconstruction> pairs;
 };
 
-/// 3D lines of oriented images: segments of each view, matches of each pair, lines of each pair with covariance and
-/// status. Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000, with what goes beyond them as the options say.
-/// Programs that keep files in between call extract(), match() and estimate() in this order.
+/// 3D lines of oriented images. The steps are: segments of each view, matches of each pair, lines of each
+/// pair with covariance and status (Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000). What goes
+/// beyond the papers is done as the options say. Programs that keep files in between call extract(), match()
+/// and estimate() in this order.
 /// @param scene  its views have images and no segments
 /// @param pairs  default: the first two views
-/// Deterministic for any number of threads. Throws std::invalid_argument for fewer than two views, a pair that names none
-/// of them, options or heights out of range, images of other types or different numbers of bands, and Method::kPlanes of
-/// a pair without a surface.
+/// The result is the same for any number of threads. Throws std::invalid_argument for fewer than two views, a
+/// pair that does not name two different views, options or heights out of range, images of other types or
+/// different numbers of bands, and Method::kPlanes for a pair without a surface.
 Reconstruction reconstruct(Scene scene,
                            const Options& options = {},
                            std::span<const ViewPair> pairs = {});
@@ -93,25 +95,26 @@ std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& opti
 /// Normalises the images of all views and finds their segments.
 void extract(Scene& scene, const ExtractionOptions& options = {});
 
-/// The matches of a pair with segments: its surface, the matches of each matcher, those of both together (all of
-/// `pairwise`, and those of `chio` for the segments that it left unmatched), and guided ones (guided_matches()).
+/// The matches of a pair with segments. The result has its surface, the matches of each matcher, those of
+/// both together (all of `pairwise`, and those of `chio` for the segments that it left unmatched), and guided
+/// ones (guided_matches()).
 PairMatches match(const StereoPair& pair, const Options& options = {});
 
-/// The surface of a pair as match() takes it.
+/// The surface of a pair that match() uses; nothing if no option asks for it or the pair has none.
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options = {});
 
-/// The views of a pair with the mates that were found while matching among their segments.
+/// The views of a pair. The segments that were found while matching are appended to those of each view.
 std::array<View, 2> matched_views(const StereoPair& pair, const PairMatches& matches);
 
 /// The lines of matched segments.
-/// @param pair     the segments of its views are those that the matches speak of; see matched_views()
+/// @param pair     its views have the segments that the matches refer to; see matched_views()
 /// @param surface  see surface_of()
 std::vector<ReconstructedLine> estimate(const StereoPair& pair,
                                         std::span<const LineMatch> matches,
                                         const Options& options = {},
                                         const std::optional<Surface>& surface = {});
 
-/// The matches of a list without what speaks for them.
+/// The matches of a list, without scores and matchers.
 std::vector<LineMatch> line_matches(const MatchList& list);
 
 /// Throws std::invalid_argument naming the first option that is out of range.

@@ -13,10 +13,10 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// The range of heights is widened by this, for what noise does to a height at its border.
+/// The range of heights is widened by this, because noise changes a height at its border.
 constexpr double kHeightTolerance_px = 2.0;
-constexpr double kParallaxStep_px = 1.0;  // of the search along near-aligned lines
-/// For choosing among many parallaxes: coarser than the final comparison.
+constexpr double kParallaxStep_px = 1.0;  // step of the search along near-aligned lines
+/// The grid for choosing among many parallaxes, coarser than that of the final comparison.
 constexpr StripGrid kCoarseGrid{1.5, 2.0, 3, 16, 1, false};
 
 struct Search {
@@ -27,7 +27,7 @@ struct Search {
   SegmentIndex right_index;
 };
 
-/// The box of the epipolar band: where both ends may lie.
+/// The box around the places in the right image where both ends of a left segment may lie.
 Eigen::AlignedBox2d band_box(const SearchedSegment& left,
                              const std::array<double, 2>& heights_m,
                              double margin_px) {
@@ -43,7 +43,7 @@ double sum_of_ncc(const EdgeLook& look) {
   return sum;
 }
 
-/// What corresponds along near-aligned segments, by their look.
+/// The overlap of two near-aligned segments for which they look most alike.
 std::optional<EpipolarOverlap> best_aligned_overlap(const Search& search,
                                                     const SearchedSegment& searched,
                                                     const LocalTransfer& transfer,

@@ -13,13 +13,15 @@ namespace ridgeline::reconstruct {
 
 /// Which right segments may be the mate of a left one.
 struct CandidateOptions {
-  /// Below this angle to the epipolar line end points are not transferred by geometry.
+  /// If a segment is closer than this to the epipolar line, its end points are not transferred by geometry.
   double min_epipolar_angle_deg = 5.0;
   double max_turn_deg = 35.0;   ///< a steep line of a roof turns by up to 20 degrees between views
-  double max_slope_deg = 50.0;  ///< of a roof; where it implies more, a match is wrong
-  double epipolar_tolerance_px = 2.0;  ///< of near-aligned segments to each other's epipolar band
-  double min_overlap = 0.3;            ///< of the shorter segment, in the epipolar overlap
-  int max_candidates = 8;              ///< per segment, by the look of the single line
+  double max_slope_deg = 50.0;  ///< largest slope of a roof; a match that implies more is wrong
+  /// Largest distance of near-aligned segments from each other's epipolar band.
+  double epipolar_tolerance_px = 2.0;
+  double min_overlap = 0.3;  ///< least epipolar overlap, share of the shorter segment
+  /// Kept per segment: those whose single lines are most similar.
+  int max_candidates = 8;
 
   static constexpr auto fields() {
     using O = CandidateOptions;
@@ -44,24 +46,25 @@ struct Candidate {
   EpipolarOverlap overlap;
   EdgeLook look;
   LineMeasures measures;    ///< from the look and the geometry
-  double similarity = 0.0;  ///< of the single lines, in [0, 1]
-  double log_odds = 0.0;    ///< that what goes beyond the paper adds to the votes
+  double similarity = 0.0;  ///< line_similarity() of the measures, in [0, 1]
+  double log_odds = 0.0;    ///< log odds that extensions beyond the paper add to the votes
 };
 
-/// By left segment, best first.
+/// The candidates of each left segment, best first.
 using Candidates = std::vector<std::vector<Candidate>>;
 
-/// Changes the look of a match that is not near-aligned: where what goes beyond the paper enters. May be empty.
-/// `most_drop_m`: from the lower end of the line to the lowest height.
+/// Changes the look of a candidate that is not near-aligned. Extensions beyond the paper enter here. It may
+/// be empty.
+/// `most_drop_m`: height of the lower end of the line above the lowest height of objects.
 using CandidateLook = std::function<void(const ImagePair& images,
                                          const EdgePair& edges,
                                          const LocalTransfer& transfer,
                                          double most_drop_m,
                                          EdgeLook& look)>;
 
-/// The candidates of each left segment: right segments that overlap its epipolar band for the range
-/// of heights, at a direction and a height that can be; the best `max_candidates` by the look of
-/// the single line, best first. Throws std::invalid_argument for options out of range.
+/// The candidates of each left segment: right segments that overlap its epipolar band for the range of
+/// heights and whose direction and height are possible. The `max_candidates` whose single lines look most
+/// alike are kept, best first. Throws std::invalid_argument for options out of range.
 Candidates match_candidates(const SearchedPair& pair,
                             const Radiometry& radiometry,
                             const CandidateOptions& options,

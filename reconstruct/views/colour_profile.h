@@ -25,14 +25,13 @@ struct ProfileSample {
 /// Half the width of the profile of close edges: two pixels and room for the blur on both sides.
 double profile_half_width_px(double blur_px);
 
-/// The pixels up to `half_width_px` beside a segment, as they are: none is interpolated. Those next
-/// to its ends are left out, where corners disturb the profile; a segment of a few pixels has none.
-/// @param image  CV_32FC(n), n = 1..4
+/// The pixels up to `half_width_px` beside a segment, without interpolation. Pixels next to its ends are left
+/// out, because corners disturb the profile there; a segment of a few pixels has none.
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
                                            const Segment2& segment,
                                            double half_width_px);
 
-/// An edge of height 1 at 0, blurred with sigma 1.
+/// The value at z of an edge of height 1 at 0 that is blurred with sigma 1.
 double step_response(double z);
 
 /// Blurred steps at a series of offsets, over the bins of a profile.
@@ -43,27 +42,27 @@ struct StepBasis {
   StepBasis(double half_width_px, double largest_offset_px, double blur_px);
 };
 
-/// Sums over a profile's samples, by bin across.
+/// Sums over the samples of a profile, per bin of their distance across.
 struct BinnedProfile {
   Eigen::VectorXd counts;
   Eigen::MatrixX4d sums;
-  double squares = 0.0;  ///< about the mean colour
+  double squares = 0.0;  ///< sum of the squared differences from the mean colour
 
   BinnedProfile(std::span<const ProfileSample> samples, double half_width_px);
 };
 
-/// The steps' normal equations, the constant colour eliminated.
+/// The normal equations of the steps, from which the constant colour is eliminated.
 struct StepEquations {
   Eigen::MatrixXd normal;  ///< offsets x offsets
   Eigen::MatrixX4d right;  ///< offsets x bands
 
   StepEquations(const StepBasis& basis, const BinnedProfile& profile);
 
-  /// How much the step at an offset takes from the squares.
+  /// By how much a step at an offset reduces the sum of squares.
   [[nodiscard]] double gain(Eigen::Index i) const;
-  /// How much the steps at two offsets take; 0 where the bins do not tell them apart.
+  /// By how much steps at two offsets reduce the sum of squares; 0 if the bins do not tell them apart.
   [[nodiscard]] double gain(Eigen::Index i, Eigen::Index j) const;
-  /// What the best single step takes from the squares.
+  /// By how much the best single step reduces the sum of squares.
   [[nodiscard]] double best_gain() const;
 };
 

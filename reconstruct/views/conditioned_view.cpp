@@ -30,7 +30,7 @@ Eigen::Vector3d closest_point(const Ray& a, const Ray& b) {
   return a.origin + distance * a.direction;
 }
 
-/// Mean of the midpoints, and the largest distance of an end from it.
+/// The centre is the mean of the midpoints, the scale is the largest distance of an end from it.
 ImageConditioning image_conditioning(std::span<const Segment2> patch) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Segment2& segment : patch) sum += midpoint(segment);
@@ -77,7 +77,7 @@ StereoViews condition(std::span<const ProjectionMatrix, 2> cameras,
   check(stereo.object.centre_m.allFinite(),
         "condition: the rays of the patch's centres are parallel", ", must intersect");
 
-  // what one radius of the patch in the left image spans at the distance of the centre
+  // The scale is what one radius of the patch in the left image spans at the distance of the centre.
   const Eigen::Vector2d beside = images[0].centre_px + Eigen::Vector2d(images[0].scale_px, 0.0);
   const double sine = left.direction.cross(ray(cameras[0], beside).direction).norm();
   stereo.object.scale_m = sine * (stereo.object.centre_m - left.origin).norm();

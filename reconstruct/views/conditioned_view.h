@@ -24,7 +24,8 @@ struct ConditionedView {
 /// homogeneous vector and of the matrix (Hartley and Zisserman 2004, result 6.1).
 bool in_front(const ConditionedView& view, const Eigen::Vector4d& point);
 
-/// The plane that an image shows as the line through x normal to `along`; of the length of `along`.
+/// The plane that an image shows as the line through x normal to `along`; its vector scales with the length
+/// of `along`.
 inline Eigen::Vector4d plane_across(const ProjectionMatrix& image_from_object,
                                     const Eigen::Vector2d& x,
                                     const Eigen::Vector2d& along) {
@@ -34,7 +35,7 @@ inline Eigen::Vector4d plane_across(const ProjectionMatrix& image_from_object,
 /// An image segment as the estimation uses it; all members in the conditioned frames.
 struct ObservedLine {
   Segment2 segment;
-  double sigma_e = 0.0;  ///< of the endpoints along the line
+  double sigma_e = 0.0;  ///< standard deviation of the endpoints along the line
   UncertainLine2 line;
   UncertainPlane3 plane;  ///< projection plane, spherically normalised
 };
@@ -42,7 +43,8 @@ struct ObservedLine {
 /// The two images of a match: left (base), right.
 using ObservedPair = std::array<ObservedLine, 2>;
 
-/// Throws std::invalid_argument for a segment that uncertain_line() rejects.
+/// The segment as the estimation uses it. Throws std::invalid_argument for a segment that uncertain_line()
+/// rejects.
 ObservedLine observe(const ConditionedView& view,
                      const UncertainSegment2& segment,
                      LineCovariance form);
@@ -53,8 +55,9 @@ struct StereoViews {
   std::array<ConditionedView, 2> views;  ///< left (base), right
 };
 
-/// Conditioning for a patch given by segments of both images that show about the same area: unit
-/// size in each image and in object space, where the rays of the two patch centres come closest.
+/// The conditioning of a patch, which is given by segments of both images that show about the same area. The
+/// patch gets unit size in each image and in object space. Its centre in object space is where the rays of
+/// the two patch centres come closest.
 /// Throws std::invalid_argument for an empty patch, or for cameras whose rays are parallel there.
 StereoViews condition(std::span<const ProjectionMatrix, 2> cameras,
                       const std::array<std::span<const Segment2>, 2>& patch);

@@ -27,14 +27,14 @@ std::optional<EpipolarOverlap> overlap_of(const std::array<double, 2>& t,
   return overlap;
 }
 
-/// Height of the point of a stretch beside y, across the epipolar direction.
+/// The height at which a stretch crosses the line through y that is normal to the epipolar direction.
 double height_beside(const Stretch& stretch,
                      const Eigen::Vector2d& direction,
                      const Eigen::Vector2d& y) {
   return stretch.height_on(direction, direction.dot(y));
 }
 
-/// A hypothesis from heights of the left ends; nothing if the transferred ends miss the right line.
+/// The overlap if the left ends have the heights z; nothing if the transferred ends miss the right line.
 std::optional<EpipolarOverlap> aligned_overlap(const SearchedSegment& left,
                                                const Segment2& right,
                                                const std::array<double, 2>& z,
@@ -58,7 +58,7 @@ bool covers_enough(const EpipolarOverlap& overlap) {
 }
 
 bool disjoint(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  constexpr double kShared = 0.5;  // of the shorter interval: end points are uncertain
+  constexpr double kShared = 0.5;  // of the shorter interval, because end points are uncertain
   const auto [a_low, a_high] = std::minmax(a[0], a[1]);
   const auto [b_low, b_high] = std::minmax(b[0], b[1]);
   const double common = std::min(a_high, b_high) - std::max(a_low, b_low);
@@ -87,7 +87,8 @@ std::optional<SearchedSegment> searched_segment(const StereoSearch& search,
   searched.end = search.right_from_left.stretch(left_segment.end);
   const Stretch centre = search.right_from_left.stretch(midpoint(left_segment));
   const Eigen::Vector2d per_height = centre.derivative(middle_m);
-  // a change of sign of the third coordinate within the range: the plane of the projection centre
+  // If the third coordinate changes its sign within the range, the ray meets the plane of the projection
+  // centre.
   const double depth =
       (centre.a.z() + lowest * centre.b.z()) * (centre.a.z() + highest * centre.b.z());
   if (!per_height.allFinite() || per_height.norm() <= 0.0 || !(depth > 0.0)) return std::nullopt;
@@ -129,7 +130,7 @@ std::vector<EpipolarOverlap> aligned_overlaps(const SearchedSegment& left,
   const Eigen::Vector2d& mate_of_start = same_way ? right.start : right.end;
   const Eigen::Vector2d& mate_of_end = same_way ? right.end : right.start;
   const auto in_range = [&](double z) { return z >= height_range_m[0] && z <= height_range_m[1]; };
-  // the parallaxes at which the segments touch end to end bound those at which they overlap
+  // The parallaxes at which the segments touch end to end bound those at which they overlap.
   const std::array<double, 4> touching = {
       height_beside(left.start, e, right.start), height_beside(left.start, e, right.end),
       height_beside(left.end, e, right.start), height_beside(left.end, e, right.end)};
@@ -158,7 +159,8 @@ bool may_share_mate(const OverlappedSegment& a, const OverlappedSegment& b) {
 }
 
 bool may_be_mates_of_one(const OverlappedSegment& a, const OverlappedSegment& b) {
-  // windows run along the eave above them, in a wall of a few pixels
+  // The tolerance is tight because windows run along the eave above them, in a wall that is a few pixels
+  // wide.
   constexpr double kTolerance_px = 1.0;
   return !a.overlap.aligned && !b.overlap.aligned &&
          are_fragments(a.segment, b.segment, kTolerance_px) &&

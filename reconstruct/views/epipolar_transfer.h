@@ -19,8 +19,8 @@ struct Stretch {
   [[nodiscard]] Eigen::Vector2d at(double z_m) const { return (a + z_m * b).hnormalized(); }
   /// dy/dz, pixels per metre of height.
   [[nodiscard]] Eigen::Vector2d derivative(double z_m) const;
-  /// Height at which the stretch crosses the line n.y = c, |n| = 1. Not finite for a line parallel
-  /// to it.
+  /// Height at which the stretch crosses the line n.y = c, |n| = 1. It is not finite if the line is parallel
+  /// to the stretch.
   [[nodiscard]] double height_on(const Eigen::Vector2d& n, double c) const;
 };
 
@@ -45,14 +45,14 @@ class EpipolarTransfer {
   Eigen::Matrix3d fundamental_;
 };
 
-/// The affine map that transfer at a fixed height is near a point: y(x0 + dx, z0 + dz) ~ y(x0, z0) +
+/// The affine map that approximates the transfer near a point and a height: y(x0 + dx, z0 + dz) ~ y(x0, z0) +
 /// jacobian dx + per_height dz.
 struct LocalTransfer {
   Eigen::Matrix2d jacobian;
   Eigen::Vector2d per_height;  ///< px/m
   double gsd_m = 0.0;          ///< size of a pixel of the first image on the level at z0
 
-  /// Parallax of a height over that height, both in pixels.
+  /// Ratio of the parallax that a height causes to this height, both in pixels.
   [[nodiscard]] double base_to_height() const { return per_height.norm() * gsd_m; }
   /// Acute angle between a segment of the first image, transferred, and one of the second image.
   [[nodiscard]] double turn_rad(const Segment2& from, const Segment2& to) const {
@@ -64,19 +64,19 @@ LocalTransfer local_transfer(const EpipolarTransfer& transfer,
                              const Eigen::Vector2d& x_from,
                              double z_m);
 
-/// Both directions of a stereo pair and the heights to search.
+/// The transfer in both directions of a stereo pair, and the heights to search.
 struct StereoSearch {
   EpipolarTransfer right_from_left, left_from_right;
   std::array<double, 2> height_range_m;
 
-  /// Throws std::invalid_argument for matrices or heights that are not finite, or a range that is
-  /// not lowest to highest.
+  /// Throws std::invalid_argument for matrices or heights that are not finite, a range that is not lowest to
+  /// highest, or cameras without epipolar geometry.
   StereoSearch(const ProjectionMatrix& left,
                const ProjectionMatrix& right,
                const std::array<double, 2>& height_range_in_local_m);
 };
 
-/// Transfer of the left image to the right one, in the middle of the heights.
+/// Transfer from the left image to the right one, at the middle of the heights.
 LocalTransfer local_transfer(const StereoSearch& search, const Eigen::Vector2d& x_left);
 
 }  // namespace ridgeline::reconstruct

@@ -7,10 +7,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kColourScale = 0.08;  // of the range of grey values
+constexpr double kColourScale = 0.08;  // in units of the range of grey values
 constexpr double kEndScale_px = 3.0;   // end points along a line are this uncertain
 
-/// Mean over the two ends of exp(-gap / scale), the gap by which one segment outlasts the other.
+/// Mean over the two ends of exp(-gap / scale). The gap is the length by which one segment outlasts the
+/// other.
 double ends_agreement(const EdgePair& edges) {
   const auto& [left, right, overlap] = edges;
   const double left_px = length(left.line.segment);
@@ -38,7 +39,7 @@ double norm(const Colour& c) {
   return std::sqrt(squared);
 }
 
-/// Colours of a right segment's flanks on the sides of the left segment's direction.
+/// Colours of a right segment's flanks, by the side of the left segment's direction that they lie on.
 struct Sides {
   Colour left, right;
 };

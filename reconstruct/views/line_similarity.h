@@ -10,18 +10,19 @@
 
 namespace ridgeline::reconstruct {
 
-/// How alike the colours beside a line are: of the side that changes less, since occlusion changes the other.
+/// How alike the colours beside a line are, on the side that changes less, because occlusion changes the
+/// other one.
 std::optional<double> colour_similarity(const EdgePair& edges, const Radiometry& radiometry);
 
-/// How alike the colour step across one line, direction and size: 1 - |c - c'| / (|c| + |c'|). Absent
-/// without a step in both images.
+/// How alike the colour steps c and c' across the line are in direction and size: 1 - |c - c'| / (|c| +
+/// |c'|). Absent if neither image has a step.
 std::optional<double> contrast_similarity(const EdgePair& edges, const Radiometry& radiometry);
 
-/// What speaks for a match of two single lines, each in [0, 1] with 1 as the best.
+/// The evidence for a match of two single lines, each measure in [0, 1] with 1 as the best.
 struct LineMeasures {
   enum Index : int {
     kBetterSide,    ///< correlation of the side that agrees better
-    kOtherSide,     ///< of the other side; 0.5, undecided, where it is not seen
+    kOtherSide,     ///< correlation of the other side; 0.5, undecided, if it is not seen
     kBetterColour,  ///< mean colour of the side that agrees better
     kOtherColour,
     kContrast,  ///< direction and strength of the colour step across the line
@@ -37,8 +38,9 @@ LineMeasures line_measures(const EdgePair& edges,
                            const EdgeLook& look,
                            const Radiometry& radiometry);
 
-/// Probability of the match in [0, 1] by logistic regression over the measures, fitted to the
-/// candidates of the simulated training scenes (seeds 1 to 8) that the surfaces themselves judge.
+/// Probability of the match in [0, 1] by logistic regression over the measures. The regression is fitted to
+/// the candidates of the simulated training scenes (seeds 1 to 8), of which the simulated surfaces tell the
+/// right ones.
 double line_similarity(const LineMeasures& measures);
 
 }  // namespace ridgeline::reconstruct

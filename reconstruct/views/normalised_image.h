@@ -10,7 +10,7 @@ namespace ridgeline::reconstruct {
 /// the band has values there, fill [0, 1]; what lies beyond (hot pixels, glints) is clipped. A
 /// linear stretch keeps edges where they are; clipping would move them, hence the margin. A
 /// constant band becomes zeros.
-/// `raw`: CV_8UC(n) or CV_16UC(n), n = 1..4, not empty; else std::invalid_argument.
+/// `raw`: CV_8UC(n) or CV_16UC(n), n = 1..4, not empty; throws std::invalid_argument otherwise.
 cv::Mat normalised_image(const cv::Mat& raw);
 
 }  // namespace ridgeline::reconstruct

@@ -20,15 +20,15 @@ struct View {
   std::string id;
   ProjectionMatrix image_from_local;  ///< ideal pixel; (0, 0) is the centre of the top-left one
   cv::Mat image;  ///< 8 or 16 bits with 1 to 4 bands, or what normalised() makes of it
-  PixelMap ideal_from_image{};  ///< takes the distortion of the lens away; empty: there is none
-  std::vector<EdgeSegment> segments{};  ///< of extract()
+  PixelMap ideal_from_image{};  ///< removes the distortion of the lens; empty if there is none
+  std::vector<EdgeSegment> segments{};  ///< result of extract()
 };
 
 /// Oriented images of one place.
 struct Scene {
   std::vector<View> views;
   std::array<double, 2> height_range_in_local_m{};  ///< lowest and highest height of objects
-  LocalFrame frame{};  ///< as it is here, local coordinates are those of the world
+  LocalFrame frame{};  ///< by default, local coordinates are those of the world
 };
 
 /// Two of several views, by their numbers.
@@ -36,7 +36,7 @@ struct ViewPair {
   std::size_t base = 0, search = 1;
 };
 
-/// A pair of views ready to be matched, their images as normalised() makes them. It borrows the views.
+/// A pair of views ready to be matched. Their images are as normalised() makes them. It borrows the views.
 struct StereoPair {
   std::array<const View*, 2> views{};  ///< left (base), right
   std::array<double, 2> height_range_in_local_m{};
@@ -46,14 +46,15 @@ struct StereoPair {
   }
 };
 
-/// A pair with what it takes to find in one view what the other one shows.
+/// A pair of views with the transfer that finds in one view what the other one shows.
 struct SearchedPair {
   const View& left;
   const View& right;
   StereoSearch search;
 };
 
-/// The local frame for a base view: the point that its middle shows at the mean height, rounded to 100 m.
+/// The local frame for a base view. Its origin is the point that the middle of the view shows at the mean
+/// height, rounded to 100 m.
 LocalFrame local_frame(const ProjectionMatrix& image_from_world,
                        const Eigen::Vector2d& size_px,
                        const std::array<double, 2>& height_range_m);
@@ -64,14 +65,14 @@ Scene in_local_frame(Scene scene);
 /// The view's image as the stages use it: CV_32F, 0 dark .. 1 bright.
 cv::Mat normalised(const View& view);
 
-/// Borrows the views of the scene.
+/// Two views of the scene as a pair, which borrows them.
 StereoPair stereo_pair(const Scene& scene, const ViewPair& views);
 
-/// Throws std::invalid_argument as StereoSearch, and unless both images are CV_32F of 1 to 4 bands, the same number in
-/// both, and at least 2 x 2 pixels.
+/// The pair with its transfer. Throws std::invalid_argument as StereoSearch does, and unless both images are
+/// CV_32F of 1 to 4 bands, the same number in both, and at least 2 x 2 pixels.
 SearchedPair searched(const StereoPair& pair);
 
-/// The segments in ideal pixels.
+/// The segments of a view in ideal pixels.
 std::vector<Segment2> ideal_segments(const View& view);
 
 }  // namespace ridgeline::reconstruct

@@ -39,10 +39,11 @@ double epipolar_crossing(const Segment2& left,
   return at_start / (at_start - at_end);
 }
 
-/// Keeps the part of the left segment that shows what the right one does: a segment with several
-/// fragments as mates is not to give each of their lines its whole length.
+/// Keeps the part of the left segment that shows what the right one shows. Otherwise a segment with several
+/// fragments as mates would give each of their lines its whole length.
 void clip_to_mate(ObservedPair& pair, const Eigen::Matrix3d& right_from_left) {
-  constexpr double kShortest = 0.02;  // of the segment; less is an epipolar line along it
+  // Share of the segment; the epipolar lines run along it if the part is shorter.
+  constexpr double kShortest = 0.02;
   const Segment2 left = pair[0].segment;
   const auto [low, high] =
       std::minmax({epipolar_crossing(left, pair[1].segment.start, right_from_left),

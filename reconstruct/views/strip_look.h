@@ -34,10 +34,12 @@ struct ImagePair {
 
 /// How similar the strips along one side of a line are in the two images.
 struct SideLook {
-  double ncc = 0.0;                ///< -1..1, all bands together, damped where there is no texture
-  double colour_difference = 0.0;  ///< of the mean colours, root mean square over the bands
+  double ncc = 0.0;  ///< -1..1, all bands together, damped if there is no texture
+  /// Difference of the mean colours, root mean square over the bands.
+  double colour_difference = 0.0;
 
-  /// 1 for equal colours, 1/e at a twentieth of the range of grey values.
+  /// How well the mean colours agree: 1 for equal colours, 1/e for a difference of a twentieth of the grey
+  /// values.
   [[nodiscard]] double colour_agreement() const;
   /// How well texture and colour agree together, 0..2.
   [[nodiscard]] double agreement() const { return std::max(0.0, ncc) + colour_agreement(); }
@@ -45,7 +47,8 @@ struct SideLook {
 
 /// How densely and how far from the line the strips are sampled.
 struct StripGrid {
-  double first_offset_px = 1.5;  ///< clear of the blurred edge
+  /// Distance of the first sample from the line, clear of the blurred edge.
+  double first_offset_px = 1.5;
   double offset_step_px = 1.0;
   int n_offsets = 8;
   int most_along = 20;
@@ -53,14 +56,14 @@ struct StripGrid {
   bool with_profile = true;
 };
 
-/// Where the rows of a strip lie: on the line in both images, in file pixels, and one pixel to the
-/// side.
+/// Where the rows of a strip start on the line in both images, in file pixels, and the vectors that lead one
+/// pixel to the side.
 struct StripFrame {
   std::vector<Eigen::Vector2d> on_left, on_right;
   Eigen::Vector2d side_in_left, side_in_right;
 };
 
-/// A left and a right segment that may show one edge, and what corresponds along them.
+/// A left and a right segment that may show one edge, and their overlap.
 struct EdgePair {
   const EdgeSegment& left;
   const EdgeSegment& right;
@@ -68,22 +71,23 @@ struct EdgePair {
 };
 
 /// The rows of the strips along the epipolar overlap of two segments, every 1.5 px, but at least 4 and at
-/// most `most_along`; the side in the right image remains to be set.
+/// most `most_along`. The caller sets `side_in_right`.
 StripFrame strip_frame(const EdgePair& edges, int most_along);
 
-/// Colours beside a line, row by row along it; those outside of the image are none.
+/// Colours beside a line, row by row along it. Samples outside of the image have no colour.
 struct Strip {
   std::vector<Colour> colours;
   std::vector<char> is_inside;
 };
 
-/// @param side  one pixel away from the line
+/// Samples the colours of a strip.
+/// @param side  the vector that leads one pixel away from the line
 Strip sample_strip(const ImageSampler& image,
                    std::span<const Eigen::Vector2d> on_line,
                    const Eigen::Vector2d& side,
                    const StripGrid& grid);
 
-/// Mean colours of a strip at each offset from the line; none if a sample lies outside of the image.
+/// Mean colours of a strip at each offset from the line; empty if a sample lies outside of the image.
 std::vector<Colour> mean_profile(const Strip& strip, const StripGrid& grid);
 
 /// Compares strips of one grid. Nothing if more than half of the samples lie outside of one of the
@@ -104,10 +108,10 @@ struct BandSums {
     ab += x * y;
   }
 };
-/// Normalised cross correlation of all bands together; `noise_variance` of a band damps it where there is little texture.
-/// 0 where a side has no variance at all.
+/// Normalised cross correlation of all bands together. `noise_variance` of a band damps it if there is little
+/// texture. It is 0 if a side has no variance at all.
 double correlation(std::span<const BandSums> bands, int n_samples, double noise_variance = 0.0);
-/// The same for two profiles of one length.
+/// Normalised cross correlation of all bands together of two profiles of one length.
 double correlation(std::span<const Colour> a,
                    std::span<const Colour> b,
                    double noise_variance = 0.0);
