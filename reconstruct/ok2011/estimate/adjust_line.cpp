@@ -19,7 +19,7 @@ using FromEntity = Eigen::Matrix<double, 6, 4> (*)(const Eigen::Vector4d&);
 struct Incidence {
   FromEntity transposed_c;
   RowPair rows;
-  Eigen::Matrix<double, 2, 4> g;  ///< at the current line
+  Eigen::Matrix<double, 2, 4> g;  ///< G at the current line
 };
 
 /// Sums over the conditions, S = G cov_e G'.
@@ -28,9 +28,9 @@ struct LineEquations {
   Vector6d right = Vector6d::Zero();   ///< -sum C' S^-1 (C M)
   double omega = 0.0;                  ///< sum (C M)' S^-1 (C M)
 
-  /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line: with the observed
-  /// one the right side would not be the gradient of omega, and lines whose planes nearly coincide
-  /// would oscillate.
+  /// C is taken at the fitted entity e + cov_e G' S^-1 C M, which is on the line. With the observed entity
+  /// the right side would not be the gradient of omega, and lines whose planes nearly coincide would
+  /// oscillate.
   void add(const Incidence& incidence, const Uncertain<4>& entity) {
     const Eigen::Matrix<double, 2, 4>& g = incidence.g;
     const Eigen::Vector2d misclosure = -g * entity.mean;
@@ -43,7 +43,7 @@ struct LineEquations {
     omega += misclosure.dot(inverse * misclosure);
   }
 
-  /// L_h,z / |L_h| = 0.
+  /// Adds the condition L_h,z / |L_h| = 0: the line is horizontal.
   void add_horizontal(const Vector6d& line, double sigma_slope) {
     const double norm = line.head<3>().norm();
     const double misclosure = line(2) / norm;
@@ -56,7 +56,7 @@ struct LineEquations {
   }
 };
 
-/// What determines a line.
+/// The entities, and the slope if it is known, that determine a line.
 struct LineConditions {
   std::span<const UncertainPlane3> planes;
   std::span<const UncertainPoint3> points;
@@ -80,12 +80,12 @@ LineEquations line_equations(const LineConditions& conditions, const Vector6d& l
 struct Increment {
   Vector6d step;
   Matrix6d cov;
-  double largest_in_sigma;  ///< over the eigenvectors
+  double largest_in_sigma;  ///< largest increment along an eigenvector, in its sigma
   bool full_rank;
 };
 
 Increment solve(const LineEquations& n, const Vector6d& line) {
-  constexpr double kSmallestPivot = 1e-12;  // of the block scaled by its mean diagonal element
+  constexpr double kSmallestPivot = 1e-12;  // eigenvalue of the block scaled by its mean diagonal
   const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(line);
   const Eigen::Matrix4d matrix = basis.transpose() * n.matrix * basis;
   const double scale = matrix.trace() / 4.0;
@@ -107,7 +107,7 @@ Increment solve(const LineEquations& n, const Vector6d& line) {
           .full_rank = rank == 4};
 }
 
-/// The null vector of all conditions, stacked without weights; horizontality among them, because the
+/// The null vector of all conditions, stacked without weights. Horizontality is one of them, because the
 /// iteration does not find it from a vertical line.
 Vector6d start_line(const LineConditions& c) {
   Eigen::Matrix<double, Eigen::Dynamic, 6> stacked(4 * (c.planes.size() + c.points.size()) + 1, 6);
@@ -125,8 +125,8 @@ Vector6d start_line(const LineConditions& c) {
   return project_to_pluecker_quadric(null_vector(stacked));
 }
 
-/// The component that chooses the rows: kept within an adjustment, because a change of rows between
-/// passes can oscillate, until another one has become more than twice as large.
+/// The component of the line that chooses the rows. It is kept within an adjustment until another one has
+/// become more than twice as large, because a change of rows between passes can oscillate.
 int keep_or_replace(int dominant, const Vector6d& line) {
   const int largest = dominant_component(line);
   return std::abs(line(largest)) > 2.0 * std::abs(line(dominant)) ? largest : dominant;
@@ -153,7 +153,7 @@ std::optional<AdjustedLine> adjust_line(std::span<const UncertainPlane3> planes,
                                         std::span<const UncertainPoint3> points,
                                         std::optional<double> sigma_slope) {
   constexpr int kMaxPasses = 20;
-  // 0.01 would serve accuracy; this makes the result independent of the frame to the last digits
+  // 0.01 would be enough for the accuracy. This makes the result independent of the frame to the last digits.
   constexpr double kConvergedSigma = 1e-6;
   if (planes.size() + points.size() < 2) return std::nullopt;
 

@@ -59,8 +59,8 @@ Eigen::Vector4d first_guess(std::span<const PointObservation> observations) {
   return null_vector(stacked);
 }
 
-/// The normal equations bordered by the length constraint h = (X'X - 1) / 2. Their upper block is
-/// divided by `scale`, so that the border is of its size for any precision of the observations.
+/// The normal equations bordered by the length constraint h = (X'X - 1) / 2. Their upper block is divided by
+/// `scale`, so that block and border have the same size for any precision of the observations.
 struct NormalEquations {
   Matrix5d matrix = Matrix5d::Zero();
   Vector5d right = Vector5d::Zero();
@@ -86,7 +86,7 @@ NormalEquations normal_equations(std::span<const Conditions> conditions, const E
 
 std::optional<EstimatedPoint> estimate_point(std::span<const PointObservation> observations) {
   constexpr int kMaxPasses = 10;
-  constexpr double kConverged = 1e-10;  // of the unit vector: 1e-8 m in a patch of 100 m
+  constexpr double kConverged = 1e-10;  // change of the unit vector; 1e-8 m in a patch of 100 m
   check(observations.size() >= 2, "estimate_point: observations = ", observations.size(),
         ", must be at least 2");
 

@@ -18,15 +18,15 @@ struct PointObservation {
 struct EstimatedPoint {
   UncertainPoint3 point;  ///< unit length; covariance of rank 3 with the point as null vector
   /// Sum of the squared normalised residuals, chi-square with 2 n - 3 degrees of freedom; for two
-  /// images the test of the epipolar geometry.
+  /// images it tests the epipolar geometry.
   double omega = 0.0;
   int passes = 0;
 };
 
 /// The 3D point of its images by an iterated Gauss-Helmert adjustment with one constraint (Ok et
-/// al. 2011, Eqs. 3 and 4): observations x_j, conditions S_r(x_j) P_j X = 0, constraint |X| = 1,
-/// started from the null vector of the stacked S(x_j) P_j. Two images or more, uncorrelated. Empty
-/// if it does not converge in ten passes or the point is not determined. Throws
+/// al. 2011, Eqs. 3 and 4): observations x_j, conditions S_r(x_j) P_j X = 0, constraint |X| = 1. It starts
+/// from the null vector of the stacked S(x_j) P_j. Two observations or more are needed; they count as
+/// uncorrelated. Empty if it does not converge in ten passes or the point is not determined. Throws
 /// std::invalid_argument for fewer than two observations.
 std::optional<EstimatedPoint> estimate_point(std::span<const PointObservation> observations);
 

@@ -13,7 +13,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// An artificial point with what its selection needs.
+/// An artificial point and the figures by which it is selected.
 struct CandidatePoint {
   EstimatedPoint estimated;
   RankedPoint ranked;
@@ -22,15 +22,15 @@ struct CandidatePoint {
 /// Whether a point of the conditioned frame lies in front of both cameras and within the heights.
 bool plausible(const StereoLines& lines, const Eigen::Vector4d& x);
 
-/// W of Eq. 6 of a line and another one: how well they meet in both images, 0 to 1.
+/// Weight W of Eq. 6 of a line and a neighbour: how well they meet in both images, 0 to 1.
 double pair_weight(const StereoLines& lines,
                    const ObservedPair& line,
                    int neighbour,
                    const ReconstructOptions& options);
 
 /// The artificial points of a line: its intersections with each of the neighbours in both images
-/// and their points in object space (Ok et al. 2011, section 3.1). Left out are points of weight
-/// zero, undetermined, behind a camera or outside the range of heights.
+/// and their points in object space (Ok et al. 2011, section 3.1). Points are left out if their weight is
+/// zero, if they are undetermined, behind a camera or outside the range of heights.
 std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
                                              const ObservedPair& line,
                                              std::span<const int> neighbours,

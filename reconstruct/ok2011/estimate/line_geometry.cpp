@@ -9,8 +9,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Plane through the image line normal to the segment at `x`; uncertain by the position of x along
-/// the segment only.
+/// The plane through the image line that is normal to the segment at `x`. Only the position of x along the
+/// segment makes it uncertain.
 UncertainPlane3 end_plane(const ConditionedView& view,
                           const ObservedLine& observed,
                           const Eigen::Vector2d& x) {
@@ -22,11 +22,11 @@ UncertainPlane3 end_plane(const ConditionedView& view,
 
 struct Endpoint {
   Eigen::Vector4d point;
-  Eigen::Matrix<double, 3, 6> jacobian;  ///< of the Euclidean point by the line
-  Eigen::Matrix3d cov_along;             ///< share of the image endpoint
+  Eigen::Matrix<double, 3, 6> jacobian;  ///< derivative of the Euclidean point by the line
+  Eigen::Matrix3d cov_along;             ///< the covariance's share of the image endpoint
 };
 
-/// X = Gamma(L) B, dX/dL = -Pi'(B), dX/dB = Gamma(L).
+/// The endpoint X = Gamma(L) B with dX/dL = -Pi'(B), dX/dB = Gamma(L).
 Endpoint endpoint(const UncertainLine3& line, const UncertainPlane3& plane) {
   const Eigen::Matrix4d gamma = gamma_matrix(line.mean);
   const Eigen::Vector4d point = gamma * plane.mean;
@@ -39,8 +39,8 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
-/// Whether the ends of the left segment lie so far beyond a short right one that the line is no
-/// longer known there, while between the right ends it is better known.
+/// Whether the ends of the left segment lie so far beyond a short right one that the line is no longer known
+/// there, while it is better known between the right ends.
 bool is_extrapolated(const UncertainSegment3& left,
                      const UncertainSegment3& right,
                      double scale_m,

@@ -16,21 +16,20 @@ struct UncertainSegment3 {
 };
 
 /// The part of a 3D line seen as an image segment, in the conditioned frame: each endpoint is where
-/// the line meets the plane of the image line through the segment's end, normal to the segment. Its
-/// covariance has the line's share and, along the line, that of the image endpoint.
-/// Empty if an endpoint is at infinity or behind one of `views`.
+/// the line meets the plane of the image line through the segment's end, normal to the segment. The
+/// covariance of an endpoint is the sum of the shares of the line and, along the line, of the image endpoint.
 std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
                                            const ConditionedView& view,
                                            const ObservedLine& observed,
                                            std::span<const ConditionedView> views);
 
-/// Larger height sigma of the two ends.
+/// The larger height sigma of the two ends of a segment.
 double largest_sigma_z_m(const Matrix6d& cov_m2);
 
-/// Replaces the result's geometry by the part of the line that is seen between the ends of its left
-/// segment, or of a not_aligned line whose end is less certain than that (height), where the right ones are more certain,
-/// between these; false, and nothing is
-/// changed, if a camera does not see it.
+/// Sets the geometry of the result to the part of the line that is seen between the ends of its left segment.
+/// A not_aligned line whose height at an end is less certain than `max_end_sigma_m` gets the part between the
+/// ends of its right segment if these are more certain; it keeps them from then on. Returns false and changes
+/// nothing if a camera does not see the line.
 bool assign_geometry(const StereoViews& stereo,
                      const ObservedPair& seen,
                      const UncertainLine3& estimate,

@@ -23,7 +23,7 @@ struct ReconstructOptions {
   /// `direct` and `joint` share it, so that both treat a not_aligned line identically.
   LineCovariance line_covariance = LineCovariance::kEq1;
 
-  double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< up to here a line is `aligned`
+  double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< largest angle of an `aligned` line
   double sigma_distance_px = 5.0;    ///< sigma_1 of Eq. 6: distance of the two segments
   double sigma_epipolar_px = 2.0;    ///< sigma_2 of Eq. 6: distance to the epipolar line
   double min_pair_angle_deg = 10.0;  ///< a pair up to this angle gives no point (t of Eq. 6)

@@ -12,12 +12,13 @@ namespace ridgeline::reconstruct {
 
 /// How well two lines that are taken to meet support a 3D point, in one image.
 struct PairMeasures {
-  double distance_px;           ///< between the segments
-  double epipolar_distance_px;  ///< of the intersection point from the other one's epipolar line
-  double angle_rad;             ///< acute, enclosed by the segments
+  double distance_px;  ///< distance between the segments
+  /// Distance of the intersection point from its mate's epipolar line.
+  double epipolar_distance_px;
+  double angle_rad;  ///< acute angle enclosed by the segments
 };
 
-/// The measures of both images as one: the smaller of each ("minimum" in Ok et al. 2011).
+/// The smaller one of both images for each measure ("minimum" in Ok et al. 2011).
 PairMeasures smaller_of_each(const std::array<PairMeasures, 2>& images);
 
 /// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to min_pair_angle_deg, else
@@ -28,15 +29,15 @@ double point_weight(const PairMeasures& measures, const ReconstructOptions& opti
 enum class Region : std::uint8_t { kLeft, kCentre, kRight };
 inline constexpr int kNumRegions = 3;
 
-/// For the parameter of the point along the base segment, 0 at its start and 1 at its end.
+/// The region of a point by its parameter along the base segment, 0 at its start and 1 at its end.
 Region region(double parameter);
 
 /// An artificial point that may enter the adjustment of a line.
 struct RankedPoint {
   double parameter = 0.0;  ///< along the base segment
   double weight = 0.0;     ///< W
-  double omega = 0.0;      ///< of its estimation
-  int neighbour = 0;       ///< match that it was made with
+  double omega = 0.0;      ///< omega of the point's estimation
+  int neighbour = 0;       ///< index of the other match that the point was made with
 };
 
 /// Indices of the points to use, the one of highest weight in each region (Ok et al. 2011, Fig. 6),

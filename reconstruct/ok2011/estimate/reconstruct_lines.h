@@ -23,21 +23,23 @@
 
 namespace ridgeline::reconstruct {
 
-/// To the epipolar line. A property of the match, the same for all methods.
+/// Whether a line is aligned with the epipolar line. This is a property of the match, the same for all
+/// methods.
 enum class LineClass : std::uint8_t { kNotAligned, kAligned };
 const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 
 /// How a line came about.
 enum class Status : std::uint8_t {
-  kDirect,          ///< intersection of the projection planes
-  kJoint,           ///< planes and two or three points; horizontality too where these agree on it
-  kOnePoint,        ///< planes and one point: the direction still rests on the planes alone
-  kSurface,         ///< points fix no direction; the surface beside the line does
-  kSegmentEnds,     ///< points fix no direction; ends of both segments taken as the same
-  kHorizontal,      ///< points fix no direction; the line taken as horizontal
-  kNoPoints,        ///< `joint` without a usable point: identical to `direct`
-  kRankDeficient,   ///< planes and points leave a direction free: one of many lines, no covariance
-  kNotConverged,    ///< the adjustment still moved after its last pass; its last line
+  kDirect,         ///< intersection of the projection planes
+  kJoint,          ///< planes and two or three points, and horizontality if the points agree on it
+  kOnePoint,       ///< planes and one point: the direction still rests on the planes alone
+  kSurface,        ///< points fix no direction; the surface beside the line does
+  kSegmentEnds,    ///< points fix no direction; ends of both segments taken as the same
+  kHorizontal,     ///< points fix no direction; the line taken as horizontal
+  kNoPoints,       ///< `joint` without a usable point: identical to `direct`
+  kRankDeficient,  ///< planes and points leave a direction free: one of many lines, no covariance
+  /// The adjustment still moved after its last pass; the line is that of this pass.
+  kNotConverged,
   kAmbiguousDepth,  ///< no depth explains the line clearly better than another: no segment
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
   kNetwork,         ///< adjusted with all lines that it meets
@@ -49,75 +51,77 @@ const char* name(Status status);  ///< "direct", "one_point", ... as in the file
 struct UsedPoint {
   Eigen::Vector3d x_in_local;  ///< m
   Eigen::Matrix3d cov_m2;      ///< world axes
-  int neighbour = 0;           ///< match that it was made with
+  int neighbour = 0;           ///< index of the other match that the point was made with
   double weight = 0.0;         ///< W of Eq. 6
-  double omega = 0.0;          ///< of its estimation, chi-square with 1 degree of freedom
+  /// Omega of the point's estimation, chi-square with 1 degree of freedom.
+  double omega = 0.0;
   Region region = Region::kLeft;
 };
 
 struct ReconstructedLine {
   LineMatch match;
-  /// Number of the part from the start of the left segment, where the match was cut into several
-  /// lines (agree_on_depth()); 0 for a whole match.
+  /// Number of the part, counted from the start of the left segment, if the match was cut into several lines
+  /// (agree_on_depth()); 0 for a whole match.
   int part = 0;
-  int n_meetings = 0;  ///< other lines that it meets, accepted by `network`
+  int n_meetings = 0;  ///< number of other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
   Status status = Status::kNoIntersection;
-  bool between_right_ends = false;              ///< which of its ends segment_in_local has
+  bool between_right_ends = false;              ///< whether segment_in_local has the right ends
   std::array<Segment2, 2> seen_px;              ///< the line in the left and the right image
-  double epipolar_angle_rad = 0.0;              ///< the smaller one of both images
-  std::array<double, 2> epipolar_angles_rad{};  ///< left, right
-  /// m; ends seen at those of the left segment, or of the right one (EstimateExtensions).
+  double epipolar_angle_rad = 0.0;              ///< the smaller angle of both images
+  std::array<double, 2> epipolar_angles_rad{};  ///< angles in the left and the right image
+  /// In m. Its ends are seen at the ends of the left segment, or of the right one (EstimateExtensions).
   std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
   std::optional<Segment3> right_segment_in_local;  ///< the same line between the right ends
-  /// Larger height sigma of the two endpoints by `direct`, whatever the method: tells weak lines
-  /// apart by precision where the class does so by angle. Empty without an intersection.
+  /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak lines apart
+  /// by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
   std::vector<UsedPoint> points;
-  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`, of its images for
-  /// `network`.
+  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`. For `network` it is the sum of
+  /// the line's own images.
   double omega = 0.0;
 };
 
-/// A line by `joint` with what it rests on beside its planes.
+/// A line by `joint` with its support beside its planes.
 struct JointLine {
   ReconstructedLine line;
   LineSupport support;
 };
 
-/// The lines of an aligned match, mostly one, and what each rests on.
+/// Gives the lines of an aligned match, mostly one, with the support of each.
 using SupportOfMatch = std::function<std::vector<LineSupport>(const ObservedPair& line,
                                                               std::span<const int> neighbours)>;
 
-/// Where what goes beyond the paper enters the estimation. Each may be empty.
+/// The places where extensions beyond the paper enter the estimation. Each may be empty.
 struct EstimateExtensions {
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right segment.
   double max_end_sigma_m = std::numeric_limits<double>::infinity();
-  /// What aligned lines rest on in place of published_support(), given all lines and those by `direct`.
+  /// Gives the support of aligned lines in place of published_support(), from all lines and the lines by
+  /// `direct`.
   std::function<SupportOfMatch(const StereoLines& lines, std::span<const ReconstructedLine> direct)>
       support;
-  /// Method::kNetwork: adjusts the lines of `joint`, by match, together. `lines` have covariances of the centroid form.
+  /// For Method::kNetwork: adjusts the lines of `joint`, by match, together. `lines` have covariances of the
+  /// centroid form.
   std::function<void(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      std::vector<std::vector<JointLine>>& by_match)>
       network;
 };
 
-/// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order
-/// of the matches: not_aligned lines by intersection of the projection planes, aligned ones, with
-/// Method::kJoint, by adjustment of these planes and the best artificial points made with the lines
-/// that they have a pair connection with; with Method::kNetwork all of them adjusted together
-/// (adjust_network()) from there. Of a left segment with several mates each line gets the part
-/// that its mate shows. One line per match, or several of an aligned one that
-/// agree_on_depth() finds to show several.
+/// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order of the
+/// matches. A not_aligned line is the intersection of the projection planes. With Method::kJoint, an aligned
+/// line is adjusted to these planes and to the best artificial points made with the lines that it has a pair
+/// connection with. With Method::kNetwork, all these lines are then adjusted together (adjust_network()). If
+/// a left segment has several mates, each line gets the part that its mate shows. There is one line per
+/// match, or several for an aligned match that shows several lines by agree_on_depth().
 ///
-/// @param matched  its cameras are free of error. Registrations say what the images beside the edges tell of their places
-///                 (compare_profiles()); the points of other lines are made with the segments as they are.
+/// @param matched  its cameras count as free of error. Its registrations correct the places of the segments
+/// (compare_profiles()); the points of other lines are made with the segments as they are.
 /// Results do not depend on the number of threads or the order of the connections.
-/// Throws std::invalid_argument for other than two images, options out of range, an index out of
-/// range, a connection of a match with itself, a matched segment without length or precision, registrations
-/// of another number than the matches, one that is not finite, and Method::kNetwork without its extension.
+/// Throws std::invalid_argument for other than two images, options out of range, an index out of range, a
+/// connection of a match with itself, a matched segment without length or precision, registrations that are
+/// not finite or not as many as the matches, and Method::kNetwork without its extension.
 std::vector<ReconstructedLine> reconstruct_lines(const MatchedSegments& matched,
                                                  const ReconstructOptions& options = {},
                                                  const EstimateExtensions& beyond = {});

@@ -20,10 +20,11 @@ std::vector<Eigen::Vector2d> along_and_across(std::span<const Eigen::Vector2d> p
   return turned;
 }
 
-/// The cut that two lines gain most by, if they gain enough.
+/// The cut at which two lines fit best, if they fit enough better than one line.
 std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
                                     const ExtractOptions& options) {
-  // of the three parameters of the second line and its place, for edge pixels that are correlated
+  // The gain, in variances of the residuals, that is significant. It allows for the three parameters that the
+  // second line and its place add, and for the correlation of edge pixels.
   constexpr double kSignificant = 60.0;
   const std::vector<Eigen::Vector2d> x = along_and_across(points);
   LineSums all;
@@ -51,7 +52,8 @@ std::optional<std::size_t> best_cut(std::span<const Eigen::Vector2d> points,
 std::vector<std::size_t> bends(std::span<const Eigen::Vector2d> points,
                                const ExtractOptions& options) {
   std::vector<std::size_t> borders{0};
-  std::vector<std::size_t> ends{points.size()};  // of the part that is looked at, and of later ones
+  // End of the current part, preceded by those of later parts.
+  std::vector<std::size_t> ends{points.size()};
   while (!ends.empty()) {
     const std::size_t begin = borders.back();
     if (const auto cut = best_cut(points.subspan(begin, ends.back() - begin), options)) {

@@ -5,15 +5,15 @@
 
 namespace ridgeline::reconstruct {
 
-/// Pixels beside a block on which its diffused values depend.
+/// Width in pixels of the border around a block on which the diffused values of the block depend.
 int diffusion_reach_px(int levels);
 
 /// Non-linear diffusion of a multi-band image (Perona & Malik 1990; Catte et al. 1992): du/dt =
 /// div(g grad u), where all bands share one diffusivity g(s), s the strength of the colour gradient
 /// of all bands, so that no band blurs an edge that another one has. g is Tukey's biweight (Black
-/// et al. 1998), 0 from s = lambda on: an edge stronger than that stays as it is. After Ok et al.
-/// (2010) in levels, from coarse to fine: the smoothing of s decreases, lambda increases. Explicit
-/// steps of 0.2, stable for 4 neighbours; no flux over the border.
+/// et al. 1998), 0 from s = lambda on: an edge stronger than that stays as it is. The diffusion runs in
+/// levels from coarse to fine after Ok et al. (2010): the smoothing of s decreases, lambda increases. Its
+/// explicit steps of 0.2 are stable for 4 neighbours; there is no flux over the border.
 /// `image`: CV_32FC(n); `lambda`: CV_32FC1 of the first level, in 1/px; `levels`: 1 to 3.
 cv::Mat colour_diffusion(const cv::Mat& image, const cv::Mat& lambda, int levels);
 

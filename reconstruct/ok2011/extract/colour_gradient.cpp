@@ -33,8 +33,8 @@ Kernels kernels(double sigma_px) {
   return k;
 }
 
-/// A row of structure tensors, [xx xy; xy yy] and the gradient (x, y) of the sum of the bands: by
-/// component, which lets the compiler work on several pixels at a time.
+/// A row of structure tensors, [xx xy; xy yy] and the gradient (x, y) of the sum of the bands. They are
+/// stored by component, which lets the compiler work on several pixels at a time.
 struct TensorRow {
   explicit TensorRow(int n) : xx(n), xy(n), yy(n), x(n), y(n) {}
   std::vector<float> xx, xy, yy, x, y;
@@ -69,7 +69,7 @@ void principal_axes_of_row(const TensorRow& row, float* axes) {
     const float half_difference = 0.5F * (row.xx[i] - row.yy[i]);
     const float root = std::sqrt(half_difference * half_difference + xy * xy);
     const float strength = std::sqrt(0.5F * (row.xx[i] + row.yy[i]) + root);
-    // The row of G - lambda I that is not cancelled.
+    // The eigenvector comes from the row of G - lambda I that does not suffer from cancellation.
     const bool is_first = half_difference >= 0.0F;
     const float x = is_first ? half_difference + root : xy;
     const float y = is_first ? xy : root - half_difference;

@@ -5,7 +5,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// Pixels beside a pixel on which its gradient depends.
+/// Distance in pixels up to which other pixels influence the gradient at a pixel.
 int gradient_reach_px(double sigma_px);
 
 /// The gradient of a multi-band image after Di Zenzo (1986): per pixel the direction in which the
@@ -13,7 +13,7 @@ int gradient_reach_px(double sigma_px);
 /// G = sum over bands of grad f grad f^T, of length sqrt(lambda_1), in 1/px. The tensor is not
 /// smoothed, which would move edges at corners and towards close neighbours. The derivatives are
 /// those of a Gaussian of `sigma_px`, exact on a linear ramp; the border is replicated.
-/// The sense is the one in which the mean of the bands grows; arbitrary where it does not change.
+/// The sense is the one in which the mean of the bands grows; it is arbitrary where the mean does not change.
 /// `image`: CV_32FC(n), n = 1..4. Returns CV_32FC2 (x, y).
 cv::Mat colour_gradient(const cv::Mat& image, double sigma_px);
 

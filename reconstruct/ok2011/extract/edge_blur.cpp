@@ -21,7 +21,8 @@ double blur_px(std::size_t i) { return kSmallest_px + kStep_px * static_cast<dou
 
 /// The blur at which one step describes the profile best, if it does so well.
 std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const StepBasis> bases) {
-  constexpr double kMostUnexplained = 0.15;  // of a clean edge's profile
+  // Share of the squares that a step leaves of a clean edge.
+  constexpr double kMostUnexplained = 0.15;
   double best = 0.0;
   std::size_t at = 0;
   for (std::size_t i = 0; i < bases.size(); ++i) {

@@ -9,9 +9,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// Standard deviation of the blur of an image's edges, in pixels: the median over the segments
-/// whose profile is best described by one blurred step. Of fewer than five, what is typical of aerial
-/// images.
+/// Standard deviation of the blur of an image's edges, in pixels. It is the median over the segments whose
+/// profile is best described by one blurred step. With fewer than five such segments, it is the value that is
+/// typical of aerial images.
 /// @param image  CV_32FC(n), n = 1..4
 double edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments);
 

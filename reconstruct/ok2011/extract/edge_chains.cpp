@@ -21,7 +21,7 @@ Eigen::Vector2f along(const EdgePixel& pixel) {
   return Eigen::Vector2f(-pixel.gradient.y(), pixel.gradient.x()).normalized();
 }
 
-/// The side of `to` that lies in the direction of `step`: 0 ahead, 1 behind.
+/// The side of `pixel` that lies in the direction of `step`: 0 ahead, 1 behind.
 int side_of(const EdgePixel& pixel, const Eigen::Vector2f& step) {
   return along(pixel).dot(step) > 0.0F ? 0 : 1;
 }
@@ -44,7 +44,7 @@ Links nearest(int i, std::span<const EdgePixel> pixels, const cv::Mat& index) {
       if (std::abs(ahead) < kMaxDetourCosine * distance) continue;
       if (std::abs(direction.dot(along(pixels[j]))) < kMaxTurnCosine) continue;
       const int side = ahead > 0.0F ? 0 : 1;
-      // a step along the edge is preferred to an equally long one beside it
+      // A step along the edge is preferred to an equally long one beside it.
       const float cost = 2.0F * distance - std::abs(ahead);
       if (cost < best[side]) {
         best[side] = cost;
@@ -55,7 +55,7 @@ Links nearest(int i, std::span<const EdgePixel> pixels, const cv::Mat& index) {
   return links;
 }
 
-/// Only links that both ends name remain.
+/// The links of each pixel that both ends name.
 std::vector<Links> mutual_links(std::span<const EdgePixel> pixels, const cv::Mat& index) {
   std::vector<Links> named(pixels.size());
   std::vector<Links> links(pixels.size(), Links{-1, -1});

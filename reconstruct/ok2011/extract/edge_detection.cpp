@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kTile_px = 256;
 
-/// Half a step of 8 bit grey values, a tenth of it per pixel: what is left of the gradient in parts
-/// that saturate or are drawn by a computer.
+/// Least noise: about an eighth of a step of 8 bit grey values per pixel. Parts that saturate or are drawn by
+/// a computer have almost no gradient.
 constexpr float kLowestNoise = 0.0005F;
 
 std::vector<cv::Rect> tiles(const cv::Size& size_px) {
@@ -80,7 +80,7 @@ GradientImage gradient_image(const cv::Mat& image, const ExtractOptions& options
   const std::vector<cv::Rect> all = tiles(image.size());
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
     Interruption::check();
-    // the filter sees the pixels around the tile, as it is a part of the image
+    // The filter sees the pixels around the tile too, because the tile is a part of the image.
     colour_gradient(image(all[i]), options.gradient_sigma_px).copyTo(gradient(all[i]));
   });
   return {gradient, NoiseGrid(gradient, kLowestNoise)};

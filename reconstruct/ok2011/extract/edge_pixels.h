@@ -11,13 +11,13 @@ namespace ridgeline::reconstruct {
 /// A pixel where the gradient is strongest across an edge.
 struct EdgePixel {
   int x = 0, y = 0;
-  Eigen::Vector2f position_px;  ///< of the maximum, below a pixel from (x, y)
-  Eigen::Vector2f gradient;     ///< at (x, y), 1/px
+  Eigen::Vector2f position_px;  ///< place of the maximum, less than a pixel from (x, y)
+  Eigen::Vector2f gradient;     ///< gradient at (x, y), 1/px
 };
 
-/// Distance in pixels, in [-0.5, 0.5], from the middle of three equally spaced strengths to the
-/// maximum: of a parabola through their logarithms, which is exact for the profile of a blurred
-/// step, a Gaussian, at any position between the pixels and along either axis.
+/// Distance in pixels, in [-0.5, 0.5], from the middle one of three equally spaced strengths to the maximum
+/// of a parabola through their logarithms. It is exact for the profile of a blurred step, a Gaussian, at any
+/// position between the pixels and along either axis.
 float peak_offset_px(float before, float middle, float after);
 
 /// The edge through a pixel if the gradient has a maximum there along the axis (x or y) that is

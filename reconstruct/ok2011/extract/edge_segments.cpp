@@ -17,7 +17,7 @@ struct EdgeLines {
   RegressionLine ideal;
 };
 
-/// False if one of the points has no ideal pixel.
+/// Maps the points to ideal pixels; false if one of them has none.
 bool map_points(std::span<Eigen::Vector2d> points, const PixelMap& ideal_from_image) {
   for (Eigen::Vector2d& point : points) {
     const auto mapped = ideal_from_image(point);

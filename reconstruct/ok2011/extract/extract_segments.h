@@ -13,14 +13,14 @@
 
 namespace ridgeline::reconstruct {
 
-/// The straight edges of an image, the longest first, beside those that are known already.
+/// The straight edges of an image, the longest first, without those that are known already.
 /// `image`: CV_32FC(n) of normalised_image(), n = 1..4, not empty.
 std::vector<EdgeTrace> edge_traces(const cv::Mat& image,
                                    const ExtractOptions& options,
                                    std::span<const EdgeTrace> known = {});
 
-/// Changes detected edges before segments are made of them; where what goes beyond the paper enters. Of the image as it
-/// was seen.
+/// Changes detected edges before segments are made of them. Extensions beyond the paper enter here. The edges
+/// are in the pixels of the image file.
 using EdgeRefinement =
     std::function<std::vector<EdgeTrace>(std::vector<EdgeTrace>, const cv::Mat& image)>;
 

@@ -10,12 +10,13 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kSearch_px = 2;             ///< beside the line, along the axis across it
+/// Reach on both sides of the line, along the axis across it.
+constexpr int kSearch_px = 2;
 constexpr double kMinAcrossCosine = 0.9;  ///< 25 degrees between gradient and normal
 constexpr double kMinFill = 0.6;          ///< share of the steps that have a sample
-constexpr double kMaxClaimed = 0.5;       ///< share of the samples of another trace
+constexpr double kMaxClaimed = 0.5;       ///< share of the samples that other traces have claimed
 constexpr double kRefitGrowth = 1.2;
-constexpr double kMinRelativeStrength = 0.3;  ///< of the median of the trace
+constexpr double kMinRelativeStrength = 0.3;  ///< share of the trace's median strength
 
 double median_strength(const EdgeTrace& trace) {
   return median(transformed(trace, &EdgeSample::strength));
@@ -29,7 +30,7 @@ std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace) {
 
 /// A line as a function of a row or of a column.
 struct LineTracer::Line {
-  bool steep = false;  ///< steps are rows
+  bool steep = false;  ///< whether steps are rows
   Eigen::Vector2d along, normal;
   double at_zero = 0.0, slope = 0.0;
 
@@ -41,7 +42,7 @@ struct LineTracer::Line {
     slope = along[1 - major] / along[major];
     at_zero = axes.centroid[1 - major] - slope * axes.centroid[major];
   }
-  /// Through samples, whose steps keep their meaning: near 45 degrees the nearer axis may change.
+  /// Fits the line to samples. Steps keep their meaning, although the nearer axis may change near 45 degrees.
   void refit(const EdgeTrace& trace) { *this = Line(principal_axes(positions(trace)), steep); }
 
   [[nodiscard]] double minor_at(int step) const { return at_zero + slope * step; }

@@ -15,25 +15,25 @@ namespace ridgeline::reconstruct {
 /// Where an edge crosses one row or column of pixels.
 struct EdgeSample {
   Eigen::Vector2d position_px;
-  double strength = 0.0;  ///< of the gradient across the line, 1/px
+  double strength = 0.0;  ///< strength of the gradient across the line, 1/px
   int step = 0;           ///< the column of a flat line, the row of a steep one
 };
 
-/// The samples of a straight edge in the order of their steps, one a step at most.
+/// The samples of a straight edge in the order of their steps, at most one per step.
 using EdgeTrace = std::vector<EdgeSample>;
 
 /// The positions of the samples.
 std::vector<Eigen::Vector2d> positions(const EdgeTrace& trace);
 
-/// Follows straight edges in a gradient image from where they were detected to where they end, over
-/// gaps, and measures where they run. An edge belongs to the first trace that is claimed: longer
-/// pieces are to come first, later ones of the same edge are then not traced again.
+/// Follows straight edges in a gradient image from where they were detected to where they end, over gaps, and
+/// measures where they run. An edge belongs to the first trace that claims it. Longer pieces should therefore
+/// come first; later pieces of the same edge are then not traced again.
 class LineTracer {
  public:
   LineTracer(const GradientImage& image, const ExtractOptions& options);
 
-  /// The edge through points that lie on a straight line in order; nothing if it is claimed or not
-  /// to be found in the gradient image. Where it goes on beyond the points it may bend a little.
+  /// The edge through points that lie on a straight line in order. Nothing if it is claimed or is not found
+  /// in the gradient image. The edge may bend a little where it continues beyond the points.
   [[nodiscard]] std::optional<EdgeTrace> trace(std::span<const Eigen::Vector2d> points) const;
 
   void claim(const EdgeTrace& trace);

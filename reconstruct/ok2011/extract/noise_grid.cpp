@@ -23,7 +23,7 @@ float median_strength(const cv::Mat& gradient) {
   return std::sqrt(median(std::move(squares)));
 }
 
-/// Index of the block whose middle is before `x`, and the share of the next one.
+/// The block whose middle is before a pixel, the next block, and the share of the next one.
 struct Position {
   int first, second;
   float share;

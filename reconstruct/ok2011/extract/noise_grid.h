@@ -5,10 +5,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// How strong the gradient of an image is where there is no edge: noise of the sensor, which is
-/// less in shadows, and texture. The median strength in blocks, which edges disturb little as they
-/// fill less than half of a block, scaled to the sigma of one component and interpolated between
-/// the middles of the blocks.
+/// How strong the gradient of an image is where there is no edge. This is noise of the sensor, which is less
+/// in shadows, and texture. It is estimated by the median strength in blocks, scaled to the sigma of one
+/// component and interpolated between the middles of the blocks. Edges disturb the median little, because
+/// they fill less than half of a block.
 class NoiseGrid {
  public:
   static constexpr int kBlock_px = 64;
@@ -17,10 +17,10 @@ class NoiseGrid {
   /// values in flat parts.
   NoiseGrid(const cv::Mat& gradient, float lowest);
 
-  /// At a pixel of the image; constant beyond the middles of the outer blocks.
+  /// The strength at a pixel of the image; it is constant beyond the middles of the outer blocks.
   [[nodiscard]] float at(int x, int y) const;
 
-  /// The values of `area`, CV_32FC1.
+  /// The strengths at the pixels of `area`, CV_32FC1.
   [[nodiscard]] cv::Mat in(const cv::Rect& area) const;
 
  private:

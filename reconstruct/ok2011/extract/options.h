@@ -10,15 +10,16 @@ namespace ridgeline::reconstruct {
 /// Strengths are multiples of the local noise: the typical strength of the gradient where there is
 /// no edge (NoiseGrid).
 struct ExtractOptions {
-  int diffusion_levels = 3;          ///< of the non-linear diffusion before detection; 0: none
-  double diffusion_lambda = 2.0;     ///< edges this much stronger than the noise stop it
-  double gradient_sigma_px = 0.8;    ///< more loses close edges, less is noisier
-  double low_noise_factor = 1.0;     ///< of a pixel of an edge
-  double high_noise_factor = 2.0;    ///< of the strongest pixel of an edge
+  /// Levels of the non-linear diffusion before detection; 0: none.
+  int diffusion_levels = 3;
+  double diffusion_lambda = 2.0;     ///< edges this many times as strong as the noise stop it
+  double gradient_sigma_px = 0.8;    ///< a larger one loses close edges, a smaller one is noisier
+  double low_noise_factor = 1.0;     ///< least strength of a pixel of an edge
+  double high_noise_factor = 2.0;    ///< least strength of the strongest pixel of an edge
   double max_lambda_min_px2 = 0.15;  ///< straightness: variance across the line
   double max_deviation_px = 1.0;     ///< straightness: largest distance from the line
   double min_bend_px = 0.2;          ///< an edge is cut where two lines fit better by this
-  double max_gap_px = 10.0;          ///< an edge that continues beyond is the same
+  double max_gap_px = 10.0;          ///< an edge that continues after such a gap is the same
   double min_length_px = 10.0;
   /// Mean strength, in multiples of the noise, times the root of the number of edge pixels: a short
   /// edge must be strong, a faint one long. Chance alignments in texture are neither.
@@ -26,8 +27,8 @@ struct ExtractOptions {
   /// Systematic parts of the stated uncertainty. Where an edge appears depends on the tone curve of
   /// the image and on details too small to be resolved (gutters, caps of ridges); calibrated on
   /// rendered roofs, where the tone curve alone moves eaves by 0.1 px towards the dark side.
-  double systematic_across_px = 0.1;  ///< of the line at its centroid
-  double systematic_ends_px = 0.02;   ///< of the ends against each other, across the line
+  double systematic_across_px = 0.1;  ///< sigma across the line at its centroid
+  double systematic_ends_px = 0.02;   ///< sigma across the line of an end against the centroid
 
   static constexpr auto fields() {
     using O = ExtractOptions;

@@ -10,8 +10,8 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kIterations = 3;
-constexpr std::size_t kTrimmed = 2;          ///< points at each end
-constexpr std::size_t kMinForTrimming = 12;  ///< points
+constexpr std::size_t kTrimmed = 2;          ///< number of points at each end
+constexpr std::size_t kMinForTrimming = 12;  ///< least number of points
 constexpr double kHuber = 1.345;
 constexpr double kSigmaOfMedian = 1.4826;
 constexpr double kSmallestSigma_px = 0.02;
@@ -92,7 +92,7 @@ constexpr double kShrinkage = 10.0;
 constexpr double kExact_px = 1e-3;
 constexpr double kSigmaAlong_px = 1.0;
 
-/// Two parameters take as many independent points, each of which is `correlation` points.
+/// The two parameters of the line take two independent points, each of which is `correlation` points.
 double degrees_of_freedom(const RegressionLine& line, double correlation) {
   return std::max(1.0, line.sum_weights - 2.0 * correlation);
 }
@@ -117,8 +117,8 @@ struct Autocorrelation {
     ++n_lines;
   }
 
-  /// f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have correlations
-  /// r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average; solved for f.
+  /// The factor f = 1 + 2 sum rho_k. Residuals of a line of n points with two parameters have correlations
+  /// r_k = (rho_k - 2 f / n) / (1 - 2 f / n) on average, which is solved for f.
   [[nodiscard]] double inflation() const {
     if (!(products[0] > 0.0)) return 1.0;  // all lines fit exactly
     double sum = 0.0;

@@ -57,7 +57,7 @@ std::vector<Piece> straight_pieces(std::span<const Eigen::Vector2d> points,
     const Piece piece = open.back();
     open.pop_back();
     const auto run = points.subspan(piece.first, piece.last - piece.first);
-    // one pixel of an edge is at most sqrt(2) px of its length
+    // One pixel of an edge is at most sqrt(2) px of its length.
     if (static_cast<double>(run.size()) * M_SQRT2 < options.min_length_px) continue;
     const PrincipalAxes axes = principal_axes(run);
     if (axes.lambda_min <= options.max_lambda_min_px2 &&

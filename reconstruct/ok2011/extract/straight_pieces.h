@@ -18,11 +18,12 @@ struct Piece {
 /// The centroid and principal axes of points.
 struct PrincipalAxes {
   Eigen::Vector2d centroid;
-  Eigen::Vector2d along;      ///< unit, of the larger variance, from the first to the last point
-  double lambda_min = 0.0;    ///< variance across, dividing by n
-  double max_distance = 0.0;  ///< of a point from the axis
+  /// Unit, axis of the larger variance, from the first to the last point.
+  Eigen::Vector2d along;
+  double lambda_min = 0.0;    ///< variance across the axis, dividing by n
+  double max_distance = 0.0;  ///< largest distance of a point from the axis
 };
-/// Takes at least one point; identical points have the x axis.
+/// The principal axes of at least one point; identical points have the x axis.
 PrincipalAxes principal_axes(std::span<const Eigen::Vector2d> points);
 
 /// Cuts an ordered curve into straight pieces: a run is straight if the points' variance across

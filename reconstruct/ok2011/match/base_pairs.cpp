@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kGrowth = 1.5;  // of the radius per step
+constexpr double kGrowth = 1.5;  // factor of the radius per step
 
 struct Partner {
   double reach_px;  ///< smallest radius at which the pair is admitted

@@ -31,7 +31,8 @@ std::size_t best_of(const std::vector<Support>& supports) {
   return static_cast<std::size_t>(best - supports.begin());
 }
 
-/// Probability of the next mate over that of the best, fragments of the best one's edge left out.
+/// Ratio of the probabilities of the next and the best mate. Fragments of the best mate's edge do not count
+/// as the next.
 double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports& of_all) {
   const std::vector<Candidate>& candidates = choices.candidates[i];
   const std::vector<Support>& supports = of_all[i];
@@ -45,13 +46,13 @@ double distance_ratio(const MatchChoices& choices, std::size_t i, const Supports
   return next / std::max(supports[best].probability, 1e-12);
 }
 
-/// The smallest probability at which a candidate is taken. The shortest segments find something
-/// similar by chance, in textures above all; and where one segment is much shorter than the other, their
-/// ends do not tell that both show one edge.
+/// The smallest probability at which a candidate is taken. The shortest segments find something similar by
+/// chance, above all in textures. If one segment is much shorter than the other, their ends do not tell that
+/// both show one edge.
 double least_probability(const Segment2& left, const Segment2& right, const MatchOptions& options) {
   constexpr double kShort_px = 12.0;
   constexpr double kOfShort = 0.9;
-  constexpr double kUnlike = 0.75;  // of the longer one
+  constexpr double kUnlike = 0.75;  // share of the longer one
   constexpr double kOfUnlike = 0.6;
   const auto [shorter_px, longer_px] = std::minmax({length(left), length(right)});
   double least = options.min_probability;
@@ -60,7 +61,7 @@ double least_probability(const Segment2& left, const Segment2& right, const Matc
   return least;
 }
 
-/// By left segment: how many of its partners have a mate that can be trusted, and could vote.
+/// For each left segment, how many of its partners have a mate that can be trusted, so that they could vote.
 std::vector<int> voters(const MatchChoices& choices,
                         std::span<const BasePair> pairs,
                         const Supports& supports,
@@ -80,21 +81,21 @@ std::vector<int> voters(const MatchChoices& choices,
   return count;
 }
 
-/// Whether too few of a line's pairs speak for its candidate; an isolated line is taken by its look,
-/// if that leaves no doubt.
+/// Whether a line's pairs give too few votes to its candidate. An isolated line is taken by its look if that
+/// leaves no doubt.
 bool lacks_votes(const Support& support, int n_voters, const MatchOptions& options) {
   constexpr int kIsolated = 1;
   if (support.votes >= options.min_votes) return false;
   return n_voters > kIsolated || support.probability < options.min_isolated_probability;
 }
 
-/// What becomes of a left segment before the others are asked.
+/// The outcome of a left segment before the other left segments are considered.
 MatchOutcome prospect(const MatchChoices& choices,
                       std::size_t i,
                       const Supports& of_all,
                       int n_voters,
                       const MatchOptions& options) {
-  constexpr double kWeak = 0.2;  // of two equally weak candidates neither is right
+  constexpr double kWeak = 0.2;  // if two candidates are equally weak, neither is right
   const std::vector<Candidate>& candidates = choices.candidates[i];
   const std::vector<Support>& supports = of_all[i];
   if (candidates.empty()) return MatchOutcome::kNoCandidate;
@@ -115,7 +116,7 @@ MatchOutcome prospect(const MatchChoices& choices,
   return best.n_pairs == 0 ? MatchOutcome::kNoPair : MatchOutcome::kLowScore;
 }
 
-/// The choices made, by the segments of both images.
+/// The choices made so far, by the segments of both images.
 class Taken {
  public:
   explicit Taken(const MatchChoices& choices) : choices_(choices) {}
@@ -125,7 +126,7 @@ class Taken {
     of_right_[candidate(choice).right].push_back(choice);
   }
 
-  /// Whether neither segment has a mate for the same part of it, or one of another edge.
+  /// Whether neither segment already has a mate for the same part of it, or a mate of another edge.
   [[nodiscard]] bool allow(const Choice& choice) const {
     const Candidate& own = candidate(choice);
     const auto shares = [&](const Choice& other) {
@@ -162,7 +163,7 @@ MatchResult final_choice(const MatchChoices& choices,
                          const Supports& supports,
                          std::span<const BasePair> pairs,
                          const MatchOptions& options) {
-  // a fragment has no rivals among the others, which makes it look more certain than it is
+  // A fragment has no rivals among the other fragments, which makes it look more certain than it is.
   constexpr double kFurtherMate = 0.7;
   const std::vector<int> n_voters = voters(choices, pairs, supports, options);
   MatchResult result;

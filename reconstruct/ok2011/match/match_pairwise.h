@@ -12,9 +12,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// Where what goes beyond the paper enters the matching. Each may be empty.
+/// The places where extensions beyond the paper enter the matching. Each may be empty.
 struct MatchExtensions {
-  /// A better radiometry than the first one, which the flanks of all segments give.
+  /// Gives a better radiometry than the first one, which comes from the flanks of all segments.
   std::function<Radiometry(const SearchedPair& pair, const Radiometry& first)> radiometry;
   CandidateLook look;
   /// Changes the candidates, best first, once all of them are known.
@@ -23,7 +23,7 @@ struct MatchExtensions {
       candidates;
 };
 
-/// What became of a left segment.
+/// The outcome of the matching for a left segment.
 enum class MatchOutcome : std::uint8_t {
   kMatched,
   kNoCandidate,  ///< no right segment in its epipolar band that could be it
@@ -35,7 +35,7 @@ enum class MatchOutcome : std::uint8_t {
 const char* name(MatchOutcome outcome);  ///< "matched", "no_candidate", ...
 
 struct MatchResult {
-  std::vector<ScoredMatch> matches;    ///< by left, then by right index
+  std::vector<ScoredMatch> matches;    ///< sorted by left, then by right index
   std::vector<MatchOutcome> outcomes;  ///< per left segment
 };
 

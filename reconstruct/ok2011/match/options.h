@@ -7,24 +7,28 @@
 
 namespace ridgeline::reconstruct {
 
-/// Pair-wise matching. Ok et al. 2011 name the steps but publish no numbers: the defaults are ours.
+/// The options of pair-wise matching. Ok et al. 2011 name the steps but publish no numbers, so the defaults
+/// are ours.
 struct MatchOptions {
-  double first_pair_radius_px = 30.0;  ///< grows until a segment has min_partners
+  double first_pair_radius_px = 30.0;  ///< the radius grows until a segment has min_partners
   double max_pair_radius_px = 150.0;
   int min_partners = 3;
   int max_partners = 15;
-  double min_pair_angle_deg = 10.0;  ///< as the t-term of Eq. 6
-  /// Difference of the angle enclosed by a pair up to a base to height ratio of 0.26, beyond in
-  /// proportion to it.
+  double min_pair_angle_deg = 10.0;  ///< smallest enclosed angle, as in the t-term of Eq. 6
+  /// Largest difference of a pair's enclosed angle between the images, up to a base to height ratio of 0.26.
+  /// Beyond that ratio it grows in proportion.
   double max_pair_turn_deg = 15.0;
   double max_pair_epipolar_px = 5.0;
 
-  double max_distance_ratio = 0.8;  ///< of the probabilities of the next and the best mate
+  /// Largest ratio of the probabilities of the next and the best mate.
+  double max_distance_ratio = 0.8;
   /// Least probability of a match against its rivals; 0.9 if a segment is shorter than 12 px, 0.6 if it is
   /// shorter than three quarters of its mate.
   double min_probability = 0.4;
-  double min_votes = 0.3;                  ///< of its pairs, if its partners are matched
-  double min_isolated_probability = 0.98;  ///< without such partners, where only its look tells
+  /// Votes of a match's pairs, if its partners are matched.
+  double min_votes = 0.3;
+  /// If no partners are matched, so that only the look tells.
+  double min_isolated_probability = 0.98;
 
   static constexpr auto fields() {
     using O = MatchOptions;

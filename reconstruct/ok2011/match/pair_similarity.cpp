@@ -11,7 +11,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr std::size_t kMostPerPair = 5;
-/// Longest side of the patch that a pair spans: near the corner the surface is a plane.
+/// Longest side of the patch that a pair spans, because the surface is a plane only near the corner.
 constexpr double kLongestSide_px = 32.0;
 
 Segment2 clipped(const Segment2& s, const std::array<double, 2>& range) {
@@ -32,8 +32,8 @@ Clipped clip(const EdgePair& a, const EdgePair& b, bool in_file) {
        clipped(segment(b.right), b.overlap.on_right)}};
 }
 
-/// Side of the patch along a member: from the intersection point to the far end, in both images.
-/// The ends of a near-aligned member do not correspond: it is taken as level.
+/// Side of the patch along a member, from the intersection point to the far end, in both images. A
+/// near-aligned member is taken as level, because its ends do not correspond.
 struct PatchSides {
   Eigen::Vector2d left, right;
 };
@@ -152,8 +152,9 @@ double weighted_similarity(const Constraints& constraints) {
 }
 
 double vote_of(double similarity) {
-  constexpr double kEven = 0.77;   // as many right as wrong pairs
-  constexpr double kSlope = 17.0;  // the sum of the weights: the scale of the regression
+  constexpr double kEven = 0.77;  // at this similarity as many pairs are right as wrong
+  // About the sum of the weights, which is the scale of the regression.
+  constexpr double kSlope = 17.0;
   return 1.0 / (1.0 + std::exp(-kSlope * (similarity - kEven)));
 }
 

@@ -40,7 +40,7 @@ Spatiogram spatiogram(const PairPatch& patch, int band, float low, float high) {
     Bin& bin = bins[b];
     if (!(bin.share > 0.0)) continue;
     bin.mean /= bin.share;
-    // the floor of one grid cell keeps bins of a few pixels regular
+    // The floor of one grid cell keeps bins of a few pixels regular.
     bin.cov =
         squares[b] / bin.share - bin.mean * bin.mean.transpose() + Eigen::Matrix2d::Identity();
     bin.share /= PairPatch::kNumSamples;
@@ -48,7 +48,7 @@ Spatiogram spatiogram(const PairPatch& patch, int band, float low, float high) {
   return bins;
 }
 
-/// sqrt(n n') 8 pi |S S'|^(1/4) N(mu; mu', 2 (S + S')), O Conaire et al. 2007, Eq. 9.
+/// Similarity of two bins, sqrt(n n') 8 pi |S S'|^(1/4) N(mu; mu', 2 (S + S')), O Conaire et al. 2007, Eq. 9.
 double bin_similarity(const Bin& a, const Bin& b) {
   if (!(a.share > 0.0 && b.share > 0.0)) return 0.0;
   const Eigen::Matrix2d sum = 2.0 * (a.cov + b.cov);
@@ -97,7 +97,7 @@ std::optional<double> correlation(const PairPatch& left, const PairPatch& right)
 std::optional<double> spatiogram_similarity(const PairPatch& left, const PairPatch& right) {
   double sum = 0.0;
   for (int band = 0; band < left.n_bands; ++band) {
-    // bins over the values that occur: fixed ones would put a dark roof into one bin
+    // The bins cover the values that occur, because fixed ones would put a dark roof into one bin.
     float low = left.colours[0][band];
     float high = low;
     for (const PairPatch* patch : {&left, &right}) {
