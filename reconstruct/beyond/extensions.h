@@ -12,15 +12,15 @@
 
 namespace ridgeline::reconstruct {
 
-/// What goes beyond the paper in the extraction, as the options switch it on: a second look for faint edges
-/// (faint_edges), edges are cut where others end on them (junction_cuts) and edges that blur into one are resolved
+/// The extensions of the extraction that the options switch on: a second look for faint edges (faint_edges),
+/// cuts of edges where others end on them (junction_cuts), and the separation of edges that blur into one
 /// (close_edges).
 EdgeRefinement edge_refinement(const ExtractionOptions& options);
 
-/// What goes beyond the paper in the matching, as the options switch it on: matched_radiometry, hidden_walls,
-/// close_edges (the order of close lines).
-/// @param candidates  of the first search, which gives the radiometry
-/// @param surface     of the pair, or none; must live as long as the result
+/// The extensions of the matching that the options switch on: matched_radiometry, hidden_walls, close_edges
+/// (the order of close lines) and the depth of the surfaces beside a line (weigh_by_surface()).
+/// @param candidates  options of the first search, which gives the radiometry
+/// @param surface     the surface of the pair, or null; must live as long as the result
 MatchExtensions match_extensions(const MatchExtensionOptions& options,
                                  const CandidateOptions& candidates,
                                  const Surface* surface = nullptr);
@@ -32,7 +32,7 @@ ChioExtensions chio_extensions(const ChioExtensionOptions& options,
 
 /// What goes beyond the paper in the estimation, as the options switch it on: where uncertain lines end, depth_consensus
 /// and network.
-/// @param surface  of the pair, or none; must live as long as the result
+/// @param surface  the surface of the pair, or null; must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
                                        const Surface* surface = nullptr);
 

@@ -9,11 +9,11 @@
 
 namespace ridgeline::reconstruct {
 
-/// What goes beyond the paper in the extraction; see edge_refinement().
+/// The options of the extensions of the extraction; see edge_refinement().
 struct EdgeExtensionOptions {
   bool faint_edges = true;
   double faint_gradient_sigma_px = 1.6;
-  double faint_min_length_px = 25.0;  ///< shorter ones are mostly texture
+  double faint_min_length_px = 25.0;  ///< shorter edges of the second look are mostly texture
   bool junction_cuts = true;
   double min_junction_bend_px = 0.05;  ///< a cut stays if two lines fit better by this
   bool separate_edges = true;
@@ -40,13 +40,13 @@ struct EdgeExtensionOptions {
   }
 };
 
-/// The extraction: what the paper says, and what goes beyond it.
+/// The options of the extraction: those of the paper and those of its extensions.
 struct ExtractionOptions {
   ExtractOptions edges;
   EdgeExtensionOptions beyond;
 };
 
-/// What goes beyond the papers in the matching; see match_extensions() and propagate_heights().
+/// The options of the extensions of the matching; see match_extensions() and propagate_heights().
 struct MatchExtensionOptions {
   bool matched_radiometry = true;
   bool close_lines = true;
@@ -54,11 +54,12 @@ struct MatchExtensionOptions {
   bool propagate_heights = true;
   /// The depth of the surfaces beside a line speaks for or against its candidates. See weigh_by_surface().
   bool surface = true;
-  /// Segments without a mate are looked for where these surfaces tell. See guided_matches().
+  /// Mates of unmatched segments are looked for where these surfaces predict them. See guided_matches().
   bool guided = true;
   double guided_min_similarity = 0.8;
-  /// Lines matched by height must look more alike than lines that pairs of segments support (chio.min_similarity): on
-  /// the training villages 4 of 19 below this were false, of 6 from here on none.
+  /// Lines matched by height must look more alike than lines that pairs of segments support
+  /// (chio.min_similarity). On the training villages 4 of 19 lines below this value were false, and none of
+  /// the 6 from this value on.
   double propagate_min_similarity = 0.82;
 
   static constexpr MatchExtensionOptions none() {
@@ -120,17 +121,17 @@ struct ChioExtensionOptions {
 
 /// What goes beyond the paper in the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
-  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the
-  /// right segment: its left one continues far beyond a short right one.
+  /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right
+  /// segment, because its left segment continues far beyond a short right one.
   double max_end_sigma_m = 0.5;
-  /// Right segments of not_aligned matches are moved to where their image shows what the left ones lie
-  /// on, by the colour profiles across the lines. See compare_profiles().
+  /// Right segments of not_aligned matches are moved to where the right image shows what lies under the left
+  /// ones, by the colour profiles across the lines. See compare_profiles().
   bool register_profiles = true;
-  /// Sigmas by how alike both images show the two edges of a match, and what both get wrong alike. See
-  /// own_sigma_scale() and add_shared_error().
+  /// Sigmas depend on how alike both images show the two edges of a match, and the error that both have in
+  /// common is added. See own_sigma_scale() and add_shared_error().
   bool shared_errors = true;
-  /// Only points that agree on the depth of the line are used, and where fewer than two remain, what
-  /// the ends of both segments and horizontality tell. See agree_on_depth().
+  /// Only points that agree on the depth of the line are used. If fewer than two remain, the ends of both
+  /// segments and horizontality help. See agree_on_depth().
   bool consensus = true;
   /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth. Without it
   /// faces_beside does nothing either.
@@ -139,7 +140,7 @@ struct EstimateExtensionOptions {
   /// adjust_to_faces_beside().
   bool faces_beside = true;
 
-  /// Whether `joint` and `network` do so.
+  /// Whether `joint` and `network` adjust lines to the plane faces beside them.
   [[nodiscard]] constexpr bool adjusts_to_faces() const { return surface && faces_beside; }
 
   static constexpr EstimateExtensionOptions none() {
@@ -171,9 +172,9 @@ struct EstimateExtensionOptions {
 
 /// How lines of buildings meet and lie, for depth_consensus and network.
 struct BuildingOptions {
-  double sigma_meeting_m = 0.1;  ///< distance of lines that meet
-  double max_miss_m = 2.5;       ///< of lines that only seem to meet
-  double sigma_slope = 0.01;     ///< of lines that are built horizontal
+  double sigma_meeting_m = 0.1;  ///< sigma of the distance of lines that meet
+  double max_miss_m = 2.5;       ///< largest distance of lines that only seem to meet
+  double sigma_slope = 0.01;     ///< sigma of the slope of lines that are built horizontal
 
   static constexpr auto fields() {
     using O = BuildingOptions;
@@ -186,13 +187,14 @@ struct BuildingOptions {
   }
 };
 
-/// Of depth_consensus.
+/// The options of depth_consensus.
 struct ConsensusOptions {
-  double sigma_end_px = 1.0;       ///< along the line, of ends that show the same point
-  double gable_share = 0.8;        ///< of gables among what has the shape of one
-  double step_share = 0.07;        ///< of places where one crosses: steps of a row
-  double min_cut_length_px = 7.0;  ///< of each part
-  /// Lines that another depth explains as well to this (log of the ratio) are given no geometry.
+  double sigma_end_px = 1.0;       ///< sigma along the line of ends that show the same point
+  double gable_share = 0.8;        ///< prior share of gables among what has the shape of one
+  double step_share = 0.07;        ///< prior share of crossings where a row of lines has a step
+  double min_cut_length_px = 7.0;  ///< least length of each part of a match that is cut
+  /// A line is given no geometry if another depth explains it about as well: by a log of the ratio below
+  /// this.
   double min_depth_margin = 2.5;
 
   static constexpr auto fields() {
@@ -211,7 +213,7 @@ struct ConsensusOptions {
   }
 };
 
-/// The estimation: what the paper says, and what goes beyond it.
+/// The options of the estimation: those of the paper and those of its extensions.
 struct EstimationOptions {
   ReconstructOptions lines;
   EstimateExtensionOptions beyond;

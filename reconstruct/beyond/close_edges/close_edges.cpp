@@ -36,7 +36,7 @@ class TwoSteps {
     Matrix normal = Matrix::Zero(n, n);
     Vector right = Vector::Zero(n);
     for (const ProfileSample& s : samples) add(s, colours_only, normal, right);
-    // offsets and tilts that are not to move, or that the samples do not fix, keep their values
+    // This keeps the values of offsets and tilts that are not to move, or that the samples do not fix.
     normal.diagonal().array() += 1e-9 * static_cast<double>(samples.size());
     const Eigen::LDLT<Matrix> solver(normal);
     if (solver.info() != Eigen::Success) return false;
@@ -55,7 +55,7 @@ class TwoSteps {
     return {parameters_[2 * which], parameters_[2 * which + 1], std::sqrt(squares)};
   }
 
-  /// Whether the colours change back, on the whole.
+  /// Whether the second step takes the colour change of the first one back, summed over the bands.
   [[nodiscard]] bool turns_back() const {
     double product = 0.0;
     for (int band = 0; band < n_bands_; ++band) {
@@ -95,8 +95,9 @@ class TwoSteps {
 /// The two offsets that describe the profile best, if they do so clearly better than one.
 std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
                                                  const BinnedProfile& profile) {
-  constexpr double kLargestRatio = 0.5;  // of what two steps leave unexplained to what one does
-  constexpr Eigen::Index kClosest = 5;   // bins
+  // What two steps leave unexplained over what one step leaves.
+  constexpr double kLargestRatio = 0.5;
+  constexpr Eigen::Index kClosest = 5;  // bins
   constexpr Eigen::Index kFarthest = 30;
   const StepEquations equations(basis, profile);
   const Eigen::Index n = basis.offsets_px.size();
@@ -110,7 +111,7 @@ std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
       at = {i, j};
     }
   }
-  if (at[0] == 0 || at[1] == n - 1) return std::nullopt;  // an edge farther away
+  if (at[0] == 0 || at[1] == n - 1) return std::nullopt;  // the profile shows an edge farther away
   if (profile.squares - best > kLargestRatio * (profile.squares - equations.best_gain())) {
     return std::nullopt;
   }
@@ -123,7 +124,7 @@ bool is_sound(const std::array<ProfileStep, 2>& steps, const std::array<double, 
   constexpr double kClosest_px = 0.4;
   constexpr double kCrossing_px = -0.3;  // a strip may end in a point
   constexpr double kLargestTilt_px = 1.5;
-  constexpr double kWeakest = 0.25;  // step beside the other one
+  constexpr double kWeakest = 0.25;  // weaker step over the stronger one
   for (std::size_t i = 0; i < 2; ++i) {
     if (std::abs(steps[i].offset_px - begin[i]) > kFarthestMove_px) return false;
     if (std::abs(steps[i].tilt_px) > kLargestTilt_px) return false;
@@ -145,7 +146,7 @@ CloseEdgeFinder::CloseEdgeFinder(double blur_px)
 std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& image,
                                                                 const Segment2& segment) const {
   constexpr int kPasses = 6;
-  // two steps the same way are also one step with a wider blur: a soft shadow
+  // Two steps the same way may also be one step with a wider blur: a soft shadow.
   constexpr double kClosestOneWay_px = 0.9;
   const double half_width_px = profile_half_width_px(blur_px_);
   const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width_px);

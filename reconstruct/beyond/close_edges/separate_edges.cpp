@@ -35,7 +35,7 @@ EdgeTrace shifted(const EdgeTrace& trace,
   return moved;
 }
 
-/// An edge and what is known about where it is from.
+/// An edge with its line, and whether it is one of two separated edges.
 struct Part {
   EdgeTrace edge;
   Segment2 line;
@@ -77,7 +77,7 @@ bool same_edge(const Segment2& a, const Segment2& b) {
 double left_end(const Segment2& s) { return std::min(s.start.x(), s.end.x()); }
 double right_end(const Segment2& s) { return std::max(s.start.x(), s.end.x()); }
 
-/// If parts are the same edge and one of them is separated, the longest stays.
+/// Marks the parts to drop: if parts are the same edge and one of them is separated, the longest stays.
 std::vector<bool> repeated(const std::vector<Part>& parts) {
   std::vector<std::size_t> by_left(parts.size());
   std::iota(by_left.begin(), by_left.end(), std::size_t{0});

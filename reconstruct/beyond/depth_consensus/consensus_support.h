@@ -9,12 +9,13 @@
 
 namespace ridgeline::reconstruct {
 
-/// What aligned matches rest on where their evidence agrees on the depth (agree_on_depth()): the lines that each shows,
-/// mostly one, with the artificial points of it that agree, and where these fix no direction what both images show at
-/// the ends, or where the surface beside the line is.
-/// @param lines   must live as long as the result; so must the surface
-/// @param direct  the lines by intersection of their planes: the ends of these are likely heights
-/// @param surface  of the pair, or none (options.surface)
+/// Gives the support of aligned matches whose evidence agrees on the depth (agree_on_depth()). A match gives
+/// the lines that it shows, mostly one, each with its artificial points that agree. Points on the surface
+/// beside the line are added if it is known; otherwise, if the artificial points fix no direction, the ends
+/// of both segments that agree.
+/// @param lines    must live as long as the result; so must the surface
+/// @param direct   the lines by intersection of their planes; their ends are likely heights
+/// @param surface  the surface of the pair, or null (options.surface)
 SupportOfMatch consensus_support(const StereoLines& lines,
                                  std::span<const ReconstructedLine> direct,
                                  const Surface* surface,

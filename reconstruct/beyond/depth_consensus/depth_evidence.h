@@ -23,12 +23,11 @@ inline constexpr double kSmallestBase = 0.2;
 struct DepthEvidence {
   Eigen::Vector3d x;
   Eigen::Matrix3d cov;
-  double parameter = 0.0;  ///< along the base segment, 0 at its start and 1 at its end
-  double prior = 0.5;      ///< probability that it is on the line, before the others are heard
-  /// Weight of a point where another line seems to meet this one; 0 for what the ends of the line's
-  /// own segments show.
+  double parameter = 0.0;  ///< place along the base segment, 0 at its start and 1 at its end
+  double prior = 0.5;      ///< probability that it is on the line, without other evidence
+  /// Weight of a point where another line seems to meet this one; 0 for the ends of the line's own segments.
   double meeting = 0.0;
-  bool may_cut = false;  ///< where the match may be cut into several lines
+  bool may_cut = false;  ///< whether the match may be cut here into several lines
 };
 
 }  // namespace ridgeline::reconstruct

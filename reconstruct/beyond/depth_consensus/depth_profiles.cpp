@@ -21,24 +21,26 @@ double sloping(double slope) {
 }
 
 double log_straight_prior(double slope, const BuildingOptions& options) {
-  constexpr double kHorizontal = 0.8;  // share of aligned lines that are built so
+  constexpr double kHorizontal = 0.8;  // share of aligned lines that are built horizontal
   return std::log(kHorizontal * bell(slope / options.sigma_slope) +
                   (1.0 - kHorizontal) * sloping(slope));
 }
 
-/// Prior of a cut between two steps of a row: a row that has one step often has more.
+/// Logarithm of the prior of a cut between two steps of a row. A row that has one step often has more.
 double log_step_prior(bool is_first, const ConsensusOptions& options) {
   constexpr double kNextShare = 0.3;
   return std::log(is_first ? options.step_share : kNextShare);
 }
 
-/// Prior of the height of a step: houses of a row follow the street, an eave is not cut by the ground below.
+/// Logarithm of the prior of the height of a step. It is small, because houses of a row follow the street,
+/// and the ground below does not cut an eave.
 double log_rise_prior(double rise_m) {
   constexpr double kRise_m = 1.0;
   return -0.5 * squared(rise_m / kRise_m);
 }
 
-/// Places where the match may be cut, in the order along it; one for evidence at the same place.
+/// Indices of the evidence at which the match may be cut, in the order along it; one for evidence at the same
+/// place.
 std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const DepthScorer& scorer) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < question.evidence.size(); ++i) {
@@ -58,7 +60,8 @@ struct Step {
   DepthLine line;
 };
 
-/// @param from, to  cuts; none for the ends of the match
+/// The best horizontal line between two cuts.
+/// @param from, to  cuts; none at the ends of the match
 Step best_step(const DepthQuestion& question,
                const DepthScorer& scorer,
                std::optional<std::size_t> from,
@@ -88,7 +91,7 @@ Step best_step(const DepthQuestion& question,
   return best;
 }
 
-/// Whether a step is no shorter than a house; the bonnet of a car beside a marking is.
+/// Whether a step is long enough to be a house, not the bonnet of a car beside a road marking.
 bool is_long_step(const DepthQuestion& question,
                   std::optional<std::size_t> from,
                   std::optional<std::size_t> to) {
@@ -99,7 +102,7 @@ bool is_long_step(const DepthQuestion& question,
   return (end - start) * px >= kShortestStepPx;
 }
 
-/// What the evidence of a cut tells beside what best_step() counted on either side of it.
+/// The score of a cut's evidence, less what best_step() has counted for it on either side.
 double score_of_cut_once(const DepthQuestion& question,
                          const DepthScorer& scorer,
                          std::size_t cut,
@@ -113,9 +116,9 @@ double score_of_cut_once(const DepthQuestion& question,
 /// The best row from the start of the match to a place.
 struct Way {
   double score = kUnreached;
-  double log_prior = 0.0;  ///< its share of the score
+  double log_prior = 0.0;  ///< share of the prior in the score
   std::size_t from = 0;    ///< place where the last step begins
-  DepthLine line;          ///< of the last step
+  DepthLine line;          ///< line of the last step
 };
 
 }  // namespace
@@ -178,7 +181,7 @@ std::optional<DepthProfile> row_profile(const DepthQuestion& question, const Dep
   const auto cut = [&](std::size_t place) {
     return place == 0 || place == end ? std::nullopt : std::optional(places[place - 1]);
   };
-  // the best way to each place from the start, over the places before; the last is the end
+  // The best way to each place comes from the best ways to the places before it. The last place is the end.
   std::vector<Way> ways(end + 1);
   ways[0].score = 0.0;
   for (std::size_t to = 1; to <= end; ++to) {

@@ -11,13 +11,13 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Within this many standard deviations evidence supports a line.
+/// Evidence supports a line within this many standard deviations.
 constexpr double kSupportSigma = 3.0;
-/// Lines that end on one another are seen to do so within this.
+/// Two lines that meet are seen to end within this distance of each other.
 constexpr double kCutReachPx = 6.0;
-/// Most that agreement with the line raises the odds of evidence by.
+/// Largest factor by which agreement with the line raises the odds of evidence.
 constexpr double kAgreementGain = 4.0;
-/// That a point above the line is none: less than below it.
+/// Factor of the probability that a point above the line is none of it, if its meeting is certain.
 constexpr double kDoubtAbove = 0.1;
 
 }  // namespace
@@ -71,7 +71,7 @@ std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) 
   return static_cast<std::size_t>(cut - profile.cuts.begin());
 }
 
-/// Where the line meets the plane across the base segment.
+/// Height of the point where the line meets the plane across the base segment.
 double DepthScorer::height(const DepthLine& line, double parameter) const {
   const Segment2& base = question_.line[0].segment;
   const Eigen::Vector2d along = base.end - base.start;
@@ -122,8 +122,8 @@ double DepthScorer::score_of_cut(std::size_t cut,
 }
 
 double DepthScorer::score_of_end(int which, const DepthLine& line) const {
-  constexpr double kSigmaHeight_m = 0.2;  // of lines at the same height
-  constexpr double kElsewhere = 0.3;      // of ends that are at the height of no line nearby
+  constexpr double kSigmaHeight_m = 0.2;  // sigma of the heights of lines at the same height
+  constexpr double kElsewhere = 0.3;      // share of ends that are at the height of no line nearby
   if (question_.heights_nearby.empty()) return 0.0;
   const double z = height(line, which);
   double nearest = std::numeric_limits<double>::infinity();
@@ -133,9 +133,9 @@ double DepthScorer::score_of_end(int which, const DepthLine& line) const {
   return std::log(kElsewhere + (1.0 - kElsewhere) * bell(unit_m_ * nearest / kSigmaHeight_m));
 }
 
-/// Squared misclosure of the line's image with the segment of the other image, chi-square with 2
-/// degrees of freedom, as that of Student's distribution: what adjoins an edge, a shadow or a gutter,
-/// displaces it by more than its covariance tells, and no single match decides against all points.
+/// Squared misclosure of the line's image with the segment of the other image, chi-square with 2 degrees of
+/// freedom, on the scale of Student's distribution. What adjoins an edge, a shadow or a gutter, displaces it
+/// by more than its covariance tells, so that no single match may decide against all points.
 double DepthScorer::other_misclosure(const DepthLine& h) const {
   constexpr double kFreedoms = 3.0;
   const UncertainLine2& other = question_.line[1].line;

@@ -13,21 +13,22 @@
 
 namespace ridgeline::reconstruct {
 
-/// All that tells the depth of an aligned match.
+/// Everything that tells the depth of an aligned match.
 struct DepthQuestion {
   const StereoLines& lines;
   const ObservedPair& line;
   std::span<const DepthEvidence> evidence;
-  std::span<const double> heights_nearby;  ///< of the ends of other lines, conditioned frame
+  /// Heights of the ends of other lines, conditioned frame.
+  std::span<const double> heights_nearby;
   const ConsensusOptions& options;
   const BuildingOptions& building;
-  const SurfaceDepth* surface = nullptr;  ///< none where the images are not at hand
+  const SurfaceDepth* surface = nullptr;  ///< null if the surface is not known
 };
 
 /// What an aligned match may show, from its start to its end: one line or several.
 struct DepthProfile {
   std::vector<DepthLine> lines;
-  std::vector<std::size_t> cuts;  ///< evidence between each line and the next, ascending along
+  std::vector<std::size_t> cuts;  ///< index of the evidence at each cut, ascending along the match
   double log_prior = 0.0;
 };
 
@@ -38,36 +39,37 @@ class DepthScorer {
 
   /// Horizontal direction of the projection plane; zero for a horizontal plane.
   [[nodiscard]] Eigen::Vector3d horizontal() const;
-  /// The direction that a vector has in the projection plane.
+  /// The direction of a vector's projection onto the projection plane.
   [[nodiscard]] Eigen::Vector3d in_plane(const Eigen::Vector3d& v) const;
-  /// The direction in the plane that falls as steeply as the given one rises.
+  /// The direction in the projection plane that falls as steeply as the given one rises.
   [[nodiscard]] Eigen::Vector3d mirrored(const Eigen::Vector3d& direction) const;
 
-  /// Within chance of the line.
+  /// Whether evidence lies within chance of the line.
   [[nodiscard]] bool supports(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Whether evidence so near to a cut that it may be on either side of it.
+  /// Whether evidence is so near to a cut that it may be on either side of it.
   [[nodiscard]] bool is_at(std::size_t cut, const DepthEvidence& evidence) const;
-  /// Which of the lines of a profile is seen at a parameter of the base segment.
+  /// Index of the line of a profile that is seen at a parameter of the base segment.
   [[nodiscard]] std::size_t line_at(const DepthProfile& profile, double parameter) const;
 
   /// Largest difference of the heights of two profiles over the segment.
   [[nodiscard]] double apart_m(const DepthProfile& a, const DepthProfile& b) const;
 
-  /// Height at the end of a profile over that at its start.
+  /// Height at the end of a profile above that at its start.
   [[nodiscard]] double difference_of_ends_m(const DepthProfile& profile) const;
 
-  /// Height of a horizontal line over another one.
+  /// Height of the horizontal line `to` above the horizontal line `from`.
   [[nodiscard]] double rise_m(const DepthLine& from, const DepthLine& to) const {
     return unit_m_ * (to.through.z() - from.through.z());
   }
 
-  /// Logarithms of probabilities, up to one constant for all.
+  /// Score of a profile. All scores are logarithms of probabilities, up to one constant for all.
   [[nodiscard]] double score(const DepthProfile& profile) const;
   [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// The same for evidence so near to a cut that it speaks for a line beside it but not against one.
+  /// Score of evidence so near to a cut that it speaks for a line beside it but not against one.
   [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Score of the evidence at the cut itself, which belongs to either line.
+  /// Score of the height at an end of the match: 0 its start, 1 its end.
   [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
+  /// Score of the evidence at the cut itself, which belongs to either line.
   [[nodiscard]] double score_of_cut(std::size_t cut,
                                     const DepthLine& before,
                                     const DepthLine& after) const;
@@ -81,13 +83,13 @@ class DepthScorer {
   [[nodiscard]] double other_misclosure(const DepthLine& line) const;
 
   const DepthQuestion& question_;
-  double unit_m_;  ///< of the conditioned frame
-  double reach_;   ///< of a cut, in parameters of the base segment
+  double unit_m_;  ///< unit of length of the conditioned frame
+  double reach_;   ///< reach of a cut, in parameters of the base segment
   Eigen::Matrix<double, 3, 6> other_from_object_;
-  Eigen::Vector3d normal_;  ///< of the projection plane
+  Eigen::Vector3d normal_;  ///< unit normal of the projection plane
 };
 
-/// Slope of a direction, positive.
+/// Slope of a direction, rise over run, without sign.
 double slope(const Eigen::Vector3d& direction);
 
 }  // namespace ridgeline::reconstruct

@@ -11,7 +11,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kNonsense = 0.015;     // share of lines beside which the surface is wrong
-constexpr double kLeastSigma_px = 0.3;  // of a homologous point along the line
+constexpr double kLeastSigma_px = 0.3;  // least sigma of a homologous point along the line
 
 }  // namespace
 
@@ -28,11 +28,11 @@ Eigen::Vector2d SurfaceDepth::rectified(const Eigen::Vector2d& x_in_left) const 
       0, lines_.stereo.views[0].image.image_from_conditioned(x_in_left));
 }
 
-/// None unless the nearer surface is to be trusted.
+/// Adds the stations of a piece; none unless the nearer surface is to be trusted.
 void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
   const SidePlane* nearer = piece.nearer();
   if (nearer == nullptr || !nearer->is_trusted()) return;
-  // a single plane tells the direction as well
+  // A single plane tells the direction of the line as well, so it gives two stations.
   const bool is_single = piece.parameters == std::array{0.0, 1.0};
   for (const double share : is_single ? std::vector{0.2, 0.8} : std::vector{0.5}) {
     const double t_px = (share - 0.5) * piece.length_px;
@@ -41,7 +41,8 @@ void SurfaceDepth::add_stations(const SidesOfPiece& piece) {
   }
 }
 
-/// @param parameter  along the rectified segment, which hardly differs from that along the segment
+/// Adds a station.
+/// @param parameter  place along the rectified segment, which hardly differs from that along the segment
 void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
   const Segment2& segment = line_[0].segment;
   const Eigen::Vector2d x = point_at(segment, parameter);
@@ -83,7 +84,8 @@ std::vector<DepthLine> SurfaceDepth::likely_lines(const Eigen::Vector3d& horizon
   return lines;
 }
 
-/// What both images show at a place of the left segment with a disparity; along the right segment.
+/// The pixels at which both images show a place of the left segment with a disparity. The right one is moved
+/// onto the right segment.
 std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px) const {
   const Rectification& r = surface_.rectification;
   const Eigen::Vector2d left = point_at(line_[0].segment, parameter);
@@ -102,7 +104,8 @@ std::optional<std::array<SurfaceDepth::Homologous, 2>> SurfaceDepth::homologous(
   constexpr std::array kPlaces{0.1, 0.9};  // along the segment
   if (stations_.size() < 2) return std::nullopt;
   double squares = 0.0;
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();  // of a straight line in the disparities
+  // Normal equations of a straight line in the disparities.
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
   for (const Station& s : stations_) {
     squares += std::pow(misfit(s, line), 2.0);

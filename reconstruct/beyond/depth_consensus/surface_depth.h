@@ -12,17 +12,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// What the surfaces beside a match tell of its depth. Along an epipolar line the line itself looks the same everywhere;
-/// dense matching tells how deep the surfaces on both sides of it are (side_plane()), and a line bounds the nearer one.
+/// The depth of a match by the surfaces beside it. Along an epipolar line the line itself looks the same
+/// everywhere. Dense matching tells how deep the surfaces on both sides of it are (side_plane()), and a line
+/// bounds the nearer one.
 ///
-/// For every 30 px of the left segment (sides_along()) the line's disparity on the nearer surface is known with a sigma;
-/// a surface that holds less than half of its strip says nothing. With the mean square z^2 of a profile's misfits in these
-/// sigmas:
+/// For every 30 px of the left segment (sides_along()) the line's disparity on the nearer surface is known
+/// with a sigma. A surface that holds less than half of its strip is not used. With the mean square z^2 of a
+/// profile's misfits in these sigmas:
 ///
 ///     log_likelihood = log(0.015 + 0.985 exp(-z^2 / 2))
 ///
-/// 0.015 is how often true roof edges of the training scenes are more than 3 sigma off: a surface that is wrong, as in deep
-/// shadow, costs a profile no more than that.
+/// True roof edges of the training scenes are more than 3 sigma off with a frequency of 0.015. So a surface
+/// that is wrong, as in deep shadow, costs a profile no more than that.
 class SurfaceDepth {
  public:
   /// @param line  the match, or the part of it that its mate shows
@@ -31,7 +32,8 @@ class SurfaceDepth {
 
   /// The line of a profile at a parameter of the left segment.
   using LineAt = std::function<const DepthLine&(double parameter)>;
-  /// 0 for a profile on the surface, log(0.015) for one that the surface denies; 0 for all where nothing is known.
+  /// 0 for a profile on the surface, log(0.015) for one that the surface contradicts; 0 for all if no surface
+  /// is known.
   [[nodiscard]] double log_likelihood(const LineAt& profile) const;
 
   /// The line on the surface, and horizontal lines through each of its known points.
@@ -43,8 +45,8 @@ class SurfaceDepth {
     std::array<Eigen::Vector2d, 2> x;
     double sigma_px;
   };
-  /// Two points on the surface, near both ends of the segment. Nothing where less than two places are known, or if the
-  /// given line is more than 3 sigma off them.
+  /// Two points on the surface, near both ends of the segment. Nothing if fewer than two places are known, or
+  /// if the given line is more than 3 sigma off them.
   [[nodiscard]] std::optional<std::array<Homologous, 2>> homologous(const DepthLine& line) const;
 
  private:
@@ -52,8 +54,8 @@ class SurfaceDepth {
   struct Station {
     double parameter = 0.0;
     double d_px = 0.0, sigma_px = 0.0;
-    Eigen::Vector4d across;  ///< plane of its ray, across the segment
-    Eigen::Vector3d point;   ///< on the surface, conditioned
+    Eigen::Vector4d across;  ///< plane of its ray that crosses the segment at right angles
+    Eigen::Vector3d point;   ///< its point on the surface, conditioned
   };
   void add_stations(const SidesOfPiece& piece);
   void add_station(double parameter, double d_px, double sigma_px);

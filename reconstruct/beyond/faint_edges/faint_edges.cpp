@@ -13,7 +13,7 @@ std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
   smoother.gradient_sigma_px = options.beyond.faint_gradient_sigma_px;
   smoother.min_length_px =
       std::max(options.edges.min_length_px, options.beyond.faint_min_length_px);
-  smoother.diffusion_levels = 0;  // the smoothing leaves nothing for it to do
+  smoother.diffusion_levels = 0;  // the smoothing leaves nothing for the diffusion to do
   std::vector<EdgeTrace> faint = edge_traces(image, smoother, known);
   std::move(faint.begin(), faint.end(), std::back_inserter(known));
   return known;

@@ -18,20 +18,22 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kShortest_px = 15.0;  // of a guide: shorter ones are often texture
+// Least length of a guide, because shorter ones are often texture.
+constexpr double kShortest_px = 15.0;
 
 /// A step that may be the mate of a segment of the other view.
 struct Step {
-  std::size_t guide;  ///< that segment
+  std::size_t guide;  ///< index of that segment
   EdgeSegment mate;
   double similarity = 0.0;
 };
 
-/// Whether segments run along most of one.
+/// Whether segments run along most of a segment.
 bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<const Segment2> by) {
-  constexpr double kBeside_px = 0.6;  // further off it is another edge, or one that blurs two
+  // A segment further off is another edge, or one that blurs two.
+  constexpr double kBeside_px = 0.6;
   constexpr double kMostSlope = 0.15;
-  constexpr double kMost = 0.5;  // of the segment
+  constexpr double kMost = 0.5;  // share of the segment
   const Eigen::Vector2d u = along(segment);
   const Eigen::Vector2d n = normal_of(u);
   double covered_px = 0.0;
@@ -51,7 +53,7 @@ bool is_covered(const Segment2& segment, const SegmentIndex& index, std::span<co
   return covered_px > kMost * length(segment);
 }
 
-/// By segment of a view: whether it has a mate.
+/// For each segment of a view, whether it has a mate.
 std::vector<char> has_mate(const StereoPair& pair,
                            std::span<const LineMatch> known,
                            std::size_t view) {
@@ -61,7 +63,7 @@ std::vector<char> has_mate(const StereoPair& pair,
   return has;
 }
 
-/// The steps that the segments of view `from` without mates are guided to, in their order.
+/// The steps to which the unmatched segments of view `from` lead, in their order.
 std::vector<Step> steps_of(const StereoPair& pair,
                            const Surface& surface,
                            std::span<const LineMatch> known,
@@ -102,7 +104,7 @@ View without_segments(const View& view) {
   return {view.id, view.image_from_local, view.image, view.ideal_from_image};
 }
 
-/// The look of steps and their guides.
+/// Sets the similarity of steps and their guides by their look.
 void compare(const StereoPair& pair,
              std::size_t from,
              const GuideOptions& options,

@@ -13,26 +13,28 @@
 
 namespace ridgeline::reconstruct {
 
-/// Matches of segments that were extracted in one view alone.
+/// Matches of segments that were extracted in one view only.
 struct GuidedMatches {
-  std::array<std::vector<EdgeSegment>, 2> mates;  ///< by the view that shows them
-  std::vector<ScoredMatch>
-      matches;  ///< by left, then right; ids of mates go on from the pair's segments
+  std::array<std::vector<EdgeSegment>, 2> mates;  ///< found mates, by the view that shows them
+  /// Sorted by left, then by right index; the indices of mates go on from the pair's segments.
+  std::vector<ScoredMatch> matches;
 };
 
 struct GuideOptions {
-  ExtractOptions edges;         ///< what the uncertainty of a mate is stated by
-  CandidateOptions candidates;  ///< what a mate may be
-  double min_similarity = 0.8;  ///< of the look of a match
+  ExtractOptions edges;         ///< the uncertainty of a mate is stated as these say
+  CandidateOptions candidates;  ///< which segments may be mates
+  double min_similarity = 0.8;  ///< least similarity of a match by its look
 };
 
-/// A segment of either view without a mate is looked for in the other view, where the surfaces beside it tell
-/// (MatePrediction). A step of colour there (step_along()) becomes its mate if both look alike and if no segment is there
-/// already: an edge is often too weak in one of the views, or too near to a stronger one, to be found by itself.
+/// Looks for the mates of unmatched segments of either view in the other view, where the surfaces beside the
+/// segment predict them (MatePrediction). A step of colour there (step_along()) becomes the mate if both look
+/// alike and if no segment is there already. Such edges are often too weak in one of the views, or too near
+/// to a stronger one, to be found by themselves.
 ///
-/// Mates end where their guides do, so that ends do not count for the look. What stands above the surfaces on both its
-/// sides, as a fence does, is not where they tell; it finds its foot there at times.
-/// @param known  matches of the pair
+/// A mate ends where its guide does, so the ends do not count for the look. A fence, or another thing that
+/// stands above the surfaces on both its sides, is not where these surfaces predict it; at times its foot is
+/// found there instead.
+/// @param known  the matches of the pair so far
 GuidedMatches guided_matches(const StereoPair& pair,
                              const Surface& surface,
                              std::span<const LineMatch> known,

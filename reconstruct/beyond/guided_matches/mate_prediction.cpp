@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Mean of what is known.
+/// Mean of the known disparities.
 double mean_of(const cv::Mat& disparity_px) {
   double sum = 0.0;
   std::size_t n = 0;
@@ -26,9 +26,10 @@ double mean_of(const cv::Mat& disparity_px) {
   return n > 0 ? sum / static_cast<double>(n) : 0.0;
 }
 
-/// Disparities by the pixels of the right view. Of two surfaces at one of its pixels the nearer hides the other; it has the
-/// larger disparity, so that it comes from a later column.
-/// @param moved_px  of those pixels along the rows
+/// The disparities by the pixels of the right view. If two surfaces fall on one of its pixels, the nearer one
+/// hides the other. It has the larger disparity, so that it comes from a later column and overwrites the
+/// other.
+/// @param moved_px  shift of those pixels along the rows
 cv::Mat seen_from_right(const cv::Mat& disparity_px, double moved_px) {
   cv::Mat right(disparity_px.size(), CV_32F, cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
   for (int row = 0; row < right.rows; ++row) {
@@ -55,7 +56,7 @@ MatePrediction::MatePrediction(const Surface& surface, std::size_t from)
 }
 
 std::optional<Segment2> MatePrediction::of(const Segment2& segment) const {
-  constexpr double kLeastSine = 0.17;  // to the rows
+  constexpr double kLeastSine = 0.17;  // sine of the angle to the rows
   const Eigen::Vector2d moved(moved_px_, 0.0);
   const Segment2 rectified{surface_.rectification.rectified(from_, segment.start) + moved,
                            surface_.rectification.rectified(from_, segment.end) + moved};

@@ -17,16 +17,17 @@ class MatePrediction {
   /// @param from  the view of the segments: 0 left, 1 right
   MatePrediction(const Surface& surface, std::size_t from);
 
-  /// On the nearer surface, which a line bounds; ideal pixels, in the direction of the segment. Nothing where that surface
-  /// is not to be trusted, and near the direction of the base (10 degrees), where a shift along the line changes nothing.
+  /// The segment in the other view, in ideal pixels, in the direction of the given one. It lies on the nearer
+  /// surface, which a line bounds. Nothing if that surface is not to be trusted, or within 10 degrees of the
+  /// direction of the base, where a shift along the line changes nothing.
   [[nodiscard]] std::optional<Segment2> of(const Segment2& segment) const;
 
  private:
-  Surface surface_;  ///< as the view of the segments shows it
-  double moved_px_ =
-      0.0;  ///< along the rows, to keep the pixels of the right view in the frame of the left one
+  Surface surface_;  ///< the surface as the view of the segments shows it
+  /// Shift along the rows that keeps the pixels of the right view in the frame of the left one.
+  double moved_px_ = 0.0;
   std::size_t from_;
-  Eigen::Matrix3d ideal_from_rectified_;  ///< of the other view
+  Eigen::Matrix3d ideal_from_rectified_;  ///< homography of the other view
 };
 
 }  // namespace ridgeline::reconstruct

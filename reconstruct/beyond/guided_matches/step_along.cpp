@@ -12,17 +12,17 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kOffsetStep_px = 0.25;  // across the line
-constexpr int kFarthestOffset = 8;       // steps: 2 px
-constexpr int kReach = 10;               // of the derivative, steps
+constexpr double kOffsetStep_px = 0.25;  // spacing of the offsets across the line
+constexpr int kFarthestOffset = 8;       // in offset steps: 2 px
+constexpr int kReach = 10;               // reach of the derivative, in offset steps
 constexpr double kSmoothing_px = 0.8;
-constexpr double kExpected_px = 0.5;        // of a line that a surface predicts, standard deviation
-constexpr double kLeastSignificance = 3.5;  // standard deviations
+constexpr double kExpected_px = 0.5;        // sigma of the place of a line that a surface predicts
+constexpr double kLeastSignificance = 3.5;  // in standard deviations
 constexpr double kTogether_px = 2.8;        // pixels along a line that err together
-constexpr int kWindow_px = 2;               // along the line, to both sides
-constexpr int kStray = 4;                   // steps from the mean line: 1 px
-constexpr double kLeastStrength = 0.5;      // of the mean step
-constexpr double kLeastFill = 0.75;         // of the line
+constexpr int kWindow_px = 2;               // pixels along the line, to both sides
+constexpr int kStray = 4;                   // largest offset from the mean line, in steps: 1 px
+constexpr double kLeastStrength = 0.5;      // share of the mean step
+constexpr double kLeastFill = 0.75;         // share of the line
 constexpr std::size_t kFewest_px = 10;
 
 constexpr int kOffsets = 2 * kFarthestOffset + 1;
@@ -79,7 +79,7 @@ bool is_peak(const Eigen::Matrix<double, 1, kOffsets>& values, int i) {
   return i > 0 && i + 1 < kOffsets && values[i] >= values[i - 1] && values[i] > values[i + 1];
 }
 
-/// The offset of the step that the line is to be; nothing without one.
+/// The offset of the step that is the expected line; nothing if there is none.
 std::optional<int> expected_step(const LineGradients& line, const Gradients& mean) {
   const auto n = static_cast<double>(line.across.size());
   Eigen::Matrix<double, 1, kOffsets> squares = Eigen::Matrix<double, 1, kOffsets>::Zero();
@@ -101,7 +101,7 @@ std::optional<int> expected_step(const LineGradients& line, const Gradients& mea
   return best;
 }
 
-/// The peak nearest to an offset that is strong enough.
+/// The strong enough peak that is nearest to an offset.
 std::optional<int> nearest_peak(const Eigen::Matrix<double, 1, kOffsets>& strength,
                                 int at,
                                 double least) {

@@ -13,7 +13,7 @@ std::vector<ScoredMatch> propagate_heights(const StereoPair& pair,
                                            const MatchExtensionOptions& options) {
   if (given.empty()) return {};
   ChioOptions propagation = chio;
-  // heights of lines that are only nearby brought more wrong lines than right ones
+  // Heights of lines that are only nearby brought more wrong lines than right ones.
   propagation.range_m = 0.0;
   ChioExtensions stricter = beyond;
   if (stricter.by_look) {

@@ -9,7 +9,7 @@ namespace {
 /// A match by its segments in the left and in the right image.
 using Ids = std::array<int, 2>;
 
-/// A pair of images with the lines close to others.
+/// A pair of images with the close lines of their segments.
 struct Pair {
   const SearchedPair& views;
   const Radiometry& radiometry;
@@ -24,21 +24,21 @@ struct Pair {
   }
 };
 
-/// A strip that one image shows, between the lower and the upper candidate for one segment of the
-/// other image.
+/// A strip that one image shows. The other image has one segment for it, and both edges of the strip are
+/// candidates for this segment.
 struct HiddenStrip {
-  int image = 0;  ///< that shows it
+  int image = 0;  ///< the image that shows the strip
   Ids lower{}, upper{};
   const Candidate* lower_candidate = nullptr;
   const Candidate* upper_candidate = nullptr;
-  std::array<Eigen::Vector2d, 2> towards_upper;  ///< from the lower edge, in both images
+  std::array<Eigen::Vector2d, 2> towards_upper;  ///< direction from the lower edge, in both images
 };
 
 double mean_height_m(const Candidate& candidate) {
   return 0.5 * (candidate.overlap.height_m[0] + candidate.overlap.height_m[1]);
 }
 
-/// Where a point of an image moves as it rises by a metre; zero in the nadir.
+/// How a point of an image moves as it rises by a metre; zero in the nadir.
 Eigen::Vector2d px_per_m_up(const Pair& pair,
                             int image,
                             const Eigen::Vector2d& x_px,
@@ -51,18 +51,18 @@ Eigen::Vector2d px_per_m_up(const Pair& pair,
   return (up.head<2>() - up.z() * x_px) / x.z();
 }
 
-/// Whether the lines may be the edges of something vertical, seen at that width, and the other one is
-/// the upper one.
+/// Whether a line and `other` may be the edges of something vertical, at most 4 m high, with `other` as the
+/// upper one.
 bool is_below(const Eigen::Vector2d& px_per_m_up, const CloseLine& other) {
   constexpr double kHighest_m = 4.0;
   return px_per_m_up.dot(other.towards) * kHighest_m > other.distance_px;
 }
 
-/// Whether a segment has a strip of that kind on its own.
+/// Whether a segment has such a strip of its own: a line close by on the same side, far enough away.
 bool shows_strip(const std::vector<CloseLine>& beside,
                  const Eigen::Vector2d& towards,
                  double width_px) {
-  constexpr double kNarrowest = 0.4;  // of the width in the other image; a gutter is no wall
+  constexpr double kNarrowest = 0.4;  // share of the width in the other image; a gutter is no wall
   return std::ranges::any_of(beside, [&](const CloseLine& line) {
     return line.towards.dot(towards) > 0.0 && line.distance_px > kNarrowest * width_px;
   });
@@ -114,8 +114,8 @@ int side_of(const EdgeSegment& edge, const Eigen::Vector2d& towards) {
 
 Flank& flank(EdgeSegment& edge, int side) { return side == 0 ? edge.left : edge.right; }
 
-/// The upper candidate with the strip cut out: on the side of the strip it looks as the lower one
-/// does beyond it. A profile across the line cannot be had that way.
+/// The upper candidate with the strip cut out: on the side of the strip it looks as the lower candidate does
+/// beyond the strip. It has no profile across the line, because none can be made that way.
 Candidate across(const HiddenStrip& strip, const Pair& pair) {
   EdgeLook look;
   const int above = side_of(pair.segment(0, strip.upper[0]), strip.towards_upper[0]);
@@ -154,7 +154,7 @@ void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,
                                   Candidates& candidates) {
-  constexpr double kSmallestRatio = 0.8;  // of the similarities of the upper and the lower edge
+  constexpr double kSmallestRatio = 0.8;  // similarity of the upper edge over that of the lower one
   const Pair pair{views, radiometry, close};
   Candidates changed = candidates;
   for (const HiddenStrip& strip : hidden_strips(pair, candidates)) {

@@ -8,18 +8,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// Compares lines across strips that only one camera sees: the wall below an eave, the front of a
-/// garden wall.
+/// Compares lines across strips that only one camera sees, as the wall below an eave or the front of a garden
+/// wall.
 ///
-/// Whatever is vertical appears with its upper edge farther from the nadir. The camera that faces it
-/// sees both edges a few pixels apart, the other one the upper edge alone, with the ground where the
-/// wall would be. Of the two edges the *lower* one then looks like it: the ground is beside both.
-/// Hence, where both edges of a strip have the same mate and its image shows no such strip, the upper
-/// edge is compared anew, with the strip cut out: on the side of the strip what lies beyond the lower
-/// edge counts. If that makes it about as similar as the lower edge, the upper edge keeps the better
-/// similarity and the lower one loses the candidate.
+/// The upper edge of a wall appears farther from the nadir than its lower edge. The camera that faces the
+/// wall sees both edges a few pixels apart. The other camera sees the upper edge only, with the ground where
+/// the wall would be. The *lower* edge then looks more like it than the upper edge does, because the ground
+/// is beside both. So, if both edges of a strip have the same mate and the image of the mate shows no such
+/// strip, the upper edge is compared again with the strip cut out: on the side of the strip, what lies beyond
+/// the lower edge counts. If the upper edge is then about as similar as the lower edge, the upper edge keeps
+/// the better similarity and the lower edge loses the candidate.
 ///
-/// @param close  the lines close to others in the left and in the right image
+/// @param close  the close lines of each segment, in the left and in the right image
 void compare_across_hidden_strips(const SearchedPair& views,
                                   const Radiometry& radiometry,
                                   const std::array<CloseLines, 2>& close,

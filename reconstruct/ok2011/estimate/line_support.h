@@ -12,20 +12,20 @@
 
 namespace ridgeline::reconstruct {
 
-/// A line that an aligned match shows and what it rests on beside its two projection planes.
+/// A line of an aligned match and what supports it beside its two projection planes.
 struct LineSupport {
   ObservedPair seen;                     ///< the match, or the part of it that shows the line
   std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
-  /// What both images show at points of their segments: where the surface beside the line is,
-  /// else the ends, where the artificial points fix no direction.
+  /// Points in space that both images show on their segments. They lie on the surface beside the line if it
+  /// is known. Otherwise they are the ends of the segments, used if the artificial points fix no direction.
   std::vector<UncertainPoint3> ends{};
-  /// The same as seen in the left and the right image.
+  /// The points of `ends` as seen in the left and the right image, conditioned.
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
-  double sigma_ends_px = 0.0;           ///< of these along the line
-  bool on_surface = false;              ///< the ends are where the surface is
-  std::optional<double> sigma_slope{};  ///< taken as horizontal, as the consensus is
-  bool points_fix_direction = false;    ///< they are far enough apart
-  bool ambiguous = false;               ///< another depth explains the line about as well
+  double sigma_ends_px = 0.0;           ///< standard deviation of `ends` along the line
+  bool on_surface = false;              ///< whether `ends` lie on the surface beside the line
+  std::optional<double> sigma_slope{};  ///< of a line taken as horizontal, as the consensus is
+  bool points_fix_direction = false;    ///< whether `points` are far enough apart
+  bool ambiguous = false;               ///< whether another depth explains the line about as well
 };
 
 /// The point of highest weight in each region.

@@ -37,9 +37,8 @@ struct PairScene {
   ImagePair images;
   const Candidates& candidates;
   const MatchOptions& options;
-  double spread =
-      /// Multiplies the spreads of the geometric constraints and the largest turn.
-      1.0;
+  /// Multiplies the spreads of the geometric constraints and the largest turn.
+  double spread = 1.0;
 };
 
 /// How much more the shape of a pair changes between the images than at a base to height ratio of 0.26, for
