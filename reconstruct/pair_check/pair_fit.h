@@ -17,8 +17,8 @@ namespace ridgeline::reconstruct {
 struct PairGeometry {
   std::array<ProjectionMatrix, 2> image_from_local;
   std::array<double, 2> heights_m{};  ///< lowest and highest height of objects
-  /// Remove the distortion of the lenses; they give nothing outside of the field for which it is known. Empty
-  /// for a camera without distortion.
+  /// Functions that remove the distortion of the lenses; they give nothing outside of the field for which it
+  /// is known. Empty for a camera without distortion.
   std::array<std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d&)>, 2>
       ideal_from_image;
 };

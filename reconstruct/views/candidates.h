@@ -20,7 +20,7 @@ struct CandidateOptions {
   /// Largest distance of near-aligned segments from each other's epipolar band.
   double epipolar_tolerance_px = 2.0;
   double min_overlap = 0.3;  ///< least epipolar overlap, share of the shorter segment
-  /// Kept per segment: those whose single lines are most similar.
+  /// Number of candidates kept per segment: those whose single lines are most similar.
   int max_candidates = 8;
 
   static constexpr auto fields() {

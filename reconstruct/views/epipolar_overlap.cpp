@@ -58,7 +58,7 @@ bool covers_enough(const EpipolarOverlap& overlap) {
 }
 
 bool disjoint(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  constexpr double kShared = 0.5;  // of the shorter interval, because end points are uncertain
+  constexpr double kShared = 0.5;  // share of the shorter interval; end points are uncertain
   const auto [a_low, a_high] = std::minmax(a[0], a[1]);
   const auto [b_low, b_high] = std::minmax(b[0], b[1]);
   const double common = std::min(a_high, b_high) - std::max(a_low, b_low);

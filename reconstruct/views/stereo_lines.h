@@ -12,7 +12,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// The correction of the places of a match's segments that comparing the images beside them gives.
+/// The correction of the places of a match's segments, found by comparing the images beside them.
 struct Registration {
   double right_shift_px = 0.0;  ///< shift of the right segment along n = (-u_y, u_x)
   double sigma_scale = 1.0;     ///< factor of sigma_q and sigma_phi of both segments
@@ -20,9 +20,10 @@ struct Registration {
 
 /// The matched segments of two images, which it borrows.
 struct MatchedSegments {
-  /// Image_from_local of the left (base) and the right image.
+  /// The cameras `image_from_local` of the left (base) and the right image.
   std::span<const ProjectionMatrix> cameras;
-  std::span<const std::vector<UncertainSegment2>> segments;  ///< of the left and of the right image
+  /// Segments of the left and of the right image.
+  std::span<const std::vector<UncertainSegment2>> segments;
   std::span<const LineMatch> matches;
   std::span<const PairConnection> connections;    ///< in either order; repetitions change nothing
   std::span<const Registration> registrations{};  ///< one per match, or empty

@@ -20,7 +20,7 @@ Eigen::Vector2d file_shift(const EdgeSegment& segment, double t) {
 }  // namespace
 
 double SideLook::colour_agreement() const {
-  constexpr double kScale = 0.05;  // of the range of grey values
+  constexpr double kScale = 0.05;  // in units of the range of grey values
   return std::exp(-colour_difference / kScale);
 }
 

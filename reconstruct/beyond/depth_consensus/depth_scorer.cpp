@@ -17,7 +17,7 @@ constexpr double kSupportSigma = 3.0;
 constexpr double kCutReachPx = 6.0;
 /// Largest factor by which agreement with the line raises the odds of evidence.
 constexpr double kAgreementGain = 4.0;
-/// Factor of the probability that a point above the line is none of it, if its meeting is certain.
+/// How likely a point above the line is not on it, relative to a point below the line.
 constexpr double kDoubtAbove = 0.1;
 
 }  // namespace

@@ -56,7 +56,7 @@ MatePrediction::MatePrediction(const Surface& surface, std::size_t from)
 }
 
 std::optional<Segment2> MatePrediction::of(const Segment2& segment) const {
-  constexpr double kLeastSine = 0.17;  // sine of the angle to the rows
+  constexpr double kLeastSine = 0.17;  // least sine of the angle to the rows
   const Eigen::Vector2d moved(moved_px_, 0.0);
   const Segment2 rectified{surface_.rectification.rectified(from_, segment.start) + moved,
                            surface_.rectification.rectified(from_, segment.end) + moved};

@@ -15,7 +15,8 @@ namespace ridgeline::reconstruct {
 /// most significant one is taken, weighted down by its distance from the line (standard deviation 0.5 px),
 /// and followed with a window of 5 px.
 /// @param expected  in pixels of the file; the result has the same direction
-/// Nothing without a step, where less than three quarters of the line follow it, and for lines shorter than 10 px.
+/// Nothing if there is no step, if less than three quarters of the line follow it, or if the line is shorter
+/// than 10 px.
 std::optional<EdgeTrace> step_along(const ImageSampler& image, const Segment2& expected);
 
 }  // namespace ridgeline::reconstruct

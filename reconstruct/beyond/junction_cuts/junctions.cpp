@@ -19,12 +19,13 @@ using Points = std::vector<Eigen::Vector2d>;
 
 constexpr double kMeetingReach_px = 6.0;  ///< an edge ends a little before the one that it meets
 constexpr double kGap_px = 3.0;           ///< a strip that crosses an edge interrupts it
-constexpr double kShortestPart = 2.5;     ///< of min_length_px: short parts are matched badly
+/// In multiples of min_length_px: short parts are matched badly.
+constexpr double kShortestPart = 2.5;
 constexpr double kMinAngle_rad = 20.0 * std::numbers::pi / 180.0;
 
 /// The ends of all edges; end k is of edge k / 2.
 struct Ends {
-  std::vector<Segment2> places;  ///< of no length
+  std::vector<Segment2> places;  ///< segments of no length
   SegmentIndex index;
 };
 
@@ -37,8 +38,8 @@ Ends ends_of(const std::vector<EdgeTrace>& edges) {
   return {places, SegmentIndex(places)};
 }
 
-/// The samples of a trace at which other edges end or beyond which it is interrupted, in order; one of
-/// a group of neighbours.
+/// The samples of a trace at which other edges end or before which it is interrupted, in order. A group of
+/// neighbours gives one sample.
 std::vector<std::size_t> junctions_of(std::size_t edge,
                                       const std::vector<EdgeTrace>& edges,
                                       const std::vector<PrincipalAxes>& axes,
@@ -52,7 +53,6 @@ std::vector<std::size_t> junctions_of(std::size_t edge,
     if (other == edge || acute_angle_rad(along, axes[other].along) < kMinAngle_rad) continue;
     for (std::size_t i = 0; i < trace.size(); ++i) {
       const Eigen::Vector2d offset = ends.places[k].start - trace[i].position_px;
-      // the sample beside the end
       if (std::abs(along.dot(offset)) <= 1.0 && offset.norm() <= kMeetingReach_px)
         touched[i] = true;
     }
@@ -79,9 +79,10 @@ struct Run {
   LineSums sums;
 };
 
-/// How much better two lines fit than one, relative to what a bend takes; a bend from 1 on.
+/// How much better two lines fit than one, relative to what a bend needs: the edge bends if this is 1 or
+/// more.
 double bend_of(const Run& a, const Run& b, double least_bend_px) {
-  // of the two parameters of the second line, for edge pixels that are correlated
+  // This threshold allows for the two parameters of the second line and for the correlation of edge pixels.
   constexpr double kSignificant = 40.0;
   const double two_lines = a.sums.residual() + b.sums.residual();
   const LineSums both = a.sums + b.sums;
@@ -108,8 +109,8 @@ std::vector<Run> runs_between(const Points& points,
   return runs;
 }
 
-/// Joins the run with the next one for which that costs least, until none costs less than `limit`.
-/// @param cost  of joining two neighbours
+/// Joins the two neighbouring runs for which that costs least, until none costs less than `limit`.
+/// @param cost  cost of joining two neighbours
 template <typename Cost>
 void join(std::vector<Run>& runs, double limit, const Cost& cost) {
   while (runs.size() > 1) {
@@ -127,8 +128,8 @@ void join(std::vector<Run>& runs, double limit, const Cost& cost) {
   }
 }
 
-/// Joins what is too short for a part to the neighbour that it continues best: of two junctions close
-/// to each other the one stays at which the edge changes its course.
+/// Joins runs that are too short to the neighbour that they continue best. If two junctions are close to each
+/// other, the one at which the edge changes its course stays.
 void join_short(std::vector<Run>& runs, const Points& points, double shortest_px) {
   const auto is_short = [&](const Run& run) {
     return (points[run.last - 1] - points[run.first]).norm() < shortest_px;

@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// One surface in both images.
+/// The colours of one surface in both images.
 struct ColourPair {
   Colour left, right;
 };
@@ -62,11 +62,11 @@ double median_misclosure(std::span<const ColourPair> pairs, int band, double gai
   }));
 }
 
-/// Least squares, reweighted for Cauchy's distribution of the misclosures.
+/// Fits gain and offset by least squares, reweighted for Cauchy's distribution of the misclosures.
 void refine_band(std::span<const ColourPair> pairs, int band, Radiometry& radiometry) {
   constexpr int kPasses = 10;
-  constexpr double kSmallestScale = 0.002;  // of the range of grey values
-  constexpr double kSmallestSpread = 0.05;  // of the colours, to fix a gain
+  constexpr double kSmallestScale = 0.002;  // in units of the range of grey values
+  constexpr double kSmallestSpread = 0.05;  // least spread of the colours that fixes a gain
   double gain = radiometry.gain[band];
   double offset = radiometry.offset[band];
   for (int pass = 0; pass < kPasses; ++pass) {

@@ -64,7 +64,7 @@ void NetworkAdjustment::for_each_condition(std::size_t line,
     add(height, sigma_height_);
   }
   if (lines_[line]->is_horizontal) add(rise(at), sigma_slope_);
-  // the point is uncertain along both segments
+  // The point is uncertain along both segments.
   const double sigma_end =
       std::numbers::sqrt2 * lines_[line]->sigma_ends_px / stereo_.views[1].image.scale_px;
   for (std::size_t e = 0; e < c.left_ends.size(); ++e) {
@@ -115,7 +115,8 @@ Eigen::SparseMatrix<double> NetworkAdjustment::normal_matrix(Eigen::VectorXd& ri
   for (std::size_t m = 0; m < meetings_.size(); ++m) {
     const auto a = static_cast<std::size_t>(meetings_[m].first);
     const auto b = static_cast<std::size_t>(meetings_[m].second);
-    // of weight zero as well: its variance may be asked for, which needs its place in the pattern
+    // Meetings of weight zero are added too: their variance may be asked for, which needs a place in the
+    // pattern.
     const OfLinePair miss = meeting(estimates_[a], estimates_[b]);
     const double root = std::sqrt(weights[m]) / sigma_of(m);
     const Eigen::Vector4d by_a = root * bases_[a].transpose() * miss.by_first;
@@ -197,7 +198,7 @@ Eigen::Matrix4d NetworkAdjustment::covariance_block(std::size_t row, std::size_t
 }
 
 NetworkAdjustment::Prediction NetworkAdjustment::predicted(std::size_t m) const {
-  constexpr double kLeastShare = 1e-9;  // of the others
+  constexpr double kLeastShare = 1e-9;  // least share of the others in the information
   const auto a = static_cast<std::size_t>(meetings_[m].first);
   const auto b = static_cast<std::size_t>(meetings_[m].second);
   const OfLinePair distance = meeting(estimates_[a], estimates_[b]);

@@ -9,14 +9,15 @@
 namespace ridgeline::reconstruct {
 
 /// The variance of the distance along the line, v(t) = sigma_q^2 + sigma_phi^2 (t - t_c)^2, gives the
-/// centroid t_c and both sigmas; at t_c + sigma_q / sigma_phi and - the distances are uncorrelated.
+/// centroid t_c and both sigmas. The distances at t_c + sigma_q / sigma_phi and t_c - sigma_q / sigma_phi are
+/// uncorrelated.
 ImageCondition::ImageCondition(const ProjectionMatrix& image_from_object,
                                const UncertainLine2& observed)
     : image_from_line_(line_projection(image_from_object)) {
   const Eigen::Vector2d normal = observed.mean.head<2>();
   const double norm = normal.norm();
   const Eigen::Vector2d along = Eigen::Vector2d(normal.y(), -normal.x()) / norm;
-  const Eigen::Vector2d foot = -observed.mean.z() / (norm * norm) * normal;  // of the origin
+  const Eigen::Vector2d foot = -observed.mean.z() / (norm * norm) * normal;  // foot of the origin
   const auto point = [&](double t) {
     return Eigen::Vector3d(Eigen::Vector2d(foot + t * along).homogeneous());
   };
@@ -55,7 +56,7 @@ OfLinePair meeting(const Vector6d& first, const Vector6d& second) {
   result.value = first.dot(dual(second)) / sine;
   result.by_first = dual(second) / sine;
   result.by_second = dual(first) / sine;
-  // d|a x b| = (b x n).da = (n x a).db for the unit normal n
+  // d|a x b| = (b x n).da = (n x a).db for the unit normal n.
   result.by_first.head<3>() -= result.value / sine * Eigen::Vector3d(second.head<3>()).cross(unit);
   result.by_second.head<3>() -= result.value / sine * unit.cross(Eigen::Vector3d(first.head<3>()));
   return result;

@@ -16,18 +16,18 @@ struct OfLine {
   Vector6d by_line = Vector6d::Zero();
 };
 
-/// A function of two lines.
+/// A function of two lines with its derivatives, all in the conditioned frames.
 struct OfLinePair {
   double value = 0.0;
   Vector6d by_first = Vector6d::Zero(), by_second = Vector6d::Zero();
 };
 
-/// What an image says of a line: the distances of its image from the two points of the observed line,
-/// one on either side of the centroid, whose distances are uncorrelated, over their standard deviation
-/// sqrt(2) sigma_q. The sign of both changes with that of the line.
+/// The conditions of an image on a line: the distances of the line's image from two points of the observed
+/// line, over their standard deviation sqrt(2) sigma_q. The points lie on either side of the centroid so that
+/// their distances are uncorrelated. The sign of both distances changes with that of the line.
 class ImageCondition {
  public:
-  /// @param observed  with a covariance of rank 2: shift at the centroid and direction
+  /// @param observed  has a covariance of rank 2: shift at the centroid and direction
   ImageCondition(const ProjectionMatrix& image_from_object, const UncertainLine2& observed);
 
   [[nodiscard]] std::array<OfLine, 2> at(const Vector6d& line) const;
@@ -38,22 +38,24 @@ class ImageCondition {
   double sigma_;
 };
 
-/// Signed distance of two lines; its sign depends on those of the lines. Not finite for parallel ones.
+/// Signed distance of two lines; its sign depends on the signs of the lines. It is not finite for parallel
+/// lines.
 OfLinePair meeting(const Vector6d& first, const Vector6d& second);
 
-/// Rise over length of a line, the sine of its slope, Z being up.
+/// The sine of the slope of a line, which is its rise over its length; Z is up.
 OfLine rise(const Vector6d& line);
 
 /// Height of the point where the line passes through a plane.
 OfLine height_in_plane(const Vector6d& line, const Eigen::Vector4d& plane);
 
-/// The plane that shows in an image as the line through x normal to the segment.
+/// The plane that an image shows as the line through x normal to the segment.
 Eigen::Vector4d end_plane(const ConditionedView& view,
                           const Segment2& segment,
                           const Eigen::Vector2d& x);
 
-/// What the ends of two segments say if they show the same point: where the line passes through the
-/// end plane of the left one, seen in the right image, from the right end along the right segment.
+/// The condition that the ends of two segments show the same point. Its value is a distance in the right
+/// image along the right segment: from the right end to the point where the line passes through the end plane
+/// of the left segment.
 OfLine end_parallax(const Vector6d& line,
                     const Eigen::Vector4d& left_end_plane,
                     const ConditionedView& right_view,

@@ -10,10 +10,10 @@ namespace {
 
 enum class Place { kEnd, kWithin, kBeyond };
 
-/// Where the crossings with another line lie on the segments of a line.
+/// Where the crossings with another line lie on the segments of a line, mean of both images.
 Place place_of(const StereoViews& stereo, const ObservedPair& line, const ObservedPair& other) {
   constexpr double kAtEnd_px = 4.0;
-  double to_end_px = 0.0;  // mean: positive beyond, negative within
+  double to_end_px = 0.0;  // mean of both images: positive beyond the end, negative within
   const std::array<Eigen::Vector2d, 2> x = crossing(line, other);
   for (std::size_t j = 0; j < 2; ++j) {
     const Segment2& s = line[j].segment;

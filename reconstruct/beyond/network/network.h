@@ -15,17 +15,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// A matched line as it enters the adjustment of all, in the conditioned frames.
+/// A matched line as it enters the common adjustment, in the conditioned frames.
 struct NetworkLine {
   ObservedPair seen;
   Vector6d start = Vector6d::Zero();  ///< unit vector
-  /// Says which meetings are likely to begin with; none where nothing is known of it.
+  /// Covariance of `start`, by which likely meetings are found at the beginning; none if nothing is known of
+  /// it.
   std::optional<Matrix6d> start_cov;
-  /// Taken as horizontal, within options.sigma_slope.
+  /// Whether the line is taken as horizontal, within options.sigma_slope.
   bool is_horizontal = false;
   /// Ends of the left and the right segment that are taken to show the same point.
   std::vector<std::array<Eigen::Vector2d, 2>> ends;
-  double sigma_ends_px = 1.0;  ///< of each of them along the line
+  double sigma_ends_px = 1.0;  ///< standard deviation of each of `ends` along the line
 };
 
 /// Two lines that meet in both images.
@@ -35,25 +36,26 @@ struct Meeting {
 };
 
 struct AdjustedInNetwork {
-  UncertainLine3 line;    ///< unit vector on the Pluecker quadric
-  int n_meetings = 0;     ///< accepted
-  double omega = 0.0;     ///< of its image conditions, squared normalised deviations
-  bool adjusted = false;  ///< false: no meeting offered, equations singular or not converged
+  UncertainLine3 line;  ///< unit vector on the Pluecker quadric
+  int n_meetings = 0;   ///< number of accepted meetings
+  double omega = 0.0;   ///< sum of the squared normalised deviations of its images
+  /// False if no meeting was offered, the equations were singular or the adjustment did not converge.
+  bool adjusted = false;
 };
 
-/// All lines in one adjustment by their images, the accepted meetings, horizontality and
-/// corresponding ends where they rest on these, and the range of heights as a weak prior of the heights
-/// of both ends. Unlike in adjust_line() every segment enters once, so that what lines have in common is
-/// accounted for.
+/// Adjusts all lines together by their images, the accepted meetings, horizontality and corresponding ends
+/// for the lines that need these, and the range of heights as a weak prior of the heights of both ends.
+/// Unlike in adjust_line(), every segment enters once, so that what lines have in common is accounted for.
 ///
-/// Meetings are inliers of the standard deviation of their junction or outliers of a constant density
-/// over max_miss_m: expectation maximisation, then a hard decision at the posterior probability 0.5.
+/// A meeting is an inlier with the standard deviation of its junction, or an outlier of a constant density
+/// over max_miss_m. Expectation maximisation weighs the meetings; at the end those of a posterior probability
+/// of at least 0.5 are accepted.
 ///
 /// There are no alternative starts, no conditions between lines and planes or of parallel and
 /// perpendicular lines, and no heights that are carried on within the adjustment.
 ///
-/// Lines without a chain of meetings between them are independent: one sparse system for each group,
-/// groups in parallel. Results do not depend on the number of threads.
+/// Lines without a chain of meetings between them are independent, so each group is one sparse system, and
+/// the groups run in parallel. Results do not depend on the number of threads.
 /// @param heights_m  lowest and highest height of objects, local frame
 std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
                                               std::span<const NetworkLine> lines,

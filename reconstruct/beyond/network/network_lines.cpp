@@ -14,7 +14,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Starts from the line through both ends. Their scatter along the line drops out of its covariance.
+/// Starts from the line through both ends. The scatter of the ends along the line drops out of its
+/// covariance.
 void start_from(const ReconstructedLine& joint,
                 const ObjectConditioning& object,
                 NetworkLine& line) {
@@ -45,7 +46,7 @@ NetworkLine network_line(const StereoLines& lines, std::size_t match, const Join
   return line;
 }
 
-/// The lines with a geometry and where they come from.
+/// The lines with a geometry, and the matches that they come from.
 struct Members {
   std::vector<NetworkLine> lines;
   std::vector<JointLine*> results;
@@ -66,7 +67,7 @@ Members members_of(const StereoLines& lines, std::vector<std::vector<JointLine>>
   return members;
 }
 
-/// The part of a match that is closest to a segment of the left image; none for a match without parts.
+/// The part of a match that is closest to a segment of the left image; nothing for a match without parts.
 std::optional<int> closest_part(const Members& members, std::size_t match, const Segment2& to) {
   const std::vector<int>& parts = members.of_match[match];
   const auto closest = std::ranges::min_element(parts, {}, [&](int part) {
@@ -80,7 +81,7 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
                                  const Members& members,
                                  const ReconstructOptions& options,
                                  double sigma_meeting_m) {
-  std::set<std::pair<int, int>> pairs;  // in one order, each once
+  std::set<std::pair<int, int>> pairs;  // smaller index first, each pair once
   for (const PairConnection& c : connections) pairs.insert(std::minmax(c.i, c.k));
   std::vector<Meeting> meetings;
   for (const auto& [i, k] : pairs) {
@@ -97,8 +98,8 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
   return meetings;
 }
 
-/// Whether the line is known far better than by the range of heights alone: of the variance of its
-/// heights in any combination at most this share is left.
+/// Whether the line is known far better than by the range of heights alone: any combination of its heights
+/// has at most this share of the variance of the range.
 bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& heights_m) {
   constexpr double kMostLeft = 0.01;
   const Matrix6d& cov = *line.covariance_m2;
@@ -109,7 +110,8 @@ bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& h
   return largest <= kMostLeft * range_m * range_m / 12.0;
 }
 
-/// Whether more lines meet it than `joint` has points of it and, if that has any, its height is more certain.
+/// Whether more lines meet it than `joint` has points of it and, if `joint` has any, its height is more
+/// certain.
 bool is_better_known(const ReconstructedLine& by_network, int n_meetings, const JointLine& joint) {
   const auto n_points = static_cast<int>(joint.line.points.size() + joint.support.ends.size());
   if (n_meetings <= n_points) return false;

@@ -9,12 +9,12 @@
 
 namespace ridgeline::reconstruct {
 
-/// Method::kNetwork: adjust_network() from the results of `joint`, which say what aligned lines rest on.
-/// Lines that have no geometry stay as they are, and so do those that it cannot adjust, that are hardly
-/// determined by it, that have no more accepted meetings than `joint` has points, or whose height `joint`
-/// knows better.
-/// @param lines     with covariances of the centroid form, whatever `joint` has used
-/// @param by_match  of each match its line, or its parts
+/// Applies adjust_network() to the results of `joint` (Method::kNetwork), which also give the support of
+/// aligned lines. A line stays as it is if it has no geometry, if the network cannot adjust it or hardly
+/// determines it, if it has no more accepted meetings than `joint` has points, or if `joint` knows its height
+/// better.
+/// @param lines     have covariances of the centroid form, whatever `joint` has used
+/// @param by_match  the line of each match, or its parts
 void adjust_together(const StereoLines& lines,
                      std::span<const PairConnection> connections,
                      const EstimationOptions& options,

@@ -9,17 +9,17 @@
 
 namespace ridgeline::reconstruct {
 
-/// Cholesky factors of a symmetric positive definite sparse matrix, and those elements of its inverse
-/// that lie in the pattern of the factors: all that covariances of connected unknowns need, in about the
-/// time of the factorisation (Takahashi et al. 1973), where the whole inverse is dense.
+/// Cholesky factors of a symmetric positive definite sparse matrix, and those elements of its inverse that
+/// lie in the pattern of the factors. These are all that covariances of connected unknowns need. They take
+/// about the time of the factorisation (Takahashi et al. 1973), while the whole inverse is dense.
 class SparseInverse {
  public:
-  /// From the lower triangle of the matrix. Empty if the matrix is not positive definite.
+  /// Factorises a matrix given by its lower triangle. Empty if the matrix is not positive definite.
   static std::optional<SparseInverse> of(const Eigen::SparseMatrix<double>& lower);
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
-  /// Computes the inverse where the matrix is not zero.
+  /// Computes the elements of the inverse in the pattern of the factors.
   void invert();
   /// Element of the inverse; throws std::out_of_range outside of the pattern, or before invert().
   [[nodiscard]] double at(int row, int column) const;
@@ -29,13 +29,13 @@ class SparseInverse {
   struct Column {
     std::vector<int> rows;
     std::vector<double> factor, inverse;
-    double diagonal = 0.0;          ///< of D
-    double inverse_diagonal = 0.0;  ///< of the inverse
+    double diagonal = 0.0;          ///< diagonal element of D
+    double inverse_diagonal = 0.0;  ///< diagonal element of the inverse
   };
   [[nodiscard]] double inverse_at(int row, int column) const;
 
   std::vector<Column> columns_;
-  std::vector<int> place_;  ///< of an unknown in the order of elimination
+  std::vector<int> place_;  ///< place of each unknown in the order of elimination
   bool is_inverted_ = false;
 };
 

@@ -16,17 +16,18 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kShiftStep_px = 0.125;
-constexpr int kHalfWidth = 16;      // of the left profile, steps: 2 px
-constexpr int kFarthestShift = 20;  // shift, steps: 2.5 px
-constexpr int kMostAlong = 40;      // rows that a profile is the mean of
+constexpr int kHalfWidth = 16;      // half width of the left profile, in steps: 2 px
+constexpr int kFarthestShift = 20;  // largest shift, in steps: 2.5 px
+constexpr int kMostAlong = 40;      // most rows that a profile is averaged over
 
-/// Profiles as alike as this show the same surfaces on both sides ...
+/// Profiles as alike as this show the same surfaces on both sides.
 constexpr double kLeastNcc = 0.985;
-/// ... and are registered if that makes them clearly more alike. Both by the true errors on simulated
-/// training villages: 31 of 37 registered lines come closer to the true one there, 3 move away.
+/// Profiles are registered if that makes them more alike by at least this. Both limits were chosen by the
+/// true errors on simulated training villages: 31 of 37 registered lines come closer to the true line, 3 move
+/// away.
 constexpr double kLeastGain = 0.003;
 
-/// Mean colours along a line at steps across it, -n..n; none if a sample lies outside of the image.
+/// Mean colours along a line at steps across it, -n..n; empty if a sample lies outside of the image.
 std::vector<Colour> profile_across(const ImageSampler& image,
                                    const std::vector<Eigen::Vector2d>& on_line,
                                    const Eigen::Vector2d& side,
@@ -37,7 +38,7 @@ std::vector<Colour> profile_across(const ImageSampler& image,
   return mean_profile(sample_strip(image, on_line, side, grid), grid);
 }
 
-/// Where the right profile, which is longer, shows the left one.
+/// Finds the place at which the longer right profile shows the left one.
 ComparedProfiles compared(std::span<const Colour> left, std::span<const Colour> right) {
   std::array<double, 2 * kFarthestShift + 1> at{};
   for (std::size_t k = 0; k < at.size(); ++k)
@@ -60,7 +61,7 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return {};
   const StripFrame frame = strip_frame({left, right, *overlap}, kMostAlong);
-  // the sides of the left segment, whichever way the right one runs
+  // The sides are those of the left segment, whichever way the right one runs.
   const double sign = overlap->reversed() ? -1.0 : 1.0;
   const Eigen::Vector2d side_in_right = sign * normal(right.line.segment);
   const std::vector<Colour> seen_left =

@@ -14,12 +14,13 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kShared_px = 0.3;  // of the line from the plane, at both ends alike
-constexpr double kOwn_px = 0.1;     // at each end
+// Sigma of the line's distance from the plane, the same at both ends.
+constexpr double kShared_px = 0.3;
+constexpr double kOwn_px = 0.1;  // sigma that each end adds
 
 using Matrix26d = Eigen::Matrix<double, 2, 6>;
 
-/// The face that most places beside a segment lie in, if they are half of all.
+/// The face that at least half of the places beside a segment lie in.
 std::optional<int> face_beside(const PlaneFaces& faces, const Segment2& rectified, double side) {
   constexpr double kBeside_px = 4.0;  // the cells that an edge crosses are in no face, mostly
   constexpr int kFewestPlaces = 3;
@@ -37,7 +38,7 @@ std::optional<int> face_beside(const PlaneFaces& faces, const Segment2& rectifie
   return std::nullopt;
 }
 
-/// Nearer ones first.
+/// The faces on both sides of a segment, the nearer one first.
 std::vector<const PlaneFace*> faces_beside(const PlaneFaces& faces, const Segment2& rectified) {
   const auto right = face_beside(faces, rectified, 1.0);
   const auto left = face_beside(faces, rectified, -1.0);
@@ -50,7 +51,7 @@ std::vector<const PlaneFace*> faces_beside(const PlaneFaces& faces, const Segmen
   return beside;
 }
 
-/// One step of the adjustment with both ends as unknowns.
+/// Makes one step of the adjustment with both ends as unknowns.
 void adjust_to_face(const Rectification& r, const PlaneFace& face, Vector6d& ends, Matrix6d& cov) {
   constexpr double kLargest = 13.816;  // chi-square with 2 degrees of freedom, 99.9 %
   Matrix26d by_ends = Matrix26d::Zero();

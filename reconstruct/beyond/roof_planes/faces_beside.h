@@ -7,14 +7,15 @@
 
 namespace ridgeline::reconstruct {
 
-/// Adjusts a line to the plane faces that it borders: eaves and verges to one, ridges, hips and valleys to two. Faces know
-/// heights better than edges that run near the base. Edges know better where a line is in the image.
+/// Adjusts a line to the plane faces that it borders: eaves and verges to one, ridges, hips and valleys to
+/// two. Faces know heights better than edges that run near the base. Edges know better where a line is in the
+/// image.
 ///
 /// A face is beside a line if half of the places 4 px beside its left segment are in it. Such a face gives two conditions,
 /// that both ends lie on its plane, in disparities of the rectified left view. They hold to 0.3 px that both ends share
 /// (gutters and steps that the matching fattens) and 0.1 px of each end. A face that the line contradicts at 99.9 % (fences,
 /// cars, a street below an eave) changes nothing; of two faces the nearer one comes first.
-/// Does nothing to a line without covariance.
+/// A line without covariance stays as it is.
 void adjust_to_faces_beside(const Rectification& r,
                             const PlaneFaces& faces,
                             ReconstructedLine& line);

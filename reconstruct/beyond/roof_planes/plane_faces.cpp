@@ -14,13 +14,13 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kSeed_px = 0.25;      // root mean square of three by three cells about their plane
-constexpr double kOnPlane_px = 0.4;    // the same of a cell about the plane of a face
+constexpr double kOnPlane_px = 0.4;    // root mean square of a cell about the plane of a face
 constexpr double kSteepestFace = 0.6;  // change of disparity per pixel; walls have more
-constexpr double kLeastKnown = 0.5;    // share of the pixels of a cell
+constexpr double kLeastKnown = 0.5;    // share of a cell's pixels that have a disparity
 constexpr int kFewestCells = 12;
 
-/// Moments of pixels (x, y, disparity), from which planes follow and how far off them the pixels lie. About their mean, so
-/// that a small face far from the first pixel loses no digits.
+/// Moments of pixels (x, y, disparity), from which planes and the distances of the pixels from them follow.
+/// They are moments about the mean, so that a small face far from the first pixel loses no digits.
 struct PlaneSums {
   double n = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -52,7 +52,7 @@ struct PlaneSums {
     const double mean_px = across.dot(mean) + plane.z();
     return std::sqrt(std::max(0.0, across.dot(scatter * across)) / n + mean_px * mean_px);
   }
-  /// Of a, b, c, for observations of unit weight.
+  /// Cofactor matrix of a, b, c for observations of unit weight.
   [[nodiscard]] Eigen::Matrix3d cofactors() const {
     const Eigen::Matrix2d of_slope = scatter.topLeftCorner<2, 2>().inverse();
     Eigen::Matrix<double, 3, 2> by_slope;  // the plane passes through the mean
@@ -112,7 +112,7 @@ class Growing {
            cell(row, column).n >= kLeastKnown * PlaneFaces::kCell_px * PlaneFaces::kCell_px;
   }
 
-  /// The free cells among three by three about a place; none unless all are.
+  /// The sum of three by three cells about a place; nothing unless all of them are free.
   std::optional<PlaneSums> block_about(int row, int column) {
     PlaneSums block;
     for (int r = row - 1; r <= row + 1; ++r) {
@@ -124,7 +124,7 @@ class Growing {
     return block;
   }
 
-  /// The best first.
+  /// Places at which faces may begin, the best first.
   std::vector<Seed> seeds() {
     std::vector<Seed> seeds;
     for (int row = 1; row + 1 < rows_; ++row) {
@@ -176,7 +176,8 @@ class Growing {
     result_.faces.push_back({plane, covariance(inner, plane), static_cast<int>(members.size())});
   }
 
-  /// Over the cells of a face with all neighbours in it: cells on its border may hold what is beyond.
+  /// Sums over the cells of a face with all neighbours in it, because cells on its border may hold what is
+  /// beyond.
   PlaneSums inner_sums(const std::vector<std::pair<int, int>>& members, int index) {
     PlaneSums inner;
     const auto is_member = [&](int row, int column) {
@@ -191,9 +192,9 @@ class Growing {
     return inner;
   }
 
-  /// Neighbours err together, as the matching smooths.
+  /// Covariance of a plane. It allows for neighbours that err together, as the matching smooths.
   static Eigen::Matrix3d covariance(const PlaneSums& all, const Eigen::Vector3d& plane) {
-    constexpr double kTogether = 100.0;  // pixels
+    constexpr double kTogether = 100.0;  // number of pixels that err together
     constexpr double kLeastSigma_px = 0.05;
     const double sigma_px = std::max(kLeastSigma_px, all.rms_px(plane));
     return kTogether * sigma_px * sigma_px * all.cofactors();

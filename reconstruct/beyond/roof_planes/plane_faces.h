@@ -10,7 +10,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// A plane in the disparities of the rectified left view, d = a x + b y + c, that many pixels lie on.
+/// A plane in the disparities of the rectified left view, d = a x + b y + c, on which many pixels lie.
 struct PlaneFace {
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();  ///< a, b, c
   Eigen::Matrix3d cov = Eigen::Matrix3d::Zero();
@@ -26,7 +26,7 @@ struct PlaneFaces {
   static constexpr int kCell_px = 6;
   static constexpr int kNone = -1;
   std::vector<PlaneFace> faces;
-  cv::Mat face_of_cell;  ///< CV_32S, by row and column of the cells; kNone for none
+  cv::Mat face_of_cell;  ///< CV_32S, by row and column of the cells; kNone if a cell has none
 
   /// The face that a pixel is in, kNone for none.
   [[nodiscard]] int at(const Eigen::Vector2d& x_px) const;
@@ -36,9 +36,9 @@ struct PlaneFaces {
   }
 };
 
-/// Grows faces from the cells that are planes best, as long as the next cell lies on the plane of those before it to
-/// 0.4 px, root mean square. The plane of a face is then that of its inner cells. Faces of less than 12 cells or without
-/// an inner one and surfaces as steep as walls are left out.
+/// Grows faces from the most planar cells. A face grows as long as the next cell lies on the plane of the
+/// cells before it to 0.4 px, root mean square. The plane of a face is then fitted to its inner cells. Faces
+/// of less than 12 cells or without an inner one and surfaces as steep as walls are left out.
 PlaneFaces plane_faces(const Surface& surface);
 
 }  // namespace ridgeline::reconstruct

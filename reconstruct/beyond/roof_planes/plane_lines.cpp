@@ -16,14 +16,15 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kLeastBend = 0.08;  // difference of the planes' slopes, disparity per pixel
-constexpr double kFromIntersection_px =
-    1.0 * PlaneFaces::kCell_px;       // of the border from the intersection
-constexpr double kLeastOnLine = 0.6;  // share of the border
+// Largest distance of the border from the intersection.
+constexpr double kFromIntersection_px = 1.0 * PlaneFaces::kCell_px;
+constexpr double kLeastOnLine = 0.6;  // share of the border that must lie on the line
 constexpr double kLargestGap_px = 2.5 * PlaneFaces::kCell_px;
 constexpr double kShortestIntersection_px = 20.0;
-constexpr double kSigmaEnd_px = 0.5 * PlaneFaces::kCell_px;  // along the line: where the faces end
+// Sigma of an end along the line, because it is uncertain where the faces end.
+constexpr double kSigmaEnd_px = 0.5 * PlaneFaces::kCell_px;
 
-/// Where two faces border on each other: middles between their cells.
+/// The places where two faces border on each other: middles between their cells.
 using Borders = std::map<std::pair<int, int>, std::vector<Eigen::Vector2d>>;
 
 Borders borders_of(const PlaneFaces& faces) {
@@ -34,7 +35,7 @@ Borders borders_of(const PlaneFaces& faces) {
       const int own = cells.at<int>(row, column);
       if (own < 0) continue;
       for (const auto& [down, right] : {std::pair(0, 1), std::pair(1, 0)}) {
-        for (const int step : {1, 2}) {  // a cell of neither may lie between them
+        for (const int step : {1, 2}) {  // a cell of neither face may lie between them
           const int r = row + step * down;
           const int c = column + step * right;
           if (r >= cells.rows || c >= cells.cols) break;

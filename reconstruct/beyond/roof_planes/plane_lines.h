@@ -10,10 +10,11 @@
 
 namespace ridgeline::reconstruct {
 
-/// Method::kPlanes: ridges, hips and valleys where two plane faces of the surface meet and no line was reconstructed from
-/// edges. A line runs as far as the faces border on each other along it; its covariance is that of both planes.
+/// Ridges, hips and valleys where two plane faces of the surface meet and no line was reconstructed from
+/// edges (Method::kPlanes). A line runs as far as the faces border on each other along it. Its covariance is
+/// that of both planes.
 /// @param known  lines from edges; a line that they run along, to 0.3 m, over half of its length is left out
-/// In the order of the faces. Status kPlanes, no match.
+/// The lines are in the order of the faces. Their status is kPlanes, and they have no match.
 std::vector<ReconstructedLine> plane_lines(const StereoPair& pair,
                                            const Surface& surface,
                                            std::span<const ReconstructedLine> known,

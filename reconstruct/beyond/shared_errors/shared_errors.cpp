@@ -8,9 +8,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kAlike = 0.1;      // scale^2 for equal profiles ...
-constexpr double kDifferent = 6.0;  // ... and how much more for those that have nothing in common,
-constexpr double kHalfway = 0.02;   // half of it from this loss of correlation on
+constexpr double kAlike = 0.1;      // scale^2 for equal profiles
+constexpr double kDifferent = 6.0;  // growth of scale^2 for profiles with nothing in common
+constexpr double kHalfway = 0.02;   // loss of correlation at half of this growth
 
 constexpr double kSharedShift_px = 0.1;
 constexpr double kSharedTurn_px = 0.03;

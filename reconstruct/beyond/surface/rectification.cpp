@@ -11,7 +11,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Of the camera, scaled so that its third row gives the depth of what lies in front.
+/// The matrix from rays to pixels of a camera, scaled so that its third row gives the depth of what lies in
+/// front.
 Eigen::Matrix3d image_from_ray(const ProjectionMatrix& camera) {
   const Eigen::Matrix3d m = camera.leftCols<3>();
   return m * ((m.determinant() < 0.0 ? -1.0 : 1.0) / m.row(2).norm());
@@ -63,8 +64,8 @@ double Rectification::disparity_at_height_px(const Eigen::Vector2d& x_px,
 std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>& cameras,
                                            const cv::Size& size_px) {
   constexpr double kLeastSine = 0.2;
-  constexpr double kMostGrowth =
-      4.0;  // of the area of the image; 2 for one that is turned by 45 degrees
+  // Growth of the image's area. It is 2 for an image that is turned by 45 degrees.
+  constexpr double kMostGrowth = 4.0;
   Rectification r;
   r.left_centre_m = projection_centre(cameras[0]).hnormalized();
   const Eigen::Vector3d base =
@@ -90,8 +91,8 @@ std::optional<Rectification> rectification(const std::array<ProjectionMatrix, 2>
     low = low.cwiseMin(seen);
     high = high.cwiseMax(seen);
   }
-  const double area_px =
-      (high - low).prod();  // not finite where a corner is at the horizon of the base
+  // The area is not finite if a corner lies at the horizon of the base.
+  const double area_px = (high - low).prod();
   if (!(area_px < kMostGrowth * size_px.area()) || !is_one_sided(unscaled(0), size_px))
     return std::nullopt;
   r.principal_point_px = -low;

@@ -11,8 +11,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kNearest_px = 3;    // half a block of the matching clear of the step at the line
-constexpr int kFarthest_px = 12;  // still on the roof
+constexpr int kNearest_px = 3;    // clear of the step at the line by half a block of the matching
+constexpr int kFarthest_px = 12;  // places this far are still on the roof
 constexpr double kOnSide_px = 0.6;
 constexpr double kSteepestSide = 0.6;  // change of disparity per pixel; walls have more
 
@@ -55,7 +55,7 @@ std::optional<Eigen::Vector3d> plane_through(const std::array<const Sample*, 3>&
   return plane;
 }
 
-/// Sum over the samples of the squares of their distances, each at most that of an outlier.
+/// Sum of the squared distances of the samples from a plane, each at most that of an outlier.
 double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples) {
   double cost = 0.0;
   for (const Sample& s : samples) {
@@ -65,10 +65,10 @@ double cost_of(const Eigen::Vector3d& plane, const std::vector<Sample>& samples)
   return cost;
 }
 
-/// The plane through three samples that most others lie on.
+/// The plane through three samples on which most others lie.
 std::optional<Eigen::Vector3d> best_plane(const std::vector<Sample>& samples) {
   constexpr int kTries = 60;
-  std::minstd_rand random(1);  // the same for any number of threads
+  std::minstd_rand random(1);  // the fixed seed makes the result the same in every run
   const auto any = [&] { return &samples[random() % samples.size()]; };
   std::optional<Eigen::Vector3d> best;
   double least = HUGE_VAL;
@@ -83,10 +83,12 @@ std::optional<Eigen::Vector3d> best_plane(const std::vector<Sample>& samples) {
   return best;
 }
 
-/// Least squares over samples on one plane. Neighbours err together, as the matching smooths.
+/// Fits a plane by least squares to samples that lie on one. Neighbours err together, as the matching
+/// smooths.
 SidePlane fitted(const std::vector<Sample>& samples, const Eigen::Vector3d& start) {
-  constexpr double kTogether = 100.0;   // pixels that err together
-  constexpr double kSlopeSigma = 0.15;  // away from the line, px per px: that of roofs
+  constexpr double kTogether = 100.0;  // pixels that err together
+  // Sigma of the slope away from the line, px per px: that of roofs.
+  constexpr double kSlopeSigma = 0.15;
   constexpr double kLeastSigma_px = 0.05;
   double squares = 0.0;
   for (const Sample& s : samples) squares += std::pow(start.dot(s.by) - s.d, 2.0);

@@ -20,10 +20,11 @@ namespace {
 constexpr int kBlock_px = 5;
 constexpr int kStep = 16;  // SGBM counts disparities in sixteenths, and takes multiples of 16
 
-/// Of a tile; a height range of more, or rays that do not reach it, leave the tile unknown.
+/// Most disparities of a tile. A tile stays unknown if the range of heights has more, or if its rays do not
+/// reach this range.
 constexpr double kMostDisparities = 4096.0;
-/// Eight paths of SGM keep two costs per pixel and disparity, of two bytes each. Above this they are five, which keep a
-/// few rows only.
+/// Most memory for the costs of SGM. Eight paths keep two costs per pixel and disparity, of two bytes each.
+/// If that is more than this, five paths are used, which keep a few rows only.
 constexpr std::size_t kMostCosts_bytes = 400'000'000;
 
 cv::Ptr<cv::StereoSGBM> matcher(int n_disparities, const cv::Mat& image) {
@@ -64,7 +65,7 @@ Range range_of(const Rectification& r,
   return range;
 }
 
-/// A view in 8 bits; SGBM takes one band or three.
+/// A view in 8 bits, with one band or three, because SGBM takes no other number.
 cv::Mat in_8_bits(const cv::Mat& image, const Radiometry& left_from_image) {
   const int n_bands = image.channels() < 3 ? 1 : 3;
   cv::Mat bytes(image.size(), CV_8UC(n_bands));
@@ -97,11 +98,11 @@ class Matching {
     const cv::Rect around = (tile + cv::Size(2 * m, 2 * m) - cv::Point(m, m)) & whole;
     const Range range = range_of(rectification_, around, pair_.height_range_in_local_m);
     if (range.n == 0) return;
-    // SGBM gives nothing for the first columns, whose largest disparity is outside
+    // SGBM gives nothing for the first columns, whose largest disparity is outside.
     const cv::Rect left_part(around.x - range.n, around.y, around.width + range.n, around.height);
     const Part left = rectified(0, left_part);
     const Part right = rectified(1, left_part - cv::Point(range.least, 0));
-    cv::Mat found;  // in sixteenths
+    cv::Mat found;  // disparities in sixteenths
     matcher(range.n, left.image)->compute(left.image, right.image, found);
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
       const int row = y - left_part.y;
@@ -119,7 +120,7 @@ class Matching {
   /// A part of a rectified view.
   struct Part {
     cv::Mat image;
-    cv::Mat from;  ///< the pixels of the file
+    cv::Mat from;  ///< the pixel of the file that each rectified pixel shows
     cv::Size size_of_file;
 
     [[nodiscard]] bool shows(int row, int column) const {
@@ -145,7 +146,7 @@ class Matching {
   std::array<cv::Mat, 2> bytes_;
 };
 
-/// Of the rows and columns of a view.
+/// The smallest step of rows and columns of a view that leaves at most `most_pixels`.
 int step_that_leaves(std::size_t most_pixels, const cv::Size& size) {
   check(most_pixels > 0, "points_in_local: most = 0, must be positive");
   const auto n_left = [&](int step) {

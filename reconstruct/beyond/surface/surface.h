@@ -13,10 +13,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// How the dense matching goes about it.
+/// Parameters of the dense matching.
 struct SurfaceOptions {
   int tile_px = 512;   ///< side of a tile
-  int margin_px = 64;  ///< matched around a tile as well: what the paths of SGM need to settle
+  int margin_px = 64;  ///< border that is matched too, as the paths of SGM must settle
 };
 
 /// The surfaces that both views of a pair show: the disparity of each pixel of the rectified left view.
@@ -25,18 +25,20 @@ struct Surface {
   cv::Mat
       disparity_px;  ///< CV_32F, of the size of the rectified left view; NaN where nothing is known
 
-  /// Nothing outside and where nothing is known; of the nearest pixel.
+  /// Disparity of the nearest pixel; nothing outside of the view and if the disparity is not known.
   [[nodiscard]] std::optional<double> at(const Eigen::Vector2d& x_px) const;
 };
 
-/// What each pixel of known disparity shows, row by row. Of a view with more than `most` pixels, those of every k-th row and
-/// column, with the smallest k that leaves no more. Throws std::invalid_argument if `most` is 0.
+/// The points that the pixels of known disparity show, row by row. If the view has more than `most` pixels,
+/// only every k-th row and column is used, with the smallest k that leaves no more. Throws
+/// std::invalid_argument if `most` is 0.
 std::vector<Eigen::Vector3d> points_in_local(
     const Surface& surface, std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// Semi-global matching (Hirschmueller 2008, by OpenCV) of the pair in tiles, to a sixteenth of a pixel, with the check
-/// from right to left. Disparities are those of the range of heights. Nothing for a pair that cannot be rectified.
-/// The same for any number of threads: the grid of tiles is fixed.
+/// The surface of a pair by semi-global matching (Hirschmueller 2008, by OpenCV) in tiles, to a sixteenth of
+/// a pixel, with the check from right to left. Disparities are those of the range of heights. Nothing for a
+/// pair that cannot be rectified. The result is the same for any number of threads, because the grid of tiles
+/// is fixed.
 std::optional<Surface> dense_surface(const StereoPair& pair, const SurfaceOptions& options = {});
 
 }  // namespace ridgeline::reconstruct

@@ -13,18 +13,18 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kContradicted = 0.1;  // ratios of right candidates to others
+constexpr double kContradicted = 0.1;  // ratio of right candidates to others
 constexpr double kAgreed = 2.7;
 
 /// Standard deviation of the disparity of a line in the rectified views, by its edges alone.
 double edge_sigma_px(const Segment2& rectified) {
   constexpr double kAcross_px = 0.5;
-  constexpr double kLeastSine = 0.1;  // along the rows its ends tell the disparity
+  constexpr double kLeastSine = 0.1;  // the ends of a line along the rows tell its disparity
   return kAcross_px / std::max(std::abs(along(rectified).y()), kLeastSine);
 }
 
-/// Square of the misfit to the side that a line agrees with better, in standard deviations; nothing if a side that is not
-/// trusted may explain it.
+/// Square of the misfit to the side that a line agrees with better, in standard deviations. Nothing if a side
+/// that is not trusted may explain the line.
 std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, double edge_sigma_px) {
   constexpr double kMostOff = 3.0;
   double best = HUGE_VAL;
@@ -41,12 +41,14 @@ std::optional<double> squared_misfit(const SidesOfPiece& piece, double d_px, dou
   return best;
 }
 
-/// @param rectified  the left segment
+/// Logarithm of the odds of a candidate.
+/// @param rectified  the left segment, rectified
 double log_odds(const Rectification& rectification,
                 const Segment2& rectified,
                 const std::vector<SidesOfPiece>& pieces,
                 const EpipolarOverlap& overlap) {
-  constexpr double kBeside = 0.1;  // of the overlap, in parameters: its ends are not that sure
+  // Beside the overlap, in parameters, because its ends are uncertain.
+  constexpr double kBeside = 0.1;
   double squares = 0.0;
   int n = 0;
   for (const SidesOfPiece& piece : pieces) {

@@ -56,7 +56,7 @@ struct LineEquations {
   }
 };
 
-/// The entities, and the slope if it is known, that determine a line.
+/// The entities that determine a line, and the sigma of its slope if it is horizontal.
 struct LineConditions {
   std::span<const UncertainPlane3> planes;
   std::span<const UncertainPoint3> points;

@@ -23,7 +23,7 @@ struct LineSupport {
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
   double sigma_ends_px = 0.0;           ///< standard deviation of `ends` along the line
   bool on_surface = false;              ///< whether `ends` lie on the surface beside the line
-  std::optional<double> sigma_slope{};  ///< of a line taken as horizontal, as the consensus is
+  std::optional<double> sigma_slope{};  ///< sigma of the slope if the line is taken as horizontal
   bool points_fix_direction = false;    ///< whether `points` are far enough apart
   bool ambiguous = false;               ///< whether another depth explains the line about as well
 };

@@ -70,7 +70,8 @@ struct ReconstructedLine {
   std::array<Segment2, 2> seen_px;              ///< the line in the left and the right image
   double epipolar_angle_rad = 0.0;              ///< the smaller angle of both images
   std::array<double, 2> epipolar_angles_rad{};  ///< angles in the left and the right image
-  /// In m. Its ends are seen at the ends of the left segment, or of the right one (EstimateExtensions).
+  /// The line in m. Its ends are seen at the ends of the left segment, or of the right one
+  /// (EstimateExtensions).
   std::optional<Segment3> segment_in_local;
   std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
   std::optional<Segment3> right_segment_in_local;  ///< the same line between the right ends
@@ -78,8 +79,8 @@ struct ReconstructedLine {
   /// by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
   std::vector<UsedPoint> points;
-  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`. For `network` it is the sum of
-  /// the line's own images.
+  /// Sum of squared normalised misclosures of the adjustment; 0 for `direct`. For `network` only the
+  /// conditions of the line's own images count.
   double omega = 0.0;
 };
 
@@ -117,7 +118,7 @@ struct EstimateExtensions {
 /// match, or several for an aligned match that shows several lines by agree_on_depth().
 ///
 /// @param matched  its cameras count as free of error. Its registrations correct the places of the segments
-/// (compare_profiles()); the points of other lines are made with the segments as they are.
+///                 (compare_profiles()); the points of other lines are made with the segments as they are.
 /// Results do not depend on the number of threads or the order of the connections.
 /// Throws std::invalid_argument for other than two images, options out of range, an index out of range, a
 /// connection of a match with itself, a matched segment without length or precision, registrations that are

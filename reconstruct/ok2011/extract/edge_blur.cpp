@@ -21,7 +21,7 @@ double blur_px(std::size_t i) { return kSmallest_px + kStep_px * static_cast<dou
 
 /// The blur at which one step describes the profile best, if it does so well.
 std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const StepBasis> bases) {
-  // Share of the squares that a step leaves of a clean edge.
+  // Largest share of the profile's squares that a step may leave unexplained at a clean edge.
   constexpr double kMostUnexplained = 0.15;
   double best = 0.0;
   std::size_t at = 0;

@@ -22,12 +22,12 @@ struct MatchOptions {
 
   /// Largest ratio of the probabilities of the next and the best mate.
   double max_distance_ratio = 0.8;
-  /// Least probability of a match against its rivals; 0.9 if a segment is shorter than 12 px, 0.6 if it is
-  /// shorter than three quarters of its mate.
+  /// Least probability of a match against its rivals. It is 0.9 if a segment is shorter than 12 px, and 0.6
+  /// if one segment is shorter than three quarters of the other.
   double min_probability = 0.4;
-  /// Votes of a match's pairs, if its partners are matched.
+  /// Least votes from the pairs of a match whose partners are matched.
   double min_votes = 0.3;
-  /// If no partners are matched, so that only the look tells.
+  /// Least probability of a match without matched partners, where only its look tells.
   double min_isolated_probability = 0.98;
 
   static constexpr auto fields() {
