@@ -10,7 +10,8 @@
 
 namespace ridgeline {
 
-/// World -> pixel, pixel (0,0) = centre of the top-left pixel; any scale and sign.
+/// Camera from world to pixel; pixel (0,0) is the centre of the top-left pixel. The matrix has any scale and
+/// sign.
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
 /// Homogeneous projection centre C (4, unit length): P C = 0.

@@ -27,6 +27,7 @@ double profile_half_width_px(double blur_px);
 
 /// The pixels up to `half_width_px` beside a segment, without interpolation. Pixels next to its ends are left
 /// out, because corners disturb the profile there; a segment of a few pixels has none.
+/// @param image  CV_32FC(n), n = 1..4
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
                                            const Segment2& segment,
                                            double half_width_px);

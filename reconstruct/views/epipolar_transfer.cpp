@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 
 Eigen::Vector2d Stretch::derivative(double z_m) const {
-  // quotient rule of (a + z b)_xy / (a + z b)_w
+  // This is the quotient rule for (a + z b)_xy / (a + z b)_w.
   const Eigen::Vector3d y = a + z_m * b;
   return (b.head<2>() - y.head<2>() * (b.z() / y.z())) / y.z();
 }

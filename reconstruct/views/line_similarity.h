@@ -23,7 +23,7 @@ struct LineMeasures {
   enum Index : int {
     kBetterSide,    ///< correlation of the side that agrees better
     kOtherSide,     ///< correlation of the other side; 0.5, undecided, if it is not seen
-    kBetterColour,  ///< mean colour of the side that agrees better
+    kBetterColour,  ///< agreement of the mean colours on the side that agrees better
     kOtherColour,
     kContrast,  ///< direction and strength of the colour step across the line
     kProfile,   ///< correlation of the profiles across the line

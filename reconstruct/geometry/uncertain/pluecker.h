@@ -58,9 +58,9 @@ Eigen::Matrix<double, 2, Derived::ColsAtCompileTime> select_rows(
   return selected;
 }
 
-/// The unit vector closest to `line` with L_h . L_0 = 0. The closest vector is not unique, and the
-/// result not finite, where L_h = L_0 or L_h = -L_0. Meaningful in a conditioned frame only, where
-/// directions and moments have comparable size.
+/// The unit vector closest to `line` with L_h . L_0 = 0. The closest vector is not unique, and the result not
+/// finite, if L_h = L_0 or L_h = -L_0. The result is meaningful in a conditioned frame only, where directions
+/// and moments have comparable size.
 Vector6d project_to_pluecker_quadric(const Vector6d& line);
 
 /// Orthonormal basis of the four directions in which a unit Pluecker line can change and stay one. It spans
