@@ -45,7 +45,7 @@ ChioExtensions chio_extensions(const MatchingOptions& options) {
                          match_extensions(options.beyond, options.candidates).look);
 }
 
-/// Beyond the papers: lines that the height of matched ones makes possible join the list.
+/// Beyond the papers: adds the matches that the heights of matched lines make possible to the list.
 void add_by_height(const StereoPair& pair, const MatchingOptions& options, MatchList& list) {
   for (const ScoredMatch& scored :
        propagate_heights(pair, transformed(list.matches, &FoundMatch::scored), options.chio,
