@@ -9,8 +9,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// A car parked beside a marking, a box on a terrace: a small level surface less than 2 m above a
-/// larger level one that also lies on the object's far and near side of the line.
+/// Whether the object is like a car parked beside a marking or a box on a terrace: a small level surface
+/// less than 2 m above a larger level one, the base, that lies on both sides of the line.
 bool is_low_object(const CandidatePlane& object,
                    const CandidatePlane& base,
                    double spacing_m,
