@@ -97,7 +97,7 @@ struct LineEvaluation {
   Status status = Status::kNoLidar;
   std::string reason;  ///< one sentence for a status other than `evaluated`
   Kind kind = Kind::kNone;
-  std::vector<std::string> flags;    ///< merged, plane_ambiguous, extrapolated, ...
+  std::vector<std::string> flags;    ///< merged, upper_plane, plane_ambiguous, seen_instead
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
   double length_m = 0.0;             ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;

@@ -63,7 +63,7 @@ void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline
         ": it has inputs that these results do not have; a baseline must rest on the same inputs");
 }
 
-/// The figure of the same cell in the baseline. If there is none, it has the reason in place of a value.
+/// The figure of the same cell in the baseline. If the baseline has none, the result says why in place of a value.
 Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolder* baseline) {
   Figure none;
   none.why_missing = "no baseline is given (--baseline)";

@@ -9,7 +9,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kAboveSurface_m = 0.2;  // above or below the chosen surface
+constexpr double kAboveSurface_m = 0.2;  // a nearer point may belong to the chosen surface
 
 /// Chi-square of the image segments against the chosen plane that suits them best, across the line and
 /// for a pixel of noise; 0 if no plane can be compared.
@@ -135,7 +135,7 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
   constexpr double kCanopy_m = 2.0;       // points farther up hide no edge that the images show
   constexpr Least kHedge{4, 0.15};        // a parapet of 0.3 m within 0.8 m on both sides
   constexpr Least kFence{4, 0.1};         // fewer are birds and antennas
-  constexpr Least kFenceSeenOff{2, 0.1};  // are enough if the images show the line off the surface
+  constexpr Least kFenceSeenOff{2, 0.1};  // for a line that the images show off the surface
   constexpr double kFence_m = 0.3;        // across; the line of a fence may be off by that in plan
   constexpr double kThreePixels = 9.0;    // chi-square of 3 px at one end, or of 2.1 px at both
   if (auto reason = reason_too_little_known(candidates, decision, footprint, options)) {

@@ -19,8 +19,8 @@ bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images);
 
-/// The reason for doubt if a chosen plane is too little known: at the middle of the line, by
-/// PlaneFit::sigma_at(), less well than three laser points there would make it known. Nothing otherwise.
+/// The reason for doubt if a chosen plane is known less well at the middle of the line, by
+/// PlaneFit::sigma_at(), than from three laser points there. Nothing otherwise.
 std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
                                                    const EdgeDecision& decision,
                                                    const Footprint& footprint,

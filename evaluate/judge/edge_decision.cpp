@@ -186,7 +186,7 @@ bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
   return 4 * std::min(left, right) >= std::max(left, right);
 }
 
-/// The one of the planes along the line (the uppermost first) whose edge the images show. It is the
+/// The plane whose edge the images show, among those `along` the line (the uppermost first). It is the
 /// uppermost one if the images do not tell.
 std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
                           const std::vector<std::size_t>& along,

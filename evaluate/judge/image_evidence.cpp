@@ -49,7 +49,7 @@ struct Sample {
 };
 
 /// The heights at which rays through `n_samples` points of the base segment first meet the cloud from
-/// above: that of the highest point within `radius_m` of each ray.
+/// above. Each is the height of the highest point within `radius_m` of the ray.
 std::vector<Sample> first_hits(const PointSearch& search,
                                const ImageEvidence& images,
                                int n_samples,

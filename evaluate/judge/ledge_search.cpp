@@ -8,7 +8,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kReach_m = 0.75;  // of the strip from the line, in plan
+constexpr double kReach_m = 0.75;  // from the line to the strip's points, in plan
 constexpr double kLowest_m = 0.2;  // above the neighbouring surface
 constexpr double kHighest_m = 1.5;
 constexpr int kFewest = 8;         // a parapet of 0.3 m x 6 m at 5 points/m2

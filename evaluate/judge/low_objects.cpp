@@ -18,7 +18,7 @@ bool is_low_object(const CandidatePlane& object,
   constexpr double kLevel_rad = 0.17;  // 10 degrees
   constexpr double kHighest_m = 2.0;
   constexpr double kLargest_m2 = 15.0;  // two cars; roofs with less are dormers, on slopes
-  constexpr double kNarrow = 6.0;       // length / width of a parapet, which stays
+  constexpr double kNarrow = 6.0;       // length / width; a longer object is a parapet, and stays
   constexpr double kOtherSide = 0.1;
   constexpr double kLarger = 2.0;  // the bonnet of a car is no street
   const auto n = static_cast<double>(object.inliers.size());

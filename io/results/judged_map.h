@@ -11,7 +11,7 @@
 
 namespace ridgeline::results {
 
-/// "judged.STEM.gpkg".
+/// The name of a method's map, "judged.METHOD.gpkg".
 std::string map_name(const std::string& method);
 
 /// Columns of the layer `lines` beside the common ones.
@@ -20,7 +20,7 @@ enum class MapSchema : std::uint8_t {
   kFkb,  ///< objtype, nøyaktighet, nøyaktighetHøyde (cm) of the Norwegian FKB-Bygning
 };
 
-/// "plain" | "fkb". Throws std::invalid_argument for another name.
+/// The schema named "plain" or "fkb". Throws std::invalid_argument for another name.
 MapSchema map_schema_named(const std::string& name);
 
 /// A warning of the columns of the lines' file that the map leaves out; empty if it has room for all.

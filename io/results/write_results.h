@@ -20,8 +20,9 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
 /// Names of a method's files: evaluation.METHOD.json, evaluation.METHOD.csv, accuracy.METHOD.md, judged.METHOD.gpkg.
 std::vector<std::string> evaluation_names(const std::string& method);
 
-/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line), accuracy.METHOD.md (the labelled accuracy
-/// numbers and the strata) and the map judged.METHOD.gpkg of each evaluation, below `subfolder` ("" or "PATCH/").
+/// Writes evaluation.METHOD.json, evaluation.METHOD.csv (per line), accuracy.METHOD.md (the labelled accuracy numbers,
+/// the strata and the figures of standards) and the map judged.METHOD.gpkg of each evaluation, below `subfolder` ("" or
+/// "PATCH/").
 void write_judged(const JudgedFiles& judged,
                   MapSchema schema,
                   const OutputFolder& out,
