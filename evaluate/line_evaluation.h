@@ -16,23 +16,23 @@
 
 namespace ridgeline::evaluate {
 
-/// What became of a line. Every input line has exactly one; none disappears.
+/// What became of a line. Every input line has exactly one status.
 enum class Status : std::uint8_t {
   kEvaluated,
   kNoLidar,           ///< outside the cloud, or too few points in the corridor
-  kNoPlane,           ///< points, but no roof or ground plane among them
-  kLowCoverage,       ///< less than half of the line over the hull of its plane's inliers
+  kNoPlane,           ///< there are points, but no roof or ground plane among them
+  kLowCoverage,       ///< no plane accompanies enough of the line (half of it, by default)
   kAmbiguous,         ///< candidate planes that the evidence cannot tell apart
-  kNotReconstructed,  ///< the tool says that it has no geometry for it
+  kNotReconstructed,  ///< the tool that made the line gives no geometry for it
   kDegenerate,        ///< zero length, or vertical: no plan direction
   kTooShort,
   kNonFinite,
-  kOutOfRange,  ///< in_range() is false, or its height is a mark that there is none
+  kOutOfRange,  ///< in_range() is false, or its height is a mark for a missing height
   kDuplicateId,
 };
 inline constexpr int kNumStatuses = 11;
 
-/// `evaluated`, `no_lidar`, ... as in the files.
+/// The name of a status as in the files: `evaluated`, `no_lidar`, ...
 const char* name(Status status);
 
 /// Step edge (one plane) or the intersection of two planes.
@@ -47,12 +47,13 @@ struct ImageEvidence {
   std::array<double, 2> height_range_m{};            ///< lowest, highest object height, local
 };
 
-/// Whether both ends lie within 10,000 km of the local origin in x, y and z. What is farther off is a
+/// Whether both ends lie within 10,000 km of the local origin in x, y and z. A line farther off is a
 /// fault of the file; its length may not even be finite.
 bool in_range(const Segment3& segment_in_local);
 
-/// A line with exactly one height, so far above or below all points around it, was not measured there: it is a mark for
-/// a missing height (0, -9999). An error of a tool may be as large, but gives no two ends the same height.
+/// A line is `out_of_range` if both ends have exactly the same height and it is more than this above or below all points
+/// around the line. That height was not measured: it is a mark for a missing height (0, -9999). A tool's error may be
+/// as large, but it does not give both ends the same height.
 inline constexpr double kFarthestHeight_m = 100.0;
 
 /// A line to be judged. Local metres.
@@ -60,12 +61,12 @@ struct JudgedLine {
   std::string id;
   Segment3 segment;
   std::string line_class = "all";  ///< aligned | not_aligned | all | the file's own
-  std::string building;            ///< cluster of the bootstrap; empty: by shared planes
+  std::string building;            ///< cluster of the bootstrap; if empty, shared planes decide
   std::optional<double> epipolar_angle_deg;
   /// Covariance of (start, end), m^2, world axes.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
-  std::optional<ImageEvidence> images;  ///< empty: the line's own plan view is its footprint
-  bool reconstructed = true;            ///< false: status not_reconstructed
+  std::optional<ImageEvidence> images;  ///< if empty, the line's own plan view is its footprint
+  bool reconstructed = true;            ///< if false, the status is not_reconstructed
 };
 
 /// A LIDAR plane chosen for a line.
@@ -73,10 +74,10 @@ struct JudgingPlane {
   Plane3 plane{Eigen::Vector3d::UnitZ(), 0.0};  ///< local frame, normal upwards
   int n_inliers = 0;
   double rms_m = 0.0;            ///< of the inliers' orthogonal distances
-  double coverage = 0.0;         ///< share of the line over the hull of the inliers, 0..1
-  double extrapolation_m = 0.0;  ///< largest distance in plan from the line to that hull
+  double coverage = 0.0;         ///< share of the line that inliers beside it accompany, 0..1
+  double extrapolation_m = 0.0;  ///< largest distance in plan from the line to the inliers' hull
   double sigma_m = 0.0;          ///< of the plane at the line's midpoint; see plane_sigma_m()
-  double sigma_random_m = 0.0;   ///< the same as if the points' errors were independent
+  double sigma_random_m = 0.0;   ///< sigma_m if the points' errors were independent
   SegmentPlaneDistance distance;
   std::uint64_t id = 0;  ///< equal for planes that are the same one: lines sharing it are dependent
 };
@@ -84,7 +85,7 @@ struct JudgingPlane {
 /// How far a line lies from the intersection of its two planes; see ridge_displacement().
 struct RidgeDisplacement {
   double horizontal_m = 0.0;  ///< across the line in plan, positive to the side of larger x
-  double vertical_m = 0.0;    ///< positive: the line is too high
+  double vertical_m = 0.0;    ///< positive if the line is too high
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of (horizontal, vertical)
 };
 
@@ -96,23 +97,23 @@ struct LineEvaluation {
   Status status = Status::kNoLidar;
   std::string reason;  ///< one sentence for a status other than `evaluated`
   Kind kind = Kind::kNone;
-  std::vector<std::string> flags;    ///< merged, plane_ambiguous, extrapolated, ...
+  std::vector<std::string> flags;    ///< merged, upper_plane, plane_ambiguous, seen_instead
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
   double length_m = 0.0;             ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;
 
   double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)
   double max_distance_m = 0.0;
-  double signed_mean_m = 0.0;  ///< mean over the planes
-  double sigma_plane_m = 0.0;  ///< of the chosen plane(s) at the midpoint
-  /// From covariance_m2 along the plane's normal at the midpoint (mean of two planes).
+  double signed_mean_m = 0.0;  ///< mean over the planes of the signed mean distance
+  double sigma_plane_m = 0.0;  ///< of the mean distance, by the plane(s) at the midpoint
+  /// Standard deviation of the line's midpoint along the plane's normal (mean of two planes), by covariance_m2.
   std::optional<double> sigma_line_m;
   std::optional<double> z;  ///< signed midpoint distance / sqrt(sigma_line^2 + sigma_plane^2)
   /// Ridge only: distance and angle of the line to the planes' intersection line.
   std::optional<double> intersection_distance_m, intersection_angle_deg;
   std::optional<RidgeDisplacement> displacement;  ///< ridge only
-  /// Step only: the error in height if all of it were vertical, signed mean / n_z. A step does not tell
-  /// the two parts from each other.
+  /// Step only: the error in height if the whole distance were vertical, signed mean / n_z. One plane does not tell the
+  /// horizontal and the vertical part of an error apart.
   std::optional<double> height_if_vertical_m;
 };
 

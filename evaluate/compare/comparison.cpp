@@ -198,7 +198,8 @@ const Evaluation* counterpart(const Evaluation& e,
   return &*std::find_if(other.evaluations.begin(), other.evaluations.end(), of_patch);
 }
 
-/// Runs whose options are not known are taken to do so: a difference is then no sign of a defect.
+/// Whether `joint` may have adjusted lines to faces. It is taken to have done so in a run whose options are not known,
+/// so that a difference from direct is no sign of a defect there.
 bool may_adjust_to_faces(const ResultFolder& folder) {
   return folder.joint_adjusts_to_faces.value_or(true);
 }

@@ -16,14 +16,15 @@ namespace ridgeline::evaluate {
 struct PairedLine {
   std::string id, line_class;
   double a_m = 0.0, b_m = 0.0;  ///< mean |distance| to its planes
-  /// Positive: B is closer.
+  /// Positive if B is closer to the planes.
   [[nodiscard]] double gain_m() const { return a_m - b_m; }
 };
 
 /// The paired figures of a class.
 struct PairedSummary {
   std::string line_class;
-  std::size_t n = 0, n_improved = 0, n_unchanged = 0, n_worse = 0;  ///< of B over A; 1 mm is equal
+  /// Number of lines, and of those that B has closer to their planes, unchanged within 1 mm and farther off than A.
+  std::size_t n = 0, n_improved = 0, n_unchanged = 0, n_worse = 0;
   std::size_t n_clusters = 0;
   std::optional<double> rms_a_m, rms_b_m;
   std::optional<double> rms_ratio;                        ///< B / A; empty if A's is 0
@@ -42,13 +43,13 @@ struct Comparison {
   std::vector<PairedSummary> classes;      ///< not_aligned, aligned, total; or total alone
   std::vector<PairedLine> worst;           ///< up to 10 lines that lost most from A to B
   std::vector<Summary> own_a, own_b;       ///< each on its own lines, as published tables are
-  /// direct and joint solve not_aligned lines by the same code, unless joint adjusts them to faces:
-  /// lines of that class whose result nevertheless differs. Any is a defect. Empty for other pairs of
-  /// methods, and where the code is not the same.
+  /// Number of not_aligned lines on which direct and joint differ. They solve these lines by the same
+  /// code unless joint adjusts them to faces, so every such line shows a defect. Empty for other pairs
+  /// of methods, and if joint adjusts lines to faces.
   std::optional<std::size_t> n_not_aligned_differing;
 };
 
-/// Compares B with A. Clusters are A's; the options are A's. `joint_adjusts_to_faces`: see Table2.
+/// Compares B with A. Clusters and options are those of A. `joint_adjusts_to_faces`: see Table2.
 Comparison compare(const Evaluation& a,
                    const Evaluation& b,
                    std::string name_a,
@@ -60,17 +61,19 @@ struct ComparisonReport {
   std::vector<std::string> warnings;  ///< evaluations without counterpart, different inputs
 };
 
-/// Each folder against the first: evaluations of the same patch and method, and where a patch has
-/// one evaluation in either folder, these whatever their methods are called.
+/// Compares each folder with the first one. Evaluations of the same patch and method are paired. If
+/// both folders have exactly one evaluation of a patch, the two are paired whatever their methods are
+/// called.
 /// Throws std::invalid_argument for fewer than two folders or if nothing can be paired.
 ComparisonReport compare_folders(std::span<const ResultFolder> folders);
 
-/// The methods of one folder, each against the first of its patch.
+/// Compares the methods of one folder, each with the first method of its patch.
 std::vector<Comparison> compare_methods(const ResultFolder& folder);
 
-/// Table on the common lines first, own sets second, then the worst lines and warnings.
+/// The report as Markdown: for each comparison a table on the common lines, one on the own lines of either side and one
+/// of the worst lines; then the warnings.
 std::string to_markdown(const ComparisonReport& report);
-std::string to_terminal(const ComparisonReport& report);  ///< the same in aligned columns
+std::string to_terminal(const ComparisonReport& report);  ///< the report in aligned columns
 
 std::string to_json(const ComparisonReport& report);
 

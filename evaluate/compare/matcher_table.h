@@ -9,35 +9,36 @@
 
 namespace ridgeline::evaluate {
 
-/// What a run with one setting of the matching gave on a patch, or on all of them. Sums, so that
-/// patches can be pooled.
+/// The figures of a run with one setting of the matching on a patch, or on all patches. They are sums,
+/// so that patches can be pooled.
 struct MatcherFigures {
   std::string patch;
-  std::string run;      ///< its folder
+  std::string run;      ///< the folder of the run
   std::string matcher;  ///< "pairwise", "chio", "both"
 
   MatchCounts counts;         ///< of Table 1; all 0 without reference matches
-  std::size_t n_matches = 0;  ///< all, also those the reference says nothing of
-  std::size_t n_alone = 0;    ///< matches that no other run has; with reference matches, right ones
+  std::size_t n_matches = 0;  ///< all matches, also those the reference cannot judge
+  std::size_t n_alone = 0;    ///< matches that no other run has; with a reference the correct ones
   std::size_t n_alone_false = 0;
 
-  std::size_t n_lines = 0, n_evaluated = 0;  ///< against LIDAR
-  double sum_squares_m2 = 0.0;               ///< of their distances
-  std::size_t n_true = 0;                    ///< on true lines
+  std::size_t n_lines = 0, n_evaluated = 0;  ///< all lines, and those judged by LIDAR planes
+  double sum_squares_m2 = 0.0;               ///< of the distances of the judged lines
+  std::size_t n_true = 0;                    ///< lines that lie on a true line
   double true_sum_squares_m2 = 0.0;
   double n_true_gross = 0.0;
-  std::size_t n_roof_lines = 0, n_roof_lines_found = 0;  ///< of true lines but those on the ground
+  std::size_t n_roof_lines = 0, n_roof_lines_found = 0;  ///< true lines not on the ground
 
   /// Adds the sums of another patch.
   MatcherFigures& operator+=(const MatcherFigures& other);
 };
 
-/// A row per patch and run, in the order given, then one per run over all patches if there are
-/// several. Table 1, what each finds that the others miss, accuracy and coverage.
+/// A table with a row per patch and run, in the order given, then a row per run over all patches if
+/// there are several. It has the figures of Table 1, what each run finds that the others miss,
+/// accuracy and coverage.
 std::string to_markdown(std::span<const MatcherFigures> rows);
-std::string to_terminal(std::span<const MatcherFigures> rows);  ///< the same in aligned columns
+std::string to_terminal(std::span<const MatcherFigures> rows);  ///< that table in aligned columns
 
-/// {"rows": [{patch, run, matcher, correct, false, missed, correctness, ...}]}, pooled ones last.
+/// {"rows": [{patch, run, matcher, correct, false, missed, correctness, ...}]}, pooled rows last.
 std::string to_json(std::span<const MatcherFigures> rows);
 
 }  // namespace ridgeline::evaluate

@@ -12,7 +12,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Methods of reconstruction, the best first: the others of a run are there to compare with.
+/// Methods of reconstruction, the best first. The other methods of a run are there for comparison.
 constexpr std::array<std::string_view, 3> kByRank{"network", "joint", "direct"};
 
 constexpr const char* kAnyPatch = "(any)";
@@ -85,7 +85,7 @@ Figure accuracy_figure(const Evaluation& e,
   return figure;
 }
 
-/// Those of a patch's evaluations that a gate without a method is meant for.
+/// The evaluations of a patch that a gate without a method concerns, see figures_of().
 std::vector<const Evaluation*> products_of(const std::vector<const Evaluation*>& evaluations,
                                            const ResultFolder& folder) {
   if (folder.is_of_line_files) return evaluations;

@@ -12,7 +12,7 @@
 
 namespace ridgeline::evaluate {
 
-/// The matcher that Table 1 names for the matches of both together.
+/// What Table 1 calls the matches of both matchers together.
 inline constexpr std::string_view kCombinedMatches = "both";
 
 /// What a gate compares: a figure of one cell of Table 2, or of one row of Table 1.
@@ -26,11 +26,12 @@ struct Figure {
   std::string why_missing;  ///< a sentence, empty if there is a value
 };
 
-/// The figures that a gate concerns, with `line_class` in place of its own. Never none: of every
-/// patch that the gate names, or of each, at least one, without a value where there is none.
-/// A gate that names no method concerns what the run is for: of a patch that was reconstructed the
-/// last of direct, joint, network that was run, of an evaluation of line files every file; of
-/// matchers the matches of both together, else the matcher that was run.
+/// The figures that a gate concerns, with `line_class` in place of the gate's own class. For the patch
+/// that the gate names, or for each patch, there is at least one; it has no value if the results have
+/// no such figure.
+/// A gate that names no method concerns what the run is for. For a reconstructed patch that is the
+/// last of direct, joint and network that was run; for an evaluation of line files it is every file;
+/// for figures of matching it is the matches of both matchers together, else the matcher that was run.
 std::vector<Figure> figures_of(const Gate& gate,
                                const std::string& line_class,
                                const ResultFolder& folder);

@@ -63,7 +63,7 @@ void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline
         ": it has inputs that these results do not have; a baseline must rest on the same inputs");
 }
 
-/// The same cell's figure in the baseline; without a value, and the reason, where it has none.
+/// The figure of the same cell in the baseline. If the baseline has none, the result says why in place of a value.
 Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolder* baseline) {
   Figure none;
   none.why_missing = "no baseline is given (--baseline)";
@@ -76,7 +76,7 @@ Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolde
   return found;
 }
 
-/// `rule`: "<= 0.3".
+/// A result without a verdict, with what is known of the figure. `rule` is what is asked of it, "<= 0.3".
 GateResult begin_result(const Gate& gate, const Figure& figure, const std::string& rule) {
   GateResult result;
   result.rule = fmt::format("{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
@@ -96,8 +96,8 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
 
 enum class Bound : std::uint8_t { kUpper, kLower };
 
-/// Settles value against limit. Written so that a value that is not a number fails. An explanation
-/// that is there already is why value or limit are missing.
+/// Gives the verdict on value and limit. A value that is not a number fails. If the result has an
+/// explanation already, that says why value or limit is missing.
 GateResult settle(GateResult result, const Gate& gate, Bound bound) {
   if (!result.value || !result.limit) {
     result.verdict = Verdict::kMissing;
@@ -138,7 +138,7 @@ GateResult apply_ratio(const Gate& gate, const Figure& figure, const ResultFolde
   return settle(std::move(result), gate, Bound::kUpper);
 }
 
-/// `allowance`: empty for the default one.
+/// `allowance` is how far the figure may be off the baseline; if it is empty, that of BaselineIncrease holds.
 GateResult apply_baseline(const Gate& gate,
                           const Figure& figure,
                           const ResultFolder* baseline,

@@ -13,16 +13,15 @@
 
 namespace ridgeline::evaluate {
 
-/// How far a figure in metres may rise above its baseline.
+/// How far a figure may rise above its baseline, in metres or as a share.
 struct BaselineIncrease {
-  std::optional<double> value;  ///< empty: max(0.002 m, 5 % of the baseline)
+  std::optional<double> value;  ///< if empty, max(0.002 m, 5 % of the baseline); set for a share
 };
 
-/// One entry of a gates file. Every rule that is set must hold, at least one must be set; no other
-/// holds.
+/// One entry of a gates file. Every rule that is set must hold, and at least one must be set.
 struct Gate {
-  std::optional<std::string> patch;   ///< empty: every patch
-  std::optional<std::string> method;  ///< or matcher; empty: what the run is for, see figures_of()
+  std::optional<std::string> patch;   ///< if empty, every patch
+  std::optional<std::string> method;  ///< or matcher; if empty, see figures_of()
   std::string line_class = "total";
   std::string metric = "rms_m";  ///< of accuracy_metrics() or matching_metrics()
 
@@ -33,11 +32,11 @@ struct Gate {
   std::optional<BaselineIncrease> max_increase_over_baseline;
   std::optional<double> max_decrease_below_baseline;
 
-  std::optional<std::size_t> n_min;  ///< fewer lines: "insufficient", which fails
+  std::optional<std::size_t> n_min;  ///< with fewer lines the gate is "insufficient", which fails
 };
 
-/// Throws std::invalid_argument for a gate that cannot decide: without a rule, of an unknown metric,
-/// of a class of a figure that has none, with a limit that the figure cannot have.
+/// Throws std::invalid_argument for a gate that cannot decide: without a rule, with an unknown metric,
+/// with a class for a figure of matching, or with a limit that the figure cannot have.
 void validate(const Gate& gate);
 
 enum class Verdict : std::uint8_t {
@@ -53,7 +52,7 @@ struct GateResult {
   std::string rule;  ///< "aligned rms_m <= 0.3 (n >= 20)"
   std::string patch, method, line_class, metric;
   std::optional<double> value, limit, baseline;
-  std::optional<Interval> ci95;  ///< printed; the point estimate is what is compared
+  std::optional<Interval> ci95;  ///< only printed; the point estimate is compared
   std::size_t n = 0;
   std::optional<double> evaluated_share;
   Verdict verdict = Verdict::kMissing;
@@ -63,8 +62,8 @@ struct GateResult {
 
 struct GateReport {
   std::vector<GateResult> results;
-  std::vector<std::string> warnings;  ///< calibration, time, an idle baseline: they never fail
-  /// False for no result: a gate that checked nothing has not passed.
+  std::vector<std::string> warnings;  ///< see gate_warnings(); they never make a gate fail
+  /// Whether every result passed. False without results: a gate that checked nothing has not passed.
   [[nodiscard]] bool passed() const;
 };
 

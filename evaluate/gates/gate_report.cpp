@@ -42,7 +42,7 @@ std::string note_of(const GateResult& r) {
   return r.explanation + (r.explanation.empty() ? "" : "; ") + "baseline can be tightened";
 }
 
-/// Failures first.
+/// The table of the results, failures first.
 TextTable table_of(const GateReport& report) {
   std::vector<GateResult> rows = report.results;
   std::stable_partition(rows.begin(), rows.end(),
@@ -64,8 +64,8 @@ std::string verdict_line(const GateReport& report, Markup markup) {
                      report.results.size());
 }
 
-/// A part of a JUnit class name: viewers take its dots for levels and build paths of it, so all but
-/// letters, digits and - becomes _. The testcase's name has the patch and the method as they are.
+/// A part of a JUnit class name. Viewers take its dots for levels and build paths of it, so every
+/// character but letters, digits and - becomes _. The testcase's name has patch and method as they are.
 std::string classname_part(std::string_view text) {
   std::string result(text);
   const auto is_kept = [](char c) {
@@ -76,7 +76,8 @@ std::string classname_part(std::string_view text) {
   return result;
 }
 
-/// XML is refused as a whole for one byte that is no UTF-8, as names of files may have.
+/// `text` escaped for XML, with bytes that are no UTF-8 replaced. Names of files may have such bytes, and a reader
+/// refuses the whole XML for one of them.
 std::string xml_text(std::string_view text) {
   return escape_xml(Json::parse(dump(Json(text))).get<std::string>());
 }

@@ -21,8 +21,8 @@ inline constexpr std::size_t kMaxSummaryBytes = std::size_t{900} * 1024;
 /// line that says how many and where all of them are.
 std::string to_markdown(const GateReport& report, std::size_t max_bytes = kMaxSummaryBytes);
 
-/// The same in aligned columns, with all rows and the reason of a failure below its row. Without the warnings, which a
-/// terminal has as messages.
+/// Verdict and gate table in aligned columns, with all rows and the reason of a failure below its row. The warnings are
+/// left out, as a terminal shows them as messages.
 std::string to_terminal(const GateReport& report);
 
 /// {"passed": ..., "gates": [{rule, patch, method, class, metric, value, limit, ...}],
@@ -32,10 +32,10 @@ std::string to_json(const GateReport& report);
 /// GitHub workflow commands, at most 10 errors and 10 warnings: the limit per step.
 std::vector<std::string> to_annotations(const GateReport& report);
 
-/// Data of a workflow command: % CR LF escaped.
+/// Text for the data of a workflow command, with %, CR and LF escaped.
 std::string escape_annotation(std::string_view text);
 
-/// Property of a workflow command: colon and comma as well.
+/// Text for a property of a workflow command, with %, CR, LF, colon and comma escaped.
 std::string escape_annotation_property(std::string_view text);
 
 }  // namespace ridgeline::evaluate

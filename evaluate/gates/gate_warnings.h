@@ -9,9 +9,9 @@
 
 namespace ridgeline::evaluate {
 
-/// What to look at although it fails no gate: predicted sigmas of gated lines that are far from their
-/// distances, a run that takes over twice the time of its baseline, a baseline that no gate refers to.
-/// `applied`: what the gates made of the results.
+/// Warnings of what fails no gate but needs a look: predicted sigmas of gated lines that are far from
+/// their distances, a run that takes over twice the time of its baseline, a baseline that no gate
+/// refers to. `applied` are the results of the gates.
 std::vector<std::string> gate_warnings(std::span<const Gate> gates,
                                        std::span<const GateResult> applied,
                                        const ResultFolder& results,

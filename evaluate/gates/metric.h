@@ -18,7 +18,7 @@ struct Metric {
   std::string_view name;
   std::string_view meaning;  ///< a few words, for the list of metrics
   MetricUnit unit;
-  bool is_signed = false;  ///< a limit on one side says little; a ratio to another nothing
+  bool is_signed = false;  ///< a limit on one side says little, a ratio to a class nothing
 };
 
 /// Figures of a class of Table 2: rms_m, q95_m, evaluated_share, ...
@@ -27,22 +27,24 @@ std::vector<Metric> accuracy_metrics();
 /// Figures of Table 1: correctness, completeness, quality.
 std::vector<Metric> matching_metrics();
 
-/// Either kind by its name, or nothing.
+/// A metric of either kind by its name; empty if there is none.
 std::optional<Metric> find_metric(std::string_view name);
 bool is_matching_metric(std::string_view name);
 
-/// A figure by its name; empty if the cell does not have it.
+/// The figure of a class by the name of its metric; empty if the class does not have it.
 /// Throws std::invalid_argument for a name that is not in accuracy_metrics().
 std::optional<double> metric_value(const Summary& summary, std::string_view metric);
 
+/// The figure of matching by the name of its metric; empty if its denominator is 0.
 /// Throws std::invalid_argument for a name that is not in matching_metrics().
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric);
 
-/// The 95 % interval, of the figures that have one. Throws as metric_value() does.
+/// The 95 % interval of a figure; empty if the figure has none. Throws as metric_value() does.
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric);
 std::optional<Interval> metric_interval(const MatchCounts& counts, std::string_view metric);
 
-/// Number of lines that a figure rests on: all lines for a share of them, else those evaluated.
+/// Number of lines that a figure rests on: all lines for evaluated_share and evaluated_share_by_length,
+/// the ridges and hips for horizontal and vertical parts, else the evaluated lines.
 std::size_t metric_count(const Summary& summary, std::string_view metric);
 
 /// Number of matches that a figure rests on: its denominator. Throws as metric_value() does.

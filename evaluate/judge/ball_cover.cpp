@@ -29,13 +29,13 @@ int BallCover::Steps::at(double x_m) const {
   return static_cast<int>(std::clamp((x_m - from_m) / step_m, 0.0, count - 1.0));
 }
 
-/// The corridor's part beside the extent.
+/// The part of the corridor that lies beside the extent, in steps.
 BallCover::Steps BallCover::steps_along(const Segment2& segment,
                                         const Eigen::Vector2d& direction,
                                         double radius_m,
                                         const Eigen::AlignedBox3d& extent) {
   const Eigen::Vector2d across(-direction.y(), direction.x());
-  // a radius more, so that rounding loses no point at the border
+  // the extent is taken a radius larger, so that rounding loses no point at the border
   const Eigen::Vector2d half = 0.5 * extent.sizes().head<2>().array() + radius_m;
   const Eigen::Vector2d centre = Eigen::Vector2d(extent.center().head<2>()) - segment.start;
   const double reach_m = direction.cwiseAbs().dot(half);

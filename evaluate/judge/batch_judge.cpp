@@ -16,8 +16,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// PCL prints every degenerate sample to stderr; silenced while lines are judged, by any thread: its level is one for
-/// all.
+/// Silences PCL, which prints every degenerate sample to stderr, as long as any thread judges lines: PCL has one level
+/// for all threads.
 class QuietPcl {
  public:
   QuietPcl() {
@@ -37,7 +37,7 @@ class QuietPcl {
   struct Holders {
     std::mutex mutex;
     int count = 0;
-    pcl::console::VERBOSITY_LEVEL level = pcl::console::L_INFO;  ///< before the first
+    pcl::console::VERBOSITY_LEVEL level = pcl::console::L_INFO;  ///< before it was silenced
   };
   static Holders& holders() {
     static Holders all;
@@ -66,7 +66,8 @@ JudgedResult duplicate(const JudgedLine& line) {
   return result;
 }
 
-/// Labels of points by their keys. Open addressing: a cloud has millions of them, and they are hashes already.
+/// Labels of points by their keys, in a table with open addressing: a cloud has millions of points, and their keys are
+/// hashes already.
 class PointLabels {
  public:
   PointLabels() : keys_(kFirstSlots, 0), labels_(kFirstSlots, 0) {}
@@ -86,7 +87,7 @@ class PointLabels {
  private:
   static constexpr std::size_t kFirstSlots = 1U << 10U;
 
-  /// Where the key is, or would be put.
+  /// The slot where the key is, or would be put.
   [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
     const std::size_t mask = labels_.size() - 1;
     std::size_t slot = key & mask;
@@ -110,7 +111,7 @@ class PointLabels {
   std::size_t n_used_ = 0;
 };
 
-/// The label that most of a plane's points carry already, if they are a good part of them.
+/// The label that most of a plane's labelled points carry, if that is a good part of all its points; else 0.
 std::uint32_t common_label(const std::vector<std::uint64_t>& inliers, const PointLabels& labels) {
   constexpr double kShared = 0.3;  // neighbouring facets share only the points at their edge
   std::unordered_map<std::uint32_t, std::size_t> votes;
@@ -129,7 +130,7 @@ std::uint32_t common_label(const std::vector<std::uint64_t>& inliers, const Poin
   return static_cast<double>(most) >= kShared * static_cast<double>(inliers.size()) ? best : 0;
 }
 
-/// One id for planes fitted to the same points, in the order of the lines.
+/// Gives planes that were fitted to the same points one id, in the order of the lines.
 void identify_planes(std::vector<JudgedResult>& results) {
   PointLabels labels;
   std::uint32_t next = 1;

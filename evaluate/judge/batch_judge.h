@@ -20,7 +20,7 @@ class BatchJudge {
   /// Judges the lines of a batch, by their numbers, in parallel. Every line belongs to one batch.
   void judge(const PointSearch& search, std::span<const std::size_t> batch);
 
-  /// The i-th result belongs to the i-th line; see judge_lines(). Once, after the last batch.
+  /// The results, to be taken once, after the last batch. The i-th belongs to the i-th line; see judge_lines().
   std::vector<JudgedResult> take_results();
 
  private:

@@ -27,8 +27,8 @@ std::pair<double, double> residuals(std::span<const ZonePoint> seeds, const Plan
   return {sum / n, std::sqrt(squares / n)};
 }
 
-/// Whether the wider fit still describes the surface at the line: it may not have bent towards a
-/// neighbouring facet or a slope's curvature.
+/// Whether the wider fit still describes the surface at the line. It must not have bent towards a
+/// neighbouring facet or followed a curved slope.
 bool fits_locally(const PlaneFit& wide, const FoundPlane& local, const JudgeOptions& options) {
   const auto [mean, rms] = residuals(local.inliers, wide.plane);
   const double n = local.fit.n;
@@ -38,7 +38,7 @@ bool fits_locally(const PlaneFit& wide, const FoundPlane& local, const JudgeOpti
          rms <= sigma_m * (1.0 + 3.0 / std::sqrt(2.0 * n)) + slack_m;
 }
 
-/// The found plane extended over the zone, or as it was found where the wider plane does not fit.
+/// The found plane extended over the zone, or as it was found if the wider plane does not fit at the line.
 CandidatePlane extend(const FoundPlane& found,
                       const ZoneCells& cells,
                       const JudgeOptions& options) {
@@ -56,7 +56,8 @@ CandidatePlane extend(const FoundPlane& found,
   return plane;
 }
 
-/// A solid surface hides what is below it; a slice of a canopy has returns below it among its own.
+/// Whether the plane is a slice of a canopy. A solid surface hides what is below it; a canopy does not, so
+/// that there are many returns below the slice.
 bool lets_laser_through(const FoundPlane& plane,
                         std::span<const ZonePoint> zone,
                         const JudgeOptions& options) {
@@ -89,7 +90,8 @@ bool same_plane(const CandidatePlane& a, const CandidatePlane& b) {
   return 2 * shared >= std::min(a.inliers.size(), b.inliers.size());
 }
 
-/// A few points left over beside a much larger plane, nearly in it: not a surface of its own.
+/// Whether `small` is no surface of its own, but a few points left over beside a much larger plane and
+/// nearly in it.
 bool shadows(const CandidatePlane& large,
              const CandidatePlane& small,
              const JudgeOptions& options) {
@@ -159,7 +161,7 @@ void unite(CandidatePlane plane, std::vector<CandidatePlane>& candidates) {
   }
 }
 
-/// Too narrow for its tilt to be known: search_ledge() takes it as level across.
+/// Whether the plane is too narrow for its tilt to be known. search_ledge() takes such a strip as level across.
 bool is_strip(const FoundPlane& plane) {
   constexpr double kNarrowest_m = 0.6;
   // a uniform distribution of this width has the variance width^2 / 12

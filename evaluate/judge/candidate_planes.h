@@ -12,10 +12,11 @@
 
 namespace ridgeline::evaluate {
 
-/// The planes that could judge a line: those of both sides and of what is left, each extended over
-/// its connected points of the zone, fitted again and united where they turn out to be the same;
-/// and a ledge along the line. Surfaces that let the laser through (tree canopies) are left out;
-/// cars and the like are marked as low objects, unless the images show that the line is their edge.
+/// The planes that could judge a line. They are found among the points of each side of the line, then
+/// among the points that these planes do not explain. Each is extended over its connected points of the
+/// zone and fitted again, and planes that turn out to be the same are united. A ledge along the line is
+/// added. Surfaces that let the laser through (tree canopies) are left out. Cars and the like are marked
+/// as low objects, unless the images show that the line is their edge.
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
                                              const std::optional<ImageEvidence>& images,

@@ -9,10 +9,10 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kAboveSurface_m = 0.2;  // above or below the chosen surface
+constexpr double kAboveSurface_m = 0.2;  // a nearer point may belong to the chosen surface
 
-/// Chi-square across the line of the images against the plane that suits them best, for a pixel of
-/// noise; 0 where no plane can be compared.
+/// Chi-square of the image segments against the chosen plane that suits them best, across the line and
+/// for a pixel of noise; 0 if no plane can be compared.
 double least_cost(std::span<const CandidatePlane> candidates,
                   const EdgeDecision& decision,
                   const ImageEvidence& images) {
@@ -24,11 +24,11 @@ double least_cost(std::span<const CandidatePlane> candidates,
   return std::isfinite(least) ? least : 0.0;
 }
 
-/// A point beside the line, against the planes.
+/// A point beside the line, compared with the planes.
 struct Placed {
   double t_m;
-  double above_m;  ///< the highest of the chosen planes, at right angles
-  bool explained;  ///< by any plane
+  double above_m;  ///< above the highest of the chosen planes, at right angles
+  bool explained;  ///< whether any plane explains the point
 };
 
 std::vector<Placed> place(std::span<const ZonePoint> zone,
@@ -54,13 +54,13 @@ std::vector<Placed> place(std::span<const ZonePoint> zone,
   return placed;
 }
 
-/// How many points it takes to raise a doubt: a number of them, and a share of all that are near.
+/// How many points raise a doubt: at least a number, and more than a share of all points near the line.
 struct Least {
   std::size_t n;
   double share;
 };
 
-/// Whether more than that of the points within a distance of the line satisfy a condition.
+/// Whether enough unexplained points within a distance of the line satisfy a condition.
 template <typename Condition>
 bool exceeds(const Least& least,
              std::span<const Placed> points,
@@ -76,7 +76,7 @@ bool exceeds(const Least& least,
   return n >= least.n && static_cast<double>(n) > least.share * static_cast<double>(of);
 }
 
-/// Whether there are points on one side only, which is no chance for so many.
+/// Whether there are points on one side only, and so many that this is no chance.
 bool one_side_is_empty(std::span<const Placed> points, const JudgeOptions& options) {
   std::size_t left = 0;
   std::size_t right = 0;
@@ -88,7 +88,7 @@ bool one_side_is_empty(std::span<const Placed> points, const JudgeOptions& optio
          2 * std::max(left, right) >= static_cast<std::size_t>(options.min_points);
 }
 
-/// Standard deviation at the middle of the line of the chosen plane that is known least.
+/// The largest standard deviation of a chosen plane at the middle of the line.
 double largest_sigma_m(std::span<const CandidatePlane> candidates,
                        const EdgeDecision& decision,
                        const Footprint& footprint) {
@@ -107,7 +107,7 @@ double largest_sigma_m(std::span<const CandidatePlane> candidates,
 bool is_contradicted(std::span<const CandidatePlane> candidates,
                      const EdgeDecision& decision,
                      const std::optional<ImageEvidence>& images) {
-  constexpr double kFivePixels = 25.0;  // at one end, 3.5 at both
+  constexpr double kFivePixels = 25.0;  // chi-square of 5 px at one end, or of 3.5 px at both
   return images && least_cost(candidates, decision, *images) > kFivePixels;
 }
 
@@ -115,7 +115,7 @@ std::optional<std::string> reason_too_little_known(std::span<const CandidatePlan
                                                    const EdgeDecision& decision,
                                                    const Footprint& footprint,
                                                    const JudgeOptions& options) {
-  // of the laser, placed on the line, that would tell as much of the plane: three make a plane
+  // a plane must be known as well as by this many laser points on the line; three make a plane
   constexpr double kFewestPoints = 3.0;
   const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
   const double sigma_m = largest_sigma_m(candidates, decision, footprint);
@@ -132,12 +132,12 @@ std::optional<std::string> reason_for_doubt(std::span<const ZonePoint> zone,
                                             const Footprint& footprint,
                                             const std::optional<ImageEvidence>& images,
                                             const JudgeOptions& options) {
-  constexpr double kCanopy_m = 2.0;       // farther up it hides no edge that the images show
+  constexpr double kCanopy_m = 2.0;       // points farther up hide no edge that the images show
   constexpr Least kHedge{4, 0.15};        // a parapet of 0.3 m within 0.8 m on both sides
   constexpr Least kFence{4, 0.1};         // fewer are birds and antennas
-  constexpr Least kFenceSeenOff{2, 0.1};  // unless the images show the line off the surface
-  constexpr double kFence_m = 0.3;        // across; the line of a fence is off by that in plan
-  constexpr double kThreePixels = 9.0;    // at one end, 2.1 at both
+  constexpr Least kFenceSeenOff{2, 0.1};  // for a line that the images show off the surface
+  constexpr double kFence_m = 0.3;        // across; the line of a fence may be off by that in plan
+  constexpr double kThreePixels = 9.0;    // chi-square of 3 px at one end, or of 2.1 px at both
   if (auto reason = reason_too_little_known(candidates, decision, footprint, options)) {
     return reason;
   }

@@ -88,7 +88,7 @@ struct Ridge {
   PlaneMeeting meeting;
 };
 
-/// The pair of planes that meets along most of the line; of equals, the one nearer in plan.
+/// The pair of planes that meets along most of the line; among equals the pair that meets nearer to it in plan.
 std::optional<Ridge> best_ridge(std::span<const CandidatePlane> candidates,
                                 const Footprint& footprint,
                                 const JudgeOptions& options) {
@@ -119,14 +119,14 @@ std::string rounded_percent(double share) {
   return text.str();
 }
 
-/// Comes close enough to the line to have its edge there.
+/// Whether the plane comes close enough to the line to have its edge there. A low object never does.
 bool is_near(const CandidatePlane& plane, const JudgeOptions& options) {
   return !plane.low_object && plane.nearest_m <= options.step_offset_m;
 }
 
-/// Least coverage of a plane that judges: that of most of those near the line.
+/// Least coverage that a plane needs to judge: most of the best coverage of the planes near the line.
 double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOptions& options) {
-  // a parked car beside a marking is upper, but accompanies only a part of it
+  // a parked car is above the marking beside it, but accompanies only a part of it
   constexpr double kOfBest = 0.75;
   double best = 0.0;
   for (const CandidatePlane& p : candidates) {
@@ -135,9 +135,9 @@ double least_coverage(std::span<const CandidatePlane> candidates, const JudgeOpt
   return std::max(options.min_coverage, kOfBest * best);
 }
 
-/// Whether surfaces above a plane accompany most of the line in turns, none of them alone, and the
-/// images do not show that it is the plane's: it runs over the eaves of several roofs, not all of them
-/// found perhaps, and is the edge of no one surface.
+/// Whether surfaces above the chosen plane together accompany most of the line, and the images do not
+/// show that the line is the chosen plane's. Such a line runs over the eaves of several roofs, of which
+/// perhaps not all were found, and is the edge of no single surface.
 bool runs_over_several(std::span<const CandidatePlane> candidates,
                        const CandidatePlane& chosen,
                        const Footprint& footprint,
@@ -176,7 +176,7 @@ std::vector<std::size_t> planes_along(std::span<const CandidatePlane> candidates
   return along;
 }
 
-/// Both sides of the line carry the plane: the line runs inside it.
+/// Whether both sides of the line carry the plane, so that the line runs inside it.
 bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
   const double gap = options.side_gap_m;
   const auto left = std::count_if(plane.beside.begin(), plane.beside.end(),
@@ -186,7 +186,8 @@ bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
   return 4 * std::min(left, right) >= std::max(left, right);
 }
 
-/// Which of the planes, the uppermost first, the images show the edge of.
+/// The plane whose edge the images show, among those `along` the line (the uppermost first). It is the
+/// uppermost one if the images do not tell.
 std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
                           const std::vector<std::size_t>& along,
                           const std::optional<ImageEvidence>& images,
@@ -206,9 +207,9 @@ std::size_t plane_of_step(std::span<const CandidatePlane> candidates,
   return along[0];
 }
 
-/// The plane that ends farther from the line than an edge may, or accompanies less of it than those
-/// along it, if the images show the line on it and on none of these: an overhang, a border that
-/// the laser hit sparsely, a street beside a building that hides a part of it.
+/// The plane that the images show the line on, if they show it on none of the planes `along` it. Such a
+/// plane ends farther from the line than an edge may, or accompanies less of it: an overhang, a border
+/// that the laser hit sparsely, a street beside a building that hides a part of it.
 std::optional<std::size_t> seen_instead(std::span<const CandidatePlane> candidates,
                                         const std::vector<std::size_t>& along,
                                         const JudgeOptions& options,
@@ -246,7 +247,7 @@ EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
   }
   const CandidatePlane& upper = candidates[along[0]];
   if (along.size() > 1) {
-    // two surfaces of about one height, yet neither one plane nor a ridge: nothing tells them apart
+    // the surfaces have about one height, yet are neither one plane nor a ridge: nothing tells them apart
     constexpr double kSameHeight_m = 0.15;
     const CandidatePlane& second = candidates[along[1]];
     const double step_m = height_at(upper.fit.plane, footprint.middle()) -
@@ -282,7 +283,7 @@ std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
                                        const CandidatePlane& b,
                                        const Footprint& footprint,
                                        const JudgeOptions& options) {
-  // difference of the planes' shares of points on one side; a main roof goes on behind a dormer
+  // least difference of the planes' shares of points on one side; it is not 1, as a main roof goes on behind a dormer
   constexpr double kOneSided = 0.55;
   const auto line = intersect_in_plan(a.fit.plane, b.fit.plane);
   if (!line) return std::nullopt;

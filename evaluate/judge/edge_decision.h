@@ -28,25 +28,27 @@ struct PlaneMeeting {
   double coverage;       ///< share of the line along which both planes come up to the intersection
 };
 
-/// No answer if the planes are parallel in plan, or not one on each side of their intersection.
+/// How two planes meet beside a line. Nothing if they are parallel in plan, or if they do not lie one on
+/// each side of their intersection.
 std::optional<PlaneMeeting> meeting_of(const CandidatePlane& a,
                                        const CandidatePlane& b,
                                        const Footprint& footprint,
                                        const JudgeOptions& options);
 
-/// Fits both planes of a ridge again, each to its points on its own side of their intersection:
-/// beyond it the points within the inlier distance belong to the other one.
+/// Fits both planes of a ridge again, each to its points on its own side of their intersection.
+/// Points beyond it that lie within the inlier distance belong to the other plane.
 void separate_at_intersection(CandidatePlane& a, CandidatePlane& b);
 
-/// Ridge (also hip and valley): two planes that meet along the line in plan and lie on opposite
-/// sides of their intersection. Otherwise step: the plane whose border or interior the line
-/// follows; where several do, the upper one, because an edge seen from the air belongs to the upper
-/// surface.
-/// With the image segments of the line, the plane whose edge they show decides a step instead; where
-/// they tell the planes not apart it is the upper one, flag `plane_ambiguous`. A plane
-/// whose points end farther from the line than step_offset_m, or that accompanies less of it than the
-/// others but min_coverage of it, judges only if the images show the line on it and not on these, flag
-/// `seen_instead` (which judge_line() gives to a line that it looked for in another place, too).
+/// Decides which planes judge a line. A ridge (also a hip or valley) has two planes that meet along the
+/// line in plan and lie on opposite sides of their intersection. Any other line is a step: it is judged
+/// by the plane whose border or interior it follows. If it follows several, the upper one judges it,
+/// because an edge seen from the air belongs to the upper surface.
+/// If the line has image segments, the plane whose edge they show judges a step instead. If they do not
+/// tell the planes apart, it is the upper one, and the line gets the flag `plane_ambiguous`. A plane whose
+/// points end farther from the line than step_offset_m, or that accompanies less of the line than the
+/// others, though at least min_coverage of it, judges only if the images show the line on it and not on
+/// the others. The line then gets the flag `seen_instead`, which judge_line() also gives to a line that it
+/// looked for in another place.
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
                          const JudgeOptions& options,

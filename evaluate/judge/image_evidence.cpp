@@ -18,7 +18,7 @@ Segment3 at_height(const ImageEvidence& images, double z_m) {
   return {at_height(images, base.start, z_m), at_height(images, base.end, z_m)};
 }
 
-/// A ray's way through the range of heights, as a plan position per height.
+/// A ray's way through the range of heights: its position in plan at each height.
 struct Ray {
   Eigen::Vector2d at_zero, per_metre;
   [[nodiscard]] Eigen::Vector2d at(double z_m) const { return at_zero + z_m * per_metre; }
@@ -43,13 +43,13 @@ double search_radius_m(const PointSearch& search, const Eigen::Vector2d& x) {
                     kLargest_m);
 }
 
-/// Height of the surface over a share of the segment.
+/// Height of the surface at a share `s` of the segment.
 struct Sample {
   double s, z_m;
 };
 
-/// What rays through `n_samples` points of the base segment meet first from above: the highest point
-/// within `radius_m` of each.
+/// The heights at which rays through `n_samples` points of the base segment first meet the cloud from
+/// above. Each is the height of the highest point within `radius_m` of the ray.
 std::vector<Sample> first_hits(const PointSearch& search,
                                const ImageEvidence& images,
                                int n_samples,
@@ -92,7 +92,7 @@ struct HeightLine {
 };
 
 std::vector<Sample> agreeing(const std::vector<Sample>& samples, const HeightLine& line) {
-  constexpr double kAgree_m = 0.3;  // the steepest roof within half a search radius
+  constexpr double kAgree_m = 0.3;  // rise of the steepest roof over half a search radius
   std::vector<Sample> kept;
   for (const Sample& sample : samples) {
     if (std::abs(sample.z_m - line.at(sample.s)) <= kAgree_m) kept.push_back(sample);
@@ -117,7 +117,7 @@ HeightLine regression(const std::vector<Sample>& samples) {
   return {mean_z - slope * mean_s, slope};
 }
 
-/// The line through two samples that most others agree with, by regression on these.
+/// The samples that agree with a line through two of them, for the line that most agree with.
 std::vector<Sample> consensus(const std::vector<Sample>& samples) {
   constexpr double kShortest = 0.25;  // of the segment: closer samples say nothing of its slope
   std::vector<Sample> best;
@@ -183,7 +183,7 @@ double image_cost(const ImageEvidence& images, const Plane3& plane) {
 }
 
 std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m) {
-  constexpr int kMostSteps = 1000;  // a ray near the horizon
+  constexpr int kMostSteps = 1000;  // a ray near the horizon would need more
   const auto [low, high] = images.height_range_m;
   const Segment3 on_ground = at_height(images, low);
   const Segment2 first = plan(on_ground);

@@ -11,25 +11,24 @@
 
 namespace ridgeline::evaluate {
 
-/// The base segment on the LIDAR surface (monoplotting): the rays through samples of
-/// the segment end at the first point of the cloud that they come close to, and a line is fitted
-/// robustly to the heights so found. Close is a radius in plan that holds about two points.
-/// No answer where most rays meet no point, or no straight line explains them, or the result has no
-/// direction in plan.
+/// The base segment on the LIDAR surface (monoplotting). The rays through samples of the segment end at
+/// the first point of the cloud that they come close to, which is within a radius in plan that holds two
+/// to three points. A line is fitted robustly to the heights so found. Nothing if most rays meet no point,
+/// if no straight line explains them, or if the result has no direction in plan.
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images);
 
-/// The parts of image_cost(). Two planes are compared by both; whether the images show the line on one
-/// is told by `across` alone, since the segments need not show the same part of the line.
+/// The parts of image_cost(). Both count when two planes are compared. Whether the images show the line on
+/// a plane is decided by `across` alone, since the two segments need not show the same part of the line.
 struct ImageCost {
   double across = 0.0;
   double along = 0.0;
 };
 ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane);
 
-/// How badly the plane explains the pair of segments, in chi-square units: the ends of the base
-/// segment are carried by the plane into the other image and compared with the segment there,
-/// across it, and along it with a limit, because ends are found where an occlusion or a lack of
-/// contrast puts them.
+/// How badly the plane explains the pair of segments, in chi-square units. The plane carries the ends of
+/// the base segment into the other image, where they are compared with the segment, across it and along
+/// it. The difference along it is limited, because an occlusion or a lack of contrast may put an end
+/// anywhere.
 double image_cost(const ImageEvidence& images, const Plane3& plane);
 
 /// Margin of image_cost() by which the images tell two planes apart.

@@ -70,7 +70,7 @@ double sigma_at_midpoint(const Eigen::Matrix<double, 6, 6>& cov, const Eigen::Ve
   return std::sqrt(std::max(0.0, jacobian.dot(cov * jacobian)));
 }
 
-/// Distances averaged over the chosen planes, with their predicted standard deviations.
+/// Averages the distances over the chosen planes and predicts their standard deviations.
 void summarise(LineEvaluation& e, const JudgedLine& line) {
   const auto n = static_cast<double>(e.planes.size());
   Eigen::Vector3d mean_normal = Eigen::Vector3d::Zero();
@@ -89,13 +89,13 @@ void summarise(LineEvaluation& e, const JudgedLine& line) {
   if (sigma > 0.0) e.z = e.signed_mean_m / sigma;
 }
 
-/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle between.
+/// Distance of the midpoint from the intersection line of a ridge's planes, and the angle of the line to it.
 void compare_with_intersection(LineEvaluation& e, const Segment3& segment) {
   const Eigen::Vector3d n1 = e.planes[0].plane.normal();
   const Eigen::Vector3d n2 = e.planes[1].plane.normal();
   const Eigen::Vector3d direction = n1.cross(n2).normalized();
   const Eigen::Vector3d x = midpoint(segment);
-  // the foot of x on both planes at once, across the intersection line
+  // to_line leads from x to a point of both planes, at right angles to the intersection line
   Eigen::Matrix3d a;
   a << n1.transpose(), n2.transpose(), direction.transpose();
   const Eigen::Vector3d to_line =
@@ -169,9 +169,10 @@ Surroundings surroundings(const PointSearch& search,
   return around;
 }
 
-/// What lies around the line in plan, if the images show the line on that. A ray that passes the edge
-/// of a roof between two points of the cloud ends on the ground, a metre aside for a house of 8 m. A line
-/// at a wrong height gains by it only where chance brings it within two pixels of a plane.
+/// The surroundings of the line's own plan view, if the images show the line on the planes there. They are
+/// needed when a ray passes the edge of a roof between two points of the cloud: it then ends on the ground,
+/// a metre aside for a house of 8 m. A line at a wrong height gains by this only if chance brings it within
+/// two pixels of a plane.
 std::optional<Surroundings> seen_where_it_lies(const PointSearch& search,
                                                const JudgedLine& line,
                                                const JudgeOptions& options) {
@@ -204,7 +205,7 @@ JudgedResult ended(LineEvaluation e, Status status, std::string reason) {
 }  // namespace
 
 std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options) {
-  constexpr double kNearVertical = 0.05;  // plan length / length: steeper has no direction in plan
+  constexpr double kNearVertical = 0.05;  // plan length / length; below it no direction is known
   if (!line.reconstructed) {
     return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
   }
@@ -231,8 +232,8 @@ JudgedResult judge_line(const PointSearch& search,
   if (const auto refusal = refusal_of(line, options)) {
     return ended(std::move(e), refusal->status, refusal->reason);
   }
-  // by its image segment on the LIDAR surface, so that all methods meet the same points; by the line
-  // itself where there is no image or the ray meets no surface
+  // The image segment on the LIDAR surface is the footprint, so that all methods meet the same points. The
+  // line itself is the footprint if there is no image or the rays meet no surface.
   const std::optional<Segment3> seen = line.images ? monoplot(search, *line.images) : std::nullopt;
   Surroundings around =
       surroundings(search, line, footprint_of(seen ? *seen : line.segment), options);
@@ -277,7 +278,7 @@ JudgedResult judge_line(const PointSearch& search,
   summarise(e, line);
   if (e.kind == Kind::kRidge) {
     compare_with_intersection(e, line.segment);
-    // each plane by the points of its own side only, which may be few
+    // each plane rests on the points of its own side only, which may be few
     if (!reason_too_little_known(candidates, decision, footprint, options)) {
       e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
                                           {e.planes[0].sigma_m, e.planes[1].sigma_m});

@@ -15,21 +15,22 @@ namespace ridgeline::evaluate {
 /// A judged line and the points its planes were fitted to.
 struct JudgedResult {
   LineEvaluation evaluation;
-  /// Per plane, indices into the cloud, sorted; only if options keep the points.
+  /// For each plane the indices of its inliers in the cloud, sorted; empty unless JudgeOptions::keep_points.
   std::vector<std::vector<std::uint32_t>> inliers;
-  /// The same points by a hash of their position, which tells them in any part of a cloud.
+  /// For each plane a hash of each inlier's position, which identifies the point in any part of a cloud.
   std::vector<std::vector<std::uint64_t>> inlier_keys;
-  std::vector<std::vector<Eigen::Vector3d>>
-      inlier_points;  ///< the same points if options keep them
-  std::vector<std::vector<Eigen::Vector2d>>
-      hulls;  ///< per plane, convex_hull() of the inliers, local
+  /// For each plane the positions of its inliers, local; empty unless JudgeOptions::keep_points.
+  std::vector<std::vector<Eigen::Vector3d>> inlier_points;
+  /// For each plane the convex_hull() of its inliers, local.
+  std::vector<std::vector<Eigen::Vector2d>> hulls;
 };
 
-/// Why a line cannot be judged whatever the cloud holds; nothing if it can.
+/// Why a line cannot be judged, whatever the cloud holds.
 struct Refusal {
   Status status;
   std::string reason;
 };
+/// The refusal of a line; nothing if it can be judged.
 std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& options);
 
 /// The method (Ok et al. 2011, section 4) for one line:
@@ -38,7 +39,7 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
 /// The corridor lies where the image segment of the line meets the cloud. If the images show the line on
 /// no plane there, it lies where the line does, provided that the images show it on the plane there (flag
 /// `seen_instead`). A line with a reason_for_doubt() is ambiguous.
-/// Ends in a status whatever the line is; never throws for a bad line.
+/// Every line gets a status; a bad line never throws.
 JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,
                         const JudgeOptions& options);

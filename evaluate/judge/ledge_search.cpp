@@ -8,11 +8,11 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kReach_m = 0.75;  // of the strip from the line, in plan
+constexpr double kReach_m = 0.75;  // from the line to the strip's points, in plan
 constexpr double kLowest_m = 0.2;  // above the neighbouring surface
 constexpr double kHighest_m = 1.5;
 constexpr int kFewest = 8;         // a parapet of 0.3 m x 6 m at 5 points/m2
-constexpr double kSteepest = 0.2;  // along the line
+constexpr double kSteepest = 0.2;  // slope along the line
 constexpr double kWidest_m = 0.8;  // across; a bonnet is wider
 
 /// Heights along the line: z = height + slope s.
@@ -27,7 +27,7 @@ std::vector<ZonePoint> unexplained_above(std::span<const ZonePoint> zone,
   std::vector<ZonePoint> points;
   for (const ZonePoint& p : zone) {
     if (std::abs(p.t) > kReach_m || p.s < 0.0 || p.s > footprint.length_m) continue;
-    double above_m = HUGE_VAL;  // the highest surface at the point
+    double above_m = HUGE_VAL;  // height above the highest surface at the point
     for (const CandidatePlane& plane : candidates) {
       above_m = std::min(above_m, p.x.z() - height_at(plane.fit.plane, p.x.head<2>()));
     }
@@ -46,8 +46,8 @@ std::vector<ZonePoint> on_profile(const std::vector<ZonePoint>& points,
   return near;
 }
 
-/// Pairs of points give profiles; the one with most points near it. Pairs are tried in a fixed
-/// order, at most some thousands: the result depends on nothing but the points.
+/// The points near the profile through two points that has most points near it. At most some thousand
+/// pairs are tried, in a fixed order, so that the result depends on nothing but the points.
 std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double distance_m) {
   constexpr std::size_t kMostPairs = 2000;
   const std::size_t n = points.size();
@@ -68,8 +68,8 @@ std::vector<ZonePoint> best_profile(const std::vector<ZonePoint>& points, double
   return best;
 }
 
-/// Extent across of all points of the corridor in the plane: what is wide is no ledge. Not at the
-/// ends, where another parapet may come in from the side.
+/// Extent across the line of all points of the corridor in the plane; a wide surface is no ledge. The ends
+/// of the line are left out, since another parapet may come in from the side there.
 double width_in(std::span<const ZonePoint> zone,
                 const PlaneFit& fit,
                 const JudgeOptions& options,
@@ -127,7 +127,7 @@ std::optional<CandidatePlane> search_ledge(std::span<const ZonePoint> zone,
                                            std::span<const CandidatePlane> candidates,
                                            const Footprint& footprint,
                                            const JudgeOptions& options) {
-  constexpr std::size_t kMost = 400;  // a strip; more is a hedge or a canopy
+  constexpr std::size_t kMost = 400;  // points of a strip; more are a hedge or a canopy
   if (candidates.empty()) return std::nullopt;
   const std::vector<ZonePoint> points = unexplained_above(zone, candidates, footprint);
   if (points.size() < kFewest || points.size() > kMost) return std::nullopt;

@@ -28,8 +28,8 @@ namespace ridgeline::evaluate {
 /// Instantiated for PointXYZ, PointXYZI, PointXYZL, PointNormal and PointXYZINormal. The sample consensus is
 /// PCL's; sums and final fits run in double. docs/pcl.md has examples and measurements.
 ///
-/// Normals take part only after setInputNormals(), as in pcl::SACSegmentationFromNormals: those of a
-/// PointNormal cloud, too, since these fields are often empty. PointNT is then PointT.
+/// Normals take part only after setInputNormals(), as in pcl::SACSegmentationFromNormals. This holds for a
+/// PointNormal cloud too (PointNT is then PointT), since its normals are often empty.
 // NOLINTBEGIN(readability-identifier-naming): PCL's spelling, as PCL's users know it
 template <typename PointT,
           typename PointNT =
@@ -41,7 +41,7 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   using PointCloudNConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr;
   using SearchPtr = typename pcl::search::Search<PointT>::Ptr;
 
-  /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts.
+  /// Points in local coordinates, metres; non-finite points are left out. setIndices() restricts the points.
   void setInputCloud(const PointCloudConstPtr& cloud) override;
   void setInputLines(std::vector<JudgedLine> lines) {
     lines_ = std::move(lines);
@@ -53,12 +53,12 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   /// builds its structure then. Without one, or with a null pointer, a grid of our own serves (PointGrid).
   /// The results are the same bit by bit.
   void setSearchMethod(const SearchPtr& search) { search_ = search; }
-  /// Null unless it was set.
+  /// The search method; null unless it was set.
   [[nodiscard]] const SearchPtr& getSearchMethod() const { return search_; }
 
   /// Normals for the sample consensus, one a point of the cloud, of any length and either sign. A point whose
   /// normal is zero or not finite, or whose curvature is not finite, counts by its distance alone; a
-  /// curvature below 0 or above 1 counts as these. A null pointer: no normals.
+  /// curvature below 0 counts as 0, one above 1 as 1. A null pointer means no normals.
   void setInputNormals(const PointCloudNConstPtr& normals) { normals_ = normals; }
   [[nodiscard]] const PointCloudNConstPtr& getInputNormals() const { return normals_; }
   /// How much the angle between a point's normal and the plane's counts (radians) against the distance
@@ -66,7 +66,7 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   void setNormalDistanceWeight(double weight) { normal_weight_ = weight; }
   [[nodiscard]] double getNormalDistanceWeight() const { return normal_weight_; }
 
-  /// MSAC by default.
+  /// The sample consensus; MSAC by default.
   void setMethodType(SampleConsensus method) { options_.method = method; }
   /// Largest distance of a plane's point, as in pcl::SACSegmentation.
   void setDistanceThreshold(double threshold_m) { options_.inlier_distance_m = threshold_m; }
@@ -86,7 +86,7 @@ class LineToPlaneEvaluation : public pcl::PCLBase<PointT> {
   /// The planes of a line after compute(): values (nx, ny, nz, d), local frame, normal upwards.
   /// Throws std::out_of_range for a line that does not exist.
   [[nodiscard]] std::vector<pcl::ModelCoefficients> getModelCoefficients(std::size_t line) const;
-  /// Their inliers, indices into the input cloud.
+  /// The inliers of each plane of a line after compute(), as indices into the input cloud.
   [[nodiscard]] std::vector<pcl::Indices> getInliers(std::size_t line) const;
 
  private:

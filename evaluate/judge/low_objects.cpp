@@ -9,8 +9,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// A car parked beside a marking, a box on a terrace: a small level surface less than 2 m above a
-/// larger level one that also lies on the object's far and near side of the line.
+/// Whether the object is like a car parked beside a marking or a box on a terrace: a small level surface
+/// less than 2 m above a larger level one, the base, that lies on both sides of the line.
 bool is_low_object(const CandidatePlane& object,
                    const CandidatePlane& base,
                    double spacing_m,
@@ -18,7 +18,7 @@ bool is_low_object(const CandidatePlane& object,
   constexpr double kLevel_rad = 0.17;  // 10 degrees
   constexpr double kHighest_m = 2.0;
   constexpr double kLargest_m2 = 15.0;  // two cars; roofs with less are dormers, on slopes
-  constexpr double kNarrow = 6.0;       // length / width of a parapet, which stays
+  constexpr double kNarrow = 6.0;       // length / width; a longer object is a parapet, and stays
   constexpr double kOtherSide = 0.1;
   constexpr double kLarger = 2.0;  // the bonnet of a car is no street
   const auto n = static_cast<double>(object.inliers.size());

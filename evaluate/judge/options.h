@@ -16,9 +16,9 @@ enum class SampleConsensus : std::uint8_t { kMsac, kRansac, kProsac };
 struct JudgeOptions {
   SampleConsensus method = SampleConsensus::kMsac;
 
-  /// Range noise of the cloud; thresholds that depend on it are multiples.
+  /// Range noise of the cloud; thresholds that depend on it are multiples of it.
   double lidar_sigma_m = 0.034;
-  /// Half width of the planimetric corridor, all heights: a line metres off in height is judged.
+  /// Half width of the planimetric corridor. It spans all heights, so that a line metres off in height is judged.
   double corridor_half_width_m = 1.5;
   /// The corridor is extended by this at both ends of the line.
   double corridor_end_m = 0.5;
@@ -27,24 +27,25 @@ struct JudgeOptions {
   /// Points within this distance of a plane support it; 3 sigma of the cloud.
   double inlier_distance_m = 0.10;
   int min_points = 10;  ///< of a plane on one side
-  /// A plane's final fit takes connected inliers this far from the line: more points, smaller
-  /// sigma.
+  /// A plane's final fit takes connected inliers up to this far from the line, as more points give a
+  /// smaller sigma.
   double fit_half_width_m = 4.0;
   double max_slope_deg = 65.0;  ///< steeper planes are walls, or wall and ground together
-  /// Two planes are one (`merged`) below this angle, if they also meet at the line.
+  /// Without effect: planes are united by the points that they share, see candidate_planes().
   double merge_angle_deg = 5.0;
   /// A ridge needs normals that differ by at least this.
   double ridge_angle_deg = 10.0;
   /// Largest distance in plan, at both ends, between a line and the planes' intersection line.
   double ridge_offset_m = 1.0;
-  double ridge_direction_deg = 15.0;  ///< ... and largest difference in direction, in plan
+  /// Largest angle in plan between a line and the planes' intersection line.
+  double ridge_direction_deg = 15.0;
   /// Largest distance in plan between a line and the border of the plane it is judged by.
   double step_offset_m = 0.8;
   double min_coverage = 0.5;  ///< of the line by the plane's inliers beside it
   double min_length_m = 0.3;  ///< shorter lines are `too_short`
   int max_iterations = 300;   ///< of the sample consensus
   int seed = 1;               ///< of the sample consensus, combined with the line's id
-  bool keep_points = false;   ///< JudgedResult::inliers and inlier_points, for those who want them
+  bool keep_points = false;   ///< whether to fill JudgedResult::inliers and inlier_points
 
   static constexpr auto fields() {
     using O = JudgeOptions;

@@ -17,8 +17,8 @@
 
 namespace ridgeline::evaluate {
 
-/// The points near a line by any search of PCL: pcl::search::KdTree, Octree, BruteForce. PCL answers balls, the
-/// judge asks for all heights over a corridor: BallCover stacks balls over the heights of the cloud.
+/// Finds the points near a line by any search of PCL: pcl::search::KdTree, Octree, BruteForce. PCL searches balls, but
+/// the judge asks for all heights over a corridor, so BallCover stacks balls over the heights of the cloud.
 /// The index of a point is its position in `indices`.
 template <typename PointT>
 class PclPointSearch final : public PointSearch {
@@ -27,7 +27,7 @@ class PclPointSearch final : public PointSearch {
   using CloudConstPtr = typename pcl::PointCloud<PointT>::ConstPtr;
 
   /// Gives the cloud to `search`, which builds its structure. Points that are not finite are left out.
-  /// Throws std::invalid_argument for a search that does not find the cloud's own points, as
+  /// Throws std::invalid_argument for a search that does not find the cloud's own points, such as
   /// pcl::search::OrganizedNeighbor with a cloud that is not organised.
   PclPointSearch(typename Search::Ptr search, CloudConstPtr cloud, pcl::IndicesConstPtr indices);
 
@@ -54,7 +54,7 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
                                        pcl::IndicesConstPtr indices)
     : search_(std::move(search)), cloud_(std::move(cloud)), place_in_indices_(cloud_->size()) {
   std::optional<pcl::index_t> last_finite;
-  // backwards: a point that is listed twice has its first place, as in PointGrid
+  // the loop runs backwards, so that a point that is listed twice gets its first place, as in PointGrid
   for (std::size_t place = indices->size(); place-- > 0;) {
     const pcl::index_t i = (*indices)[place];
     check(i >= 0 && static_cast<std::size_t>(i) < cloud_->size(), "setIndices: index = ", i,
@@ -75,7 +75,7 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
 
 template <typename PointT>
 void PclPointSearch<PointT>::find_within(const Ball& ball, pcl::Indices& found) const {
-  // PCL compares in float: what is lost by rounding the centre and the squares
+  // PCL compares in float; the margin covers what rounding the centre and the squares may lose
   const double largest_m = extent_.min().cwiseAbs().cwiseMax(extent_.max().cwiseAbs()).maxCoeff();
   const double margin_m = 1e-6 * largest_m + 1e-5 * ball.radius_m;
   PointT centre;

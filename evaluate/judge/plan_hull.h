@@ -10,8 +10,8 @@
 
 namespace ridgeline::evaluate {
 
-/// The corners of the convex hull, counter-clockwise from the least x; of points on one line its two ends,
-/// of one point that, of none none.
+/// The corners of the convex hull, counter-clockwise from the least x. For points on one line these are its
+/// two ends, for one point the point; for no points there are none.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 
 /// Convex hull of points in the footprint's axes (s, t).
@@ -19,9 +19,9 @@ class PlanHull {
  public:
   explicit PlanHull(std::span<const ZonePoint> points);
 
-  /// Borders included; a hull without area contains nothing.
+  /// Whether the point lies in the hull or on its border; a hull without area contains nothing.
   [[nodiscard]] bool contains(const Eigen::Vector2d& st) const;
-  /// 0 inside; infinite for a hull of no points.
+  /// Distance of the point from the hull; 0 inside, infinite for a hull of no points.
   [[nodiscard]] double distance_to(const Eigen::Vector2d& st) const;
 
  private:

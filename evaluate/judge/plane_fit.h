@@ -19,7 +19,7 @@ struct PlaneFit {
   Eigen::Vector2d spread_m2;         ///< sums of squares along `axes`
   int n = 0;
   double rms_m = 0.0;     ///< root of the mean squared orthogonal residual
-  double sigma0_m = 0.0;  ///< the same with n - 3 degrees of freedom
+  double sigma0_m = 0.0;  ///< rms_m with n - 3 degrees of freedom in place of n
 
   /// Standard deviation of the plane, along its normal, at the foot of `x`: with plane coordinates
   /// (u, v) of x from the centroid, sigma0 sqrt(1/n + u^2/Suu + v^2/Svv). It grows linearly outside
@@ -28,7 +28,7 @@ struct PlaneFit {
 };
 
 /// Orthogonal regression: the eigenvector of the smallest eigenvalue of the scatter matrix about
-/// the centroid, in double. No answer for fewer than 4 points or points on one line.
+/// the centroid, in double. Nothing for fewer than 4 points or points on one line.
 std::optional<PlaneFit> fit_plane(std::span<const Eigen::Vector3d> points);
 
 }  // namespace ridgeline::evaluate

@@ -26,7 +26,8 @@ struct FoundPlane {
 /// `key` seeds the order in which PCL draws samples (its own generator has a fixed seed), so the
 /// result depends on the line and the run's seed, never on threads or on the order of lines.
 ///
-/// With normals the consensus counts by them, too. The refinement and the inliers go by distance alone.
+/// With normals the consensus takes these into account too, see PointNormals. The refinement and the
+/// inliers go by distance alone.
 std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
                                       std::uint64_t key,

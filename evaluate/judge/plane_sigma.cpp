@@ -31,8 +31,7 @@ Eigen::Vector3d row_of(const PlaneFit& fit, const Eigen::Vector3d& x) {
 double cluster_robust_sigma_m(const PlaneFit& fit,
                               std::span<const ZonePoint> points,
                               const Eigen::Vector3d& x) {
-  constexpr double kCell_m =
-      2.0;  // of 1 to 3 m that which suits the simulated villages 1 to 8 best
+  constexpr double kCell_m = 2.0;  // best of 1 to 3 m on the simulated villages 1 to 8
   std::map<std::pair<double, double>, Eigen::Vector3d> sums;
   for (const ZonePoint& p : points) {
     const std::pair cell(std::floor(p.s / kCell_m), std::floor(p.t / kCell_m));

@@ -20,8 +20,8 @@ double median_distance(std::span<const ZonePoint> points, const Plane3& plane) {
   return *middle;
 }
 
-/// In plan, the distance from the line to the plane's points: the median over stretches of the line
-/// of the smallest |t|, so that one stray point does not bring a plane near.
+/// Distance in plan from the line to the plane's points. It is the median over stretches of the line of
+/// the smallest |t|, so that one stray point does not bring a plane near.
 double nearest_along(std::span<const ZonePoint> points, double length_m, double stretch_m) {
   const auto n = static_cast<std::size_t>(std::max(1.0, std::floor(length_m / stretch_m)));
   std::vector<double> nearest(n, HUGE_VAL);
@@ -57,7 +57,7 @@ double coverage_along(std::span<const ZonePoint> points, double length_m, double
   for (const ZonePoint& p : points) s.push_back(p.s);
   std::sort(s.begin(), s.end());
   double covered = 0.0;
-  double end = 0.0;  // of what is covered so far
+  double end = 0.0;  // end of what is covered so far
   for (const double centre : s) {
     const double from = std::clamp(centre - reach_m, end, length_m);
     const double to = std::clamp(centre + reach_m, end, length_m);
@@ -68,7 +68,7 @@ double coverage_along(std::span<const ZonePoint> points, double length_m, double
 }
 
 double extrapolation_beyond(std::span<const ZonePoint> points, const Footprint& footprint) {
-  // the distance to a convex set is convex along the line: largest at one of its ends
+  // the distance to a convex set is convex along the line, so it is largest at one of its ends
   const PlanHull hull(points);
   return std::max(hull.distance_to({0.0, 0.0}), hull.distance_to({footprint.length_m, 0.0}));
 }

@@ -13,10 +13,10 @@ namespace ridgeline::evaluate {
 struct CandidatePlane {
   PlaneFit fit;                    ///< over all connected inliers of the zone
   std::vector<ZonePoint> inliers;  ///< of the zone
-  std::vector<ZonePoint> beside;   ///< those of them inside the corridor
+  std::vector<ZonePoint> beside;   ///< the inliers inside the corridor
   double coverage = 0.0;           ///< share of the line's length accompanied by `beside`
-  double nearest_m = 0.0;          ///< in plan, median along the line: how close the plane comes
-  /// A car or a box on the ground: explains its points, judges no line.
+  double nearest_m = 0.0;          ///< distance in plan from the line, median along it
+  /// Whether this is a car or a box on the ground, which explains its points but judges no line.
   bool low_object = false;
 };
 
@@ -38,8 +38,8 @@ void trim(CandidatePlane& plane, double inlier_distance_m);
 /// The plain positions of the points.
 std::vector<Eigen::Vector3d> positions(std::span<const ZonePoint> points);
 
-/// Fills in `beside`, `coverage` and `nearest_m` from the inliers. `reach_m`:
-/// how far along the line a point stands for, about the distance between points.
+/// Fills in `beside`, `coverage` and `nearest_m` from the inliers. A point stands for `reach_m` of the line
+/// to either side, about the distance between points.
 void describe_support(CandidatePlane& plane,
                       const Footprint& footprint,
                       double reach_m,

@@ -8,14 +8,14 @@
 
 namespace ridgeline::evaluate {
 
-/// Two planes closer in direction than this tell the horizontal part of a displacement too badly: its sigma is
-/// that of the planes over the sine of half the angle, about.
+/// Two planes at a smaller angle than this determine the horizontal part of a displacement too badly: its sigma is
+/// about that of the planes over the sine of half the angle.
 inline constexpr double kLeastRidgeAngle_deg = 20.0;
 
 /// How far a ridge or hip lies from the intersection of its planes, e = a h + b z: with z up and h the horizontal
 /// unit vector across the line, the signed distances d of the line's midpoint from the planes give
 /// (a, b)^T = N^-1 d with the rows (n_i . h, n_i . z) of N, and the covariance N^-1 diag(sigma_i^2) N^-T of the
-/// planes. What the line's own ends are known to plays no part.
+/// planes. The accuracy of the line's own ends plays no part.
 /// h points to the side of larger x (of larger y for a line along x), whichever end the line begins with.
 /// A movement along the line cannot be seen: on a hip b is the difference of heights at the same place in plan.
 /// Nothing if the planes meet at less than kLeastRidgeAngle_deg, or the line is vertical.

@@ -11,11 +11,13 @@ namespace ridgeline::evaluate {
 
 using PlanesById = std::map<std::uint64_t, const JudgedPlane*>;
 
-/// What a judged line is of its roof, by its planes; "" where it was not judged.
-///   ridge, hip   level, inclined edge that two planes fall away from
-///   valley       edge that two planes rise from
-///   eave, verge  border of an inclined plane across, along its slope (to 45 degrees in plan)
-///   step         border of a level plane
+/// The kind of edge that a judged line is on its roof, by its planes; "" if it was not judged.
+///   ridge   level edge that two planes fall away from
+///   hip     inclined edge that two planes fall away from
+///   valley  edge that two planes rise from
+///   eave    border of an inclined plane across its slope (more than 45 degrees from it in plan)
+///   verge   border of an inclined plane along its slope (up to 45 degrees from it in plan)
+///   step    border of a level plane
 std::string roof_kind(const LineEvaluation& line,
                       const Segment3& segment_in_local,
                       const PlanesById& planes);

@@ -19,7 +19,7 @@ constexpr double kCertain = 0.5;
 struct Beside {
   int edge = 0;
   double from = 0.0, to = 0.0;
-  double distance_px = 0.0;  ///< the larger one at both ends
+  double distance_px = 0.0;  ///< the larger one of both ends
 };
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -35,7 +35,7 @@ bool boxes_apart(const Segment2& a, const Segment2& b, double margin) {
          apart(a.start.y(), a.end.y(), b.start.y(), b.end.y());
 }
 
-/// Nothing unless the segment lies on the edge.
+/// The stretch of the edge that the segment lies on; nothing unless it lies on the edge, see score_matches().
 std::optional<Beside> lies_on(const Segment2& segment,
                               const Segment2& edge,
                               const MatchScoringOptions& options) {
@@ -66,8 +66,8 @@ std::optional<Beside> lies_on(const Segment2& segment,
   return Beside{0, from, to, distance_px};
 }
 
-/// Whether the segment lies on the line of the edge, no farther from it than its own length: there
-/// the reference cannot tell what is visible.
+/// Whether the segment lies on the edge when this is extended by its own length at both ends. The
+/// reference cannot tell what is visible there.
 bool continues(const Segment2& segment, const Segment2& edge, const MatchScoringOptions& options) {
   const Eigen::Vector2d along = edge.end - edge.start;
   return lies_on(segment, {edge.start - along, edge.end + along}, options).has_value();
@@ -116,7 +116,7 @@ bool have_common_edge(const std::vector<Beside>& a, const std::vector<Beside>& b
 }
 
 bool overlap_along(const Beside& a, const Beside& b) {
-  constexpr double kShare = 0.5;  // of the shorter one
+  constexpr double kShare = 0.5;  // of the shorter stretch
   const double common = std::min(a.to, b.to) - std::max(a.from, b.from);
   return common > 0.0 && common >= kShare * std::min(a.to - a.from, b.to - b.from);
 }
@@ -138,7 +138,7 @@ std::vector<std::vector<OnEdge>> segments_of_edges(const std::vector<std::vector
   return segments;
 }
 
-/// Per right segment: where the left segments lie that it is matched with.
+/// For each right segment, the stretches of edges that its matched left segments lie on.
 using Taken = std::map<int, std::vector<Beside>>;
 
 Taken taken_mates(std::span<const LineMatch> matches,
@@ -150,7 +150,7 @@ Taken taken_mates(std::span<const LineMatch> matches,
   return taken;
 }
 
-/// Whether no match has this right segment for the same part of the edge.
+/// Whether no match uses this right segment for the same part of the edge.
 bool is_free(const Taken& taken, int right, const Beside& wanted) {
   const auto it = taken.find(right);
   if (it == taken.end()) return true;
@@ -159,7 +159,7 @@ bool is_free(const Taken& taken, int right, const Beside& wanted) {
   });
 }
 
-/// Where all segments lie.
+/// The edges that the segments of both images lie on.
 struct OnEdges {
   OnEdges(std::span<const Segment2> left_segments,
           std::span<const Segment2> right_segments,

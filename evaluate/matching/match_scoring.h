@@ -27,8 +27,8 @@ const char* name(MatchVerdict verdict);  ///< unjudged | correct | false
 
 struct MatchScoringOptions {
   double max_distance_px = 2.0;  ///< of a segment from the edge it lies on, at both ends
-  double max_angle_deg = 10.0;   ///< between them: 2 px at both ends of the shortest segments
-  double min_overlap = 0.5;      ///< of the shorter of segment and edge, beside the other
+  double max_angle_deg = 10.0;   ///< between segment and edge: 2 px at both ends of the shortest
+  double min_overlap = 0.5;      ///< share of the shorter of segment and edge beside the other
 
   static constexpr auto fields() {
     using O = MatchScoringOptions;
@@ -44,33 +44,35 @@ struct MatchScoringOptions {
 /// Table 1 of one patch (Ok et al. 2011, section 4).
 struct MatchingScore {
   MatchCounts counts;
-  std::size_t n_unjudged = 0;          ///< matches of which the reference knows neither segment
+  std::size_t n_unjudged = 0;          ///< matches that the reference cannot judge
   std::vector<MatchVerdict> verdicts;  ///< of each match
-  std::vector<LineMatch> missed;       ///< with a right segment that would have been a mate
+  std::vector<LineMatch> missed;       ///< each with a right segment that would be its mate
 };
 
 /// Judges matches by true edges. A segment lies on an edge if the two run side by side over
-/// min_overlap of the shorter one, within max_distance_px and max_angle_deg; certainly so within
-/// half of that distance, since shadows and gutters run along edges. It may lie on several edges
+/// min_overlap of the shorter one, within max_distance_px and max_angle_deg. It certainly lies there
+/// within half of that distance, since shadows and gutters run along edges. It may lie on several edges
 /// that are close together, or that continue each other behind something in front of them.
-///   unjudged  neither segment certainly lies on an edge (texture, shadows), or one lies on an edge
-///             and the other, on none, continues it beyond its visible part by at most its length
-///   correct   else, if both segments lie on a common edge
-///   false     else; and if the two segments lie on the two of a wrong pair, but on no common edge
-///   missed    left segments without any match that certainly lie on an edge on which a right
-///             segment certainly lies too, at least half of the shorter one beside the other along
-///             the edge, unless it is the mate of another left segment beside this one: of two
-///             parallel lines close together the right image may show one only
-/// A left segment with a false match is false, not missed as well. Throws std::invalid_argument for
-/// a match whose index is out of range and for options out of range.
+///   unjudged  Neither segment certainly lies on an edge (texture, shadows), or one lies on an edge and
+///             the other one, which lies on none, continues that edge beyond its visible part by at
+///             most its length.
+///   correct   Otherwise, if both segments lie on a common edge.
+///   false     Otherwise, and an unjudged match whose segments lie on the two edges of a wrong pair.
+///   missed    A left segment without any match that certainly lies on an edge for which there is a
+///             right segment: one that certainly lies on that edge too, at least half of the shorter
+///             one beside the other along the edge, and that is not matched with another left segment
+///             beside this one. (The right image may show only one of two parallel lines.)
+/// A left segment with a false match counts as false, and not as missed too. Throws
+/// std::invalid_argument for a match whose index is out of range and for options out of range.
 MatchingScore score_matches(std::span<const Segment2> left,
                             std::span<const Segment2> right,
                             std::span<const LineMatch> matches,
                             std::span<const EdgeInBoth> edges,
                             const MatchScoringOptions& options = {});
 
-/// Judges matches by a list of the true ones. Correct: in the list; false: not, but one of its
-/// segments is; unjudged: neither is; missed: left segments of the list without any match.
+/// Judges matches by a list of the true ones. A match is correct if the list has it, unjudged if the
+/// list has neither of its segments, and else false. A left segment of the list is missed if it is in
+/// no match.
 MatchingScore score_matches(std::span<const LineMatch> matches,
                             std::span<const LineMatch> reference);
 

@@ -19,9 +19,10 @@ struct AccuracyNumbers {
   /// sqrt(observed^2 - sigma_ref^2): of the method alone; empty if below_reference_noise.
   std::optional<double> method_only_m;
   double sigma_ref_m = 0.0;
-  bool below_reference_noise = false;  ///< observed < sigma_ref: the method cannot be told apart
+  bool below_reference_noise = false;  ///< observed < sigma_ref, so method_only_m is not known
 };
 
+/// The three readings of an observed RMS.
 /// Throws std::invalid_argument for a negative observed RMS or sigma_ref.
 AccuracyNumbers accuracy_numbers(std::optional<double> observed_m, double sigma_ref_m);
 
@@ -33,8 +34,8 @@ struct AccuracyStatement {
   bool biased = false;        ///< |mean| above 25 % of the RMS, both of the signed distances
   bool few_samples = false;   ///< n < 30, the least that ASPRS Edition 2 accepts
   bool few_clusters = false;  ///< fewer than kMinClusters: the interval is unreliable
-  /// Evaluated lines that reach more than 0.5 m beyond the hull of a plane's inliers, where the
-  /// plane's uncertainty grows quadratically.
+  /// Share of the evaluated lines that reach more than 0.5 m beyond the hull of a plane's inliers,
+  /// where the plane's uncertainty grows quadratically.
   double extrapolated_share = 0.0;
   bool extrapolated = false;  ///< extrapolated_share above 5 %
 

@@ -16,15 +16,15 @@ namespace ridgeline::evaluate {
 struct Calibration {
   std::string label;
   std::size_t n = 0;  ///< evaluated lines with a predicted sigma
-  /// Mean normalised squared error per degree of freedom, mean z^2; 1 if sigma is right, above:
-  /// optimistic, below: pessimistic.
+  /// Mean normalised squared error per degree of freedom, mean z^2. It is 1 if sigma is right, larger if sigma is
+  /// optimistic and smaller if it is pessimistic. A few lines that were judged by a wrong surface decide this mean;
+  /// `median_z2` and the shares describe the other lines.
   std::optional<double> nees_per_dof;
-  /// A few lines judged by a wrong surface decide the mean; `median_z2` and the shares tell of the rest.
-  std::optional<double> share_beyond_99_9;  ///< of |z| > 3.29, 0.1 % under a right, normal sigma
-  std::optional<Interval> bounds95;         ///< of nees_per_dof under a right sigma
-  std::optional<double> median_z2;          ///< 0.455 under a right, normal sigma
-  std::optional<double> coverage_1_96;      ///< share of |z| <= 1.96, 95 % under a right sigma
-  std::optional<double> median_sigma_m;     ///< predicted
+  std::optional<double> share_beyond_99_9;  ///< share of |z| > 3.29; 0.1 % if z is standard normal
+  std::optional<Interval> bounds95;         ///< of nees_per_dof if sigma is right
+  std::optional<double> median_z2;          ///< 0.455 if z is standard normal
+  std::optional<double> coverage_1_96;      ///< share of |z| <= 1.96; 95 % if z is standard normal
+  std::optional<double> median_sigma_m;     ///< median of the predicted sigmas
   [[nodiscard]] bool optimistic() const { return bounds95 && *nees_per_dof > bounds95->high; }
   [[nodiscard]] bool pessimistic() const { return bounds95 && *nees_per_dof < bounds95->low; }
 };

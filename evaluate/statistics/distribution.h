@@ -27,9 +27,9 @@ double sum_of_squares(std::span<const double> values);
 std::optional<double> quantile(std::vector<double> values, double share);
 std::optional<double> median(std::vector<double> values);
 
-/// Normalised median absolute deviation 1.4826 median |v - median v|: for a normal distribution
-/// the standard deviation, with a breakdown point of 50 %. The values are signed; on magnitudes it
-/// means something else. Empty for no values.
+/// Normalised median absolute deviation 1.4826 median |v - median v|. It estimates the standard
+/// deviation of a normal distribution, with a breakdown point of 50 %. The values must be signed; for
+/// magnitudes it means something else. Empty for no values.
 std::optional<double> nmad(std::span<const double> signed_values);
 
 }  // namespace ridgeline::evaluate

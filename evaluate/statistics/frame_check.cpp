@@ -9,7 +9,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// The cloud was asked about this line.
+/// Whether a line of this status had points looked for beside it, or lies too far off to have any.
 bool was_looked_up(Status status) {
   switch (status) {
     case Status::kNotReconstructed:
@@ -37,7 +37,7 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
     if (line.status == Status::kEvaluated) distances_m.push_back(line.mean_distance_m);
     if (!was_looked_up(line.status)) continue;
     ++n_looked_up;
-    // what is nowhere on Earth has no length
+    // a line that is not in_range() has length 0; this one has a mark for a missing height
     if (line.status == Status::kOutOfRange && line.length_m > 0.0) ++n_far_in_height;
     if (line.status != Status::kNoLidar && line.status != Status::kOutOfRange) ++n_near;
   }

@@ -13,12 +13,12 @@ namespace ridgeline::evaluate {
 struct FrameCheck {
   bool same_frame = true;
   std::optional<double> median_distance_m;  ///< of the evaluated lines
-  std::optional<double> near_share;  ///< lines with points beside them, of those with a geometry
-  std::string reason;                ///< one clause, if not the same frame
+  std::optional<double> near_share;  ///< share of the lines with a geometry that have points beside
+  std::string reason;                ///< one clause; empty for the same frame
 };
 
-/// Not the same frame: the median distance is above 20 times `tolerance_m`, or fewer than 5 % of
-/// the lines are near the cloud. Passes where no line has a geometry.
+/// Lines and cloud are not in the same frame if the median distance is above 20 times `tolerance_m`,
+/// or if fewer than 5 % of the lines are near the cloud. The check passes if no line has a geometry.
 /// Throws std::invalid_argument unless tolerance_m > 0.
 FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m);
 

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kBeyondEnds_px = 5.0;  // an extracted end may run on along a neighbour's edge
 
-/// Larger distance of the ends of `segment` from the image of the reference line, extended beyond
-/// its ends; infinite where they are not beside it.
+/// The larger one of the distances of the segment's ends from the image of the reference line;
+/// infinite if an end lies more than kBeyondEnds_px beyond the ends of that image.
 double distance_in_image(const Segment2& segment_px, const Segment2& reference_px) {
   const double length_px = length(reference_px);
   if (!(length_px > 0.0)) return HUGE_VAL;
@@ -54,7 +54,7 @@ ReferenceImage reference_image(const ProjectionMatrix& image_from_local,
   return {image_from_local, std::move(lines_px), std::move(by_place)};
 }
 
-/// For each base image of the lines; they are few, as many lines come from one pair.
+/// The reference lines in each base image of the lines. These images are few, as many lines come from one pair.
 std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
                                              std::span<const ReferenceLine> references) {
   std::vector<ReferenceImage> images;
@@ -89,8 +89,8 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
   return best;
 }
 
-/// Mean distance of the segment from the infinite line; its distance function is convex, so that a
-/// few samples are exact to a per cent where it is not linear.
+/// Mean distance of the segment from the infinite line. The distance is convex along the segment, so
+/// a few samples are exact to a per cent where it is not linear.
 double mean_distance_m(const Segment3& segment, const Segment3& reference) {
   constexpr int kSamples = 11;
   const Eigen::ParametrizedLine<double, 3> line =
@@ -107,7 +107,8 @@ struct ErrorParts {
   double mean_square_horizontal_m2 = 0.0, mean_square_vertical_m2 = 0.0, mean_vertical_m = 0.0;
 };
 
-/// The offsets of the ends; in between they change linearly. Nothing for a steep reference line.
+/// The error parts by the offsets of the ends, between which they change linearly. Nothing for a steep
+/// reference line.
 std::optional<ErrorParts> error_parts(const Segment3& segment, const Segment3& reference) {
   constexpr double kSteepest = 3.732;  // tan 75 degrees
   const Eigen::Vector3d along = reference.end - reference.start;
@@ -133,8 +134,8 @@ bool is_of(const JudgedLine& line, std::string_view line_class) {
   return line_class == kTotal || line.line_class == line_class;
 }
 
-/// Squared error of the two ends across the reference line over the stated covariance; nothing if that
-/// leaves a combination of them free of error.
+/// Squared error of the two ends across the reference line, normalised by the stated covariance; nothing if by that
+/// covariance a combination of the ends is free of error.
 std::optional<double> normalised_square(const JudgedLine& line, const Segment3& reference) {
   const Eigen::Vector3d along = (reference.end - reference.start).normalized();
   const Eigen::Vector3d across = along.unitOrthogonal();
@@ -151,7 +152,7 @@ std::optional<double> normalised_square(const JudgedLine& line, const Segment3& 
   return error.dot(cov.solve(error));
 }
 
-/// A line beside its reference line.
+/// The errors of a line against its reference line.
 struct LineError {
   double mean_m = 0.0;
   std::optional<ErrorParts> parts;
@@ -193,8 +194,8 @@ void add_parts(std::span<const ErrorParts> parts, ReferenceErrors& result) {
 }
 
 void add_nees(const std::vector<double>& squares, ReferenceErrors& result) {
-  constexpr double kMedian = 3.35669;  // of chi-square with 4 degrees of freedom
-  constexpr double kLimit = 18.46683;  // 99.9 % of it
+  constexpr double kMedian = 3.35669;  // median of chi-square with 4 degrees of freedom
+  constexpr double kLimit = 18.46683;  // its 99.9 % quantile
   result.n_tested = squares.size();
   if (squares.empty()) return;
   result.median_nees_ratio = *median(squares) / kMedian;

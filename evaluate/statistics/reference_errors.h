@@ -23,14 +23,15 @@ struct ReferenceOptions {
   /// A line belongs to the reference line whose image passes this close to both ends of its image
   /// segment, in both images.
   double max_distance_px = 2.0;
-  /// ... and this close if the covariance is tested: farther off it may be another edge beside it.
+  /// The covariance of a line is tested only if its reference line passes this close. Farther off it may
+  /// be another edge beside the true one.
   double max_tested_px = 1.0;
   double gross_m = 1.0;
-  /// A reference line counts as reconstructed if lines within this distance ...
+  /// Largest distance and angle of a line from the reference line that it covers.
   double tolerance_m = 0.3;
-  double max_angle_deg = 5.0;  ///< ... and angle ...
-  double min_covered = 0.5;    ///< ... cover this share of its length,
-  double min_visible = 0.5;    ///< and is counted if both images show this share of it.
+  double max_angle_deg = 5.0;
+  double min_covered = 0.5;  ///< share of a reference line that lines must cover to reconstruct it
+  double min_visible = 0.5;  ///< share that both images must show for a reference line to count
 };
 
 /// True errors of the lines of a class: e = mean distance of a line from the (infinite) reference
@@ -42,19 +43,20 @@ struct ReferenceErrors {
   std::size_t n_on_reference = 0;  ///< n of the figures below; the others lie on no reference line
   std::optional<double> rms_m, median_m, q95_m, max_m;
   std::optional<double> gross_share;
-  /// Across the reference line in plan and, at the same place in plan, in height: root mean squares along each line,
-  /// then over the lines. Reference lines steeper than 75 degrees have neither.
+  /// Errors across the reference line in plan (horizontal), and in height at the same place in plan (vertical): root mean
+  /// squares along each line, then over the lines. `n_parts` is the number of lines that have them; lines on a reference
+  /// line steeper than 75 degrees do not.
   std::size_t n_parts = 0;
   std::optional<double> rmse_horizontal_m, rmse_vertical_m, mean_vertical_m;
-  /// Normalised squared error of the two ends across the reference line, chi-square with 4 degrees of
-  /// freedom if the stated covariance is right: median over its expectation (1) and share beyond the
-  /// 99.9 % limit (0.1 %).
+  /// Normalised squared error of the two ends across the reference line. If the stated covariance is right, it is
+  /// chi-square with 4 degrees of freedom; its median over the expected median is then 1, and the share beyond the
+  /// 99.9 % limit is 0.1 %.
   std::size_t n_tested = 0;
   std::optional<double> median_nees_ratio, nees_beyond_99_9_share;
 };
 
 struct ReferenceCompleteness {
-  std::string kind;  ///< of the reference lines; "all"
+  std::string kind;  ///< of the reference lines, or "all"
   std::size_t n_lines = 0, n_reconstructed = 0;
 };
 
@@ -63,8 +65,8 @@ struct ReferenceComparison {
   std::vector<ReferenceCompleteness> completeness;  ///< by kind in order of name, then "all"
 };
 
-/// Index of the reference line that each line was made from, by its image segments; empty for a
-/// line without images or on none. Of several the one nearest in the images.
+/// Index of the reference line that each line was made from, by its image segments; empty for a line
+/// without images or on no reference line. If there are several, it is the nearest one in the images.
 std::vector<std::optional<std::size_t>> reference_of_each(std::span<const JudgedLine> lines,
                                                           std::span<const ReferenceLine> references,
                                                           const ReferenceOptions& options = {});

@@ -10,16 +10,16 @@
 
 namespace ridgeline::evaluate {
 
-/// Finds segments by place: an R-tree over their axis-parallel boxes, so that a few far away cost
-/// nothing. `Segment` is Segment2 or Segment3. Copies share the tree.
+/// Finds segments by place: an R-tree over their axis-parallel boxes, so that a few segments far away
+/// cost nothing. `Segment` is Segment2 or Segment3. Copies share the tree.
 template <typename Segment>
 class SegmentTree {
  public:
-  /// Segments with a coordinate that is not finite are nowhere.
+  /// Segments with a coordinate that is not finite are never found.
   explicit SegmentTree(std::span<const Segment> segments);
 
-  /// Indices in ascending order of the segments whose boxes come within `reach` of that of
-  /// `segment`; none if a coordinate of it is not finite.
+  /// Indices, in ascending order, of the segments whose boxes come within `reach` of the box of
+  /// `segment`; none if `segment` has a coordinate that is not finite.
   [[nodiscard]] std::vector<std::size_t> near(const Segment& segment, double reach) const;
 
  private:

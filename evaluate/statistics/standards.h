@@ -11,14 +11,15 @@
 
 namespace ridgeline::evaluate {
 
-// The figures of a class in the terms of standards. Informative: distances of lines from planes are no checkpoints.
+// The figures of a class in the terms of standards. They are informative: distances of lines from planes are no
+// checkpoints.
 
 /// Parts of the standard uncertainty of the distance of one line (GUM), root mean square over the lines, metres.
 struct UncertaintyBudget {
   double laser_random_m = 0.0;      ///< independent errors of the points, through the planes' fits
   double laser_systematic_m = 0.0;  ///< SummaryOptions::sigma_sys_m
-  double plane_fit_m =
-      0.0;  ///< what plane_sigma_m() adds: neighbours that err together, few points
+  /// What plane_sigma_m() adds to the independent errors: neighbours that err together, few points.
+  double plane_fit_m = 0.0;
   /// Uncertainty of the RMS of the class, not of a line: the standard error of the clustered bootstrap.
   std::optional<double> sampling_m;
 
@@ -31,13 +32,13 @@ struct UncertaintyBudget {
 struct AsprsFigures {
   std::size_t n = 0;
   std::optional<double> rmse_horizontal_m, rmse_vertical_m, rmse_3d_m;
-  /// The best class that the reference can attest, as it must be twice as accurate.
+  /// The best class that the reference can attest: the reference must be twice as accurate as the class.
   double best_class_m = 0.0;
   bool few_checkpoints = false;  ///< n < 30
   bool biased = false;           ///< |mean vertical| above 25 % of the RMSE
 };
 
-/// 1.7308 RMSE_H and 1.9600 RMSE_V, from 20 ridges on (FGDC-STD-007.3-1998).
+/// 1.7308 RMSE_H and 1.9600 RMSE_V (FGDC-STD-007.3-1998); empty for fewer than 20 ridges.
 struct NssdaFigures {
   std::optional<double> horizontal_m, vertical_m;
 };
@@ -59,8 +60,8 @@ struct StandardsBlock {
   std::vector<IsoMeasure> iso19157;
 };
 
-/// One block for each class of the evaluation. With the measures against reference lines at one tolerance, `total`
-/// also has the rates of missing and of excess items, by length.
+/// One block for each class of the evaluation. If the measures against reference lines at one tolerance are given,
+/// `total` also has the rates of missing and of excess items, by length.
 std::vector<StandardsBlock> standards_blocks(
     const Evaluation& evaluation, const std::optional<ToleranceMeasures>& against_lines = {});
 

@@ -15,7 +15,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Index of a line's bin; empty: the line lacks the property.
+/// Index of a line's bin; empty if the line lacks the property.
 using BinOf = std::function<std::optional<std::size_t>(const LineEvaluation&)>;
 
 struct Property {
@@ -24,7 +24,8 @@ struct Property {
   BinOf bin_of;
 };
 
-/// Bins (bounds[k], bounds[k + 1]], the first one with its lower bound; above the last: none.
+/// Index of the bin (bounds[k], bounds[k + 1]] that holds the value. The first bin includes its lower bound. Empty for a
+/// value outside all bins.
 std::optional<std::size_t> bin_index(const std::vector<double>& bounds, double value) {
   if (!(value >= bounds.front() && value <= bounds.back())) return std::nullopt;
   const auto upper = std::lower_bound(bounds.begin() + 1, bounds.end(), value);
@@ -67,7 +68,7 @@ std::optional<double> steepest_slope_deg(const LineEvaluation& line) {
   return steepest;
 }
 
-/// Quartiles of the predicted sigma of this evaluation's own lines.
+/// The lines by the quartiles of their predicted sigma, which are those of this evaluation's own lines.
 Property by_sigma(const Evaluation& evaluation) {
   std::vector<double> sigmas_m;
   for (const LineEvaluation& line : evaluation.lines) {

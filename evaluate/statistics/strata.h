@@ -25,7 +25,7 @@ struct Stratification {
 
 /// Strata by epipolar angle (0 2 5 10 20 45 90 degrees; with more than two views the largest over
 /// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma. Each
-/// stratification sums to the total by the pooled identity; std::logic_error otherwise.
+/// stratification sums to the total, see assert_pooled(); std::logic_error is thrown otherwise.
 std::vector<Stratification> stratify(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

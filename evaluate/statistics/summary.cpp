@@ -13,7 +13,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-/// Columns of the evaluated members, all of one length.
+/// The figures of the evaluated members, as columns of equal length.
 struct Sample {
   std::vector<double> errors, signed_errors, lengths;
   std::vector<std::size_t> clusters;
@@ -84,7 +84,7 @@ std::optional<double> length_weighted_rms(const Sample& sample) {
   return std::sqrt(squares.value() / weights.value());
 }
 
-/// Rejection once, not iterated: an iterated 3 RMS rule eats into heavy tails without end.
+/// Outliers are rejected once: an iterated 3 RMS rule eats into heavy tails without end.
 void describe_outliers(const std::vector<double>& errors,
                        const SummaryOptions& options,
                        Summary& summary) {

@@ -22,12 +22,12 @@ inline constexpr std::string_view kTotal = "total";
 struct SummaryOptions {
   BootstrapOptions bootstrap;
   double gross_m = 1.0;             ///< a line farther than this from its planes is a gross error
-  double outlier_rms_factor = 3.0;  ///< e > factor RMS is counted as an outlier, once, and stays
-  std::optional<double> outlier_limit_m;  ///< in place of the factor
+  double outlier_rms_factor = 3.0;  ///< a line with e above factor x RMS is an outlier
+  std::optional<double> outlier_limit_m;  ///< limit of e for outliers, in place of factor x RMS
   double sigma_sys_m = 0.0;  ///< systematic part of the LIDAR accuracy: datum, strip offset
 };
 
-/// Throws std::invalid_argument naming the value that cannot be.
+/// Throws std::invalid_argument for a value out of its range, naming the value.
 void validate(const SummaryOptions& options);
 
 /// The figures of one cell: the lines of a class or stratum of one method on one patch.
@@ -35,17 +35,17 @@ void validate(const SummaryOptions& options);
 /// that the lines do not give is empty, never 0.
 struct Summary {
   std::string line_class;
-  std::size_t n_lines = 0;                              ///< input, whatever became of it
+  std::size_t n_lines = 0;                              ///< all input lines, whatever their status
   std::size_t n_evaluated = 0;                          ///< n of every figure below
   std::array<std::size_t, kNumStatuses> n_by_status{};  ///< indexed by Status
   double length_m = 0.0;                                ///< of all lines with a finite length
   double length_evaluated_m = 0.0;
-  double sum_squares_m2 = 0.0;  ///< of e: adds up over disjoint cells
+  double sum_squares_m2 = 0.0;  ///< sum of e^2, which adds up over disjoint cells
 
   std::optional<double> rms_m;                   ///< sqrt(sum e^2 / n): the published quantity
   std::optional<Interval> ci95_m;                ///< of rms_m, clustered bootstrap
   std::optional<Interval> ci95_chi_square_m;     ///< of rms_m, if lines were independent
-  std::size_t n_clusters = 0;                    ///< that the bootstrap drew from
+  std::size_t n_clusters = 0;                    ///< clusters that the bootstrap drew from
   std::optional<double> rms_length_weighted_m;   ///< sqrt(sum L e^2 / sum L)
   std::optional<double> mean_m;                  ///< of v: the bias
   std::optional<double> std_m;                   ///< of v, with n - 1; empty for n = 1
@@ -58,15 +58,15 @@ struct Summary {
   std::string max_id;                            ///< the line of max_m
   std::optional<double> gross_share;             ///< lines with e > gross_m
   std::size_t n_outliers = 0;                    ///< never left out of the figures above
-  std::optional<double> rms_without_outliers_m;  ///< second table only
+  std::optional<double> rms_without_outliers_m;  ///< rms_m of the lines that are no outliers
 
   std::size_t n_parts = 0;                  ///< ridges and hips with RidgeDisplacement
-  std::optional<double> rmse_horizontal_m;  ///< of these, across the line in plan
-  std::optional<double> rmse_vertical_m;    ///< of these
-  std::optional<double> mean_vertical_m;    ///< of these; positive: the lines are too high
+  std::optional<double> rmse_horizontal_m;  ///< of the n_parts lines, across the line in plan
+  std::optional<double> rmse_vertical_m;    ///< of the n_parts lines, in height
+  std::optional<double> mean_vertical_m;    ///< of the n_parts lines; positive if they are too high
 
   [[nodiscard]] bool few_clusters() const { return n_clusters < kMinClusters; }
-  /// n_evaluated / n_lines: stands beside every RMS. Empty for no lines.
+  /// n_evaluated / n_lines, which stands beside every RMS; empty for no lines.
   [[nodiscard]] std::optional<double> evaluated_share() const;
   [[nodiscard]] std::optional<double> evaluated_share_by_length() const;
 };
@@ -88,9 +88,10 @@ std::vector<Summary> summarize_classes(std::span<const LineEvaluation> lines,
 /// The summary of a class, or nullptr.
 const Summary* find_class(std::span<const Summary> summaries, std::string_view line_class);
 
-/// The pooled identity of disjoint parts: lines, evaluated lines, each status and the sum of
-/// squares add up to the total's (relative 1e-12), and the statuses to the lines.
-/// Throws std::logic_error naming the cell and the two numbers: a defect of this program.
+/// Checks the pooled identity of disjoint parts. Their numbers of lines, of evaluated lines and of
+/// each status and their sums of squares add up to those of the total (relative 1e-12); the total's
+/// statuses add up to its lines. Throws std::logic_error naming the cell and the two numbers if not,
+/// which is a defect of this program.
 void assert_pooled(const Summary& total, std::span<const Summary> parts);
 
 }  // namespace ridgeline::evaluate

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kLimapSamples = 1000;
 
-/// What is near one segment: share with the condition on direction, samples without it.
+/// How much of a segment is near others: the share near those of about its direction, and the number
+/// of samples near any.
 struct Nearness {
   double share = 0.0;
   int n_samples = 0;
@@ -63,7 +64,7 @@ std::vector<std::vector<Nearness>> nearness_of_all(std::span<const Segment3> seg
 
 struct Lengths {
   double all_m = 0.0, near_m = 0.0, near_sampled_m = 0.0;
-  std::size_t n_touched = 0;  ///< with a sample within tolerance
+  std::size_t n_touched = 0;  ///< segments with a sample within tolerance
 };
 
 Lengths add_up(std::span<const double> lengths_m, const std::vector<Nearness>& nearness) {
@@ -113,7 +114,7 @@ void check_tolerances(const ToleranceOptions& options) {
   }
 }
 
-/// Where every plane of the line is within the tolerance.
+/// How much of the line is within the tolerance of all its planes.
 Nearness nearness_to_planes(const LineEvaluation& line, double tolerance_m) {
   ParameterInterval within{0.0, 1.0};
   double coverage = 1.0;

@@ -24,7 +24,7 @@ using Tree = bg::index::rtree<Entry, bg::index::rstar<16>>;
 
 Point point_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
-/// Calls `visit(index)` for the entries within a distance, in the order of their indices.
+/// Calls `visit(index)` for the entries within `radius_m` of x on each axis, in the order of their indices.
 template <typename Visit>
 void for_each_within(const Tree& tree,
                      const Eigen::Vector3d& x,
@@ -40,7 +40,7 @@ void for_each_within(const Tree& tree,
 
 struct Wireframe {
   std::vector<Eigen::Vector3d> corners;
-  std::vector<std::array<std::size_t, 2>> edges;  ///< of corners
+  std::vector<std::array<std::size_t, 2>> edges;  ///< by the indices of their two corners
 };
 
 Wireframe wireframe_of(std::span<const Segment3> segments) {

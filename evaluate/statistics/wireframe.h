@@ -14,9 +14,9 @@ namespace ridgeline::evaluate {
 struct DetectionScore {
   std::size_t n_found = 0, n_true = 0, n_matched = 0;
 
-  [[nodiscard]] std::optional<double> precision() const;  ///< empty without found ones
-  [[nodiscard]] std::optional<double> recall() const;     ///< empty without true ones
-  [[nodiscard]] std::optional<double> f1() const;  ///< 0 if nothing is matched; empty without both
+  [[nodiscard]] std::optional<double> precision() const;  ///< empty if n_found is 0
+  [[nodiscard]] std::optional<double> recall() const;     ///< empty if n_true is 0
+  [[nodiscard]] std::optional<double> f1() const;         ///< empty if n_found or n_true is 0
 };
 
 /// A set of lines as a wireframe, at one threshold.
@@ -28,9 +28,10 @@ struct WireframeScore {
 
 inline constexpr double kWireframeThresholds_m[] = {0.1, 0.25, 0.5, 1.0};
 
-/// The measures of Building3D (Wang et al. 2023): corners are the ends of the lines, those within a centimetre of each
-/// other once. Corners are matched to true ones nearest first, each once, up to the threshold; an edge is found where
-/// both its ends are matched to the ends of one true edge, which counts once.
+/// The measures of Building3D (Wang et al. 2023), one score for each of kWireframeThresholds_m. Corners are the ends of
+/// the lines; ends within a centimetre of each other are one corner. Corners are matched one to one with true corners,
+/// nearest first, up to the threshold. An edge is found if its two ends are matched with the ends of one true edge; a
+/// true edge counts once.
 /// Throws std::invalid_argument for a segment that is not finite.
 std::vector<WireframeScore> wireframe_scores(std::span<const Segment3> lines,
                                              std::span<const Segment3> references);

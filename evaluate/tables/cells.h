@@ -10,11 +10,11 @@ namespace ridgeline::evaluate {
 
 // Cells that several tables have.
 
-/// "0.140 - 0.166".
+/// An interval with three decimals, "0.140 - 0.166"; "-" if there is none.
 std::string interval_text(const std::optional<Interval>& interval_m);
-/// That of the RMS; with a word where its clusters are too few.
+/// The interval of the RMS, with "(too few clusters)" behind it if that makes it unreliable.
 std::string interval_text(const Summary& summary);
-/// "0.152 (12/14)": RMS, evaluated lines of all. `summary` may be nullptr: no such figure.
+/// The RMS in metres with the numbers of evaluated and of all lines, "0.152 (12/14)"; "-" for nullptr.
 std::string rms_text(const Summary* summary);
 
 }  // namespace ridgeline::evaluate

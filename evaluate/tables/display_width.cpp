@@ -13,11 +13,11 @@ struct Range {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
-/// Unicode's combining marks and joiners, as far as names hold them.
+/// The combining marks and joiners of Unicode that may occur in names.
 constexpr std::array kNoWidth{Range{0x0300, 0x036F}, Range{0x200B, 0x200F}, Range{0x20D0, 0x20FF},
                               Range{0xFE00, 0xFE0F}, Range{0xFE20, 0xFE2F}};
 
-/// East Asian Width W and F (Unicode Standard Annex 11), by blocks.
+/// The characters of East Asian Width W and F (Unicode Standard Annex 11), by blocks.
 constexpr std::array kDoubleWidth{
     Range{0x1100, 0x115F},   Range{0x2E80, 0x303E},  Range{0x3041, 0xA4CF}, Range{0xAC00, 0xD7A3},
     Range{0xF900, 0xFAFF},   Range{0xFE30, 0xFE6F},  Range{0xFF00, 0xFF60}, Range{0xFFE0, 0xFFE6},
@@ -30,14 +30,14 @@ bool is_in(const std::array<Range, N>& ranges, char32_t c) {
 
 bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
-/// Bytes behind the first one of a character; 0 for a byte that begins none.
+/// Number of bytes that follow the first byte of a character; 0 for a byte that cannot begin one.
 std::size_t n_following(unsigned char first) {
   if (first < 0xC2 || first > 0xF4) return 0;
   if (first >= 0xF0) return 3;
   return first >= 0xE0 ? 2 : 1;
 }
 
-/// The character at `at`, which moves behind it; U+FFFD for a byte that belongs to none.
+/// Returns the character at `at` and moves `at` behind it; U+FFFD for a byte that belongs to no character.
 char32_t next(std::string_view text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);
   if (first < 0x80) return first;

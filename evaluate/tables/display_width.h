@@ -7,8 +7,8 @@
 
 namespace ridgeline::evaluate {
 
-/// Columns that UTF-8 takes in a terminal: none for combining marks, two for the wide characters of East Asia and
-/// emoji. A byte that is no UTF-8 takes one, as the sign that is shown for it.
+/// Number of columns that `text` (UTF-8) takes in a terminal: none for combining marks, two for the wide characters of
+/// East Asia and emoji. A byte that is no UTF-8 takes one column, as the sign shown for it does.
 std::size_t display_width(std::string_view text);
 
 /// `text` on one line, without what would move the cursor or colour the terminal: control characters become blanks,

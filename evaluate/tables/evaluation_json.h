@@ -11,9 +11,9 @@ namespace ridgeline::evaluate {
 
 /// `evaluation.METHOD.json`: every line with its planes (in the world frame: n'x + d = 0 in the
 /// CRS's coordinates), the summary per class, accuracy statements, strata and calibration, in full
-/// precision. What does not exist is null.
+/// precision. A figure that does not exist is null.
 std::string to_json(const Evaluation& evaluation);
-Json evaluation_json(const Evaluation& evaluation);  ///< the same as a value
+Json evaluation_json(const Evaluation& evaluation);  ///< the content of to_json() as a value
 
 /// Reads what to_json() wrote. The figures are computed anew from the lines with the recorded
 /// options, so that they cannot disagree with them.

@@ -15,15 +15,15 @@ namespace ridgeline::evaluate {
 /// What a run left behind, as read back from its folder.
 struct ResultFolder {
   std::string name;  ///< as shown to the user
-  /// By `evaluate`: the methods are line files, each of which was given to be judged.
+  /// Whether `evaluate` wrote the folder. Its methods are then the line files that were given to be judged.
   bool is_of_line_files = false;
   std::vector<Evaluation> evaluations;
-  Table1 matching;  ///< no rows: the run did not match
+  Table1 matching;  ///< without rows if the run did not match
   /// File name and hash of the data that two runs must share to be compared: images, clouds and
   /// references, not the judged lines. Files of several patches may have one name.
   std::set<std::pair<std::string, std::string>> input_hashes;
   std::optional<double> duration_s;
-  /// By the recorded options, see Table2::joint_adjusts_to_faces; empty where they do not tell.
+  /// Table2::joint_adjusts_to_faces by the recorded options; empty if these do not tell.
   std::optional<bool> joint_adjusts_to_faces;
 };
 

@@ -12,7 +12,7 @@ namespace ridgeline::evaluate {
 struct Table1Row {
   std::string patch, matcher;
   MatchCounts counts;
-  /// Matches that the reference says nothing of: texture, shadows. In no figure of the table.
+  /// Matches that the reference says nothing about (texture, shadows). They count in no figure of the table.
   std::size_t n_unjudged = 0;
 };
 
@@ -21,7 +21,7 @@ struct Table1 {
   std::vector<Table1Row> rows;
 };
 
-/// Percent with one decimal, Wilson intervals beside.
+/// A table with the shares in percent with one decimal and their Wilson intervals.
 std::string to_markdown(const Table1& table);
 
 /// `patch,matcher,correct,false,missed,correctness,completeness,quality`; the last three are ratios

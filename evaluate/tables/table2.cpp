@@ -73,7 +73,7 @@ std::string companions_markdown(const Table2& table) {
   return written.text(Markup::kMarkdown);
 }
 
-/// Nothing if no ridge is in the table.
+/// The table of the parts of ridges and hips below its caption; "" if there are none.
 std::string parts_markdown(const Table2& table) {
   TextTable written(
       {"patch", "method", "class", "n:", "RMSE horizontal:", "RMSE vertical:", "mean vertical:"});
@@ -90,8 +90,8 @@ std::string parts_markdown(const Table2& table) {
          written.text(Markup::kMarkdown) + "\n";
 }
 
-/// Whether lines of any result are of the two classes; a result without lines has them, too, but tells
-/// nothing beside others.
+/// Whether a result has the classes aligned and not_aligned. A result without lines has both, so it counts only if no
+/// result has lines.
 bool has_classes(const Table2& table) {
   const auto is_empty = [](const PatchMethodResult& result) {
     const Summary* total = find_class(result.classes, kTotal);
@@ -103,7 +103,7 @@ bool has_classes(const Table2& table) {
   });
 }
 
-/// `before` stands in front of it; "" without a footnote.
+/// The footnote as a line that begins with `before`; "" without a footnote.
 std::string footnote_line(const Table2& table, std::string_view before) {
   const std::string_view note = footnote(table);
   return note.empty() ? "" : fmt::format("{}{}\n", before, note);

@@ -10,7 +10,7 @@
 
 namespace ridgeline::evaluate {
 
-/// What the distances are, and are not. Stands under every accuracy table.
+/// States what the distances are, and what they are not. It stands under every accuracy table.
 inline constexpr std::string_view kFixedSentence =
     "Line-to-plane orthogonal distance against LIDAR planes; not an ASPRS or NSSDA checkpoint "
     "test. Figures in their style are informative.";
@@ -25,15 +25,15 @@ struct PatchMethodResult {
 /// renderings print these figures.
 struct Table2 {
   std::vector<PatchMethodResult> results;  ///< in the order of the rows
-  /// `joint` ran with the extension `faces_beside`, by which it changes not_aligned lines, too.
+  /// Whether `joint` ran with the extension `faces_beside`, which changes not_aligned lines too.
   bool joint_adjusts_to_faces = false;
 };
 
 /// One result per evaluation, on its own lines; on_common_lines() gives the paired set.
 Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_to_faces = false);
 
-/// Why direct and joint differ on not_aligned lines, which the paper's methods give alike: one line of text. "" where
-/// they do not, and where one of them is missing.
+/// A line of text that says why direct and joint differ on not_aligned lines, for which the paper's methods agree.
+/// "" if joint did not adjust lines to faces, or if one of the two methods is missing.
 std::string_view footnote(const Table2& table);
 
 /// The published form: a row per patch, methods side by side, RMS with evaluated/all lines in

@@ -12,14 +12,14 @@ namespace ridgeline::evaluate {
 struct Table2Layout {
   struct Row {
     std::string patch;
-    std::vector<const Summary*> cells;  ///< methods x classes; nullptr: no such cell
+    std::vector<const Summary*> cells;  ///< methods x classes; nullptr for a cell without figures
   };
   std::vector<std::string> methods;
   std::vector<std::string> classes;  ///< not_aligned, aligned, total; or total alone
   std::vector<Row> rows;
 };
 
-/// Patches and methods in order of first appearance. The layout points into `table`.
+/// The layout of a table, with patches and methods in order of first appearance. It points into `table`.
 Table2Layout lay_out(const Table2& table);
 
 }  // namespace ridgeline::evaluate

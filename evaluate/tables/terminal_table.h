@@ -8,12 +8,12 @@
 
 namespace ridgeline::evaluate {
 
-// The figures that count, in aligned columns of plain text; the files have all of them.
+// The main figures in aligned columns of plain text. The files of the results have all figures.
 
-/// "" without rows.
+/// Counts, correctness and completeness of the matches; "" if the table has no rows.
 std::string to_terminal(const Table1& table);
 
-/// With the columns of ridges only where there are ridges.
+/// Distances of the lines from LIDAR planes, with the columns of ridges only if there are ridges.
 std::string to_terminal(const Table2& table);
 
 }  // namespace ridgeline::evaluate

@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr std::size_t kMaxWidth = 100;  // columns of a terminal that is not narrow
+constexpr std::size_t kMaxWidth = 100;  // columns; a terminal that is not narrow has as many
 constexpr std::size_t kGap = 2;
 
 }  // namespace
@@ -62,7 +62,7 @@ std::string TextTable::markdown_row(std::size_t row) const {
   return text + "\n";
 }
 
-/// A column without any figure says nothing. Keys always do.
+/// Whether a plain table shows a column. It shows all keys, and the columns in which a row has a figure.
 bool TextTable::has_figures(std::size_t column) const {
   if (columns_[column].part == 0 || rows_.empty()) return true;
   return std::ranges::any_of(rows_, [&](const Row& row) { return row.cells[column] != kNoValue; });

@@ -15,29 +15,31 @@ namespace ridgeline::evaluate {
 /// What a text is written for: a terminal, or a page that shows Markdown.
 enum class Markup : std::uint8_t { kPlain, kMarkdown };
 
-/// `text`, which may be anybody's, as it stands in a sentence.
+/// A foreign `text`, such as a file's name, made safe for a sentence: its Markdown is escaped; for a terminal its
+/// control characters are replaced.
 std::string in_sentence(std::string_view text, Markup markup);
 
-/// Rows of text under titles, given once for all that they are written for. Cells are as they shall be read; what
-/// Markdown takes for markup is escaped when they are written.
+/// A table of text that can be written for every Markup. Cells are given as they shall be read; what Markdown takes for
+/// markup is escaped when the table is written.
 class TextTable {
  public:
   /// A column whose title ends in a colon is flush right: "RMS:".
   explicit TextTable(const std::vector<std::string>& columns) : TextTable(columns, {}) {}
 
-  /// `keys` tell the rows apart, `parts` are the columns of their figures. A plain table that would be too wide for a
-  /// terminal has a block for each part, all with the keys.
+  /// `keys` are the titles of the columns that tell the rows apart, `parts` those of their figures, in groups. If a plain
+  /// table with several groups is too wide for a terminal, each group becomes a block that repeats the keys.
   TextTable(const std::vector<std::string>& keys,
             const std::vector<std::vector<std::string>>& parts);
 
-  /// A cell for each column.
+  /// Adds a row with a cell for each column.
   template <typename... Cells>
   void add(const Cells&... cells) {
     add_row({fmt::format("{}", cells)...});
   }
   void add_row(std::vector<std::string> cells);
 
-  /// A sentence to the row that was added last: plain below it, in Markdown at the end of its last cell.
+  /// Adds a sentence to the row that was added last. It stands below the row in plain text, and at the end of the row's
+  /// last cell in Markdown.
   void add_note(std::string note) { rows_.back().note = std::move(note); }
 
   [[nodiscard]] bool empty() const { return rows_.empty(); }
@@ -51,7 +53,7 @@ class TextTable {
   struct Column {
     std::string title;
     bool is_right = false;
-    std::size_t part = 0;  ///< 0: the keys
+    std::size_t part = 0;  ///< 0 for a key, else the place of its group in `parts`, from 1
   };
   struct Row {
     std::vector<std::string> cells;
@@ -72,8 +74,8 @@ class TextTable {
 /// A table below its caption.
 std::string captioned(std::string_view caption, const TextTable& table, Markup markup);
 
-/// Sentences as a paragraph: in a terminal broken between words into lines that are no wider than tables, and not
-/// changed in Markdown.
+/// Sentences as a paragraph. For a terminal it is broken between words into lines that are no wider than tables; in
+/// Markdown it is not changed.
 std::string paragraph(std::string_view sentences, Markup markup);
 
 }  // namespace ridgeline::evaluate

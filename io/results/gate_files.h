@@ -10,11 +10,11 @@ namespace ridgeline::results {
 
 /// The gates of a file. Throws IoError for a file's fault and for a gate that cannot decide, with its line.
 std::vector<evaluate::Gate> read_gates(const std::string& file);
-/// The same of a text; `name` is what messages call it.
+/// The gates of a gates file's content; `name` is what messages call it. Throws as read_gates() does.
 std::vector<evaluate::Gate> parse_gates(const std::string& content, const std::string& name);
 
-/// The gates of a file applied to a folder of results, against those of a baseline unless that is
-/// empty. Throws as read_gates(), and std::invalid_argument for a baseline of other inputs.
+/// Applies the gates of a file to a folder of results, with a folder of results as baseline unless
+/// that is empty. Throws as read_gates() does, and std::invalid_argument for a baseline of other inputs.
 evaluate::GateReport apply_gate_files(const std::string& gates,
                                       const std::string& results,
                                       const std::string& baseline);

@@ -5,7 +5,7 @@
 
 namespace ridgeline::results {
 
-/// A gates file to start from: every key and every metric explained, limits proposed.
+/// A gates file to start from. It explains every key and every metric and proposes limits.
 std::string gates_template();
 
 }  // namespace ridgeline::results

@@ -30,7 +30,7 @@ using Batch = std::vector<LineRef>;
 class Surroundings {
  public:
   explicit Surroundings(const evaluate::JudgeOptions& options)
-      // the corner of the zone that a line's planes are fitted in
+      // the radius reaches the corners of the zone that a line's planes are fitted in
       : options_(options),
         radius_m_(std::numbers::sqrt2 *
                   std::max(options.fit_half_width_m,
@@ -95,7 +95,7 @@ class BatchedJudge {
     for (const auto& set : lines) judges_.emplace_back(set, options);
   }
 
-  /// The lines of the batch, or of its halves one after the other.
+  /// Judges the lines of the batch, or of its halves one after the other.
   void judge(Batch batch) {
     Surroundings surroundings(options_);
     for (const LineRef& ref : batch) surroundings.add(lines_[ref.set][ref.line]);
@@ -131,7 +131,7 @@ class BatchedJudge {
     return evaluate::in_range(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
   }
 
-  /// By the median across the longer side of the box around the lines' midpoints.
+  /// The halves of a batch, split at the median across the longer side of the box around the lines' midpoints.
   [[nodiscard]] std::pair<Batch, Batch> halves(Batch batch) const {
     Eigen::AlignedBox2d box;
     for (const LineRef& ref : batch) box.extend(middle(ref));

@@ -27,8 +27,9 @@ namespace {
 using evaluate::Evaluation;
 using evaluate::JudgedLine;
 
-/// Largest median distance, divided by 20, of lines that are in the frame of the cloud: a geoid
-/// taken for an ellipsoid (tens of metres) is found, lines a storey too high are judged.
+/// The tolerance of check_frame(): lines with a median distance above 20 times this are not in the
+/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that are
+/// a storey too high are judged.
 constexpr double kFrameTolerance_m = 1.0;
 
 std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
@@ -60,7 +61,7 @@ std::string bounds_text(const io::Crs& crs,
                      high.x(), low.y(), high.y(), low.z(), high.z(), unit);
 }
 
-/// Names the other unit if lines in it would lie in the cloud's plan.
+/// A hint at another unit if the lines would lie in the cloud's plan with it; "" if there is none.
 std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
   struct Unit {
     const char* name;
@@ -128,7 +129,7 @@ void refuse_foreign_frame(const Evaluation& evaluation,
                                 : fmt::format("; the lines' file states {}", set.stated_unit)));
 }
 
-/// Lines are in the plan of the cloud; those that state no reference system are taken to be in its units, too.
+/// Gives the lines the plan scale of the cloud. Lines that state no reference system are taken to be in its units too.
 void take_unit_of(const io::CloudFiles& cloud, io::LineSet& set) {
   set.plan_scale = cloud.plan_scale();
   const Eigen::Vector3d grid_from_ground(set.plan_scale.x(), set.plan_scale.y(), 1.0);
@@ -186,7 +187,7 @@ Evaluation evaluation_of(const io::LineSet& set,
   return evaluate::with_summaries(std::move(evaluation));
 }
 
-/// In the frame and the units of the cloud.
+/// The true lines in the frame and the units of the cloud.
 std::vector<evaluate::ReferenceLine> references_beside(const io::CloudFiles& cloud,
                                                        io::LineSet set,
                                                        std::vector<std::string>& warnings) {
@@ -209,7 +210,7 @@ LineSets lines_beside(const io::CloudFiles& cloud,
   return lines;
 }
 
-/// Those of the cloud first, then those of both together, then those of the lines.
+/// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings of the lines behind.
 void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
   judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
   for (const io::LineSet& set : judged.line_sets) {
@@ -290,7 +291,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   judged.cloud_crs = cloud.crs();
   judged.cloud_unit_m = cloud.unit_m();
   if (options.judge.keep_points) {
-    judged.points = evaluate::plane_points(batches.results.front());  // of the only file
+    judged.points = evaluate::plane_points(batches.results.front());  // of the only line file
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));

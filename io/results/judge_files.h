@@ -25,13 +25,13 @@ struct JudgeFilesOptions {
   std::optional<io::PatchFile> patch;    ///< its cameras class the lines aligned / not_aligned
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;  ///< of the class aligned
   std::string patch_name;                               ///< in the tables
-  std::optional<std::string> reference_lines;           ///< true lines: precision and completeness
+  std::optional<std::string> reference_lines;           ///< file of true lines, for precision etc.
   io::ReadOptions cloud;
   io::ReadLinesOptions lines;
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   bool scale_to_ground = false;  ///< see set_plan_scale()
-  /// For points held at one time, see judge_in_batches(). Enough for about 5.6 million.
+  /// Memory for the points that are held at one time, see judge_in_batches(). 512 MiB hold about 5.6 million.
   std::uint64_t cloud_memory_mib = 512;
 };
 
@@ -45,7 +45,7 @@ struct JudgedFiles {
   Eigen::Vector3d cloud_unit_m = Eigen::Vector3d::Ones();
   std::vector<TruthRows> truth;  ///< one per evaluation
   std::vector<std::string> warnings;
-  std::vector<std::string> unread_clouds;  ///< files of which no line is near
+  std::vector<std::string> unread_clouds;  ///< cloud files that have no line near them
 };
 
 /// The lines of one run, as read, each set named by its path.
@@ -54,26 +54,28 @@ struct LinesToJudge {
   std::optional<io::LineSet> references;  ///< true lines
 };
 
-/// Files -> judged lines: lines, the points near them, one local frame for all, the judge, the
-/// figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines
-/// that are not in the frame of the cloud.
+/// Reads lines and the points near them into one local frame, judges the lines and computes the
+/// figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines that
+/// are not in the frame of the cloud.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
 
-/// The same of lines and a cloud that are read already, or come from elsewhere; paths of the options are not read.
+/// Judges as judge_files() does, but takes lines and a cloud that are open already or come from elsewhere. Paths of the
+/// options are not read.
 JudgedFiles judge_lines(LinesToJudge lines,
                         io::CloudFiles& cloud,
                         const JudgeFilesOptions& options,
                         RunRecord& record);
 
 /// Throws IoError for the file at `path`, naming both reference systems, if its own and the other do not agree.
-/// `what`: both, "lines and cloud". What one of them leaves open becomes a warning.
+/// `what` names the two things in the message, "lines and cloud". What one of the two systems leaves open becomes a
+/// warning.
 void refuse_mismatch(std::string_view what,
                      const std::string& path,
                      const io::Crs& crs,
                      const io::Crs& other,
                      std::vector<std::string>* warnings = nullptr);
 
-/// What the reader warns of, behind the file's path.
+/// The warnings of the reader of the lines, each behind the file's path.
 std::vector<std::string> own_warnings(const io::LineSet& set);
 
 /// A file's name without folder and extension, in UTF-8.

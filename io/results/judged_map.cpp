@@ -37,7 +37,7 @@ Value text(std::string words) {
   return words.empty() ? Value(std::monostate()) : Value(std::move(words));
 }
 
-/// A column of a layer and what it holds of one of its things.
+/// A column of a layer, with the function that gives its value for one feature.
 template <typename... Thing>
 struct Field {
   const char* name;
@@ -130,7 +130,7 @@ const std::vector<LineField>& line_fields() {
   return fields;
 }
 
-/// A deviation in whole centimetres, never rounded to a better one.
+/// A deviation in whole centimetres, rounded up so that it never looks better than it is.
 Value centimetres(std::optional<double> x_m) {
   if (!x_m || !std::isfinite(*x_m)) return {};
   return integer(static_cast<std::int64_t>(std::ceil(std::abs(*x_m) * 100.0)));
@@ -227,7 +227,7 @@ std::vector<Column> renamed(std::vector<Column> columns, const std::vector<LineF
   return columns;
 }
 
-/// From local metres to the coordinates of the map.
+/// Takes local metres to the coordinates of the map.
 class ToMap {
  public:
   ToMap(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& unit_m)

@@ -11,7 +11,7 @@
 
 namespace ridgeline::results {
 
-/// "judged.STEM.gpkg".
+/// The name of a method's map, "judged.METHOD.gpkg".
 std::string map_name(const std::string& method);
 
 /// Columns of the layer `lines` beside the common ones.
@@ -20,16 +20,16 @@ enum class MapSchema : std::uint8_t {
   kFkb,  ///< objtype, nøyaktighet, nøyaktighetHøyde (cm) of the Norwegian FKB-Bygning
 };
 
-/// "plain" | "fkb". Throws std::invalid_argument for another name.
+/// The schema named "plain" or "fkb". Throws std::invalid_argument for another name.
 MapSchema map_schema_named(const std::string& name);
 
-/// Which columns of the lines' file the map leaves out, for a warning; empty for none.
+/// A warning of the columns of the lines' file that the map leaves out; empty if it has room for all.
 std::string left_out_of_map(const io::LineSet& set);
 
 /// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
 /// coordinates in its units:
-///   lines    the lines as they were read, with every column of their file (those with the name of a column
-///            below as NAME_in), `source_fid`, `part`, and what became of them; coloured by distance
+///   lines    the lines as they were read, with every column of their file (NAME_in if its name is taken),
+///            `source_fid`, `part`, and what became of them; coloured by distance
 ///   planes   the LIDAR planes that judged them, as the hulls of their points
 ///   vectors  from the middle of each judged line to its foot on each of its planes
 /// Throws IoError if the file cannot be written.

@@ -14,7 +14,7 @@
 namespace ridgeline::results {
 namespace {
 
-/// Lines up to a distance. The report has the same steps (colours.ts).
+/// Colour and label of the lines up to a distance. The report has the same steps (colours.ts).
 struct Step {
   double upto_m;
   std::uint32_t colour;

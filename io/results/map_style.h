@@ -7,11 +7,11 @@ namespace ridgeline::results {
 
 // How the layers of a map of judged lines look when it is opened, as QML and SLD.
 
-/// Coloured by `mean_distance_m`, in the steps and colours of the report; grey where not judged.
+/// Lines coloured by `mean_distance_m`, in the steps and colours of the report; grey if they were not judged.
 io::MapStyle lines_style();
-/// Thin outlines with a light fill.
+/// Planes as thin outlines with a light fill.
 io::MapStyle planes_style();
-/// Thin dark lines.
+/// Vectors as thin dark lines.
 io::MapStyle vectors_style();
 
 }  // namespace ridgeline::results

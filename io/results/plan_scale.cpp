@@ -34,7 +34,7 @@ class Places {
 
   [[nodiscard]] bool empty() const { return coordinates_[0].empty(); }
 
-  /// By axis; the middle of most lines is that of 0.5, as single ones may lie anywhere.
+  /// Quantiles of the coordinates by axis. The one at 0.5 is the middle of most lines, as single lines may lie anywhere.
   [[nodiscard]] Eigen::Vector2d quantile(double share_x, double share_y) const {
     return {quantile_of(coordinates_[0], share_x), quantile_of(coordinates_[1], share_y)};
   }
@@ -48,7 +48,7 @@ class Places {
   std::array<std::vector<double>, 2> coordinates_;
 };
 
-/// Lines, cloud and cameras have one system, which some of them may leave out.
+/// The one reference system of lines, cloud and cameras, which some of them may leave out.
 io::Crs common_crs(const io::CloudFiles& cloud,
                    const std::vector<io::LineSet>& sets,
                    const std::optional<io::PatchFile>& patch) {
@@ -59,12 +59,12 @@ io::Crs common_crs(const io::CloudFiles& cloud,
   return known == sets.end() ? io::Crs{} : known->crs;
 }
 
-/// One factor by axis must be right for nearly all lines.
+/// Throws IoError unless one factor by axis is right for nearly all lines.
 void refuse_varying_scale(const std::string& path,
                           const io::Crs& crs,
                           const Places& places,
                           const io::GridScale& middle) {
-  constexpr double kCut = 0.05;  // of the lines at each end, as single ones may lie anywhere
+  constexpr double kCut = 0.05;  // share left out at each end, as single lines may lie anywhere
   const auto refuse = [&](const std::string& why) {
     throw io::IoError(path, fmt::format("{}; project lines and cloud, for instance to {}", why,
                                         io::utm_zone_text(crs, middle)));

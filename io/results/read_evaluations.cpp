@@ -21,7 +21,7 @@ namespace {
 using evaluate::Evaluation;
 using evaluate::Json;
 
-/// METHOD of evaluation.METHOD.json, as JSON holds a name that is not UTF-8.
+/// METHOD of evaluation.METHOD.json, with bytes that are not UTF-8 replaced as in JSON.
 std::string method_in_name(const fs::path& file) {
   const std::string stem = file.stem().string();
   return Json::parse(evaluate::dump(Json(stem.substr(stem.find('.') + 1)))).get<std::string>();
@@ -45,7 +45,7 @@ class TableOfRun {
     }
   }
 
-  /// By where the file lies and what it is called.
+  /// Whether the table may name the evaluation, by where its file lies and what the file is called.
   [[nodiscard]] bool may_name(const FoundEvaluation& file) const {
     if (!exists_) return true;
     if (of_files_ && !file.subfolder.empty()) return false;
@@ -57,7 +57,7 @@ class TableOfRun {
     });
   }
 
-  /// Nothing for an evaluation that the table does not name.
+  /// The place of an evaluation in the table; nothing if the table does not name it.
   [[nodiscard]] std::optional<std::size_t> rank_of(const Evaluation& evaluation) const {
     if (!exists_) return 0;
     const auto entry = rank_.find({evaluation.patch, evaluation.method});
@@ -81,7 +81,7 @@ class TableOfRun {
   std::map<std::pair<std::string, std::string>, std::size_t> rank_;
 };
 
-/// By name, sorted by path; not yet read.
+/// The evaluation files of a folder, found by their names and sorted by path. They are not read yet.
 std::vector<FoundEvaluation> evaluation_files(const fs::path& folder) {
   std::vector<FoundEvaluation> files;
   constexpr int kDeepest = 1;  // DIR/PATCH/evaluation.METHOD.json

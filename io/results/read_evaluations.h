@@ -11,7 +11,7 @@
 
 namespace ridgeline::results {
 
-/// Throws IoError for a file that is no JSON object.
+/// Reads a JSON object. Throws IoError for a file that is none.
 evaluate::Json read_json_object(const std::filesystem::path& file);
 
 /// An evaluation.METHOD.json of a folder of results.
@@ -19,13 +19,14 @@ struct FoundEvaluation {
   std::filesystem::path path;
   std::string subfolder;  ///< "", or "PATCH/" where `run` has written it
   evaluate::Evaluation evaluation;
-  std::size_t rank = 0;  ///< in table2.json; 0 without a table
+  std::size_t rank = 0;  ///< place in table2.json; 0 without that file
 };
 
-/// What the last run into a folder has evaluated, by path. Evaluations that its table2.json does not name are of earlier
-/// runs and do not count, even if they are damaged; without a table all do. `of_files`: by `evaluate`, which writes into
-/// the folder, not into a subfolder for each patch. Throws IoError for a file that is not what it should be, for an
-/// evaluation of the table that is gone, and for a folder without evaluations.
+/// The evaluations of the last run into a folder, in the order of their paths. Evaluations that its table2.json does not
+/// name are of earlier runs and do not count, even if they are damaged. Without that table all count. `of_files` says
+/// that `evaluate` wrote the folder; it writes into the folder itself, not into a subfolder for each patch. Throws
+/// IoError for a file that is not what it should be, for an evaluation of the table that is gone, and for a folder
+/// without evaluations.
 std::vector<FoundEvaluation> read_evaluations(const std::filesystem::path& folder, bool of_files);
 
 }  // namespace ridgeline::results

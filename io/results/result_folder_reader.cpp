@@ -14,7 +14,8 @@ namespace {
 
 using evaluate::Json;
 
-/// The data that two runs must share, by file name: everything but the judged lines.
+/// Reads the run's time and the hashes, by file name, of the data that two runs must share: all inputs but the judged
+/// lines.
 void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFolder& results) {
   try {
     for (const auto& input : json.at("inputs")) {

@@ -29,14 +29,14 @@ class RunRecord {
   void set(const std::string& key, nlohmann::ordered_json value) { facts_[key] = std::move(value); }
   /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `image` and
   /// `reference` are the data that two runs must share to be compared; `lines` are what is judged.
-  /// Each file of a folder (LIMAP's tracks).
+  /// A folder (LIMAP's tracks) is recorded as each of its files.
   /// Throws IoError if it cannot be read.
   void add_input(const InputFile& file);
   void add_warnings(const std::vector<std::string>& warnings);
   [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
-  /// Leaves out the time since the last stage ended, in which its program did something else.
+  /// Leaves out the time since the last stage ended, in which the program did something else.
   void resume();
-  /// Ends the stage that runs now: its wall time since the last one, and the peak memory so far.
+  /// Ends the stage that runs now. Records its wall time since the last one, and the peak memory so far.
   void end_stage(const std::string& name);
 
   [[nodiscard]] std::string to_json() const;

@@ -23,14 +23,14 @@ namespace {
 
 using evaluate::Evaluation;
 
-/// Without the lines of planes, which are none of the others.
+/// The evaluations without the method `planes`, whose lines are none of those of the other methods.
 std::vector<Evaluation> of_matches(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> kept(evaluations.begin(), evaluations.end());
   std::erase_if(kept, [](const Evaluation& e) { return e.method == "planes"; });
   return kept;
 }
 
-/// Runs of evaluations of one patch, each cut down to its common lines.
+/// The evaluations, of which those of one patch stand together, cut down to the common lines of their patch.
 std::vector<Evaluation> on_common_lines_by_patch(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> common;
   for (std::size_t first = 0; first < evaluations.size();) {
@@ -54,7 +54,7 @@ bool has_several_methods(std::span<const Evaluation> evaluations) {
 void write_quality(std::span<const Evaluation> evaluations,
                    const std::vector<TruthRows>& truth,
                    const OutputFolder& out) {
-  constexpr double kTolerance_m = 0.25;  // of those that are measured
+  constexpr double kTolerance_m = 0.25;  // one of the tolerances that are measured
   std::vector<evaluate::StandardsRow> rows;
   for (std::size_t i = 0; i < evaluations.size(); ++i) {
     std::optional<evaluate::ToleranceMeasures> against_lines;
