@@ -31,8 +31,6 @@ struct JudgeOptions {
   /// smaller sigma.
   double fit_half_width_m = 4.0;
   double max_slope_deg = 65.0;  ///< steeper planes are walls, or wall and ground together
-  /// Without effect: planes are united by the points that they share, see candidate_planes().
-  double merge_angle_deg = 5.0;
   /// A ridge needs normals that differ by at least this.
   double ridge_angle_deg = 10.0;
   /// Largest distance in plan, at both ends, between a line and the planes' intersection line.
@@ -62,8 +60,6 @@ struct JudgeOptions {
         Field{"fit_half_width_m", &O::fit_half_width_m, 0.1, 100.0,
               "the plane's fit takes connected inliers this far from the line"},
         Field{"max_slope_deg", &O::max_slope_deg, 0.0, 90.0, "steeper planes are walls, not roofs"},
-        Field{"merge_angle_deg", &O::merge_angle_deg, 0.0, 90.0,
-              "planes of both sides below this angle are one"},
         Field{"ridge_angle_deg", &O::ridge_angle_deg, 0.0, 90.0,
               "smallest angle between the planes of a ridge"},
         Field{"ridge_offset_m", &O::ridge_offset_m, 0.0, 100.0,

@@ -43,7 +43,8 @@ bool is_in_place(int descriptor, const fs::path& file) {
 /// Opens the lock file, locks it and returns its descriptor. Throws IoError if another process holds the lock, or if
 /// the file cannot be opened.
 int locked_file(const fs::path& folder, const fs::path& file) {
-  for (;;) {
+  constexpr int kMostAttempts = 100;  // a file system may never tell that two names are one file
+  for (int attempt = 1;; ++attempt) {
     const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
     if (descriptor < 0) {
       throw IoError(folder.string(),
@@ -57,7 +58,7 @@ int locked_file(const fs::path& folder, const fs::path& file) {
                                                  owner));
     }
     // On a file system without locks flock() fails with another error. Results are written there all the same.
-    if (is_in_place(descriptor, file)) return descriptor;
+    if (is_in_place(descriptor, file) || attempt == kMostAttempts) return descriptor;
     close(descriptor);
   }
 }
