@@ -135,7 +135,8 @@ int fail(std::string message, ExitCode code) {
   return code;
 }
 
-/// The words that a user may have meant: options of the subcommand that was given, else the commands.
+/// The words that a user may have meant: the options of the given subcommand and the global ones. Without a subcommand
+/// the commands are among them.
 std::vector<std::string> known_words(const CLI::App& app) {
   std::vector<std::string> words;
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -151,7 +152,8 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return words;
 }
 
-/// CLI11 reports a missing option before an unknown word, which is often its cause: a misspelling.
+/// CLI11 reports a missing option before an unknown word. The unknown word is reported instead: often it is the missing
+/// option, misspelled.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   const std::string help =
@@ -228,12 +230,12 @@ void open_standard_streams() {
 /// What is printed is held back until the results are complete, so that nothing that happens to the reader ends
 /// the work halfway.
 void hold_back_stdout() {
-  static std::array<char, std::size_t{1} << 20U> buffer;  // glibc takes no size without one
+  static std::array<char, std::size_t{1} << 20U> buffer;  // without it glibc ignores the size
   std::signal(SIGPIPE, SIG_IGN);
   if (isatty(STDOUT_FILENO) == 0) std::setvbuf(stdout, buffer.data(), _IOFBF, buffer.size());
 }
 
-/// A reader that has seen enough, as `head`, is no fault.
+/// A reader that closes its end early, such as `head`, is no fault.
 int end_of_stdout(int code) {
   if (std::fflush(stdout) == 0 || errno == EPIPE) return code;
   return fail(

@@ -15,7 +15,7 @@ using Run = std::function<int()>;
 struct Command {
   const char* name;
   const char* summary;
-  const char* examples;  ///< at the end of its help
+  const char* examples;  ///< commands that its help ends with
   Run (*add)(CLI::App& subcommand);
 };
 

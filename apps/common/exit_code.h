@@ -5,7 +5,7 @@ namespace ridgeline::apps {
 
 enum ExitCode : int {
   kDone = 0,
-  kWrongInput = 1,  ///< of the user: files, options, usage
+  kWrongInput = 1,  ///< the user's files, options or usage are at fault
   kInternalError = 2,
   kGateFailed = 3,
 };

@@ -10,7 +10,7 @@ namespace ridgeline::apps {
 
 std::vector<std::string> line_format_names();
 
-/// `--local-origin`.
+/// Adds `--local-origin`.
 void add_local_origin_flag(CLI::App& app, bool& local_origin);
 
 }  // namespace ridgeline::apps

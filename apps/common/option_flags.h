@@ -12,14 +12,15 @@
 
 namespace ridgeline::apps {
 
-/// "corridor_half_width_m" -> "--corridor-half-width-m".
+/// The flag of a field: "corridor_half_width_m" -> "--corridor-half-width-m".
 inline std::string flag_of(std::string_view field_name) {
   std::string flag = "--" + std::string(field_name);
   std::replace(flag.begin(), flag.end(), '_', '-');
   return flag;
 }
 
-/// Without a description, which would stand in the help of every option. NaN is in no range.
+/// Accepts numbers in [lowest, highest]; NaN is in no range. The validator has no description, because CLI11 would print
+/// it in the help of every option.
 template <typename T>
 CLI::Validator in_range(T lowest, T highest) {
   return CLI::Validator(
@@ -33,7 +34,7 @@ CLI::Validator in_range(T lowest, T highest) {
       "");
 }
 
-/// One flag per field of an options struct, with its help, default and range. A command with several
+/// Adds one flag per field of an options struct, with its help, default and range. A command with several
 /// such structs tells them apart by a prefix: "extract_" gives --extract-....
 template <typename Options>
 void add_flags(CLI::App& app,

@@ -31,7 +31,7 @@ std::string counted(std::size_t n, const char* noun, const char* plural) {
 
 std::string lines(std::size_t n) { return counted(n, "line", "lines"); }
 
-/// "57 lines", or "57 lines by direct, 55 lines by joint".
+/// How many lines were reconstructed: "57 lines", or "57 lines by direct, 55 lines by joint" if the methods differ.
 std::string lines_text(std::span<const Evaluation> evaluations) {
   std::set<std::size_t> different;
   std::vector<std::string> texts;
@@ -44,7 +44,7 @@ std::string lines_text(std::span<const Evaluation> evaluations) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Why lines were not judged, by the method that has most: "40 no_lidar, 17 low_coverage".
+/// Why the lines of the method with the most lines were not judged: "40 no_lidar, 17 low_coverage".
 std::string reasons_text(std::span<const Evaluation> evaluations) {
   const auto most = std::ranges::max_element(evaluations, {}, n_reconstructed);
   std::map<std::string, std::size_t> n_by_reason;
@@ -79,7 +79,7 @@ std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evalua
   return statuses_text(evaluations);
 }
 
-/// The least median distance over the methods, if each of them has enough lines for one.
+/// The smallest median distance of the methods; nothing unless each method has enough judged lines for a median.
 std::optional<double> least_median_m(std::span<const Evaluation> evaluations) {
   constexpr std::size_t kFewestLines = 10;
   std::optional<double> least;

@@ -19,16 +19,16 @@ struct PatchCounts {
 };
 
 /// Sentences for what the tables cannot show or would hide: that no line of the patch was reconstructed or none was
-/// judged, and why; that most lines are far from the LIDAR by every method. Mostly empty. `evaluations`: of that
-/// patch, one per method.
+/// judged, and why; that most lines are far from the LIDAR by every method. Usually there is none. `evaluations` holds
+/// one per method, all of that patch.
 std::vector<std::string> outcome_messages(const PatchCounts& counts,
                                           std::span<const evaluate::Evaluation> evaluations);
 
-/// The same for lines that are given: a sentence if none was judged. `evaluations`: one per file of lines.
+/// A sentence if none of the given lines was judged, else nothing. `evaluations` holds one per file of lines.
 std::vector<std::string> judging_messages(const std::string& patch,
                                           std::span<const evaluate::Evaluation> evaluations);
 
-/// Whether a figure of Table 2 exists.
+/// Whether any line was judged, so that Table 2 has figures.
 bool has_figures(std::span<const evaluate::Evaluation> evaluations);
 
 }  // namespace ridgeline::apps

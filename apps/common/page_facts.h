@@ -8,12 +8,12 @@
 
 namespace ridgeline::apps {
 
-/// What the operator wants on top of the report; empty ones are left out.
+/// Texts that the operator wants on top of the report; empty ones are left out.
 struct PageFacts {
   std::string title, project, operator_name, date;
 };
 
-/// `--title --project --operator --date`.
+/// Adds `--title`, `--project`, `--operator` and `--date`.
 void add_page_options(CLI::App& app, PageFacts& facts);
 
 nlohmann::ordered_json to_json(const PageFacts& facts);

@@ -11,15 +11,15 @@
 namespace ridgeline::apps {
 
 void add_preset_option(CLI::App& app, std::string& preset);
-/// Unless the command has it already.
+/// Adds `--config`, unless the command has it already.
 void add_config_option(CLI::App& app, std::string& config);
-/// `--max-aligned-angle-deg`.
+/// Adds `--max-aligned-angle-deg`.
 void add_class_option(CLI::App& app, ParameterArguments& arguments);
-/// `--preset --config --max-aligned-angle-deg`.
+/// Adds `--preset`, `--config` and `--max-aligned-angle-deg`.
 void add_method_options(CLI::App& app, ParameterArguments& arguments);
-/// `--config --lidar-sigma-m`.
+/// Adds `--config` and `--lidar-sigma-m`.
 void add_judge_options(CLI::App& app, ParameterArguments& arguments);
-/// `--matcher`: one or both, separated by a comma.
+/// Adds `--matcher`, which takes one matcher, or both separated by a comma.
 void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
 
 }  // namespace ridgeline::apps

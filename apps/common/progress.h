@@ -17,7 +17,7 @@ class Progress {
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
 
-  /// Ends the step before and begins one, named `what`.
+  /// Ends the step in progress and begins one that is named `what`.
   void begin(std::string_view what);
   /// Takes the bar off the terminal, so that other text can be printed.
   void clear() const;

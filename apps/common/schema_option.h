@@ -7,7 +7,7 @@
 
 namespace ridgeline::apps {
 
-/// `--schema`: a name for results::map_schema_named().
+/// Adds `--schema`, which takes a name for results::map_schema_named().
 void add_schema_option(CLI::App& app, std::string& schema);
 
 }  // namespace ridgeline::apps

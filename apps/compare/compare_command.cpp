@@ -20,7 +20,7 @@ struct CompareArguments {
   std::string out;
 };
 
-/// One folder: its methods among each other. Several: each with the first.
+/// Compares the methods of a single folder with each other, or each further folder with the first.
 evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
   std::vector<evaluate::ResultFolder> folders;
   folders.reserve(paths.size());
@@ -33,7 +33,7 @@ evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
   return report;
 }
 
-/// `comparison` to the output, and to the folder, if one is given.
+/// Writes `comparison` to the terminal, and into the folder `out` if one is given.
 template <typename Compared>
 void write_comparison(const Compared& comparison, const std::string& out) {
   if (!out.empty()) {

@@ -23,7 +23,7 @@ namespace {
 
 using Pair = std::pair<int, int>;  ///< left and right segment
 
-/// A run on one patch.
+/// What a run found on one patch.
 struct PatchOfRun {
   evaluate::MatcherFigures figures;
   std::set<Pair> matches;
@@ -33,7 +33,7 @@ struct PatchOfRun {
 
 const nlohmann::json::json_pointer kPropagateHeights("/match/propagate_heights");
 
-/// The options of a run with matchers; nothing if there is no such record.
+/// The options in the run.json of a folder; nothing if the file is missing or its options name no matchers.
 std::optional<nlohmann::json> options_of(const std::string& folder) {
   const fs::path file = fs::path(folder) / "run.json";
   if (!fs::exists(file)) return std::nullopt;
@@ -68,7 +68,8 @@ std::map<Pair, std::string> verdicts_in(const fs::path& file) {
   return verdicts;
 }
 
-/// Calls `visit(table, row)` for the rows of a patch. A run without reference lines has no such file.
+/// Calls `visit(table, row)` for the rows of a patch. A missing file has no rows, as runs without reference lines do not
+/// write every table.
 template <typename Visit>
 void for_rows_of(const fs::path& file, const std::string& patch, const Visit& visit) {
   if (!fs::exists(file)) return;
@@ -88,14 +89,14 @@ double number_or_zero(const io::CsvTable& table, std::size_t row, const char* co
   return table.text(row, c).empty() ? 0.0 : table.number(row, c);
 }
 
-/// The last row is of the list that lines were reconstructed from.
+/// The last row counts: it belongs to the list of matches that lines were reconstructed from.
 void read_table1(const fs::path& folder, evaluate::MatcherFigures& figures) {
   for (const evaluate::Table1Row& row : results::read_matching(folder, false).rows) {
     if (row.patch == figures.patch) figures.counts = row.counts;
   }
 }
 
-/// Later rows, of later methods, replace earlier ones.
+/// The last method counts: its rows replace those of the methods before it.
 void read_accuracy(const fs::path& folder, evaluate::MatcherFigures& figures) {
   const auto is_total = [](const io::CsvTable& table, std::size_t row) {
     return table.text(row, table.column("class")) == "total";
@@ -153,7 +154,7 @@ PatchOfRun read_patch_of_run(const std::string& folder, const std::string& patch
   return run;
 }
 
-/// "pairwise", "chio" or "both".
+/// The matcher of a run: "pairwise", "chio" or "both"; with ", by height" if it propagates heights.
 std::string matcher_name(const std::string& folder) {
   const std::string file = (fs::path(folder) / "run.json").string();
   try {

@@ -8,12 +8,12 @@
 
 namespace ridgeline::apps {
 
-/// Whether the folders are those of `run`s that differ in their matchers (or height propagation): their
-/// lines are not the same ones, and not to be paired by number.
+/// Whether the folders come from `run`s that differ in their matchers or height propagation. Such runs have different
+/// lines, which must not be paired by number.
 bool have_different_matchers(const std::vector<std::string>& folders);
 
 /// The figures of every patch that all folders have, folder by folder within each patch. Segments are
-/// compared by their ids, so that all runs must have extracted the same ones. Throws IoError for files
+/// compared by their ids, so all runs must have extracted the same segments. Throws IoError for files
 /// that are missing or not those of a run, and for different segments.
 std::vector<evaluate::MatcherFigures> read_matcher_figures(const std::vector<std::string>& folders);
 

@@ -27,7 +27,7 @@ struct ExtractArguments {
   ParameterArguments parameters;
 };
 
-/// The image of the patch that has the id, or the only one of that file.
+/// The image of the patch with the id of --image-id; without an id, the one whose file is extracted.
 io::PatchImage camera_of(const ExtractArguments& a) {
   const io::PatchFile patch = io::read_patch(a.patch);
   for (const io::PatchImage& image : patch.images) {
@@ -53,7 +53,7 @@ PixelMap pixel_map(const ExtractArguments& a) {
   };
 }
 
-/// Neither an input nor the other output nor anything of a user.
+/// Refuses an output path that names an input, the other output or a file that this program did not write.
 void check_outputs(const ExtractArguments& a) {
   (void)results::output_file(a.out, {a.image, a.patch});
   results::check_is_own(a.out, "id,x1_px,y1_px,", "table of segments");

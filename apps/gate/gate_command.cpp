@@ -26,14 +26,14 @@ namespace {
 struct GateArguments {
   std::string results, gates, baseline, junit, summary, json;
   std::string init;
-  bool is_init = false;  ///< --init, which has no word behind it where it prints
+  bool is_init = false;  ///< --init is given; without a file, the template is printed
 };
 
 std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// A file that `run` or `evaluate` writes into its folder.
+/// Whether the file has a name that `run` or `evaluate` gives to a file of its folder.
 bool is_result(const std::string& file) {
   const std::string name = fs::path(file).filename().string();
   return name == "run.json" || name == "stages.json" || name == "report.html" ||

@@ -35,14 +35,14 @@ constexpr const char* kKnownKinds =
     "segments, and folders of "
     "patches and of results";
 
-/// The name that the reference system has for its unit, if that is the one the file obeys.
+/// The unit of the file, with the name that the reference system gives it if both have the same unit.
 std::string unit_text(double unit_m, double crs_unit_m, const std::string& crs_unit_name) {
   if (io::same_unit(unit_m, crs_unit_m))
     return fmt::format("{} ({:.12g} m)", crs_unit_name, unit_m);
   return io::unit_text(unit_m);
 }
 
-/// `unit_m`: by axis, which unit keys of a file may state otherwise than its reference system.
+/// `unit_m`: the unit of each axis. Unit keys of a file may state another unit than its reference system.
 void print_crs(const io::CrsFacts& crs, const Eigen::Vector3d& unit_m, bool states_unit) {
   fmt::print("  crs         {}\n", crs.name);
   if (!states_unit) {
@@ -60,7 +60,7 @@ void print_crs(const io::Crs& crs) {
             crs.known());
 }
 
-/// Of a projected reference system in the middle of the data.
+/// Prints the scale of a projected reference system in the middle of the data.
 void print_scale(const std::optional<io::GridScale>& scale) {
   if (!scale) return;
   fmt::print("  scale       the plan is {}\n", io::scale_text(*scale));
@@ -135,7 +135,7 @@ void print_lines(const std::string& path) {
   print_warnings(set.warnings);
 }
 
-/// "970 x 977 px, 3 bands of 8 bit, GTiff", or that it is missing.
+/// The facts of an image, "970 x 977 px, 3 bands of 8 bit, GTiff", or "missing".
 std::string image_text(const std::string& path) {
   if (!std::filesystem::exists(path)) return "missing";
   const io::ImageFacts facts = io::image_facts(path);
@@ -187,7 +187,7 @@ void print_patch(const std::string& path) {
 
 /// A PLY holds a cloud, or lines if its header lists edges or faces.
 bool is_line_ply(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) return false;  // for the reader to name
+  if (!std::filesystem::is_regular_file(path)) return false;  // the reader names the fault
   std::ifstream file(path, std::ios::binary);
   std::string line;
   while (std::getline(file, line) && !line.starts_with("end_header")) {
@@ -222,7 +222,7 @@ void print_patches(const std::string& folder, const io::FileKind& kind) {
   print_use(fmt::format("ridgeline run {} --out results", fmt::join(files, " ")));
 }
 
-/// Names that are left to the readers of lines, which know what is wrong with them.
+/// Whether a file has an ending of line files. If its kind is not known, the readers of lines say what is wrong with it.
 bool is_named_as_lines(const std::string& path) {
   constexpr std::array kEndings{".geojson", ".json", ".gpkg", ".shp", ".dxf", ".obj",
                                 ".ply",     ".wkt",  ".bin",  ".npy", ".stl"};
@@ -238,7 +238,7 @@ bool is_named_as_lines(const std::string& path) {
   throw io::IoError(path, fmt::format("is {}; {}", what, kKnownKinds));
 }
 
-/// What the content does not tell is told by the name.
+/// Chooses by the name of a file if its content does not tell the kind.
 void print_by_name(const std::string& path, const io::FileKind& kind, double max_resolution_m) {
   const std::string extension = io::lower_case(std::filesystem::path(path).extension().string());
   if (extension == ".yaml" || extension == ".yml") return print_patch(path);

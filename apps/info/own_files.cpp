@@ -24,7 +24,7 @@ namespace {
 
 using io::FileGroup;
 
-/// "gates file", as a title has it.
+/// The name of a kind without its article, for a title: "gates file".
 std::string_view without_article(std::string_view what) {
   for (const std::string_view article : {"a ", "an ", "the "}) {
     if (what.starts_with(article)) return what.substr(article.size());
@@ -76,7 +76,7 @@ void print_evaluation(const std::string& path, const io::FileKind& kind) {
   print_use(kind.advice);
 }
 
-/// Each once, in the order of the results.
+/// The values of the member `name`, each once, in the order of the results.
 std::vector<std::string> names_of(const std::vector<evaluate::Evaluation>& evaluations,
                                   std::string evaluate::Evaluation::*name) {
   std::vector<std::string> names;

@@ -10,11 +10,11 @@ namespace ridgeline::apps {
 /// Whether print_own_file() knows the kind: gates, config, tables of matches and segments, results.
 bool is_own_file(io::FileGroup group);
 
-/// Prints what a file or folder of the program holds and which command takes it. Throws IoError for one that its command
-/// would refuse.
+/// Prints what a file or folder of the program holds and which command takes it. Throws IoError if that command would
+/// refuse it.
 void print_own_file(const std::string& path, const io::FileKind& kind);
 
-/// "  use         WHAT".
+/// Prints "  use         WHAT".
 void print_use(const std::string& what);
 
 }  // namespace ridgeline::apps

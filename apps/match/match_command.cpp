@@ -29,13 +29,13 @@ struct MatchArguments {
   std::string patch;
   std::string out;
   std::string overlay;
-  std::string segments;  ///< folder
+  std::string segments;  ///< folder for the segments.IMAGE.csv
   std::string provenance;
   ParameterArguments parameters;
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   std::vector<std::string> matchers{"pairwise"};
-  reconstruct::Options options;  ///< as the parameters say
+  reconstruct::Options options;  ///< made from `parameters` and `matchers`
 };
 
 void print_summary(const std::array<reconstruct::View, 2>& views,
@@ -50,7 +50,8 @@ void print_summary(const std::array<reconstruct::View, 2>& views,
   }
 }
 
-/// As Chio and Wang 2000 count: by the first two processes, then with the looser ones.
+/// Prints the numbers of lines as Chio and Wang 2000 count them: by the first two processes, by the third and fourth, and
+/// with the relaxed limit.
 void print_processes(const reconstruct::ChioResult& result,
                      const reconstruct::ChioOptions& options) {
   const auto count = [&](auto holds) {
@@ -66,7 +67,7 @@ void print_processes(const reconstruct::ChioResult& result,
       count([](const Acquired& a) { return a.relaxed; }));
 }
 
-/// Those that --segments asks for.
+/// The files of segments that --segments asks for.
 std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchFile& patch) {
   if (a.segments.empty()) return {};
   const std::filesystem::path folder(a.segments);
@@ -74,7 +75,7 @@ std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchF
           (folder / segments_file(patch.images[1])).string()};
 }
 
-/// Neither inputs nor each other, and all of them can be made.
+/// Refuses an output path that names an input, another output or a file that this program did not write.
 void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
   std::vector<std::string> others = results::paths_of(input_files(patch));
   std::vector<std::string> files = segment_files(a, patch);

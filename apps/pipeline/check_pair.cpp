@@ -17,7 +17,7 @@ namespace {
 using reconstruct::PairFit;
 using reconstruct::PairReading;
 
-/// Points in the files of a pair and what its cameras say of them.
+/// A pair of images with their cameras and the points that were found in both.
 struct CheckedPair {
   const io::PatchFile& patch;
   reconstruct::PairGeometry geometry;
@@ -41,7 +41,7 @@ reconstruct::PairGeometry geometry_of(const io::PatchFile& patch, const cv::Mat&
   return geometry;
 }
 
-/// "left.tif and right.tif", one of them, by what is wrong with which.
+/// The images that are at fault: "both images", or the path of one.
 std::string files_text(const io::PatchFile& patch, bool left, bool right) {
   if (left && right) return "both images";
   return patch.images[left ? 0 : 1].path;
@@ -69,12 +69,12 @@ PairFit fit_under(const CheckedPair& pair, const PairReading& reading) {
   return reconstruct::fit_of_pair(seen, pair.geometry, pair.limit_px);
 }
 
-/// Epipolar lines may be nearly parallel: then swapped or turned images lie near them as well, but at other heights,
-/// or a little less near. Sizes are left out: half a disparity is a height like another.
+/// Where epipolar lines are nearly parallel, points of swapped or turned images lie near them as well, but at other heights
+/// or a little farther off. Readings of another size are left out: half a disparity is a height like any other.
 bool fits_far_better(const PairFit& other, const PairFit& given, const PairReading& reading) {
   constexpr double kMoreFit = 1.5;
   constexpr double kNearer = 3.0;
-  constexpr double kExact_px = 1.0;  // nearer than that is chance
+  constexpr double kExact_px = 1.0;  // below this, chance decides which reading is nearer
   if (reading.scale != std::array{1.0, 1.0}) return false;
   if (other.share_that_fits > kMoreFit * given.share_that_fits) return true;
   return given.median_y_parallax_px > kExact_px &&

@@ -13,10 +13,10 @@ namespace ridgeline::apps {
 
 constexpr double kDefaultMaxYParallax_px = 3.0;
 
-/// Whether the pair fits its cameras, by points that both images show: they must lie near the epipolar lines of each
-/// other (median at most `max_y_parallax_px`; 0: no check) and must not fit far better with the images swapped or
-/// turned. Else IoError, which names what would fit. Where too few points are found to tell, as in images without
-/// texture, and where their heights are not those of the patch, a warning is returned. `images`: patch_images().
+/// Checks by points that both images show whether the pair fits its cameras. The points must lie near the epipolar lines of
+/// each other (median at most `max_y_parallax_px`; 0: no check) and must not fit far better with the images swapped or
+/// turned; otherwise an IoError names what would fit. A warning is returned if too few points are found, as in images
+/// without texture, or if most points lie outside the height range of the patch. `images`: patch_images().
 [[nodiscard]] std::optional<std::string> check_pair(const io::PatchFile& patch,
                                                     const std::array<cv::Mat, 2>& images,
                                                     double max_y_parallax_px);

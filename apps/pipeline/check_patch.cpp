@@ -40,7 +40,7 @@ void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
                                                     image.window_px.x(), image.window_px.y())));
 }
 
-/// Along the ray through the middle of the image, both limits of height must lie ahead.
+/// Both limits of height must lie in front of the camera, on the ray through the middle of the image.
 void check_heights(const io::PatchFile& patch,
                    const io::PatchImage& image,
                    const io::ImageFacts& facts) {
@@ -79,7 +79,8 @@ bool is_file_name(const std::string& id) {
   });
 }
 
-/// Results begin with these and a dot, or are them: a patch of that name would stand in the place of one.
+/// Whether an id begins like a file of the results, with one of these names and a dot or an underscore. A patch of that id
+/// could write over the file.
 bool is_name_of_result(const std::string& id) {
   const std::array<std::string, 6> results{"table1", "table2",    "run",
                                            "report", "reference", "tolerances"};
@@ -103,7 +104,7 @@ void check_id(const io::PatchFile& patch, const std::string& id) {
                                             id));
 }
 
-/// File systems may take names that differ in case alone for one.
+/// Ids that differ only in case are refused: some file systems take them for one name.
 void check_image_ids(const io::PatchFile& patch) {
   std::set<std::string> seen;
   for (const io::PatchImage& image : patch.images) {

@@ -7,7 +7,7 @@
 
 namespace ridgeline::apps {
 
-/// The options of an evaluation for run.json, from which its report reads the cloud again.
+/// The options of an evaluation as run.json records them. The report reads the cloud again with them.
 nlohmann::ordered_json echo(const results::JudgeFilesOptions& options);
 
 }  // namespace ridgeline::apps

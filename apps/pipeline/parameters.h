@@ -18,45 +18,45 @@ struct Parameters {
   evaluate::JudgeOptions judge;
 };
 
-/// What messages call ParameterArguments::config_text.
+/// The name that messages give to ParameterArguments::config_text.
 inline constexpr const char* kConfigInMemory = "config";
 
-/// How a user chooses them on the command line.
+/// What a user gives to choose the parameters.
 struct ParameterArguments {
   std::string preset = "default";
   std::string config;
-  std::string config_text;  ///< the same in memory, read after the file; no option
+  std::string config_text;  ///< a config file in memory, read after `config`; no option
   std::optional<double> max_aligned_angle_deg;
   std::optional<double> lidar_sigma_m;
 };
 
-/// Those of the preset, changed by the config file and then by the options of the command line. Throws IoError naming
+/// The parameters of the preset, changed by the config file and then by the options of the command line. Throws IoError naming
 /// file, line, key and rule for a key that is unknown and for a value out of its range; std::invalid_argument for an
 /// option out of its range.
 Parameters read_parameters(const ParameterArguments& arguments);
 
 std::vector<std::string> method_names();
 
-/// Throws std::invalid_argument for none of method_names().
+/// The method of that name. Throws std::invalid_argument unless it is one of method_names().
 reconstruct::Method method_named(const std::string& name);
 
-/// In the order of the enum, each once. Throws std::invalid_argument for a name of no matcher.
+/// The matchers of these names in the order of the enum, each once. Throws std::invalid_argument for a name of no matcher.
 std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
 
-/// Throws std::invalid_argument for a method that is none of the papers' under `--preset published`.
+/// Throws std::invalid_argument if the preset is `published` and a method is in neither paper.
 void check_preset(const ParameterArguments& parameters,
                   const std::vector<reconstruct::Method>& methods);
 
-/// "default" | "published".
+/// The parameters of a preset, "default" or "published".
 Parameters preset_parameters(const std::string& preset);
 
 /// The keys of the group `judge` of a config file.
 std::vector<std::string> judge_parameter_names();
 
-/// The config file of these parameters, each with its range and meaning.
+/// The text of a config file with these parameters, each with its range and meaning.
 std::string to_yaml(const Parameters& parameters);
 
-/// The same for run.json.
+/// The parameters as run.json records them.
 nlohmann::ordered_json echo(const Parameters& parameters);
 
 }  // namespace ridgeline::apps

@@ -14,17 +14,17 @@
 
 namespace ridgeline::apps {
 
-/// Throws IoError naming `file` for a match of a segment that there is not.
+/// Throws IoError naming `file` if a match names a segment that does not exist.
 void check_segment_ids(const std::string& file,
                        std::span<const LineMatch> matches,
                        const std::array<std::vector<EdgeSegment>, 2>& segments);
 
-/// The matches of a matches.csv of these segments. Throws IoError as read_matches() and check_segment_ids().
+/// Reads a matches.csv, whose ids are those of these segments. Throws IoError as read_matches() and check_segment_ids().
 std::vector<LineMatch> read_line_matches(const std::string& file,
                                          const std::array<std::vector<EdgeSegment>, 2>& segments);
 
-/// The matches of a patch against its reference matches; nothing if it has none. Throws IoError for
-/// a reference file's fault, among them a pair of ids that are not those of segments.
+/// Compares the matches of a patch with its reference matches; nothing if the patch has none. Throws IoError for a fault of
+/// the reference file, for example ids that no segments have.
 std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,

@@ -18,19 +18,19 @@ inline constexpr reconstruct::ViewPair kPairOfPatch{0, 1};
 /// The first (base) or second image of the patch, normalised.
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i);
 
-/// Those of the first two, read at once. Of two that cannot be read the error names the first.
+/// The first two images of the patch, normalised, read in parallel. If neither can be read, the error names the first.
 std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch);
 
 /// The first two views of a patch in a frame, without images and segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
 
-/// The same with images that fit their cameras: check_pair(), whose doubt is printed. Throws IoError.
+/// The scene of patch_scene() with its images, after check_pair(), whose warning is printed. Throws IoError.
 reconstruct::Scene load_scene(const io::PatchFile& patch,
                               const LocalFrame& frame,
                               double max_y_parallax_px);
 
-/// Where the segments of an image stand in a folder of files of stages; those that were extracted, and those together with
-/// the ones found while matching.
+/// The names that the files of an image's segments have in the folder of a run: edges_file() holds the extracted segments,
+/// segments_file() these and the ones found while matching.
 std::string edges_file(const io::PatchImage& image);
 std::string segments_file(const io::PatchImage& image);
 

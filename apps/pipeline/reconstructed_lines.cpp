@@ -19,10 +19,11 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
           frame.world_from_local(segment_in_local->end)};
 }
 
-/// Whether it is a line of two edges, and not the intersection of two planes.
+/// Whether the line comes from a match of two edges, and not from the intersection of two planes.
 bool is_of_match(const reconstruct::ReconstructedLine& line) { return line.match.left >= 0; }
 
-/// The number of the match; with that of the part where it shows several lines. `p` and a number for a line of planes.
+/// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines. An intersection of planes
+/// has `p` and a number.
 std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t number) {
   if (!is_of_match(line)) return fmt::format("p{}", number);
   return line.part == 0 ? std::to_string(number) : fmt::format("{}.{}", number, line.part);

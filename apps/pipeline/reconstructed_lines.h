@@ -11,7 +11,7 @@ namespace ridgeline::apps {
 
 /// The lines of a pair as a file holds them: in the CRS, with class, status, covariance and the image segments that they
 /// were made from. Id = number of the match, the same for all methods; "17.1", "17.2", ... for the parts of match 17
-/// that shows several lines. A line without geometry keeps its place with coordinates that are not finite.
+/// if it shows several lines. A line without geometry keeps its place with coordinates that are not finite.
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
                         const LocalFrame& frame,
                         const io::Crs& crs,

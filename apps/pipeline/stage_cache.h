@@ -15,7 +15,7 @@ namespace ridgeline::apps {
 /// the same and its files are still as they were written.
 class StageCache {
  public:
-  /// With `resume` false nothing counts as done. A stages.json that cannot be read does neither.
+  /// No stage counts as done if `resume` is false or stages.json cannot be read.
   StageCache(std::filesystem::path folder, bool resume);
 
   [[nodiscard]] bool is_done(const std::string& stage, const std::string& key) const;
@@ -24,7 +24,7 @@ class StageCache {
   [[nodiscard]] std::optional<std::string> written_file(const std::string& stage,
                                                         const std::string& name) const;
 
-  /// Records the files, names within the folder, that the stage has written.
+  /// Records that the stage is done, with its key and the files that it has written (names within the folder).
   void set_done(const std::string& stage,
                 const std::string& key,
                 const std::vector<std::string>& files);

@@ -12,11 +12,11 @@
 
 namespace ridgeline::apps {
 
-/// What a run keeps of a patch's surface, in the patch's folder, and the stage that writes it.
+/// The file in a patch's folder that holds the points of the surface, and the stage that writes it.
 inline constexpr const char* kSurfaceFile = "surface.las";
 inline constexpr const char* kSurfaceStage = "surface";
 
-/// Points that a run keeps. A point takes 8 bytes of the report.
+/// Most points of a surface that a run keeps. A point takes 8 bytes of the report.
 inline constexpr std::size_t kMaxSurfacePoints = 150000;
 
 /// Writes points of points_in_local() as LAS. Throws IoError if the file cannot be written.

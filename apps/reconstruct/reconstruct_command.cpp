@@ -36,14 +36,15 @@ namespace {
 struct ReconstructArguments {
   std::string patch, matches, out, surface, method = "joint", format = "geojson";
   ParameterArguments parameters;
-  reconstruct::Options options;  ///< as the parameters say
+  reconstruct::Options options;  ///< made from `parameters`, `matchers` and `method`
   std::vector<std::string> matchers{"pairwise"};
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   bool local_origin = false;
 };
 
-/// The segments that the matches speak of: those in segments.IMAGE.csv beside their file, else extracted now.
+/// Gives the views the segments that the matches name: those of segments.IMAGE.csv beside the file of matches, else those
+/// extracted now.
 void find_segments(const io::PatchFile& patch,
                    const ReconstructArguments& a,
                    reconstruct::Scene& scene) {
@@ -57,7 +58,7 @@ void find_segments(const io::PatchFile& patch,
   }
 }
 
-/// A pair with the segments that its matches speak of.
+/// A pair of views with the segments that its matches name.
 struct Matched {
   std::array<reconstruct::View, 2> views;
   std::vector<LineMatch> matches;
@@ -75,7 +76,7 @@ Matched matched(const reconstruct::StereoPair& pair, const ReconstructArguments&
   return {matched_views(pair, matches), line_matches(matches.used()), std::move(matches.surface)};
 }
 
-/// Throws IoError for a pair that has none.
+/// Writes all points of the surface. Throws IoError for a pair without a surface.
 void write_whole_surface(const std::string& file,
                          const io::PatchFile& patch,
                          const LocalFrame& frame,
@@ -106,7 +107,7 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   return reconstruct::estimate(pair, found.matches, a.options, found.surface);
 }
 
-/// How files of the format begin that were written here. Those that GDAL writes bear no such mark.
+/// The beginning of files of the format that this program writes itself; nothing for a format that GDAL writes.
 std::optional<std::string_view> own_beginning(io::LineFormat format) {
   switch (format) {
     case io::LineFormat::kGeoJson:
@@ -122,7 +123,7 @@ std::optional<std::string_view> own_beginning(io::LineFormat format) {
   }
 }
 
-/// Neither an input nor anything of a user.
+/// Refuses an output path that names an input or a file that this program did not write.
 void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
   if (!a.matches.empty()) io::require_regular_file(a.matches, io::Expected::kMatches);
   inputs.push_back(a.matches);

@@ -29,7 +29,7 @@ Eigen::AlignedBox2d frame_window(const Scene& scene,
   return window;
 }
 
-/// Bytes of light and of grey values at a pixel keep to some gigabytes.
+/// Limits the memory that light and grey values need to some gigabytes.
 void check_num_pixels(const Eigen::Vector2d& size_px) {
   constexpr double kMostPixels = 3e8;
   check(size_px.prod() <= kMostPixels, "images of ", size_px.x(), " x ", size_px.y(),

@@ -16,14 +16,13 @@ namespace ridgeline::simulate {
 struct FlightOptions {
   double focal_length_px = 10000.0;
   double height_above_ground_m = 800.0;
-  double base_to_height = 0.26;     ///< base along x
-  double attitude_sigma_deg = 0.4;  ///< of omega, phi and kappa of each view
-  double position_sigma_m = 2.0;    ///< of each projection centre, per axis
-  /// Margin of the image around the plan. Negative: the border of the plan, where the world ends, is cut
-  /// off; its straight edge is none that a landscape has.
+  double base_to_height = 0.26;     ///< the base lies along x
+  double attitude_sigma_deg = 0.4;  ///< errors of omega, phi and kappa of each view
+  double position_sigma_m = 2.0;    ///< error of each projection centre, per axis
+  /// Margin of the image around the plan. A negative margin cuts off the border of the plan, a straight edge that no
+  /// landscape has.
   double margin_m = -2.0;
-  /// Columns and rows of the images around the middle of the plan, instead of all that shows it;
-  /// 0: not set.
+  /// Columns and rows of the images, around the middle of the plan. 0: the images show the whole plan.
   std::array<Eigen::Vector2i, 2> size_px{Eigen::Vector2i::Zero(), Eigen::Vector2i::Zero()};
   std::uint64_t seed = 1;
 
@@ -69,7 +68,7 @@ struct AerialView {
 /// outside its range, and for images of more than 300 megapixels.
 std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& options);
 
-/// Heights (world) that hold all of the scene: whole metres, 50 m apart or more.
+/// Two heights (world) between which the whole scene lies: whole metres, 50 m apart or more.
 std::array<double, 2> height_range_m(const Scene& scene);
 
 }  // namespace ridgeline::simulate

@@ -159,7 +159,7 @@ class AlsScanner::Impl {
   std::vector<Return> trace(const Eigen::Vector3d& origin,
                             const Eigen::Vector3d& direction,
                             Random& random) const {
-    constexpr double kDeadTimeM = 0.3;  // of the receiver: nearer surfaces give one return
+    constexpr double kDeadTimeM = 0.3;  // the receiver's dead time: nearer surfaces give one return
     std::vector<Return> returns;
     // the ray starts just above the scene, where float still resolves a hundredth of a millimetre
     const double skipped_m = std::max(0.0, (origin.z() - top_z_m_ - 1.0) / -direction.z());
@@ -212,7 +212,7 @@ class AlsScanner::Impl {
   FlightPlan plan_;
   RayScene rays_;
   double top_z_m_ = -1e9;
-  std::vector<Eigen::Vector3d> offsets_m_;  // systematic, per strip
+  std::vector<Eigen::Vector3d> offsets_m_;  // systematic shift of each strip
 };
 
 AlsScanner::AlsScanner(const Scene& scene, const AlsOptions& options)

@@ -16,19 +16,19 @@ namespace ridgeline::simulate {
 struct AlsOptions {
   std::uint64_t seed = 1;
   double density_per_m2 = 5.0;  ///< pulses per m^2 of the plan, mean over all strips together
-  double height_above_ground_m = 700.0;  ///< of the flight, 100 to 5000
+  double height_above_ground_m = 700.0;  ///< flying height, 100 to 5000
   double half_scan_angle_deg = 20.0;     ///< to each side of nadir, 1 to 40
   double strip_overlap = 0.3;            ///< share of the swath, 0 to 0.9
-  double strip_azimuth_deg = 10.0;       ///< of the flight lines to the x axis
-  double range_sigma_m = 0.034;          ///< along the beam
-  double cross_sigma_m = 0.034;  ///< across the beam, per axis; equal to range_sigma_m: the noise
-                                 ///< perpendicular to any surface has this standard deviation too
+  double strip_azimuth_deg = 10.0;       ///< angle of the flight lines to the x axis
+  double range_sigma_m = 0.034;          ///< noise along the beam
+  double cross_sigma_m = 0.034;  ///< noise across the beam, per axis. If range_sigma_m equals it,
+                                 ///< noise normal to any surface has this standard deviation too
   double footprint_m = 0.0;  ///< diameter of the beam at the ground; the hit lies anywhere in it
   double strip_offset_sigma_m = 0.0;  ///< systematic shift of each strip, per axis
-  double foliage_pass_share = 0.6;    ///< of the pulses that go on behind a leaf
-  int max_returns = 5;                ///< per pulse, 1 to 15
-  double outlier_share = 2e-4;        ///< of the pulses: birds and multipath, class 7
-  double withheld_share = 0.0;        ///< of the returns: flag withheld
+  double foliage_pass_share = 0.6;    ///< share of the pulses that go on behind a leaf
+  int max_returns = 5;                ///< returns per pulse, 1 to 15
+  double outlier_share = 2e-4;        ///< share of the pulses: birds and multipath, class 7
+  double withheld_share = 0.0;        ///< share of the returns with the flag withheld
 };
 
 /// Holds what all scans of a scene share, so that a large cloud can be made window by window.

@@ -10,11 +10,11 @@
 
 namespace ridgeline::simulate {
 
-/// Red, green, blue, near infrared: of reflectance (0..1) or of radiance.
+/// Reflectance (0..1) or radiance in red, green, blue and near infrared.
 using Spectrum = Eigen::Array4f;
 
-/// The look of the surfaces of a scene: a function of the surface point alone, so that all views
-/// agree, and of a seed. Free of detail below the given footprint.
+/// The look of the surfaces of a scene. It depends on the surface point and a seed alone, so that all views
+/// agree, and has no detail below the given footprint.
 class Appearance {
  public:
   /// Keeps a reference to the scene. `texture`: contrast of the textures, 0: flat colours.
@@ -28,7 +28,7 @@ class Appearance {
   /// Colour of the ground where it goes on beyond the mesh.
   [[nodiscard]] Spectrum lawn(const Eigen::Vector3d& x_in_local, float footprint_m) const;
 
-  /// Unit normal for shading, outwards: that of the triangle; of a leaf, bent to that of its crown.
+  /// Unit normal for shading, outwards: that of the triangle. The normal of a leaf is bent towards that of its crown.
   [[nodiscard]] const Eigen::Vector3f& normal(int triangle) const {
     return surfaces_[static_cast<std::size_t>(triangle)].normal;
   }
@@ -36,10 +36,10 @@ class Appearance {
  private:
   struct Surface {
     Eigen::Vector3f normal;
-    Eigen::Vector3f u_axis;      ///< level
-    Eigen::Vector3f v_axis;      ///< up the slope
-    std::uint32_t key = 0;       ///< of the colour: one per building, car or tree
-    std::uint32_t face_key = 0;  ///< of the texture: one per plane or triangle
+    Eigen::Vector3f u_axis;      ///< level direction
+    Eigen::Vector3f v_axis;      ///< direction up the slope
+    std::uint32_t key = 0;       ///< key of the colour: one per building, car or tree
+    std::uint32_t face_key = 0;  ///< key of the texture: one per plane or triangle
     Spectrum base = Spectrum::Zero();
     bool tiled = false;
   };

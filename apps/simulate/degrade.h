@@ -13,13 +13,13 @@ namespace ridgeline::simulate {
 /// its errors when others are taken away.
 struct DegradeOptions {
   std::uint64_t seed = 1;
-  double plan_sigma_m = 0.05;    ///< of each endpoint, per plan axis, independent
-  double height_sigma_m = 0.05;  ///< of the whole line
-  double tilt_sigma_m = 0.03;    ///< height of the start down, of the end up
-  Eigen::Vector3d bias_m = Eigen::Vector3d::Zero();  ///< of all lines
-  double missing_share = 0.0;                        ///< lines that the tool did not find
-  double gross_share = 0.0;  ///< lines off by 2 to 8 m in height, as after a false match
-  /// Standard deviations as claimed / as simulated: 1 honest, below 1 optimistic. Bias and gross
+  double plan_sigma_m = 0.05;    ///< independent errors of each endpoint, per plan axis
+  double height_sigma_m = 0.05;  ///< error of the height of the whole line
+  double tilt_sigma_m = 0.03;    ///< lowers the start and raises the end
+  Eigen::Vector3d bias_m = Eigen::Vector3d::Zero();  ///< shift of all lines
+  double missing_share = 0.0;                        ///< share of lines that the tool did not find
+  double gross_share = 0.0;  ///< share of lines off by 2 to 8 m in height, as after a false match
+  /// Claimed over simulated standard deviations: 1 is honest, below 1 optimistic. Bias and gross
   /// errors are never part of the claim.
   double claimed_sigma_ratio = 1.0;
 };

@@ -29,7 +29,7 @@ struct Panel {
   }
 };
 
-/// A panel that stands `height_m` off its plane, with its narrow sides.
+/// Adds a panel that stands `height_m` off its plane, with its narrow sides.
 void add_panel(const Panel& panel, double height_m, const Look& look, Mesh& mesh) {
   const Eigen::Vector3d up = height_m * panel.normal();
   const std::array<Eigen::Vector3d, 4> foot{panel.at(-1, -1), panel.at(1, -1), panel.at(1, 1),
@@ -48,7 +48,7 @@ Panel shrunk(Panel panel, double by_m) {
   return panel;
 }
 
-/// A pane in its frame.
+/// Adds a pane in its frame.
 void add_window(const Panel& panel, const Look& frame, Mesh& mesh) {
   constexpr double kFrameM = 0.09;
   constexpr double kFrameHeightM = 0.05;
@@ -59,11 +59,11 @@ void add_window(const Panel& panel, const Look& frame, Mesh& mesh) {
   add_panel(shrunk(panel, kFrameM), kPaneHeightM, pane, mesh);
 }
 
-/// One wall of a building: all its convex pieces in one vertical plane.
+/// One wall of a building: all convex pieces that lie in one vertical plane.
 struct Wall {
   Eigen::Vector3d u;                  ///< level, to the right seen from outside
   Eigen::Vector3d outside;            ///< unit normal
-  double distance_m = 0.0;            ///< of the plane from the origin along `outside`
+  double distance_m = 0.0;            ///< distance of the plane from the origin along `outside`
   std::vector<ConvexPolygon> pieces;  ///< (along u, z)
 };
 
@@ -79,7 +79,7 @@ std::map<std::tuple<int, int, int, int>, Wall> walls_of(const Scene& scene) {
     const Triangle& triangle = scene.mesh.triangles[i];
     if (triangle.material != Material::kWall || triangle.building_id == kNone) continue;
     const Eigen::Vector3d n = triangle_normal(scene.mesh, static_cast<int>(i));
-    if (!(std::abs(n.z()) < kDirectionStep)) continue;  // the underside of a roof, or no area
+    if (!(std::abs(n.z()) < kDirectionStep)) continue;  // underside of a roof, or no area
     const auto corner = [&](std::size_t k) -> const Eigen::Vector3d& {
       return scene.mesh.vertices[static_cast<std::size_t>(triangle.vertices[k])];
     };
@@ -101,7 +101,7 @@ bool on_wall(const Wall& wall, const Eigen::Vector2d& x) {
                      [&](const ConvexPolygon& piece) { return contains(piece, x); });
 }
 
-/// Rows and columns of equal windows, as many as the wall holds.
+/// Adds rows and columns of equal windows, as many as the wall holds.
 void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) {
   constexpr double kStoreyM = 2.8;
   constexpr double kSillM = 1.9;  // above the lowest corner, which is 1 m below the floor
@@ -133,7 +133,7 @@ void add_windows(const Wall& wall, int building_id, Random& random, Mesh& mesh) 
   }
 }
 
-/// Whether a panel with some free space around lies on one surface of the scene, uncovered.
+/// Whether a panel and some free space around it lie on one surface of the scene and nothing covers them.
 bool is_free(const RayScene& rays, const Scene& scene, const Panel& panel, int plane_id) {
   constexpr double kFreeM = 0.35;
   constexpr double kAboveM = 30.0;
@@ -152,7 +152,7 @@ bool is_free(const RayScene& rays, const Scene& scene, const Panel& panel, int p
   return true;
 }
 
-/// A panel at a random place of a plane, sides level and along the slope.
+/// A panel at a random place of a plane, with sides that are level and along the slope.
 Panel random_panel(const ScenePlane& plane, double half_u_m, double half_v_m, Random& random) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector3d& x : plane.outline) box.extend(x.head<2>());
@@ -181,7 +181,7 @@ void add_skylights(const ScenePlane& plane, const RayScene& rays, Random& random
   }
 }
 
-/// Modules of 1.0 m x 1.65 m side by side in two or three rows.
+/// Adds modules of 1.0 m x 1.65 m side by side in one or two rows. Returns whether a free place was found.
 bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
   constexpr int kAttempts = 10;
   constexpr double kHalfModuleU = 0.5;
@@ -207,9 +207,9 @@ bool add_solar_array(const ScenePlane& plane, const RayScene& rays, Random& rand
   return false;
 }
 
-/// A paved rectangle on the lawn, its sides parallel to the nearest house or at random.
+/// Adds a paved rectangle on the lawn if its place is free. Its sides are parallel to the nearest house or at random.
 void add_paving(const ScenePlane& plane, const RayScene& rays, Random& random, Scene& scene) {
-  const double height_m = random.uniform(0.01, 0.05);  // no two that overlap at one height
+  const double height_m = random.uniform(0.01, 0.05);  // overlapping ones must differ in height
   const double half_u_m = random.uniform(1.0, 3.0);
   const double half_v_m = random.uniform(0.6, 2.0);
   Panel panel = random_panel(plane, half_u_m, half_v_m, random);
@@ -234,7 +234,7 @@ void add_paving(const ScenePlane& plane, const RayScene& rays, Random& random, S
 }  // namespace
 
 void add_fittings(Scene& scene, std::uint64_t seed) {
-  constexpr double kSteepest = 0.995;  // cosine; flatter roofs bear none
+  constexpr double kSteepest = 0.995;  // cosine; flatter roofs have neither skylights nor panels
   constexpr double kSolarChance = 0.15;
   constexpr double kPavingPerM2 = 0.006;
   const Mesh bare = scene.mesh;
@@ -244,7 +244,7 @@ void add_fittings(Scene& scene, std::uint64_t seed) {
     add_windows(wall, std::get<0>(key), random, scene.mesh);
   }
   for (const ScenePlane& plane : scene.planes) {
-    if (plane.outline.empty()) continue;  // a face of a roof that others bury
+    if (plane.outline.empty()) continue;  // other roof faces bury this one
     if (plane.kind == PlaneKind::kRoof && plane.plane.normal().z() < kSteepest) {
       const bool solar = random.chance(kSolarChance) && add_solar_array(plane, rays, random, scene);
       if (!solar) add_skylights(plane, rays, random, scene);

@@ -71,7 +71,7 @@ FlightPlan::PulseRange FlightPlan::pulses_near(int strip,
                                                int line,
                                                const Eigen::AlignedBox2d& window) const {
   const double margin_m = margin_m_ + 2.0 * pulse_spacing_m_;
-  Eigen::AlignedBox2d box;  // of the window in the flight frame
+  Eigen::AlignedBox2d box;  // the window in the flight frame
   for (int corner = 0; corner < 4; ++corner) {
     const Eigen::Vector2d x = window.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner));
     box.extend(local_from_flight_.transpose() * (x - centre_m_));
@@ -87,7 +87,7 @@ FlightPlan::PulseRange FlightPlan::pulses_near(int strip,
 }
 
 Pulse FlightPlan::pulse(int strip, int line, int pulse, Random& random) const {
-  constexpr double kJitter = 0.1;  // of the spacing: mirror and clock are not perfect
+  constexpr double kJitter = 0.1;  // share of the spacing: mirror and clock are not perfect
   const double share = (pulse + 0.5) * pulse_spacing_m_ / swath_m_;
   const auto jitter = [&] { return kJitter * pulse_spacing_m_ * random.normal(); };
   // the aircraft moves on by one line while the mirror sweeps

@@ -25,7 +25,7 @@ class FlightPlan {
   FlightPlan(const Scene& scene, const AlsOptions& options);
 
   [[nodiscard]] int num_strips() const { return num_strips_; }
-  [[nodiscard]] int num_lines() const { return num_lines_; }  ///< per strip
+  [[nodiscard]] int num_lines() const { return num_lines_; }  ///< scan lines of a strip
 
   struct PulseRange {
     int first = 0;
@@ -36,7 +36,7 @@ class FlightPlan {
                                        int line,
                                        const Eigen::AlignedBox2d& window) const;
 
-  /// Aim with a small random jitter.
+  /// A pulse by its numbers; its aim has a small random jitter.
   [[nodiscard]] Pulse pulse(int strip, int line, int pulse, Random& random) const;
 
  private:
@@ -51,8 +51,8 @@ class FlightPlan {
   double swath_m_;
   double strip_spacing_m_;
   double pulse_spacing_m_ = 1.0;
-  double half_length_m_ = 0.0;  // of a strip
-  double margin_m_ = 0.0;       // in plan, between the aim of a pulse and its returns
+  double half_length_m_ = 0.0;  // half the length of a strip
+  double margin_m_ = 0.0;       // plan distance between the aim of a pulse and its returns
   int num_strips_ = 1;
   int num_lines_ = 1;
 };

@@ -12,7 +12,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Uniform on the unit sphere (Archimedes: z is uniform).
+/// A direction that is uniform on the unit sphere (Archimedes: z is uniform).
 Eigen::Vector3d random_direction(Random& random) {
   const double z = random.uniform(-1.0, 1.0);
   const double phi = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -40,10 +40,10 @@ void add_tree(const Eigen::Vector3d& foot,
   constexpr double kOpticalDepth = 1.6;  // mean number of leaves on a vertical ray
   constexpr double kLeafM = 0.22;
   constexpr double kLeafAreaM2 = 1.3 * kLeafM * kLeafM;  // equilateral, circumradius kLeafM
-  constexpr double kMeanCosine = 0.5;                    // of random orientations
+  constexpr double kMeanCosine = 0.5;                    // over random orientations
   const double crown_height = std::min(0.75 * height_m, 2.6 * crown_radius_m);
   const Eigen::Vector3d centre = foot + Eigen::Vector3d(0.0, 0.0, height_m - 0.5 * crown_height);
-  // of the leaves' centres: their tips stay within the crown
+  // half axes for the centres of the leaves, whose tips stay within the crown
   const Eigen::Vector3d half_axes(crown_radius_m - kLeafM, crown_radius_m - kLeafM,
                                   0.5 * crown_height - kLeafM);
   const double shadow_m2 = std::numbers::pi * crown_radius_m * crown_radius_m;

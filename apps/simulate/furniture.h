@@ -16,7 +16,7 @@ void add_tree(const Eigen::Vector3d& foot,
               Random& random,
               Mesh& mesh);
 
-/// Body and cabin of a car.
+/// Adds the body and the cabin of a car.
 void add_car(const Eigen::Vector3d& foot, double azimuth_rad, Mesh& mesh);
 
 }  // namespace ridgeline::simulate

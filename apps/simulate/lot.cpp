@@ -33,8 +33,8 @@ Dormer random_dormer(const HouseShape& shape, DormerType type, Random& random) {
                 .pitch_rad = kRadPerDeg * random.uniform(20.0, 35.0)};
   if (type == DormerType::kShed) {
     dormer.pitch_rad = shape.pitch_rad - kRadPerDeg * random.uniform(18.0, 24.0);
-    // so that it runs into the main roof well below the ridge
-    constexpr double kReach = 0.8;  // of the way to the ridge
+    // a lower front lets the dormer run into the main roof well below the ridge
+    constexpr double kReach = 0.8;  // share of the way to the ridge
     const double way_m = 0.5 * shape.width_m - dormer.setback_m;
     const double gain = std::tan(shape.pitch_rad) - std::tan(dormer.pitch_rad);
     dormer.front_height_m = std::min(dormer.front_height_m, kReach * way_m * gain);
@@ -42,7 +42,7 @@ Dormer random_dormer(const HouseShape& shape, DormerType type, Random& random) {
   return dormer;
 }
 
-/// Equal dormers side by side on one roof side, as many as fit.
+/// Adds up to three equal dormers side by side on one side of the roof, as far as they fit.
 void add_dormers(const HouseShape& shape,
                  DormerType type,
                  Random& random,
@@ -74,7 +74,7 @@ std::vector<RoofPart> random_wing_house(HouseShape& shape, Random& random) {
   const double reach = 0.5 * (shape.length_m - wing.width_m) - 0.9;
   wing.centre_u_m = random.chance(0.5) ? reach : random.uniform(-reach, reach);
   std::vector<RoofPart> parts = l_shaped(shape, wing);
-  // centred, so that the whole keeps within its lot
+  // the house is centred to keep within its lot
   const Eigen::Vector2d shift(0.0, -0.5 * wing.length_m);
   for (RoofPart& part : parts) part = placed(part, shift, 0.0);
   return parts;
@@ -164,8 +164,8 @@ std::array<double, kRowLength> row_wall_heights_m(double first_m, Random& random
   return heights_m;
 }
 
-/// The gabled house number `i` of a row: no overhang at party walls; at each the lower roof ends
-/// against the wall of the higher one.
+/// The gabled house number `i` of a row. It has no overhang at party walls; at each of these the lower roof ends
+/// against the wall of the higher house.
 RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& heights_m, int i) {
   const auto n = static_cast<std::size_t>(i);
   const bool left_end = i == 0;
@@ -183,7 +183,7 @@ RoofPart row_part(HouseShape shape, const std::array<double, kRowLength>& height
   return placed(part, {u, 0.0}, 0.0);
 }
 
-/// Adjoining gabled houses with steps in height.
+/// Adds a row of adjoining gabled houses with steps in height.
 void add_row(const VillageOptions& options, const Site& site, Random& random, Scene& scene) {
   HouseShape shape = random_shape(options, site, random);
   shape.width_m = random.uniform(7.5, 8.5);

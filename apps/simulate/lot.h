@@ -16,7 +16,7 @@ inline constexpr double kHouseRadiusM = 9.7;
 /// Where a house may stand.
 struct Site {
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  ///< plan, local
-  double azimuth_rad = 0.0;                            ///< of the main ridge
+  double azimuth_rad = 0.0;                            ///< azimuth of the main ridge
   double floor_z_m = 0.0;                              ///< lowest ground of the site
 };
 

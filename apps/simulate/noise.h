@@ -7,7 +7,7 @@
 
 namespace ridgeline::simulate {
 
-/// A well mixed function of integers, for what has to be found again at any place in any order
+/// A well mixed function of integers, for random values that must be the same whenever they are asked for
 /// (lowbias32, Wellons 2018).
 inline std::uint32_t hash(std::uint32_t x) {
   x = (x ^ (x >> 16U)) * 0x7feb352dU;
@@ -21,7 +21,7 @@ inline std::uint32_t hash(std::int32_t i, std::int32_t k, std::uint32_t key) {
   return hash(static_cast<std::uint32_t>(i), hash(static_cast<std::uint32_t>(k), key));
 }
 
-/// Uniform in [0, 1) of a hash.
+/// Turns a hash into a number that is uniform in [0, 1).
 inline float unit(std::uint32_t h) { return static_cast<float>(h >> 8U) * 0x1p-24F; }
 
 /// Smooth noise in [-1, 1] with a period of about `wavelength_m`: random values on a grid, cubic

@@ -9,7 +9,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Red, green, blue, near infrared; after the spectra of urban materials in Herold, Roberts,
+/// Reflectance in red, green, blue and near infrared; after the spectra of urban materials in Herold, Roberts,
 /// Gardner, Dennison 2004, rounded.
 using Entry = std::array<float, 4>;
 

@@ -70,7 +70,7 @@ class Ground {
   std::vector<Piece> pieces_;
 };
 
-/// The lower border of a body is seen where it meets the ground.
+/// Raises the lower border of a body to the ground, where it is seen.
 Segment3 raised_to_ground(Segment3 edge, const Ground& ground) {
   const auto start_z = ground.height(edge.start.head<2>());
   const auto end_z = ground.height(edge.end.head<2>());
@@ -80,7 +80,7 @@ Segment3 raised_to_ground(Segment3 edge, const Ground& ground) {
   return edge;
 }
 
-/// Borders of the polygons: the sides that belong to one triangle alone, since polygons share no
+/// Adds the borders of the polygons: the sides that belong to one triangle alone, since polygons share no
 /// vertices.
 void add_mesh_edges(const Scene& scene, std::vector<PhysicalEdge>& edges) {
   const Ground ground(scene);
@@ -152,7 +152,7 @@ std::map<std::pair<int, int>, std::vector<std::size_t>> cells_of(
     const int steps = 1 + static_cast<int>(length(segment) / (0.25 * kCellM));
     for (int k = 0; k <= steps; ++k) {
       const Eigen::Vector3d x = point_at(segment, static_cast<double>(k) / steps);
-      for (const double dx : {-kTouchM, kTouchM}) {  // both cells of an edge on their border
+      for (const double dx : {-kTouchM, kTouchM}) {  // an edge on a border is in both cells
         for (const double dy : {-kTouchM, kTouchM}) {
           touched.insert({static_cast<int>(std::floor((x.x() + dx) / kCellM)),
                           static_cast<int>(std::floor((x.y() + dy) / kCellM))});
@@ -164,7 +164,7 @@ std::map<std::pair<int, int>, std::vector<std::size_t>> cells_of(
   return cells;
 }
 
-/// One edge over the whole length of its members; the best rank names it.
+/// One edge over the whole length of its members; the member of the lowest rank gives its kind.
 PhysicalEdge merged(const std::vector<const PhysicalEdge*>& members) {
   const PhysicalEdge& longest = **std::max_element(
       members.begin(), members.end(), [](const PhysicalEdge* a, const PhysicalEdge* b) {

@@ -12,8 +12,8 @@
 
 namespace ridgeline::simulate {
 
-/// f(x) = gradient . x + offset on the plan: the height of an inclined plane, or, read as
-/// f(x) >= 0, a half-plane.
+/// f(x) = gradient . x + offset on the plan. It is the height of an inclined plane, or a half-plane if
+/// it is read as f(x) >= 0.
 struct PlanFunction {
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   double offset = 0.0;
@@ -33,7 +33,7 @@ using ConvexPolygon = std::vector<Eigen::Vector2d>;
 
 ConvexPolygon rectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
-/// One function per side, >= 0 inside, in metres from that side.
+/// One function per side: the distance from that side in metres, >= 0 inside.
 std::vector<PlanFunction> half_planes(const ConvexPolygon& polygon);
 
 bool contains(const ConvexPolygon& polygon, const Eigen::Vector2d& x);
@@ -54,7 +54,7 @@ struct LabelledPolygon {
 LabelledPolygon clip(const LabelledPolygon& polygon, const PlanFunction& inside, int label);
 ConvexPolygon clip(const ConvexPolygon& polygon, std::span<const PlanFunction> inside);
 
-/// Parameters of a part of a segment, point_at(segment, t); empty unless begin < end.
+/// A part of a segment, by the parameters t of point_at(segment, t); empty unless begin < end.
 struct Interval {
   double begin = 0.0;
   double end = 1.0;
@@ -67,7 +67,7 @@ Interval clip(Interval interval, const Segment2& segment, const PlanFunction& in
 /// The pieces of the intervals outside `hole`.
 std::vector<Interval> subtract(std::span<const Interval> intervals, const Interval& hole);
 
-/// Where two heights agree, within both polygons; nothing for parallel planes.
+/// The segment on which two heights agree, within both polygons; nothing for parallel planes.
 std::optional<Segment2> intersection(const PlanFunction& height_a,
                                      const ConvexPolygon& polygon_a,
                                      const PlanFunction& height_b,

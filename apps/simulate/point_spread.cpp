@@ -20,7 +20,7 @@ int spacing(int n, int step) {
   return nearest;
 }
 
-/// The step whose lattice is spread best.
+/// The step whose lattice has the largest spacing().
 int best_step(int n) {
   int best = 1;
   for (int step = 1; step < n; ++step) {

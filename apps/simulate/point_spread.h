@@ -24,7 +24,7 @@ struct SubPixelLattice {
 class PointSpread {
  public:
   static constexpr int kReachPx = 2;
-  using Weights = std::array<float, 2 * kReachPx + 1>;  ///< of the pixels -2 ... +2
+  using Weights = std::array<float, 2 * kReachPx + 1>;  ///< weights of the pixels -2 ... +2
 
   explicit PointSpread(double sigma_px);
   [[nodiscard]] const Weights& at(int sub_pixel) const {

@@ -74,7 +74,7 @@ RTCRayHit embree_query(const RayScene::Ray& ray) {
   return query;
 }
 
-bool was_hit(const RTCRay& ray) { return ray.tfar < 0.0F; }  // rtcOccluded's sign
+bool was_hit(const RTCRay& ray) { return ray.tfar < 0.0F; }  // how rtcOccluded marks a hit
 
 }  // namespace
 

@@ -28,7 +28,7 @@ Segment2 image_of(const SurfaceOracle& oracle, View view, const Segment3& edge, 
           oracle.pixel_of(view, point_at(edge, part.end))};
 }
 
-/// One sample of an edge: nothing before it and two different surfaces beside it.
+/// Whether a view sees a point of an edge: nothing hides it and its two sides show different surfaces.
 bool is_seen(const SurfaceOracle& oracle,
              View view,
              const Eigen::Vector3d& x,
@@ -40,7 +40,7 @@ bool is_seen(const SurfaceOracle& oracle,
   return a && b && !oracle.same_surface(*a, *b);
 }
 
-/// Value of a band in [0, 1], bilinear; the nearest pixel's outside of the image.
+/// Value of a band in [0, 1], bilinear; outside of the image that of the nearest pixel.
 double sample(const cv::Mat& image, const Eigen::Vector2d& x_px, int band) {
   const auto at = [&](int column, int row) -> double {
     const int c = std::clamp(column, 0, image.cols - 1);
@@ -57,7 +57,7 @@ double sample(const cv::Mat& image, const Eigen::Vector2d& x_px, int band) {
          t * ((1.0 - s) * at(column, row + 1) + s * at(column + 1, row + 1));
 }
 
-/// Largest over the bands of the mean difference across a segment.
+/// Mean difference across a segment, in the band where it is largest.
 double contrast(const cv::Mat& image, const Segment2& segment) {
   constexpr double kBesidePx = 1.5;
   const Eigen::Vector2d side = kBesidePx * side_of(segment);
@@ -78,7 +78,7 @@ Interval common(const Interval& a, const Interval& b) {
   return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
 }
 
-/// Pairs of runs with the longest common parts, each run once.
+/// The pairs of runs with the longest common parts; each run is used once.
 std::vector<std::pair<Interval, Interval>> paired(const std::vector<Interval>& left,
                                                   const std::vector<Interval>& right) {
   struct Pair {
@@ -145,7 +145,7 @@ bool covered_by(const ReferenceMatch& match, const ReferenceMatch& other) {
   return covered_by(match.left, other.left) && covered_by(match.right, other.right);
 }
 
-/// By rank, then length: the first of several that coincide stays.
+/// Of several candidates that coincide the one of the lowest rank stays, among equal ranks the longest.
 std::vector<ReferenceMatch> without_duplicates(std::vector<Candidate> candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) {
@@ -166,7 +166,7 @@ std::vector<ReferenceMatch> without_duplicates(std::vector<Candidate> candidates
   return kept;
 }
 
-/// The intervals with the gaps between them closed where they are short.
+/// The intervals after gaps shorter than `longest_gap` are closed.
 std::vector<Interval> closed(const std::vector<Interval>& intervals, double longest_gap) {
   std::vector<Interval> result;
   for (const Interval& interval : intervals) {

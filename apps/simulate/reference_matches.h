@@ -20,11 +20,11 @@ struct ReferenceMatch {
 };
 
 struct ReferenceOptions {
-  double step_m = 0.1;           ///< between the lines of sight along an edge
-  double longest_gap_m = 0.5;    ///< an interruption of less is closed
-  double shortest_px = 10.0;     ///< of the visible part in each image
-  double flank_px = 1.0;         ///< where the two sides of an edge are looked at
-  double least_contrast = 0.03;  ///< mean difference of the two sides, of the image's range
+  double step_m = 0.1;           ///< distance of the lines of sight along an edge
+  double longest_gap_m = 0.5;    ///< shorter interruptions are closed
+  double shortest_px = 10.0;     ///< least length of the visible part in each image
+  double flank_px = 1.0;         ///< distance from an edge at which its sides are looked at
+  double least_contrast = 0.03;  ///< mean difference of the sides, share of the image's range
 };
 
 /// Runs of an edge, as parameters of its segment, where one view sees it: nothing lies before it
@@ -48,7 +48,7 @@ std::vector<std::array<double, 2>> visible_shares(const Scene& scene,
                                                   const SurfaceOracle& oracle,
                                                   const ReferenceOptions& options = {});
 
-/// The file: id,kind,left_x1_px,left_y1_px,...,right_y2_px.
+/// The text of the file, with the columns id,kind,left_x1_px,left_y1_px,...,right_y2_px.
 std::string reference_csv(std::span<const ReferenceMatch> matches);
 
 }  // namespace ridgeline::simulate

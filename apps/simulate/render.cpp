@@ -15,7 +15,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kShadowOffsetM = 2e-3;  // off the surface itself; Embree's float is good to 0.1 mm
+constexpr double kShadowOffsetM = 2e-3;   // offset of shadow rays; Embree's float is good to 0.1 mm
 constexpr double kLeafClearanceM = 0.05;  // a leaf does not shadow itself
 
 double top_z_m(const Mesh& mesh) {
@@ -86,7 +86,7 @@ std::vector<Spectrum> Renderer::seen_along(std::span<const RayScene::Ray> rays,
                                            float footprint_m) const {
   const std::vector<std::optional<RayScene::Hit>> hits = rays_.first_hits(rays);
   std::vector<Spectrum> light(rays.size());
-  std::vector<Spectrum> direct;  // of those that face the sun
+  std::vector<Spectrum> direct;  // sunlight of the points that face the sun
   std::vector<RayScene::Ray> to_sun;
   std::vector<std::size_t> facing;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -158,8 +158,8 @@ class RowBlock {
            static_cast<std::size_t>(column);
   }
 
-  /// The rays of some neighbouring pixels of a row. The lattice is shifted at random from pixel to
-  /// pixel: what the rays miss is noise, no pattern.
+  /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted at random from pixel to
+  /// pixel, so that what the rays miss shows as noise and not as a pattern.
   void cast(int row, int begin_column, int end_column) {
     rays_.clear();
     origins_.clear();
@@ -187,7 +187,7 @@ class RowBlock {
     }
   }
 
-  /// From just above the scene, where Embree's single precision is enough.
+  /// The ray of a pixel. It starts just above the scene, so that Embree's single precision is enough.
   [[nodiscard]] RayScene::Ray ray(const Eigen::Vector2d& x_px) const {
     const Eigen::Vector3d direction = view_.ray(x_px);
     const double way_m = (renderer_.top_z_m_ - view_.centre_in_local.z()) / direction.z();

@@ -23,7 +23,7 @@ struct RenderOptions {
   double backscatter = 0.25;   ///< rough surfaces are this much brighter along the sun's rays
   double texture = 1.0;        ///< contrast of the textures; 0: flat colours
   double psf_sigma_px = 0.55;  ///< Gaussian point spread of lens and detector together
-  int samples_per_side = 3;    ///< rays per pixel: the square of it
+  int samples_per_side = 3;    ///< a pixel has the square of it as rays
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
@@ -77,7 +77,7 @@ class Renderer {
   RayScene rays_;
   Appearance appearance_;
   Eigen::Vector3d to_sun_;
-  double top_z_m_;  ///< above all
+  double top_z_m_;  ///< above everything in the scene
 };
 
 }  // namespace ridgeline::simulate

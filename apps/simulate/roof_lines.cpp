@@ -11,8 +11,8 @@ constexpr double kTouchM = 1e-7;       // bodies that only touch do not cover ea
 constexpr double kShortestM = 0.01;    // slivers below this are no lines
 constexpr double kHorizontalM = 1e-9;  // height difference over a line
 
-/// Where `part` rises above `height` along the segment: its outline and planes are half-planes, so
-/// this is one interval. Empty where the two only touch.
+/// Where `part` rises above `height` along the segment. This is one interval, because the outline and planes of the part are
+/// half-planes. It is empty where the two only touch.
 Interval covered_interval(const RoofPart& part,
                           const Segment2& segment,
                           const PlanFunction& height) {
@@ -56,7 +56,7 @@ class LineCollector {
     return parts_[static_cast<std::size_t>(face.part)];
   }
 
-  /// Borders of the face within its own part: its outline, ridges and hips.
+  /// Adds the borders of the face within its own part: its outline, ridges and hips.
   void add_sides(const RoofFace& face) {
     const std::size_t n = face.cell.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -65,7 +65,7 @@ class LineCollector {
       const bool level = std::abs(face.height(side.end) - face.height(side.start)) < kHorizontalM;
       if (label < 0) {
         const RoofFace* other = neighbour(face, -1 - label);
-        if (other == nullptr || other->plane_id < face.plane_id) continue;  // seen from the other
+        if (other == nullptr || other->plane_id < face.plane_id) continue;  // the other adds it
         add(side, face, level ? LineKind::kRidge : LineKind::kHip, other);
       } else if (is_joint(face, label)) {
         add(side, face, LineKind::kJoint, nullptr);
@@ -75,7 +75,7 @@ class LineCollector {
     }
   }
 
-  /// Where the walls of higher parts stand on the face.
+  /// Adds the joints where walls of higher parts stand on the face.
   void add_joints(const RoofFace& face) {
     const std::vector<PlanFunction> cell = half_planes(face.cell.corners);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -113,7 +113,7 @@ class LineCollector {
     return !flags.empty() && flags[static_cast<std::size_t>(side)];
   }
 
-  /// Adds what no third part covers.
+  /// Adds the pieces of the segment that no third part covers.
   void add(const Segment2& segment, const RoofFace& face, LineKind kind, const RoofFace* other) {
     if (part_of(face).kind == PlaneKind::kChimney) return;
     std::vector<Interval> visible{Interval{}};

@@ -23,7 +23,7 @@ void add_plane(const RoofPart& part, const RoofFace& face, Scene& scene) {
   scene.planes.push_back(std::move(plane));
 }
 
-/// Top, underside and fascia of one face.
+/// Adds the top, the underside and the fascia of one face.
 void add_slab(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
   const ConvexPolygon& corners = face.cell.corners;
   const bool chimney = part.kind == PlaneKind::kChimney;
@@ -45,7 +45,7 @@ void add_slab(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
   }
 }
 
-/// The piece of each wall below one face, up to the underside of the roof.
+/// Adds the piece of each wall below one face, up to the underside of the roof.
 void add_walls(const RoofPart& part, const RoofFace& face, Mesh& mesh) {
   const bool chimney = part.kind == PlaneKind::kChimney;
   const Look look{part.building_id, kNone, chimney ? Material::kChimney : Material::kWall};

@@ -12,10 +12,10 @@ namespace ridgeline::simulate {
 /// any form is the upper envelope of such parts, so all its lines follow from exact intersections
 /// of half-planes.
 struct RoofPart {
-  ConvexPolygon outline;           ///< of the roof, with the overhang
+  ConvexPolygon outline;           ///< outline of the roof, with the overhang
   std::vector<PlanFunction> tops;  ///< height of each plane
-  ConvexPolygon walls;             ///< set back below the roof
-  std::vector<bool> is_joint;      ///< per side of the outline: meets another part; may be empty
+  ConvexPolygon walls;             ///< outline of the walls, set back below the roof
+  std::vector<bool> is_joint;      ///< sides of the outline that meet another part; may be empty
   double base_z_m = 0.0;           ///< where the walls end, below the ground
   double slab_thickness_m = 0.0;   ///< vertical; 0: the walls reach the top
   int building_id = 0;

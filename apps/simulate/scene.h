@@ -16,7 +16,7 @@
 
 namespace ridgeline::simulate {
 
-/// What a surface is made of: decides the laser class, the returns and the look in an image.
+/// What a surface is made of. It decides the laser class, the returns and the look in an image.
 enum class Material : std::uint8_t {
   kGround,
   kStreet,
@@ -29,12 +29,12 @@ enum class Material : std::uint8_t {
   kWood,     ///< trunks and fences
   kCar,
   kGlass,   ///< panes
-  kFrame,   ///< of windows
+  kFrame,   ///< frames of windows
   kSolar,   ///< panels, frames of skylights
   kPaving,  ///< terraces and paths
 };
 
-/// A building, a tree or the ground carry this id where there is none of the kind.
+/// The id of what does not exist: the building of a tree, the plane of a leaf.
 inline constexpr int kNone = -1;
 
 struct Triangle {
@@ -42,7 +42,7 @@ struct Triangle {
   std::int32_t building_id = kNone;
   std::int32_t plane_id = kNone;  ///< index into Scene::planes; kNone for walls, leaves, cars
   Material material = Material::kGround;
-  std::int32_t object_id = kNone;  ///< tree, car or fence, which have no building id
+  std::int32_t object_id = kNone;  ///< id of a tree, car or fence, which have no building id
 };
 
 /// All surfaces of a scene, local metres. Bodies may penetrate each other (a dormer its roof); what
@@ -76,7 +76,7 @@ enum class LineKind : std::uint8_t {
   kJoint,   ///< where a roof plane meets the wall of another body; not a true line
 };
 
-/// `ridge`, `hip`, ... as in the files.
+/// The name of the kind in the files: `ridge`, `hip`, ...
 const char* name(LineKind kind);
 
 /// An edge of the top surface. It lies on its planes exactly and is not covered by another part of
@@ -105,10 +105,10 @@ const char* name(RoofType type);
 struct Building {
   int id = 0;  ///< index into Scene::buildings
   RoofType type = RoofType::kGabled;
-  double ridge_azimuth_rad = 0.0;             ///< of the main ridge to the x axis, in [0, pi)
-  double pitch_rad = 0.0;                     ///< of the main roof
+  double ridge_azimuth_rad = 0.0;             ///< angle of the main ridge to the x axis, in [0, pi)
+  double pitch_rad = 0.0;                     ///< pitch of the main roof
   std::vector<ConvexPolygon> footprint;       ///< outlines of the walls of its parts
-  std::vector<ConvexPolygon> roof_footprint;  ///< with the overhangs
+  std::vector<ConvexPolygon> roof_footprint;  ///< outlines of its roofs with the overhangs
 };
 
 /// A synthetic village with its exact truth. Everything is local; world = local + frame.origin_m.
@@ -124,7 +124,7 @@ struct Scene {
   std::vector<Building> buildings;
 };
 
-/// The true lines in the CRS of the scene. Id = number in Scene::lines; class empty; no covariance,
+/// The true lines in the CRS of the scene. Their id is the number in Scene::lines. They have no class, and no covariance
 /// because they are exact.
 io::LineSet true_lines(const Scene& scene);
 

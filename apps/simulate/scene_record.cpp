@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kRecord = "simulate.json";
 
-/// Hashes by name; none if there is no record or it cannot be read.
+/// The recorded hashes by file name; an empty object if there is no record or it cannot be read.
 nlohmann::json recorded_files(const std::string& record) {
   if (!fs::is_regular_file(record)) return nlohmann::json::object();
   const nlohmann::json json = nlohmann::json::parse(io::read_text_file(record), nullptr, false);

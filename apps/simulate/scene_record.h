@@ -8,8 +8,8 @@
 
 namespace ridgeline::apps {
 
-/// Checks that none of these files stands in the folder, unless an earlier scene left it and it is as it was
-/// written: anything else is somebody's. Throws IoError that names the file.
+/// Checks that none of these files stands in the folder, unless an earlier scene wrote it and it has not changed since. Any
+/// other file is somebody's. Throws IoError that names the file.
 void check_scene_files(const results::OutputFolder& out, const std::vector<std::string>& names);
 
 /// Records what was written, for the next check, as `simulate.json`: {"files": {NAME: SHA-256}}.

@@ -23,7 +23,7 @@ std::vector<int> file_bands(const std::string& bands) {
   return {};
 }
 
-/// The near infrared of plants would outshine all else.
+/// Gain of each band. At full gain the near infrared of plants would outshine everything else.
 constexpr std::array<double, 4> kBandGain{1.0, 1.0, 1.0, 0.75};
 
 double recorded(double radiance, std::size_t band, const SensorOptions& o, const Radiometry& r) {

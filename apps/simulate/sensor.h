@@ -15,11 +15,11 @@ namespace ridgeline::simulate {
 struct SensorOptions {
   std::string bands = "rgb";     ///< rgb, cir (near infrared, red, green) or rgbn
   int bits = 8;                  ///< 8 or 16
-  double white_radiance = 0.45;  ///< becomes the largest number
+  double white_radiance = 0.45;  ///< radiance that becomes the largest number
   double gamma = 1.5;            ///< numbers grow with the radiance to the power of 1 / gamma
-  double full_well_electrons = 12000.0;  ///< at white: shot noise
+  double full_well_electrons = 12000.0;  ///< electrons at white, which set the shot noise
   double read_noise_electrons = 30.0;
-  double radiometric_sigma = 0.05;  ///< between the views: gain and gamma; a fifth of it: offset
+  double radiometric_sigma = 0.05;  ///< spread of gain and gamma between views; a fifth for offsets
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
@@ -39,8 +39,8 @@ struct SensorOptions {
 /// How one view differs from the nominal exposure, per band.
 struct Radiometry {
   std::array<double, 4> gain{1.0, 1.0, 1.0, 1.0};
-  std::array<double, 4> offset{};  ///< of white: haze
-  double gamma = 1.0;              ///< on top of the nominal one
+  std::array<double, 4> offset{};  ///< haze, as a share of white
+  double gamma = 1.0;              ///< factor on the nominal gamma
 };
 
 /// The radiometry of view number 0, 1, ...

@@ -33,7 +33,7 @@ struct SimulateArguments {
   bool no_images = false;
 };
 
-/// The test of Chio and Wang 2000: their flight over houses on every lot, with few trees. The plan
+/// Sets the options to the test of Chio and Wang 2000: their flight over houses on every lot, with few trees. The plan
 /// is larger than the images.
 void set_chio_wang_geometry(SimulateArguments& a) {
   a.stereo.flight = simulate::chio_wang_flight();
@@ -158,7 +158,7 @@ int run_simulate(SimulateArguments a) {
   const std::vector<std::string> names = file_names(a);
   check_scene_files(out, names);
   const simulate::Scene scene = simulate::make_village(a.village);
-  if (!a.no_images) (void)simulate::aerial_pair(scene, a.stereo.flight);  // refused before the work
+  if (!a.no_images) (void)simulate::aerial_pair(scene, a.stereo.flight);  // throws before the work
   const io::PointCloud cloud = simulate::scan_als(scene, a.als);
 
   io::write_las(out.path("lidar.las"), cloud.points, cloud.frame, scene.crs);

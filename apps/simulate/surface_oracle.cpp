@@ -62,7 +62,7 @@ bool SurfaceOracle::same_surface(const Sight& a, const Sight& b) const {
   constexpr double kSameDirection = 0.9999;
   constexpr double kSamePlaneM = 0.02;
   const auto look = [&](const Sight& sight) {
-    const Triangle beyond;  // lawn
+    const Triangle beyond;  // lawn beyond the mesh
     const Triangle& t = sight.triangle == kNone
                             ? beyond
                             : scene_->mesh.triangles[static_cast<std::size_t>(sight.triangle)];

@@ -20,14 +20,14 @@ class SurfaceOracle {
   /// Where the line of sight of a pixel ends.
   struct Sight {
     Eigen::Vector3d x;       ///< local
-    Eigen::Vector3d normal;  ///< unit, towards the camera
-    int triangle = kNone;    ///< of the mesh; kNone on the ground beyond it
+    Eigen::Vector3d normal;  ///< unit normal, towards the camera
+    int triangle = kNone;    ///< index in the mesh; kNone on the ground beyond it
   };
 
   /// Keeps a reference to the scene; `views` are copied.
   SurfaceOracle(const Scene& scene, const std::array<AerialView, 2>& views);
 
-  /// What a pixel shows. Beyond the mesh the mean terrain goes on; nothing above the horizon.
+  /// What a pixel shows. Beyond the mesh it shows the mean terrain; above the horizon the result is empty.
   [[nodiscard]] std::optional<Sight> seen_at(View view, const Eigen::Vector2d& x_px) const;
 
   /// Whether nothing lies between a point and the camera, but for the last `tolerance_m` before
@@ -54,14 +54,14 @@ struct MatchVerdict {
   /// Median distance of the true mates of the left segment to the right line; infinite where none
   /// can be seen.
   double right_distance_px = 0.0;
-  double visible_share = 0.0;  ///< of the left segment: its surface is seen in the right view too
-  double overlap_share = 0.0;  ///< of the left segment: its true mate lies on the right segment
+  double visible_share = 0.0;  ///< share of the left segment whose surface the right view sees
+  double overlap_share = 0.0;  ///< share of the left segment with its true mate on the right one
 };
 
 /// Follows the surface along both flanks of the left segment into the right view. An edge lies on
 /// the surface of one of its sides at least; the other may be a background far below, so the better
-/// side counts. On each side the mates of the points close beside the edge are carried on to
-/// the edge itself, where which surface a pixel shows would be left to chance.
+/// side counts. On each side the mates of the points close beside the edge are extrapolated to the edge.
+/// At the edge itself it is chance which surface a pixel shows.
 MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, const Segment2& right);
 
 }  // namespace ridgeline::simulate

@@ -12,7 +12,7 @@ inline constexpr double kHalfStreetM = 3.5;
 /// One street with the lots on both sides, in village coordinates (u along the streets, v across).
 /// All its ground is one plane.
 struct Row {
-  double street_v_m = 0.0;  ///< of the centre line
+  double street_v_m = 0.0;  ///< v of the centre line
   PlanFunction ground;      ///< height in local coordinates
   int plane_id = 0;
 };
@@ -20,7 +20,7 @@ struct Row {
 /// Lays out ground, street and lots by rectangles in village coordinates, cut to the extent.
 class Terrain {
  public:
-  /// `azimuth_rad`: of the streets to the x axis, through the middle of the extent.
+  /// `azimuth_rad`: angle of the streets to the x axis. Village coordinates begin in the middle of the extent.
   Terrain(double azimuth_rad, Scene& scene);
 
   [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& uv) const;
@@ -31,13 +31,13 @@ class Terrain {
                 const Eigen::Vector2d& low_uv,
                 const Eigen::Vector2d& high_uv,
                 Material material);
-  /// A true line of kind ground.
+  /// Adds a true line of kind ground.
   void add_line(const Row& row, const Eigen::Vector2d& start_uv, const Eigen::Vector2d& end_uv);
-  /// A dashed centre line and the borders of the street, over [begin, end] along u.
+  /// Adds a dashed centre line and the borders of the street, over [begin, end] along u.
   void add_street(const Row& row, double begin_u_m, double end_u_m);
-  /// Two ranks of parking bays with their markings.
+  /// Adds two ranks of parking bays with their markings.
   void add_parking(const Row& row, const Eigen::Vector2d& low_uv, const Eigen::Vector2d& high_uv);
-  /// The retaining wall between two rows at v.
+  /// Adds the retaining wall between two rows at v.
   void add_retaining_wall(const Row& low, const Row& high, double v_m, double half_length_m);
 
  private:

@@ -63,7 +63,7 @@ class PointGrid {
 
 double visible_share(const RayScene& rays, const Segment3& segment) {
   constexpr double kStepM = 0.25;
-  constexpr double kLiftM = 0.01;  // off the surfaces that the line itself borders
+  constexpr double kLiftM = 0.01;  // lifts rays off the surfaces that the line borders
   const int samples = 1 + static_cast<int>(length(segment) / kStepM);
   int visible = 0;
   for (int i = 0; i < samples; ++i) {

@@ -114,7 +114,7 @@ class VillageBuilder {
     add_house(options_, type, site, random, scene_);
   }
 
-  /// Parallel to x, else along or across the street with some freedom.
+  /// The azimuth of a house: parallel to x, or along or across the street with some freedom.
   double house_azimuth_rad(Random& random) const {
     if (random.chance(options_.aligned_share)) return random.chance(0.5) ? 0.0 : std::numbers::pi;
     const double jitter = kRadPerDeg * random.uniform(-8.0, 8.0);
@@ -144,7 +144,7 @@ class VillageBuilder {
     }
   }
 
-  /// Crowns may hang over a roof by up to a metre, trunks keep off the walls.
+  /// Whether a tree may stand at `x`. Its crown may hang over a roof by up to a metre; its trunk keeps off the walls.
   [[nodiscard]] bool is_free(const Eigen::Vector2d& x,
                              double radius_m,
                              std::size_t first_building) const {

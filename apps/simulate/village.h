@@ -14,20 +14,20 @@ namespace ridgeline::simulate {
 /// Lots of 20 m x 20 m in rows on both sides of parallel streets.
 struct VillageOptions {
   std::uint64_t seed = 1;
-  Eigen::Vector2d extent_m{120.0, 120.0};  ///< of the plan, x and y
+  Eigen::Vector2d extent_m{120.0, 120.0};  ///< extent of the plan in x and y
   std::string crs = "EPSG:25832";
   Eigen::Vector3d origin_m{513000.0, 5403000.0, 250.0};  ///< integers; z: the ground's mean height
-  double street_azimuth_deg = 25.0;                      ///< of the streets and rows to the x axis
-  double aligned_share = 0.4;      ///< of the houses: main ridge exactly parallel to x
-  double built_share = 0.85;       ///< of the lots that bear a house; the others: parking, gardens
-  double parking_share = 0.5;      ///< of the lots without a house
-  double terrain_slope_deg = 2.0;  ///< at most 15; direction by seed
+  double street_azimuth_deg = 25.0;                      ///< angle of the streets to the x axis
+  double aligned_share = 0.4;      ///< share of houses with a main ridge exactly parallel to x
+  double built_share = 0.85;       ///< share of lots with a house; the others: parking, gardens
+  double parking_share = 0.5;      ///< share of parking among the lots without a house
+  double terrain_slope_deg = 2.0;  ///< at most 15; the seed gives the direction
   double terrace_step_m = 0.0;     ///< height of a retaining wall between two rows
-  double min_pitch_deg = 15.0;     ///< of the pitched roofs, at least 10
-  double max_pitch_deg = 48.0;     ///< at most 55
+  double min_pitch_deg = 15.0;     ///< lowest pitch of a pitched roof, at least 10
+  double max_pitch_deg = 48.0;     ///< highest pitch, at most 55
   double trees_per_lot = 1.5;      ///< mean number, 0 to 6
-  double fence_share = 0.3;        ///< of the borders between lots
-  /// The types to choose from with equal probability; empty: all.
+  double fence_share = 0.3;        ///< share of the borders between lots that have a fence
+  /// The roof types, which are equally probable; empty: all types.
   std::vector<RoofType> roof_types;
 };
 

@@ -18,8 +18,8 @@ struct StereoOptions {
 };
 
 /// Renders both views of a scene, with its fittings, and writes left.tif, right.tif, matches.csv (the reference) and
-/// patch.yaml, which names lidar.las and truth.geojson too. `truth`, the true lines in order of
-/// Scene::lines, is given back with the class by these cameras and the visible shares.
+/// patch.yaml, which names lidar.las and truth.geojson too. Returns `truth`, the true lines in order of
+/// Scene::lines, with their class by these cameras and the visible shares.
 io::LineSet write_stereo(const simulate::Scene& bare_scene,
                          const std::string& patch_id,
                          const StereoOptions& options,
