@@ -23,10 +23,10 @@ using RowMajor = Eigen::Matrix<double, R, C, Eigen::RowMajor>;
 /// An array of doubles of this shape, all NaN.
 pybind11::array_t<double> nan_array(std::vector<pybind11::ssize_t> shape);
 
-/// Text of a file; bytes that are not UTF-8 are replaced.
+/// The text of a file as a Python string; bytes that are not UTF-8 are replaced.
 pybind11::str python_text(const std::string& text);
 
-/// A list of value(row) for every row; texts as by python_text().
+/// A list of value_of(row) for every row; texts are converted by python_text().
 template <typename Rows, typename ValueOf>
 pybind11::list list_of(const Rows& rows, const ValueOf& value_of) {
   pybind11::list list;
@@ -40,7 +40,7 @@ pybind11::list list_of(const Rows& rows, const ValueOf& value_of) {
   return list;
 }
 
-/// An array of number(row) for every row; NaN where there is none.
+/// An array of number(row) for every row; missing numbers are NaN.
 template <typename Rows, typename Number>
 pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
   pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size())});
@@ -53,7 +53,7 @@ pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
   return array;
 }
 
-/// An array (n, R, C) of matrix(row), an optional matrix, for every row; NaN where there is none.
+/// An array (n, R, C) of matrix_of(row), an optional matrix, for every row; missing matrices are NaN.
 template <int R, int C, typename Rows, typename MatrixOf>
 pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_of) {
   pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size()), R, C});
@@ -66,7 +66,7 @@ pybind11::array_t<double> matrix_array(const Rows& rows, const MatrixOf& matrix_
   return array;
 }
 
-/// The i-th matrix of such an array; nothing if it begins with NaN.
+/// The i-th matrix of an array (n, R, C); nothing if the matrix begins with NaN.
 template <int R, int C>
 std::optional<Eigen::Matrix<double, R, C>> matrix_at(const Array<double>& array, std::size_t i) {
   const double* in = array.data() + static_cast<std::ptrdiff_t>(i) * R * C;
@@ -80,7 +80,7 @@ std::optional<Array<double>> find_array(const pybind11::dict& entries,
                                         const char* name,
                                         const std::vector<pybind11::ssize_t>& shape);
 
-/// "(3, 2)" of an array.
+/// The shape of an array as text: "(3, 2)".
 std::string shape_text(const pybind11::array& array);
 
 }  // namespace ridgeline::python

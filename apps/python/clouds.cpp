@@ -54,7 +54,7 @@ std::vector<io::TableColumn> coordinate_columns() {
           {PointAttribute::kZ, ScalarType::kFloat64, 2 * kSize, kRow}};
 }
 
-/// Points in the units of their files: metres were made of feet while they were read.
+/// Turns coordinates back into the units of the files, because reading them has made metres of feet.
 void restore_units(io::PointCloud& cloud) {
   const double h = cloud.horizontal_unit_m, v = cloud.vertical_unit_m;
   if (h == 1.0 && v == 1.0) return;

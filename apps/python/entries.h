@@ -9,7 +9,7 @@
 
 namespace ridgeline::python {
 
-/// What a value of the type is called in messages.
+/// The name that messages give to a value of the type.
 template <typename T>
 constexpr const char* name_of_type() {
   if constexpr (std::is_same_v<T, bool>) return "True or False";

@@ -80,7 +80,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   return options;
 }
 
-/// Files, or an array.
+/// A cloud: files, or points in an array.
 struct CloudInput {
   std::vector<std::string> paths;
   std::optional<PointsInMemory> points;
@@ -131,8 +131,8 @@ void take_crs(const io::Crs& of_cloud, const LineSource& source, io::LineSet& se
   if (std::holds_alternative<io::LineSet>(source) && !set.crs.known()) set.crs = of_cloud;
 }
 
-/// `lines`, `references`: path, dict of arrays, or None (references only). `cloud`: list of paths, or an array whose
-/// reference system is an entry `cloud_crs`.
+/// Judges lines. `lines`, `references`: path, dict of arrays, or None (references only). `cloud`: list of paths, or an array
+/// whose reference system is an entry `cloud_crs`.
 Judged evaluate_lines(const py::object& lines,
                       const py::object& cloud,
                       const py::object& references,

@@ -18,14 +18,15 @@ namespace {
 
 py::handle file_error;
 
-/// A fault of what is in memory is its caller's.
+/// The Python type of an error. A fault of data in memory is a ValueError of the caller, all others are faults of files.
 PyObject* type_of(const io::IoError& error) {
   if (is_in_memory(error.path())) return PyExc_ValueError;
   const bool is_missing = dynamic_cast<const io::MissingFileError*>(&error) != nullptr;
   return is_missing ? PyExc_FileNotFoundError : file_error.ptr();
 }
 
-/// What is in memory has no lines: gates are written one a line, a config on one.
+/// The message without line numbers if the data are in memory: there, gates are written one per line and a config on a
+/// single line.
 std::string without_lines(const io::IoError& error) {
   std::string text = error.what();
   if (error.path() == kGatesInMemory)
@@ -35,7 +36,7 @@ std::string without_lines(const io::IoError& error) {
   return text;
 }
 
-/// Options of the program by the names that they have as arguments: --sigma-sys-m is sigma_sys_m.
+/// The message with options of the program renamed to arguments: --sigma-sys-m becomes sigma_sys_m.
 std::string with_arguments(const std::string& message) {
   static const std::regex option("--([a-z][a-z-]*[a-z])");
   std::string text;
@@ -52,8 +53,8 @@ std::string with_arguments(const std::string& message) {
 
 }  // namespace
 
-/// Errors of C++ become those of Python: a file that is missing FileNotFoundError, another fault of a file InputFileError (an
-/// OSError), a fault of the caller ValueError.
+/// Turns errors of C++ into those of Python: a missing file raises FileNotFoundError, another fault of a file InputFileError
+/// (an OSError), a fault of the caller ValueError.
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =

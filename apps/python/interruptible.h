@@ -18,7 +18,7 @@ inline bool is_main_thread() {
   return threading.attr("current_thread")().is(threading.attr("main_thread")());
 }
 
-/// Does the work, begun anew if it is stopped by the Ctrl-C of the main thread's work.
+/// Does the work outside of the main thread. If a Ctrl-C for the work of the main thread stops it, it begins anew.
 template <typename Work>
 std::invoke_result_t<Work> uninterrupted(const Work& work) {
   constexpr std::chrono::milliseconds kBetweenLooks{1};
@@ -32,7 +32,7 @@ std::invoke_result_t<Work> uninterrupted(const Work& work) {
 }
 
 /// Does the work in a thread of its own; meanwhile Python's signal handlers run, and if one raises, the work is stopped.
-/// Needs the GIL not to be held.
+/// The caller must not hold the GIL.
 template <typename Work>
 std::invoke_result_t<Work> in_a_thread(const Work& work) {
   namespace py = pybind11;

@@ -23,7 +23,7 @@ namespace {
 
 using evaluate::LineEvaluation;
 
-/// A distance, which exists of evaluated lines only.
+/// Reads a distance of a line; only evaluated lines have one.
 template <typename Member>
 auto if_evaluated(Member member) {
   return [member](const LineEvaluation& line) -> std::optional<double> {
@@ -87,7 +87,7 @@ py::list planes_list(const Judged& judged) {
   return planes;
 }
 
-/// Tables by name, as CSV.
+/// The tables as pairs of name and CSV text.
 std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
   const evaluate::Table2 table2 = evaluate::make_table2(judged.files.evaluations);
   const results::TruthRows& truth = judged.files.truth.front();

@@ -9,7 +9,7 @@
 
 namespace ridgeline::apps {
 
-/// RFC 4648, padded, no line breaks.
+/// Encodes bytes as base64 of RFC 4648, padded and without line breaks.
 std::string base64(std::span<const std::byte> bytes);
 
 /// Encodes the values as they lie in memory: little endian on every platform that is built for.

@@ -23,7 +23,7 @@ std::vector<std::optional<io::Line>> in_order_of(const std::vector<LineEvaluatio
   for (std::size_t i = 0; i < set.lines.size(); ++i) index.try_emplace(set.lines[i].id, i);
   std::vector<std::optional<io::Line>> lines(judged.size());
   for (std::size_t i = 0; i < judged.size(); ++i) {
-    // the file's own order, which ids that occur twice need; else by id
+    // the line at the same place of the file goes before another one of the same id, as ids may occur twice
     const std::string& id = judged[i].id;
     const auto found = index.find(id);
     if (i < set.lines.size() && set.lines[i].id == id) {
@@ -42,7 +42,7 @@ std::optional<Segment3> segment_in_local(const std::optional<io::Line>& line,
                   frame.local_from_world(line->segment_in_world.end)};
 }
 
-/// The file that the lines were judged from.
+/// The file with the lines that were judged.
 std::string line_file(const fs::path& evaluation,
                       const std::string& method,
                       const RunInputs& inputs) {

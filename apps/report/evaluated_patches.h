@@ -11,7 +11,7 @@
 
 namespace ridgeline::apps {
 
-/// Runs `read`; a fault, whatever it is, becomes a note: the rest of the report does not depend on
+/// Runs `read`. A fault of any kind becomes a note, because the rest of the report does not depend on
 /// it.
 template <typename Read>
 void read_or_note(ReportPatch& patch, const char* what, const Read& read) {

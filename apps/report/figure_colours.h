@@ -6,7 +6,7 @@
 namespace ridgeline::apps {
 
 /// Okabe and Ito's colours, which the colour-blind tell apart; the page uses the same (report.css,
-/// colours.ts). OpenCV's order: blue, green, red.
+/// colours.ts). The order is that of OpenCV: blue, green, red.
 namespace colour {
 inline const cv::Scalar kSkyBlue(233, 180, 86);
 inline const cv::Scalar kGreen(115, 158, 0);

@@ -52,7 +52,7 @@ void draw_mark(cv::Mat& page, const LegendEntry& entry, cv::Point at, const Layo
   }
 }
 
-/// Entries from left to right, in further rows where one is full. Returns the y below them.
+/// Draws the entries from left to right, in a new row where one is full. Returns the y below them.
 int draw_legend(cv::Mat& page, const std::vector<LegendEntry>& legend, int top, const Layout& at) {
   const int margin = at.px(24);
   int x = margin;
@@ -84,7 +84,7 @@ void draw_scale(cv::Mat& page, const FigureFrame& frame, int y, const Layout& at
   at.write(page, fmt::format("{:g} m{}", bar_m, note), {right.x + at.px(14), y + at.px(10)});
 }
 
-/// Rows that the legend needs, measured by drawing it onto a page that is thrown away.
+/// The number of pixel rows that the legend needs, measured by drawing it onto a page that is thrown away.
 int legend_height(int cols, const std::vector<LegendEntry>& legend, const Layout& at) {
   cv::Mat page(1, cols, CV_8UC3);
   return legend.empty() ? 0 : draw_legend(page, legend, 0, at) + at.px(10);

@@ -21,9 +21,9 @@ struct LegendEntry {
 struct FigureFrame {
   std::string title;  ///< ASCII
   std::vector<LegendEntry> legend{};
-  double px_per_m = 0.0;  ///< of the picture; 0: no scale bar
+  double px_per_m = 0.0;  ///< scale of the picture; 0: no scale bar
   std::string
-      scale_note{};  ///< after the length of the bar, where the scale is not the same everywhere
+      scale_note{};  ///< text after the length of the bar, if the scale varies within the picture
 };
 
 /// The picture with the title above it, and the legend and the scale bar below. CV_8UC3.

@@ -18,7 +18,7 @@ namespace {
 class SegmentPicture {
  public:
   explicit SegmentPicture(const cv::Mat& image) {
-    constexpr double kMostPixels = 4e6;  // of the image; the canvas has four times as many
+    constexpr double kMostPixels = 4e6;  // pixels of the image; the canvas has four times as many
     cv::Mat shown = image;
     scale_ = std::min(1.0, std::sqrt(kMostPixels / static_cast<double>(image.total())));
     if (scale_ < 1.0) cv::resize(image, shown, {}, scale_, scale_, cv::INTER_AREA);
@@ -46,7 +46,7 @@ class SegmentPicture {
   }
 
   [[nodiscard]] const cv::Mat& canvas() const { return canvas_; }
-  /// Pixels of the canvas for one of the image.
+  /// Pixels of the canvas for one pixel of the image.
   [[nodiscard]] double scale() const { return scale_ * canvas_scale_; }
 
  private:

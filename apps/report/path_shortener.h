@@ -12,12 +12,12 @@ namespace ridgeline::apps {
 /// sender's own business.
 class PathShortener {
  public:
-  /// `paths`: of files and folders, all in the form in which texts name them.
+  /// `paths` are files and folders, in the form in which texts name them.
   explicit PathShortener(const std::vector<std::string>& paths);
 
-  /// Each path in the folder of a known one loses that folder, wherever it stands in the text.
+  /// Removes the folders of the known paths from the text, wherever a path in one of them stands.
   void shorten(std::string& text) const;
-  /// All texts within.
+  /// Shortens all texts within `json`.
   void shorten(evaluate::Json& json) const;
 
  private:

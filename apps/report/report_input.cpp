@@ -59,7 +59,7 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
   patch.images = std::move(shown);
 }
 
-/// The part near the lines of a cloud that may cover a town. Nothing where there are no lines.
+/// The surroundings of the lines, to which a cloud is cut that may cover a town; nothing if there are no lines.
 std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   constexpr double kRadius_m = 10.0;
   std::vector<Segment2> segments;
@@ -72,7 +72,7 @@ std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   return io::PlanMask(segments, kRadius_m);
 }
 
-/// Where most of the lines lie, in plan: a few may lie far off.
+/// The box in plan around most of the lines; the few that lie far off are not in it.
 std::optional<Eigen::AlignedBox3d> box_of_lines(const ReportPatch& patch) {
   constexpr double kMargin_m = 20.0;
   constexpr double kShareCut = 0.01;
@@ -99,7 +99,7 @@ std::optional<Eigen::AlignedBox3d> box_of_lines(const ReportPatch& patch) {
   return box;
 }
 
-/// A cloud may cover a town: only what is around the lines is kept, and of that what is shown.
+/// Reads the cloud. It may cover a town, so only points around the lines are kept, thinned to those that are shown.
 void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
                  ReportPatch& patch) {
@@ -119,7 +119,7 @@ void read_points(const std::vector<std::string>& files,
   patch.notes.insert(patch.notes.end(), cloud.warnings.begin(), cloud.warnings.end());
 }
 
-/// What the run kept of the surface, if the patch has one.
+/// Reads the points of the surface that the run kept, if there are any.
 void read_surface(const fs::path& folder, ReportPatch& patch) {
   const auto file = StageCache(folder, true).written_file(kSurfaceStage, kSurfaceFile);
   if (!file) return;
@@ -148,7 +148,7 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
   }
 }
 
-/// The data of the run, by the paths that it recorded.
+/// Reads the data of the run from the paths that it recorded.
 void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch& patch) {
   read_or_note(patch, "images and cameras are not shown", [&] {
     patch.patch = inputs.patch(patch.id);
@@ -185,7 +185,7 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
   }
 }
 
-/// Knows all paths that a text of the report may name.
+/// A shortener that knows all paths that a text of the report may name.
 PathShortener path_shortener(const std::string& folder,
                              const RunInputs& inputs,
                              const std::vector<ReportPatch>& patches) {

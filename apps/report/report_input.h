@@ -30,23 +30,23 @@ struct ReportMethod {
   /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
   /// gone.
   std::vector<std::optional<io::Line>> lines;
-  /// The same lines in the patch's frame; nothing for coordinates that are not finite, too.
+  /// The judged lines as segments in the patch's frame; nothing where `lines` has none or coordinates are not finite.
   std::vector<std::optional<Segment3>> segments;
-  std::vector<std::optional<double>> true_errors_m;  ///< of each line; empty without true lines
+  std::vector<std::optional<double>> true_errors_m;  ///< error of each line; empty without truth
 };
 
-/// What both images of a patch show; only if all of it is there.
+/// Both images of a patch with segments and matches. It exists only if all of these could be read.
 struct ReportImages {
   std::array<cv::Mat, 2> images;  ///< normalised
   std::array<std::vector<EdgeSegment>, 2> segments;
   std::vector<FoundMatch> matches;
-  std::optional<evaluate::MatchingScore> score;    ///< with reference matches only
+  std::optional<evaluate::MatchingScore> score;    ///< exists with reference matches
   std::map<std::string, std::size_t> n_unmatched;  ///< left segments by reason
 };
 
 struct ReportPatch {
   std::string id;
-  std::string subfolder;  ///< of its files in the folder of results: "" or "PATCH/"
+  std::string subfolder;  ///< folder of its files in the results: "" or "PATCH/"
   LocalFrame frame;
   std::vector<ReportMethod> methods;
   std::optional<io::PatchFile> patch;
@@ -54,7 +54,7 @@ struct ReportPatch {
   ShownCloud cloud;
   /// Points of the pair's surface; empty if it has none.
   std::vector<Eigen::Vector3d> surface_in_local;
-  evaluate::JudgeOptions judge;  ///< the widths of its fits
+  evaluate::JudgeOptions judge;  ///< widths that its planes were fitted with
   double max_aligned_angle_deg = kMaxAlignedAngle_deg;
   std::vector<std::string> notes;  ///< what could not be shown, and why; one sentence each
 };
@@ -65,7 +65,7 @@ struct ReportPatch {
 struct ReportInput {
   evaluate::Json run;       ///< run.json without folders; an empty object if there is none
   evaluate::Table1 table1;  ///< empty without reference matches
-  std::vector<std::string> input_paths;  ///< of the run, never to be written over
+  std::vector<std::string> input_paths;  ///< inputs of the run, which must not be written over
   std::vector<ReportPatch> patches;
 };
 

@@ -28,7 +28,7 @@ double rounded(double value, int decimals) {
   return std::round(value * scale) / scale;
 }
 
-/// Tenths of a millimetre: below what a screen or a table shows.
+/// Coordinates in tenths of a millimetre, which is finer than a screen or a table shows.
 Json coordinates(const Eigen::Vector3d& x) {
   Json json = Json::array();
   for (const double c : x) json.push_back(rounded(c, 4));
@@ -70,7 +70,7 @@ cv::Mat display_image(const cv::Mat& normalised) {
   return picture;
 }
 
-/// Angle of each segment to its epipolar line: what makes it aligned.
+/// The angle of each segment to its epipolar line, which decides whether it is aligned.
 std::string angles_base64(const std::vector<EdgeSegment>& segments,
                           const std::array<ProjectionMatrix, 2>& cameras,
                           std::size_t i) {
@@ -132,7 +132,7 @@ Json images_json(const ReportPatch& patch) {
           {"n_unmatched", patch.images->n_unmatched}};
 }
 
-/// Positions in 65535 steps of the box of the points; null without any.
+/// The points, with positions in 65535 steps of their box; null if there are none.
 Json points_json(const std::vector<Eigen::Vector3d>& x_in_local) {
   if (x_in_local.empty()) return nullptr;
   Eigen::Vector3d low = x_in_local.front();
@@ -177,7 +177,7 @@ Json plane_json(const ShownPlane& plane) {
           {"outline", std::move(outline)}};
 }
 
-/// A segment index of the matches, or null for what is none: other tools' ids are text.
+/// The id of a segment as an index, or null if it is not a number: ids of other tools are text.
 Json segment_index(const std::string& id) {
   if (id.empty() || id.size() > 9 || id.find_first_not_of("0123456789") != std::string::npos) {
     return nullptr;
@@ -191,7 +191,7 @@ Json image_segment(const std::optional<Segment2>& s) {
                       rounded(s->end.y(), 3)});
 }
 
-/// What the line file adds to the judgement.
+/// Adds what the line file knows beside the judgement.
 void add_geometry(const io::Line& line, const std::optional<Segment3>& segment, Json& json) {
   if (segment) {
     json["start"] = coordinates(segment->start);
@@ -205,7 +205,7 @@ void add_geometry(const io::Line& line, const std::optional<Segment3>& segment, 
   if (line.n_points) json["n_points"] = *line.n_points;
 }
 
-/// `json`: as evaluation.METHOD.json holds the line.
+/// A line as the page gets it. `json`: the line as evaluation.METHOD.json holds it.
 Json line_json(const ReportMethod& method, std::size_t i, Json json) {
   for (Json& plane : json.at("planes")) {
     plane.erase("normal");
@@ -254,14 +254,14 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
           {"methods", std::move(methods)}};
 }
 
-/// What is worth keeping of run.json. Without folders, which are the sender's own business, and
-/// without times, so that equal runs give equal reports.
+/// The part of run.json that the page shows. It has no folders, which are the sender's own business, and
+/// no times, so that equal runs give equal reports.
 Json run_json(const Json& run) {
   Json json = Json::object();
   for (const char* key : {"command", "versions", "options", "inputs", "messages", "page"}) {
     if (run.contains(key)) json[key] = run[key];
   }
-  // a resumed run does not meet them again; those of the cloud come from reading it
+  // the page leaves out the warnings of `run`: a resumed run does not repeat them, and reading the cloud gives its own again
   if (json.value("command", "") == "evaluate")
     json["warnings"] = run.value("warnings", Json::array());
   if (json.contains("inputs")) {

@@ -87,7 +87,7 @@ std::string RunInputs::lines_of(const std::string& method) const {
 }
 
 std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
-  std::optional<io::IoError> first_error;  // of another patch, unless the one wanted is not found
+  std::optional<io::IoError> first_error;  // thrown only if no patch has the id
   for (const std::string& path : paths("patch")) {
     try {
       io::PatchFile patch = io::read_patch(unchanged(path));

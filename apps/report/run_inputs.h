@@ -14,7 +14,7 @@
 
 namespace ridgeline::apps {
 
-/// The files that a run has read, by its run.json.
+/// The files that a run has read, as its run.json records them.
 class RunInputs {
  public:
   /// `run`: the record, or an empty object. Throws IoError naming `file` if it is no run's record.
@@ -27,12 +27,12 @@ class RunInputs {
   /// Files, folders and patterns as they stood on the command line.
   [[nodiscard]] std::vector<std::string> given_paths() const;
 
-  /// `path`, if the run did not read it or its size is as it was then. Throws IoError if it is gone
-  /// or has changed: what the figures were made from must be what is shown beside them. Of a folder
-  /// its recorded files count.
+  /// Returns `path` if the run did not read it or its size has not changed since. Throws IoError if it is gone
+  /// or has changed, because the data that are shown must be those that the figures were made from. Of a folder
+  /// the recorded files are checked.
   [[nodiscard]] std::string unchanged(const std::string& path) const;
 
-  /// The line file (or folder) given to `evaluate` whose name gives the method's; empty if none.
+  /// The line file (or folder) given to `evaluate` that the method is named after; empty if there is none.
   [[nodiscard]] std::string lines_of(const std::string& method) const;
   /// The run's patch of this id. Throws IoError if it is not found and a patch file is gone or has
   /// changed.
@@ -40,10 +40,10 @@ class RunInputs {
   [[nodiscard]] std::optional<std::string> reference_lines(
       const std::optional<io::PatchFile>& patch) const;
 
-  /// As the run had them; only what is echoed in its record.
+  /// The options that the run had, as far as its record holds them.
   [[nodiscard]] io::ReadLinesOptions lines_options() const;
   [[nodiscard]] io::ReadOptions cloud_options() const;
-  /// The widths that planes are fitted with; defaults for the rest.
+  /// The options of the judge: the widths that planes are fitted with, and defaults for the rest.
   [[nodiscard]] evaluate::JudgeOptions judge_options() const;
   [[nodiscard]] double max_aligned_angle_deg() const;
 

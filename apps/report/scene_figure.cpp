@@ -28,7 +28,7 @@ Eigen::Vector3d in_view(const Eigen::Vector3d& x) {
           std::cos(kElevation_rad) * away - std::sin(kElevation_rad) * x.z()};
 }
 
-/// What of a coordinate is shown: all of the points; of lines the middle 98 %, because some lie far
+/// The range of a coordinate that is shown: of all points, but of the middle 98 % of lines, because some lie far
 /// off.
 std::array<double, 2> range_of(std::vector<double> values, double share_cut) {
   std::sort(values.begin(), values.end());
@@ -46,7 +46,7 @@ std::vector<Segment3> segments_of(const ReportMethod& method) {
   return segments;
 }
 
-/// Scene -> canvas.
+/// A canvas, and the mapping of the scene to its pixels.
 class SceneCanvas {
  public:
   SceneCanvas(const ShownCloud& points, const std::vector<Segment3>& segments) {
@@ -100,7 +100,7 @@ cv::Scalar plane_colour(std::uint16_t plane) {
   return {c[0] * 1.0, c[1] * 1.0, c[2] * 1.0};
 }
 
-/// Far points first.
+/// Draws far points first, so that near ones cover them.
 void draw_points(const ShownCloud& points, const ShownPlanes& planes, SceneCanvas& scene) {
   std::vector<double> depth(points.x_in_local.size());
   std::vector<std::size_t> order(points.x_in_local.size());

@@ -12,15 +12,15 @@
 
 namespace ridgeline::apps {
 
-/// Points that a report shows; more are thinned.
+/// Most points that a report shows; larger clouds are thinned.
 inline constexpr std::size_t kMaxReportPoints = 200000;
 
 /// What a report shows of a patch's cloud: every k-th point, so that at most kMaxReportPoints stay.
 struct ShownCloud {
   std::string crs;
   std::uint64_t n_read = 0;    ///< records in the files
-  std::size_t n_all = 0;       ///< points kept of them
-  double points_per_m2 = 0.0;  ///< where there are any
+  std::size_t n_all = 0;       ///< points kept of these records
+  double points_per_m2 = 0.0;  ///< mean where there are points
   /// Share of the square metres of the points' box without any point; nothing if only the surroundings
   /// of lines were read.
   std::optional<double> no_data_share;

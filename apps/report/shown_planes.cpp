@@ -14,7 +14,7 @@
 namespace ridgeline::apps {
 namespace {
 
-/// One entry per plane id; indices by id.
+/// The planes of the lines, one for each id, by descending number of inliers.
 std::vector<ShownPlane> planes_of(const std::vector<evaluate::LineEvaluation>& lines) {
   std::map<std::uint64_t, ShownPlane> by_id;
   for (const evaluate::LineEvaluation& line : lines) {
@@ -35,7 +35,7 @@ std::vector<ShownPlane> planes_of(const std::vector<evaluate::LineEvaluation>& l
   return planes;
 }
 
-/// Hull of the plane's points in plan, lifted onto it.
+/// The hull of the plane's points in plan, lifted onto the plane.
 std::vector<Eigen::Vector3d> outline_of(const Plane3& plane,
                                         const std::vector<Eigen::Vector3d>& points) {
   std::vector<cv::Point2f> in_plan;

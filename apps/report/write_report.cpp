@@ -52,7 +52,7 @@ std::string title_of(const ReportInput& input) {
 
 constexpr const char* kReportFile = "report.html";
 
-/// What the report warns of beside the run, which has said its warnings.
+/// Prints the warnings of the page, except those that the run has printed.
 void warn_as_the_page(const ReportInput& input, const std::optional<evaluate::GateReport>& gates) {
   const auto said = input.run.value("warnings", std::vector<std::string>());
   for (const ReportPatch& patch : input.patches) {

@@ -10,7 +10,7 @@
 
 namespace ridgeline::apps {
 
-/// `--no-report` of the commands that write results.
+/// Adds `--no-report` to a command that writes results.
 void add_report_flag(CLI::App& app, bool& report);
 
 /// Writes report.html and the figures of each patch, fig1.png, fig7.IMAGE.png and
@@ -20,9 +20,9 @@ void add_report_flag(CLI::App& app, bool& report);
 std::string write_report(const std::string& folder,
                          const std::optional<evaluate::GateReport>& gates = std::nullopt);
 
-/// As write_report(), after a run, and says where it is. The results are complete and stand whatever becomes of
-/// the report, so that a fault of it is a warning. The report of an earlier run, which would show other figures than
-/// the tables beside it, is removed if none is wanted or it cannot be written.
+/// Writes the report after a run, as write_report() does, and prints its path. A fault of the report is a warning only,
+/// because the results are complete without it. If no report is wanted or it cannot be written, the report of an earlier run
+/// is removed: it would show other figures than the tables beside it.
 void write_report_of_run(const std::string& folder, bool is_wanted);
 
 }  // namespace ridgeline::apps

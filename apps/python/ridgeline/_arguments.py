@@ -28,7 +28,7 @@ def paths_of(value: Path | Sequence[Path], name: str = "paths") -> list[str]:
 
 
 def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[np.float64]:
-    """Contiguous doubles; masked entries become NaN. Says if float32 has lost digits of map coordinates."""
+    """Contiguous doubles; masked entries become NaN. Warns, or raises if `strict`, if float32 has lost digits of coordinates."""
     given: Any = np.asarray(array)
     if isinstance(array, np.ma.MaskedArray):
         given = np.where(array.mask, np.nan, given)
@@ -44,7 +44,7 @@ def double_of(array: ArrayLike, name: str, *, strict: bool = False) -> NDArray[n
 
 
 def _plain(value: Any) -> Any:
-    """NumPy's numbers as JSON knows them."""
+    """Turns NumPy's numbers into Python's, which JSON knows."""
     if isinstance(value, np.generic):
         return value.item()
     raise TypeError(f"{value!r} is no number, text or list")
@@ -62,7 +62,7 @@ def _group(name: str, group: Any) -> dict[str, Any]:
 
 
 def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """A config file, or a mapping as `ridgeline config` prints it, and the parameters of its group `judge`."""
+    """Entries for a config file, or a mapping as `ridgeline config` prints it, and more parameters of its group `judge`."""
     entries: dict[str, Any] = {}
     groups: dict[str, Any] = {}
     if isinstance(config, (str, os.PathLike)):
@@ -77,7 +77,7 @@ def config_entries(config: Config | None, judge: Mapping[str, Any] | None = None
 
 
 def new_file(path: Path, overwrite: bool) -> str:
-    """Nothing that stands there is lost unless the user says so."""
+    """The path as text. Raises FileExistsError if something stands there, unless the user says so."""
     if os.path.lexists(path) and not overwrite:
         raise FileExistsError(f"{os.fspath(path)}: exists already; overwrite=True replaces it")
     return os.fspath(path)

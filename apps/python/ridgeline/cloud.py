@@ -22,7 +22,7 @@ class Cloud:
         classification (ASPRS: 2 ground, 6 building), return_number, number_of_returns, flags, source_id. A part of it,
         `points[mask]`, makes a Cloud as well.
     crs: the reference system, as WKT, code or PROJ string; "" if unknown.
-    counts: points read and dropped, by reason.
+    counts: numbers of points read and dropped, by reason.
     """
 
     points: NDArray[Any]
@@ -95,9 +95,9 @@ def read_cloud(
     include_withheld: keep points that their producer marked as not to be used.
     last_returns: keep the last return of each pulse only.
     max_resolution_m: read COPC down to this point distance only; 0: all.
-    max_points: refuse to keep more; 0: no limit.
+    max_points: refuse to keep more points than this; 0: no limit.
     assume_crs: reference system of the files, whatever they state.
-    strict: refuse coordinates in steps above 0.025 m (float32, too few digits). salvage: read what is there of a file cut short.
+    strict: refuse coordinates in steps above 0.025 m (float32, too few digits). salvage: read what is left of a file cut short.
     Warns of what deserves attention. Raises FileNotFoundError, InputFileError and ValueError.
     """
     options = cloud_options(

@@ -66,7 +66,7 @@ class Result:
         """The LIDAR planes that judged lines, a dict each.
 
         id; normal (3,), upwards, and offset_m: normal . x + offset_m = 0 in map coordinates, metres; n_points and rms_m
-        of its points; n_lines judged by it; outline (k, 3), the hull of its points.
+        of its points; n_lines, how many lines it judged; outline (k, 3), the hull of its points.
         """
         return self._judged.planes()
 
@@ -78,7 +78,7 @@ class Result:
 
     @cached_property
     def tables(self) -> dict[str, list[dict[str, Any]]]:
-        """The tables by name, a dict each row: table2 and parts; tolerances; with reference lines reference_errors,
+        """The tables by name, each row a dict: table2 and parts; tolerances; with reference lines reference_errors,
         reference_completeness and wireframe. Columns as in the files of that name (docs/outputs.md)."""
         return {name: [_typed(row) for row in csv.DictReader(io.StringIO(text))] for name, text in self._judged.tables()}
 
@@ -154,21 +154,21 @@ def evaluate(
     lines: a file of any tool (see read_lines()), Lines, or an array (n, 2, 3) or (n, 6), start and end of each.
     cloud: files or patterns (see read_cloud()), a Cloud, or an array (n, 3). Coordinates are those of the map.
     patch: a patch file, whose cameras class the lines as aligned and not_aligned and show where their edges lie.
-    views, height_range_m: the same of views in memory, as for reconstruct().
-    reference_lines: true lines, as `lines`: errors, precision and completeness beside the distances.
+    views, height_range_m: views in memory in place of a patch file, as for reconstruct().
+    reference_lines: true lines, given as `lines` are; they add errors, precision and completeness.
     config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
-    bounds ... salvage: of the cloud, as for read_cloud(). vertex_pairs: as for read_lines().
+    bounds ... salvage: how the cloud is read, as for read_cloud(). vertex_pairs: as for read_lines().
     scale_to_ground: divide the plan by its scale at the data, as Web Mercator needs it; by default a plan that is not true
         to scale is refused.
-    cloud_memory_mib: for points held at a time; beyond, lines are judged in batches of neighbours.
-    name: of the patch in the tables; by default that of the patch file or the cloud.
+    cloud_memory_mib: memory for points held at a time; with larger clouds, lines are judged in batches of neighbours.
+    name: name of the patch in the tables; by default that of the patch file or the cloud.
     max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that of config, or 10.
     gross_m: a line farther off is a gross error. sigma_sys_m: systematic part of the cloud's accuracy.
-    bootstrap_replicates, bootstrap_seed, bca: of the 95 % intervals.
+    bootstrap_replicates, bootstrap_seed, bca: how the bootstrap computes the 95 % intervals.
     judge: parameters of the judge by their names in `ridgeline config`: lidar_sigma_m (range noise of the cloud),
         corridor_half_width_m, inlier_distance_m, min_points, seed, ...
     Arrays must not be changed meanwhile. Warns of what deserves attention in the inputs. Raises FileNotFoundError,
-    InputFileError, and ValueError or TypeError for a value that cannot be.
+    InputFileError, and ValueError or TypeError for an impossible value.
     """
     for option in judge:
         if option not in _core.judge_options:

@@ -15,7 +15,7 @@ from ridgeline.evaluation import Result
 
 
 def _text_of_gates(gates: Mapping[str, Any]) -> str:
-    """The i-th entry on the i-th line, so that a fault can be found."""
+    """The gates as text with the i-th entry on the i-th line, so that a fault can be found."""
     entries = ",\n".join(text_of(gate) for gate in gates.get("gates", ()))
     others = "".join(f", {text_of(key)}: {text_of(value)}" for key, value in gates.items() if key != "gates")
     return f'{{"gates": [{entries}]{others}}}'
@@ -23,7 +23,7 @@ def _text_of_gates(gates: Mapping[str, Any]) -> str:
 
 @dataclass(frozen=True)
 class GateReport:
-    """The verdicts. True if every gate passed; a gate that checked nothing has not.
+    """The verdicts. True if every gate passed; a gate that checked nothing has not passed.
 
     gates: a dict for each rule and figure: rule, patch, method, class, metric, value, limit, verdict, explanation, ...
     junit: JUnit XML. markdown: for the page of a CI job. text: what print() shows, in aligned columns.
@@ -51,9 +51,9 @@ def gate(
 ) -> GateReport:
     """Checks figures against limits, as `ridgeline gate` does.
 
-    results: of evaluate(), or the folder that evaluate, run or Result.write() wrote.
+    results: what evaluate() returned, or the folder that evaluate, run or Result.write() wrote.
     gates: a gates file (docs/gates.md), or its entries: [{"class": "total", "metric": "rms_m", "max": 0.3}, ...].
-    baseline: folder of an earlier run on the same data, for gates that refer to it; results are then a folder as well.
+    baseline: folder of an earlier run on the same data, for gates that refer to it; results must then be a folder as well.
         Both must have been judged from files: a run on arrays records no hash of its data.
     Raises ValueError for a gate that cannot decide, FileNotFoundError and InputFileError.
     """

@@ -21,7 +21,7 @@ TEXTS = ("ids", "line_class", "status", "method", "kind", "building")
 
 @dataclass(eq=False, repr=False)
 class Lines:
-    """3D line segments with what is known of them; None, "" and NaN where there is nothing.
+    """3D line segments with what is known of them; what is not known is None, "" or NaN.
 
     Texts are arrays (n,), so that `lines[lines.status == "joint"]` makes Lines of a part.
 
@@ -60,7 +60,7 @@ class Lines:
         return len(self.segments)
 
     def __getitem__(self, index: Any) -> Lines:
-        """The lines of a mask, a slice or an array of places."""
+        """The lines of a mask, a slice or an array of indices."""
         if isinstance(index, (int, np.integer)):
             raise TypeError("lines[i] makes Lines of a part; one line is lines[[i]]")
         part: dict[str, Any] = {"crs": self.crs}
@@ -81,7 +81,7 @@ class Lines:
 
 
 def _texts(texts: Any, name: str) -> NDArray[np.str_]:
-    """One for each line; numbers become texts."""
+    """An array of texts, one for each line; numbers become texts."""
     if isinstance(texts, (str, bytes)):
         raise TypeError(f"{name}: {texts!r}, must be a list of texts, one for each line")
     given = list(texts)
@@ -91,7 +91,7 @@ def _texts(texts: Any, name: str) -> NDArray[np.str_]:
 
 
 def segments_of(array: ArrayLike) -> NDArray[np.float64]:
-    """(n, 2, 3) of (n, 2, 3) or (n, 6)."""
+    """Segments (n, 2, 3) from an array (n, 2, 3) or (n, 6)."""
     segments = double_of(array, "lines")
     if segments.size == 0:
         return segments.reshape(0, 2, 3)
@@ -121,7 +121,7 @@ def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False) 
 def write_lines(path: Path, lines: Lines | ArrayLike, *, format: str | None = None, overwrite: bool = False) -> int:
     """Writes lines with their attributes. Returns the number of lines left out because they have no geometry.
 
-    format: by its name in `ridgeline reconstruct --help`; by default by the ending of the path.
+    format: a name that `ridgeline reconstruct --help` lists; by default the ending of the path tells it.
     Raises FileExistsError unless overwrite.
     """
     given = lines if isinstance(lines, Lines) else Lines(segments_of(lines))

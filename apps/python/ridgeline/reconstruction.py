@@ -23,7 +23,7 @@ class View:
     image: (height, width) or (height, width, bands), uint8 or uint16, 1 to 4 bands.
     matrix: (3, 4), takes homogeneous map coordinates (x, y, z, 1) to homogeneous pixels (column, row, 1). The middle of
         the top-left pixel is (0, 0).
-    id: for messages.
+    id: name of the view in messages.
     """
 
     image: NDArray[Any]
@@ -59,7 +59,7 @@ def reconstruct(
 ) -> Lines:
     """Reconstructs the 3D lines that two oriented images show, as `ridgeline reconstruct` does.
 
-    views: two of them, the first is the base image; or a patch file, which has heights and reference system as well.
+    views: two views, the first is the base image; or a patch file, which has heights and reference system as well.
     height_range_m: lowest and highest height of objects, in metres of the map.
     method: "direct", "joint", "network", or "planes" for the ridges, hips and valleys that no edge shows.
     preset: "default" (the best known) or "published" (the papers').

@@ -20,7 +20,7 @@ import { LineTable } from './views/line_table';
 import { PatchImages } from './views/patch_images';
 import { provenance } from './views/provenance';
 
-/** Points and what became of the lines. */
+/** Sentences on the points and on what became of the lines. */
 function factsOf(patch: Patch): string {
   const { points } = patch;
   const cloud = points ? `${points.n_all.toLocaleString('en')} LIDAR points of ${points.n_read.toLocaleString('en')} read, ${fixed(points.per_m2, 1)} per m²${points.no_data_share === null ? '' : `, ${percent(points.no_data_share)} % of the area without any`}. ` : '';
@@ -141,7 +141,7 @@ const root = document.getElementById('app')!;
 try {
   const state = new State(readReport());
   const page = new Page(state, root);
-  // for tests and for the console
+  // tests and the console use this
   Object.assign(globalThis, { ridgeline: { state, scene: page.sceneView } });
   document.documentElement.dataset['ready'] = 'true';
 } catch (error) {

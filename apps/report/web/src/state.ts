@@ -6,12 +6,12 @@ export interface Selection {
   patch: number;
   method: number;
   line: number | null; // index in the method's lines
-  match: number | null; // under review
+  match: number | null; // index of the match under review
 }
 
 type Listener = (now: Selection, before: Selection) => void;
 
-/** What is selected, everywhere at once. */
+/** What is selected; all parts of the page share it. */
 export class State {
   private selection: Selection = { patch: 0, method: 0, line: null, match: null };
   private readonly listeners: Listener[] = [];
@@ -51,14 +51,14 @@ export class State {
     this.set({ patch, method: same >= 0 ? same : productIndex(this.report, chosen), line: null, match: null });
   }
 
-  /** The other method's line of the same id stays selected. */
+  /** Chooses a method. Its line of the same id stays selected. */
   chooseMethod(method: number): void {
     const id = this.line?.id;
     const line = id === undefined ? -1 : this.patch.methods[method]!.lines.findIndex((l) => l.id === id);
     this.set({ method, line: line < 0 ? null : line });
   }
 
-  /** Line of the method that a left segment was made into. */
+  /** Index of the line that was made of a segment of an image; null if there is none. */
   lineOfSegment(view: 0 | 1, segment: number): number | null {
     const index = this.method.lines.findIndex((l) => (view === 0 ? l.left : l.right) === segment);
     return index < 0 ? null : index;

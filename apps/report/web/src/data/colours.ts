@@ -58,15 +58,15 @@ export function distanceColour(line: Line): string {
   return distanceSteps.find((step) => d <= step.upTo_m)?.colour ?? okabeIto.grey;
 }
 
-/** What is selected, in no scale of lines or planes. */
+/** The colour of what is selected; no line or plane has it otherwise. */
 export const selectionColour = '#e6007e';
 
-/** Planes, neighbours in the list far apart; the largest, mostly the ground, is grey. Pale, so that no plane has the
- * colour of a line; write_results.cpp has the same. `deep`: for small drawings on white. */
+/** Colours of planes: neighbours in the list are far apart, and the largest plane, mostly the ground, is grey. They are pale,
+ * so that no plane has the colour of a line; write_results.cpp has the same. The deep ones are for small drawings on white. */
 const planePalette = ['#b9b1a7', '#c3d3e3', '#e0cfae', '#c5d6b8', '#dfdcb4', '#bfc6dc', '#e0c4bd', '#d9c6d2'] as const;
 const deepPalette = ['#8d857b', '#5f86ad', '#a88a4c', '#6f9356', '#9a9540', '#6470a3', '#ad6c5d', '#97718a'] as const;
 export const planeColour = (index: number, deep = false): string => (deep ? deepPalette : planePalette)[index % planePalette.length]!;
 export const noPlaneColour = (): string => (isDark() ? '#8a8d92' : '#c9c9c9');
 
-/** Points of the surface, from the lowest (0) to the highest (1): violet, which no plane and no line has. */
+/** The colour of a point of the surface, from the lowest (0) to the highest (1): violet, which no plane and no line has. */
 export const surfaceColour = (height: number): string => `hsl(260, ${48 + 22 * height}%, ${58 + 20 * height}%)`;

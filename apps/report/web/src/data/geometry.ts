@@ -4,14 +4,14 @@ import type { ImageSegment, Triple } from './schema';
 export type Point2 = [number, number];
 export type LineCoefficients = [number, number, number];
 
-/** Pixel of a local point; P row by row. */
+/** Pixel of a local point; P is stored row by row. */
 export function project(P: readonly number[], x: Triple): Point2 {
   const row = (r: number): number =>
     P[4 * r]! * x[0] + P[4 * r + 1]! * x[1] + P[4 * r + 2]! * x[2] + P[4 * r + 3]!;
   return [row(0) / row(2), row(1) / row(2)];
 }
 
-/** F x, the epipolar line in the other image; transposed for the way back. */
+/** The epipolar line F x of a left point in the right image; `transposed`: that of a right point in the left image. */
 export function epipolarLine(F: readonly number[], x: Point2, transposed: boolean): LineCoefficients {
   const at = (r: number, c: number): number => (transposed ? F[3 * c + r]! : F[3 * r + c]!);
   const row = (r: number): number => at(r, 0) * x[0] + at(r, 1) * x[1] + at(r, 2);

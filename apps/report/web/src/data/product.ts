@@ -6,7 +6,7 @@ const byRank = ['network', 'joint', 'direct'];
 
 export const isOfFiles = (report: Report): boolean => report.run.command === 'evaluate';
 
-/** Of several methods the best that was run; of several line files the first, whatever it is called. */
+/** The product is the best method that was run, or the first of several line files, whatever it is called. */
 export function productIndex(report: Report, patch: Patch): number {
   if (isOfFiles(report)) return 0;
   for (const name of byRank) {
@@ -18,7 +18,7 @@ export function productIndex(report: Report, patch: Patch): number {
 
 export const product = (report: Report, patch: Patch): Method | undefined => patch.methods[productIndex(report, patch)];
 
-/** Rows of class `total` of each patch's product. */
+/** The rows of class `total` of each patch's product. */
 export function productRows(report: Report): Table2Row[] {
   return report.patches.flatMap((patch) => {
     const name = product(report, patch)?.name;

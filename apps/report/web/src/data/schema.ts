@@ -28,7 +28,7 @@ export interface Summary {
   gross_share: number | null;
   n_outliers: number;
   rms_without_outliers_m: number | null;
-  /** Ridges and hips with horizontal and vertical parts. */
+  /** Number of ridges and hips with horizontal and vertical parts. */
   n_parts: number;
   rmse_horizontal_m: number | null;
   rmse_vertical_m: number | null;
@@ -84,7 +84,7 @@ export interface IsoMeasure {
   n: number;
 }
 
-/** One class in the terms of standards. */
+/** The figures of one class in the terms of standards. */
 export interface Standards {
   asprs: {
     n: number;
@@ -168,7 +168,7 @@ export interface Method {
   accuracy: Record<string, Accuracy>;
   calibration: Calibration;
   strata: Record<string, Stratum[]>;
-  /** By class. */
+  /** The figures by class. */
   standards?: Record<string, Standards>;
   lines: Line[];
   planes: Plane[];
@@ -211,7 +211,7 @@ export interface PointSet {
   positions: string;
 }
 
-/** Of the cloud that lines were judged by. */
+/** Points of the cloud that lines were judged by. */
 export interface Points extends PointSet {
   n_read: number;
   n_all: number;
@@ -228,7 +228,7 @@ export interface Patch {
   notes: string[];
   images: Images | null;
   points: Points | null;
-  /** What dense matching of the two images knows. */
+  /** The points that dense matching of the two images found. */
   surface: PointSet | null;
   methods: Method[];
 }
@@ -252,13 +252,13 @@ export interface Report {
   note: string;
   run: {
     command?: string;
-    /** What the operator wants on top. */
+    /** Texts that the operator wants on top of the page. */
     page?: { title?: string; project?: string; operator?: string; date?: string };
     versions?: Record<string, string>;
     options?: Record<string, unknown>;
     inputs?: { role: string; path: string; bytes: number; sha256: string }[];
     warnings?: string[];
-    /** What the whole run came to, where its tables do not say it. */
+    /** Sentences on what the whole run came to that its tables do not tell. */
     messages?: string[];
   };
   gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;

@@ -41,7 +41,7 @@ export class Review {
       const value: unknown = JSON.parse(localStorage.getItem(this.storageKey) ?? 'null');
       if (isStored(value)) this.stored = value;
     } catch {
-      // no storage here: the review lasts as long as the page
+      // the browser gives no storage: the review lasts as long as the page
     }
   }
 
@@ -70,7 +70,7 @@ export class Review {
     return this.stored.verdicts[keyOf(match)] ?? null;
   }
 
-  /** By eye once a review has begun, else by the reference. */
+  /** The verdict of a match: by eye once a review has begun, else by the reference. */
   verdictOf(match: Match): string {
     if (this.hasBegun || this.isActive) return this.eyeVerdict(match) ?? 'unjudged';
     return match.verdict ?? 'unjudged';
@@ -141,7 +141,7 @@ export class Review {
     return this.stored.added.length;
   }
 
-  /** As `run` counts: a left segment with a false match is false, not missed as well. */
+  /** The numbers of verdicts, counted as `run` does: a left segment with a false match is false, not missed as well. */
   counts(): { correct: number; false: number; unsure: number; missed: number } {
     const n = { correct: 0, false: 0, unsure: 0, missed: 0 };
     const isFalse = new Set<number>();
@@ -154,8 +154,8 @@ export class Review {
     return n;
   }
 
-  /** Rows of reference_matches.csv, which `run` reads: edges by their segments in both images. Those
-   * that nobody is sure of are no reference. */
+  /** Rows of reference_matches.csv, which `run` reads: edges by their segments in both images. Matches
+   * that nobody is sure of are left out. */
   rows(): (string | number)[][] {
     const ends = ['x1_px', 'y1_px', 'x2_px', 'y2_px'];
     const rows: (string | number)[][] = [['id', 'verdict', ...ends.map((e) => `left_${e}`), ...ends.map((e) => `right_${e}`)]];
@@ -190,7 +190,7 @@ export class Review {
     try {
       localStorage.setItem(this.storageKey, JSON.stringify(this.stored));
     } catch {
-      // as above
+      // the browser gives no storage
     }
   }
 

@@ -7,7 +7,7 @@ import { classColour, distanceColour, selectionColour, statusColour } from '../d
 import type { Line } from '../data/schema';
 
 export type LineColouring = 'class' | 'status' | 'distance';
-/** Place on the screen and depth. */
+/** Gives the place of a point on the screen and its depth. */
 type Project = (x: Vector3) => [number, number, number] | null;
 
 const colourOf: Record<LineColouring, (line: Line) => string> = {

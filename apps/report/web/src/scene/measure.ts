@@ -5,7 +5,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { fixed } from '../ui/format';
 
-/** Distances between two clicks on lines or points. */
+/** Measures distances between two clicks on lines or points. */
 export class Measure {
   readonly object = new Group();
   onChange: (text: string) => void = () => undefined;

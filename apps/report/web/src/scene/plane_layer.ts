@@ -26,7 +26,7 @@ function geometryOf(planes: readonly { plane: Plane; colour: string }[]): Buffer
   return geometry;
 }
 
-/** Translucent patches; those of the selected line stand out. */
+/** The planes as translucent patches; those of the selected line stand out. */
 export class PlaneLayer {
   readonly object = new Group();
   private readonly all = new Mesh(new BufferGeometry(), material(0.16));

@@ -9,13 +9,13 @@ export interface PointColours {
   colourOf: (pointClass: number) => string;
 }
 
-/** By the plane that lines were judged by; 0: none. */
+/** Colours points by the plane that lines were judged by; 0: none. */
 export function planeColours(method: Method): PointColours {
   const planes = uint16(method.plane_of_point);
   return { classOf: (point) => planes[point]!, colourOf: (plane) => (plane === 0 ? noPlaneColour() : planeColour(plane - 1)) };
 }
 
-/** By height, in steps between the heights that all but a few points have: matching errs by many metres at times. */
+/** Colours points by height, in steps over the range of all but a few points, as matching errs by many metres at times. */
 export function heightColours(points: PointSet): PointColours {
   const steps = 16;
   const heights = uint16(points.positions).filter((_, i) => i % 3 === 2);

@@ -5,12 +5,12 @@ import { uint16 } from '../data/decode';
 import type { PointSet } from '../data/schema';
 import type { PointColours } from './point_colours';
 
-/** Place on the screen and depth. */
+/** Gives the place of a point on the screen and its depth. */
 type Project = (x: Vector3) => [number, number, number] | null;
 
 type Bytes = [number, number, number];
 
-/** In the renderer's linear scale; dimmed on a dark background, so that lines stand out. */
+/** A colour in the renderer's linear scale. It is dimmed on a dark background, so that lines stand out. */
 const bytesOf = (colour: string): Bytes => new Color(colour).multiplyScalar(isDark() ? 0.3 : 1).toArray().map((v) => Math.round(255 * v)) as Bytes;
 
 /** A permutation of 0 .. n-1 that spreads neighbours: any first part of it covers the whole. */
@@ -19,7 +19,7 @@ function spread(n: number): (i: number) => number {
   return (i) => (i * step) % n;
 }
 
-/** Points of one origin. */
+/** Points of one source, LIDAR or surface. */
 export class PointLayer {
   readonly object = new Points(new BufferGeometry(), new PointsMaterial({ size: 3, sizeAttenuation: false, vertexColors: true }));
   private positions = new Uint16Array();
@@ -32,7 +32,7 @@ export class PointLayer {
       this.source = points;
       this.positions = points ? uint16(points.positions) : new Uint16Array();
       const n = this.positions.length / 3;
-      // four values a point: graphics memory is read by words
+      // a point has four values, because graphics memory is read by words
       const padded = new Uint16Array(4 * n);
       const from = spread(n);
       for (let i = 0; i < n; ++i) padded.set(this.positions.subarray(3 * from(i), 3 * from(i) + 3), 4 * i);
@@ -70,7 +70,7 @@ export class PointLayer {
     this.object.geometry.setDrawRange(0, share < 1 ? Math.ceil((share * this.positions.length) / 3) : Infinity);
   }
 
-  /** Of the points shown within 8 pixels of a place on the screen the nearest to the eye. */
+  /** The point nearest to the eye among those shown within 8 pixels of a place on the screen. */
   pointNear(at: [number, number], project: Project): { x: Vector3; depth: number } | null {
     const { source } = this;
     if (!source || !this.object.visible) return null;

@@ -42,7 +42,7 @@ export class ScenePanel {
         this.updateLegend();
       }
       this.view?.select(now.line);
-      // what was picked in the view is in sight
+      // a line that was picked in the view is in sight already
       if (now.line !== null && now.line !== before.line && !this.isPicking) this.view?.centreOn(now.line);
     });
   }
@@ -82,7 +82,7 @@ export class ScenePanel {
     this.updateLegend();
   }
 
-  /** Where nobody has chosen, the surface stands in for LIDAR. */
+  /** Shows or hides the surface. Until the reader has chosen, it is shown only if there is no LIDAR. */
   private updateSurface(): void {
     const { view, state: { patch } } = this;
     if (!view) return;

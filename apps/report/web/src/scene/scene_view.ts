@@ -28,7 +28,7 @@ export class SceneView {
   private frame = 0;
   private isMoving = false;
   private lastFrame = 0;
-  private share = 1; // of the points drawn
+  private share = 1; // share of the points that is drawn
   private width = 1;
   private height = 1;
   /** Frames drawn so far, for tests and measurements. */
@@ -62,7 +62,7 @@ export class SceneView {
     this.look('oblique');
   }
 
-  /** Another method of the same patch: the view stays. */
+  /** Shows another method of the same patch without moving the view. */
   showMethod(patch: Patch, method: Method): void {
     this.fill(patch, method);
     this.redraw();
@@ -184,7 +184,7 @@ export class SceneView {
     this.render();
   }
 
-  /** Of the LIDAR points, else those of the surface; without any, of the lines but the farthest. */
+  /** Finds the box of the LIDAR points, else of the surface; without points, of the lines except the farthest. */
   private findBox(patch: Patch, method: Method): void {
     this.box.makeEmpty();
     const points = patch.points ?? patch.surface;
@@ -200,13 +200,13 @@ export class SceneView {
     this.box.expandByPoint(new Vector3(range[0]![1], range[1]![1], range[2]![1]));
   }
 
-  /** Pixels and depth. */
+  /** Pixels and depth of a point; null if the camera does not see it. */
   private toScreen(x: Vector3): [number, number, number] | null {
     const p = this.content.localToWorld(x.clone()).project(this.camera);
     return p.z > 1 || p.z < -1 ? null : [((p.x + 1) / 2) * this.width, ((1 - p.y) / 2) * this.height, p.z];
   }
 
-  /** Of all points shown that are near a place on the screen the nearest to the eye. */
+  /** The point nearest to the eye among all points shown near a place on the screen. */
   private pointNear(at: [number, number], project: (x: Vector3) => [number, number, number] | null): Vector3 | null {
     const near = [this.points, this.surface].flatMap((layer) => layer.pointNear(at, project) ?? []);
     return near.sort((a, b) => a.depth - b.depth)[0]?.x ?? null;

@@ -48,7 +48,7 @@ export function button(text: string, onclick: () => void, attributes: Attributes
   return h('button', { type: 'button', onclick, ...attributes }, text);
 }
 
-/** Choices of which one holds. */
+/** A menu from which one option is chosen. */
 export function choice<T extends string>(
   label: string,
   options: readonly { value: T; text: string }[],
@@ -67,7 +67,7 @@ export function checkbox(label: string, checked: boolean, onchange: (on: boolean
   return h('label', { class: 'field', ...attributes }, input, h('span', {}, label));
 }
 
-/** Buttons of which one is pressed. */
+/** A row of buttons, one of which is pressed. */
 export function tabs(label: string, names: readonly string[], chosen: () => number, onchoose: (index: number) => void): { element: HTMLElement; update: () => void } {
   const buttons = names.map((name, i) => button(name, () => onchoose(i), { class: 'tab' }));
   const update = (): void => buttons.forEach((b, i) => b.setAttribute('aria-pressed', String(i === chosen())));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The digits of table2.md: metres with three decimals, shares in percent with one.
+// Numbers with the digits of table2.md: metres with three decimals, shares in percent with one.
 
 type Maybe = number | null | undefined;
 

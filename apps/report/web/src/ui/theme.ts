@@ -2,7 +2,7 @@
 import { isDark } from '../data/colours';
 import { button } from './dom';
 
-/** Follows the system until the button is pressed. */
+/** A button that changes the theme. The page follows the system until it is pressed. */
 export function themeButton(onchange: () => void): HTMLButtonElement {
   const text = (): string => (isDark() ? 'Light' : 'Dark');
   const toggle = button(text(), () => {

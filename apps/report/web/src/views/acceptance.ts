@@ -59,7 +59,7 @@ function keyFigure(report: Report): HTMLElement | null {
     h('div', {}, h('strong', {}, `RMS distance of the lines${leading ? ` of ${leading}` : ''} from LIDAR planes`), h('p', { class: 'caption' }, `${about.join('; ')}.`), parts(rows)));
 }
 
-/** Horizontal and vertical, where one patch has ridges. */
+/** The horizontal and vertical errors of ridges, if there is only one patch and it has ridges. */
 function parts(rows: readonly Summary[]): HTMLElement | null {
   const [row] = rows;
   if (rows.length !== 1 || !row || !row.n_parts) return null;

@@ -37,7 +37,7 @@ function curve(label: string, stroke: string, dash: number[] = [], width = 2): S
   return { label, stroke, dash, width, points: { show: false }, spanGaps: true };
 }
 
-/** Circles, or crosses for aligned lines. */
+/** A series of circles, or of crosses for aligned lines. */
 function cloud(lineClass: string): Series {
   const colour = classColour(lineClass);
   const isAligned = lineClass === 'aligned';
@@ -45,7 +45,7 @@ function cloud(lineClass: string): Series {
     points: { show: true, size: isAligned ? 7 : 5, width: 1.2, stroke: colour, fill: isAligned ? 'transparent' : colour } };
 }
 
-/** Several sets of points over the union of their x. */
+/** Joins several sets of points over the union of their x. */
 function join(sets: readonly { x: readonly number[]; y: readonly (number | null)[] }[]): Data {
   return uPlot.join(sets.map((s) => {
     const order = s.x.map((_, i) => i).sort((a, b) => s.x[a]! - s.x[b]!);

@@ -9,7 +9,7 @@ import { ImageCanvas } from './image_canvas';
 import { paintEpipolar } from './image_pair';
 import type { PatchImages, ViewIndex } from './patch_images';
 
-/** With the 95 % interval. */
+/** A value with its 95 % interval. */
 const plusMinus = (value_m: number, variance_m2: number): string => `${metres(value_m)} ± ${metres(1.96 * Math.sqrt(variance_m2))} m`;
 
 function facts(line: Line): HTMLElement {

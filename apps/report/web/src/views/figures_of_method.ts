@@ -51,7 +51,7 @@ function strataTable(by: string, strata: readonly Stratum[]): HTMLElement {
   return table(columns, strata);
 }
 
-/** The lines that both methods have evaluated: there alone do their figures compare. */
+/** Compares two methods on the lines that both have evaluated; their other figures belong to different lines. */
 function pairedText(method: Method, other: Method): string {
   const distances = new Map(other.lines.map((l) => [l.id, l.mean_distance_m]));
   const pairs = method.lines.flatMap((l) => {

@@ -9,7 +9,7 @@ const unique = (names: readonly string[]): string[] => [...new Set(names)];
 
 const hasFigures = (report: Report): boolean => report.table2.some((row) => row.rms_m !== null);
 
-/** In place of figures that there are none of. */
+/** The sentences that stand in place of missing figures. */
 export const messages = (report: Report): HTMLElement[] =>
   (report.run.messages ?? []).map((text) => h('p', { class: 'message', role: 'status' }, text));
 

@@ -173,7 +173,7 @@ export class ImagePair {
     this.state.set({ line: nearest === null ? this.lineAt(v, x, reach_px) : this.state.lineOfSegment(v, nearest) });
   }
 
-  /** Lines of other tools have no segments in the report, but may state theirs. */
+  /** The line at a place in an image. Lines of other tools have no segments in the report, but may state their own. */
   private lineAt(v: ViewIndex, x: Point2, reach_px: number): number | null {
     const { images } = this;
     let best: number | null = null;
@@ -196,7 +196,7 @@ export class ImagePair {
   }
 }
 
-/** Epipolar lines of both ends of the other image's segment. */
+/** Draws the epipolar lines of both ends of the other image's segment. */
 export function paintEpipolar(v: ViewIndex, canvas: ImageCanvas, images: PatchImages, other: ImageSegment | null): void {
   if (!other) return;
   for (const end of [[other[0], other[1]], [other[2], other[3]]] as Point2[]) {

@@ -36,7 +36,7 @@ const columns: readonly LineColumn[] = [
 
 const isNumeric = (c: LineColumn, lines: readonly Line[]): boolean => lines.some((l) => typeof c.value(l) === 'number');
 
-/** Missing values last, whatever the direction; ids in the order people count. */
+/** Compares two lines by a column. Missing values come last in either direction; ids are in the order people count. */
 function compare(a: Line, b: Line, column: LineColumn, descending: boolean): number {
   const x = column.value(a);
   const y = column.value(b);
@@ -150,7 +150,7 @@ export class LineTable {
     return line === null ? null : this.body.querySelector<HTMLElement>(`tr[data-line="${line}"]`);
   }
 
-  /** A line beyond the rows shown brings the rest of them. */
+  /** Shows all rows if the selected line is beyond those shown. */
   private reveal(): void {
     const { line } = this.state.now;
     if (line !== null && !this.rowOf(line) && this.filtered().includes(line)) {
@@ -170,7 +170,7 @@ export class LineTable {
     if (row && scroll) this.scrollTo(row);
   }
 
-  /** Within the table only: the page stays where the reader is. */
+  /** Scrolls to a row within the table only: the page stays where the reader is. */
   private scrollTo(row: HTMLElement): void {
     const box = this.body.closest('.scroll');
     if (!box) return;

@@ -46,7 +46,7 @@ export class PatchImages {
     return this.matchesOf[view].get(segment) ?? null;
   }
 
-  /** The line's segment in an image: extracted, else what its file states. */
+  /** The line's segment in an image: the extracted one, else the one that its file states. */
   segmentOfLine(view: ViewIndex, line: Line): ImageSegment | null {
     const index = view === 0 ? line.left : line.right;
     const extracted = typeof index === 'number' ? this.segment(view, index) : null;

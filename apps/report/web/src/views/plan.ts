@@ -22,7 +22,7 @@ export function roundLength(length: number): number {
 
 interface Box { left: number; bottom: number; width: number; height: number }
 
-/** Around the lines but the few that lie far from all others. */
+/** The box around the lines, except the few that lie far from all others. */
 function boxOf(lines: readonly Line[]): Box {
   const range = (axis: 0 | 1): [number, number] => {
     const values = lines.flatMap((l) => [l.start![axis], l.end![axis]]).sort((a, b) => a - b);

@@ -44,7 +44,7 @@ function crop(images: PatchImages, line: Line): HTMLCanvasElement | null {
   return element;
 }
 
-/** Laser points within the ends of the line and 6 m of it, seen along it; the line is a cross. */
+/** The laser points between the ends of the line and within 6 m of it, seen along the line, which is a cross. */
 function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Array, line: Line): HTMLCanvasElement | null {
   if (!line.start || !line.end) return null;
   const reach_m = 6;
