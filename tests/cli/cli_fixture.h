@@ -55,7 +55,7 @@ class Cli : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// With a small rendered pair in `pair/`, made in each test that needs it.
+/// A fixture with a small rendered pair in `pair/`, made in each test that needs it.
 class SmallPair : public Cli {
  protected:
   void SetUp() override {

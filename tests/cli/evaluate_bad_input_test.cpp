@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* kLines = "scene/lines.good.geojson";
 
-/// Bytes of a LAS 1.4 header.
+/// Where fields of a LAS 1.4 header begin, bytes.
 constexpr std::size_t kLegacyPointCountAt = 107, kPointCountAt = 247, kOffsetToPointsAt = 96;
 
 class EvaluateBadInput : public Cli {
@@ -21,7 +21,7 @@ class EvaluateBadInput : public Cli {
     return run({"evaluate", "--lines", kLines, "--cloud", cloud, "--out", "out"});
   }
 
-  /// The scene's good lines, moved and in another reference system, as `name`.
+  /// Writes the scene's good lines as `name`, moved and in another reference system.
   void write_lines(const std::string& name,
                    double shift_x_m,
                    double shift_z_m,

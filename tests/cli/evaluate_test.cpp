@@ -127,7 +127,7 @@ TEST_F(Evaluate, OutputDoesNotDependOnTheThreads) {
   ASSERT_EQ(evaluate("scene/lines.fair.geojson", "two", {"--jobs", "2"}).exit_code, 0);
   EXPECT_EQ(names_in(path("one")), names_in(path("two")));
   for (const std::string& name : names_in(path("one"))) {
-    if (name == "run.json") continue;  // times and memory
+    if (name == "run.json") continue;  // it holds times and memory
     EXPECT_TRUE(read(path("one") / name) == read(path("two") / name)) << name;
   }
 }

@@ -18,7 +18,7 @@ using testing::StartsWith;
 
 class ExtractCommand : public Cli {
  protected:
-  /// A white square on grey.
+  /// Writes a white square on grey.
   void write_square(std::string_view name) const {
     cv::Mat image(200, 200, CV_8UC3, cv::Scalar::all(90));
     image(cv::Rect(60, 60, 80, 80)).setTo(cv::Scalar::all(180));

@@ -32,7 +32,7 @@ class Feet : public Cli {
     return points;
   }
 
-  /// The roof as text without a reference system, coordinates times `scale`.
+  /// Writes the roof as text without a reference system, with coordinates times `scale`.
   void write_cloud(const std::string& name, double scale) const {
     std::string text;
     for (const Eigen::Vector3d& x : roof_points_m()) {
@@ -42,7 +42,7 @@ class Feet : public Cli {
     write(path(name), text);
   }
 
-  /// The roof in feet, as its reference system says.
+  /// Writes the roof in feet, with a reference system that says so.
   void write_cloud_in_feet(const std::string& name) const {
     const double scale = 1.0 / kFoot_m;
     const LocalFrame frame{{std::round(scale * 513000.0), std::round(scale * 5403000.0), 0.0}};
@@ -145,7 +145,7 @@ TEST_F(Feet, MissingDataOfProjAreNamedAsTheCause) {
   const std::vector<std::string> nowhere{"PROJ_LIB=/nonexistent", "PROJ_DATA=/nonexistent"};
   EXPECT_REFUSED(run({"info", "scene/truth.geojson"}, nowhere),
                  AllOf(HasSubstr("proj.db"), HasSubstr("PROJ_DATA"), HasSubstr("/nonexistent")));
-  const ProgramResult wkt = run({"info", "scene/lidar.las"}, nowhere);  // needs no data base
+  const ProgramResult wkt = run({"info", "scene/lidar.las"}, nowhere);  // WKT needs no data base
   EXPECT_EQ(wkt.exit_code, 0);
   EXPECT_EQ(wkt.err, "");
 }

@@ -59,7 +59,7 @@ TEST_F(Gate, ClassThatCannotExistSaysHowToGetIt) {
   nlohmann::json lines = read_json(path("scene/lines.good.geojson"));
   for (nlohmann::json& feature : lines["features"]) {
     feature["properties"].erase("class");
-    feature["properties"].erase("epipolar_angle_deg");  // a class follows from it
+    feature["properties"].erase("epipolar_angle_deg");  // otherwise it gives a class
   }
   write(path("plain.geojson"), lines.dump());
   ASSERT_EQ(evaluate("plain.geojson", "results").exit_code, 0);

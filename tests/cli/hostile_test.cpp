@@ -25,7 +25,7 @@ class Hostile : public Cli {
     return (shared_data("hostile") / name).string();
   }
 
-  /// An answer or a clear error within the limits.
+  /// Expects an answer or a clear error within the limits.
   static void expect_in_bounds(const ProgramResult& result, const std::string& what) {
     EXPECT_THAT(result.exit_code, AnyOf(0, 1)) << what << ": " << result.err;
     EXPECT_TRUE(result.exit_code == 0 || is_refusal(result)) << what;

@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// Nothing is decoded: a start of the program and a header.
+// Limits for the start of the program and the reading of a header, since nothing is decoded.
 constexpr double kMostSeconds = test::kIsSanitized ? 30.0 : 3.0;
 constexpr double kMostMemory_mib = test::kIsSanitized ? 2048.0 : 256.0;
 
 class ImageLimits : public Cli {
  protected:
-  /// `extract` refuses the file before it decodes anything.
+  /// Expects that `extract` refuses the file before it decodes anything.
   void expect_refused_at_once(const std::string& file, const std::string& why) const {
     const ProgramResult result = run({"extract", file, "--out", "segments.csv"});
     EXPECT_REFUSED(result, AllOf(HasSubstr(file), HasSubstr(why)));

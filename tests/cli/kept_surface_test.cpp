@@ -28,7 +28,7 @@ class KeptSurface : public Cli {
     return run(words);
   }
 
-  /// Millimetres, which LAS keeps.
+  /// The points in millimetres, which LAS keeps.
   [[nodiscard]] std::multiset<std::tuple<long, long, long>> points(const std::string& file) const {
     io::ReadOptions options;
     options.frame = LocalFrame{};

@@ -18,7 +18,7 @@ constexpr const char* kGood = "scene/lines.good.geojson";
 
 class LineFiles : public Cli {
  protected:
-  /// The scene's good lines with what `change` makes of their features, as `name`.
+  /// Writes the scene's good lines as `name`, after `change` has been applied to their features.
   template <typename Change>
   void write_changed(const std::string& name, const Change& change) const {
     json lines = read_json(path(kGood));

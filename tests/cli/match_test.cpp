@@ -21,7 +21,7 @@ TEST_F(Match, WritesMatchesAndAnOverlay) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("matched"));
   EXPECT_GT(io::read_matches(path("m.csv").string()).size(), 20U);
-  // both images side by side, twice enlarged
+  // the overlay shows both images side by side, enlarged twice
   const cv::Mat overlay = cv::imread(path("m.png").string());
   const cv::Mat left = cv::imread(path("pair/left.tif").string());
   const cv::Mat right = cv::imread(path("pair/right.tif").string());

@@ -67,7 +67,7 @@ TEST_F(OtherKinds, AreNamedWhereAnImageIsExpected) {
 
 TEST_F(OtherKinds, OfHugeFilesAreNotReadWhole) {
   write(path("huge.las"), "LASF");
-  std::filesystem::resize_file(path("huge.las"), std::uintmax_t{1} << 40U);  // sparse
+  std::filesystem::resize_file(path("huge.las"), std::uintmax_t{1} << 40U);  // the file is sparse
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"run", "huge.las", "--out", "out"},
         {"gate", "scene", "--gates", "huge.las"},

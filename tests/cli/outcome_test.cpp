@@ -24,7 +24,7 @@ class Outcome : public Cli {
     write(path("patch/patch.yaml"), text);
   }
 
-  /// A sentence stands where the table would, at the top of the report and in run.json, alone.
+  /// Expects a single sentence in place of the table, at the top of the report and in run.json.
   void expect_message(const ProgramResult& result, const std::string& pattern) const {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, ContainsRegex(pattern));

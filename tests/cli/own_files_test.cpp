@@ -16,7 +16,7 @@ class OwnFiles : public Cli {
  protected:
   OwnFiles() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
 
-  /// `file`, an output of the command, may be written twice, but not over what a user has there.
+  /// Expects that the command writes its output `file` a second time, but not over what a user has there.
   void expect_only_own_is_replaced(const std::vector<std::string>& arguments,
                                    const std::string& file,
                                    const std::string& of_user) const {

@@ -92,9 +92,9 @@ TEST_F(PlanScale, WebMercatorIsRefusedWithScaleRuleAndZone) {
 TEST_F(PlanScale, OnRequestFiguresAreMetresOnTheGround) {
   const Eigen::Vector3d scale(kEast, kNorth, 1.0);
   write_cloud("cloud.las", "EPSG:3857", kMercator, scale);
-  // distance from a slope of 0.7: the shift times its sine
+  // the distance from a slope of 0.7 is the shift times the sine of the slope
   const double expected_m = kShift_m * 0.7 / std::hypot(1.0, 0.7);
-  constexpr double kResolution_m = 2e-3;  // of the LAS file and of the line's digits
+  constexpr double kResolution_m = 2e-3;  // steps of the LAS file and of the line's digits
   for (const char* const crs : {"EPSG:3857", ""}) {
     write_ridge("ridge.geojson", crs, kMercator, scale);
     const ProgramResult result = judge({"--scale-to-ground"});
@@ -158,7 +158,7 @@ TEST_F(PlanScale, BoundsAreInTheCoordinatesOfTheCloud) {
   const ProgramResult inside = judge({"--bounds", "999900,599900,1000100,600100"});
   EXPECT_EQ(inside.exit_code, 0) << inside.err;
   EXPECT_EQ(line()["status"], "evaluated");
-  EXPECT_REFUSED(judge({"--bounds", "304769,182849,304831,182911"}),  // the same in metres
+  EXPECT_REFUSED(judge({"--bounds", "304769,182849,304831,182911"}),  // the same bounds in metres
                  AllOf(HasSubstr("own coordinates"), HasSubstr("unit foot (0.3048 m)")));
 }
 

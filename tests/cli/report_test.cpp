@@ -65,9 +65,9 @@ TEST_F(Report, ShowsTheSurfaceThatTheRunKept) {
   const io::PointCloud kept = io::read_cloud({path("out/1/surface.las").string()}, {});
   ASSERT_EQ(surface["n_shown"], kept.points.size());
   EXPECT_EQ(surface["positions"].get_ref<const std::string&>().size(), 8 * kept.points.size());
-  // over the ground of the LIDAR points, which are of the same place
+  // in plan the surface lies where the LIDAR points lie
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    constexpr double kBorder_m = 25.0;  // of the cloud around the images, or the other way round
+    constexpr double kBorder_m = 25.0;  // either may reach this much farther
     const double low_m = surface["low"][axis];
     EXPECT_NEAR(low_m, patch["points"]["low"][axis].get<double>(), kBorder_m);
   }
@@ -195,7 +195,7 @@ TEST_F(Report, LinesInFeetStandAmongThePoints) {
       EXPECT_LT(line["start"][axis], low_m + 65535 * step_m + 10.0);
     }
   }
-  // of the surroundings of lines no share is that of the area
+  // only the surroundings of lines were read, which give no share of the area
   EXPECT_TRUE(patch["points"]["no_data_share"].is_null());
 }
 

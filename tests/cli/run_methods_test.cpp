@@ -59,7 +59,7 @@ TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
   // lines come from the list of both
   const auto lines = read_json(path("out/1/lines.joint.geojson"))["features"];
   const std::string matches = read(path("out/1/matches.csv"));
-  std::set<std::pair<std::string, std::string>> matched;  // several lines of one match among them
+  std::set<std::pair<std::string, std::string>> matched;  // several lines may come from one match
   for (const auto& line : lines) {
     matched.emplace(line["properties"]["left_id"], line["properties"]["right_id"]);
   }
@@ -184,7 +184,7 @@ TEST_F(RunPatch, DirectAndJointAreHeldToBeEqualOnlyWithoutFacesBeside) {
 }
 
 TEST_F(RunPatch, LinesOfPlanesAreCountedByThemselves) {
-  // a pair whose lines would be those of the faces is left with few edges
+  // few edges are left, so that planes give lines where no edge does
   write(path("few.yaml"),
         "extract: {min_length_px: 60, faint_edges: false}\nmatch: {guided: false}\n");
   const std::vector<std::string> more{"--config", "few.yaml", "--no-report"};

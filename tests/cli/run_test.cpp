@@ -38,7 +38,7 @@ TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
   EXPECT_THAT(again.err, HasSubstr("6 finished stages skipped"));
   EXPECT_EQ(results_in("out"), first);
 
-  // a file that was touched is made again, and all that hangs on it stays, being the same
+  // a damaged file is made again, with the same content, so that what depends on it stays
   write(path("out/1/lines.joint.geojson"), "damaged");
   const ProgramResult repaired = run_patch("out", {"--resume"});
   EXPECT_THAT(repaired.err, HasSubstr("5 finished stages skipped"));

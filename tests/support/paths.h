@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a test finds what is not its own. One source knows these paths, so that the objects of all others are the same
-// in every checkout and a compiler cache serves them.
+// Paths of what tests use but do not make themselves. One source knows these paths, so that the objects of all others are
+// the same in every checkout and a compiler cache serves them.
 #pragma once
 
 #include <string>

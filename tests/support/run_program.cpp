@@ -21,7 +21,7 @@ constexpr int kNotStarted = 127;
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-/// Nameless and gone at the end. A file in place of a pipe: it never fills up and blocks the child.
+/// A file without a name that is gone once it is closed. Unlike a pipe it never fills up and blocks the child.
 using CaptureFile = std::unique_ptr<std::FILE, CloseFile>;
 
 CaptureFile capture_file() {
@@ -50,7 +50,7 @@ std::string content_of(std::FILE* file) {
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
   for (std::string& variable : environment) putenv(variable.data());
-  alarm(time_limit_s);  // goes on in the program
+  alarm(time_limit_s);  // the alarm goes on in the program
   if (chdir(folder) == 0) execv(argv.front(), argv.data());
   _exit(kNotStarted);
 }

@@ -15,7 +15,7 @@ namespace ridgeline::test {
 #ifndef RIDGELINE_IS_SANITIZED
 #define RIDGELINE_IS_SANITIZED false
 #endif
-/// Whether the programs keep the shadows of the address sanitizer: limits of memory do not hold then.
+/// Whether the programs are built with the address sanitizer, whose own memory breaks limits of memory.
 inline constexpr bool kIsSanitized = RIDGELINE_IS_SANITIZED;
 
 /// What a program left behind.

@@ -17,7 +17,7 @@ struct SampledRoof {
   double half_width_m = 5.0;   ///< from ridge to eave, in plan
   double eave_height_m = 6.0;  ///< above the ground at z = 0
   double slope = 0.5;          ///< height / width
-  double margin_m = 8.0;       ///< of ground around the roof
+  double margin_m = 8.0;       ///< width of the ground around the roof
 
   [[nodiscard]] double ridge_height_m() const { return eave_height_m + slope * half_width_m; }
   /// Height of the uppermost surface.

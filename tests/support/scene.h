@@ -34,7 +34,7 @@ struct SurfaceSample {
 class TopSurface {
  public:
   explicit TopSurface(const simulate::Scene& scene);
-  /// The uppermost plane over a plan position; plane_id kNone outside of all.
+  /// The uppermost plane over a plan position; plane_id is kNone outside of all planes.
   [[nodiscard]] SurfaceSample at(const Eigen::Vector2d& x) const;
 
  private:

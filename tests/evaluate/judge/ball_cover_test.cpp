@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kRounding_m = 1e-9;  // of coordinates of 100 m in double
+constexpr double kRounding_m = 1e-9;  // rounding of coordinates of 100 m in double
 
 Eigen::AlignedBox3d hills() {
   return {Eigen::Vector3d(-50, -50, 200), Eigen::Vector3d(50, 50, 320)};

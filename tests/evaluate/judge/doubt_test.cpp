@@ -43,7 +43,7 @@ class Doubt : public testing::Test {
     return fit;
   }
 
-  /// Along s is north: across the base of the images.
+  /// Adds a point. The line runs north along s, across the base of the images.
   void add(double s, double t, double z) { zone_.push_back({{-t, s, z}, s, t, 0}); }
 
   void add_ground(double t_from, double t_to) {
@@ -141,7 +141,7 @@ TEST_F(Doubt, AFewPointsOnOneSideDoNotMakeTheOtherOneEmpty) {
 TEST_F(Doubt, ALineThatImagesShowMetresOffMayLieWhereTheCloudIsEmpty) {
   zone_.clear();
   add_ground(0.3, 1.5);
-  add(5.0, -0.1, 0.0);  // straddles the line: on no side
+  add(5.0, -0.1, 0.0);  // it straddles the line and is on no side
   EXPECT_THAT(reason(), Eq(std::nullopt));
   EXPECT_THAT(reason(seen_at(0.0)), Eq(std::nullopt));
   EXPECT_THAT(reason(seen_at(5.0)), Ne(std::nullopt));

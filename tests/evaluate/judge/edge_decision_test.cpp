@@ -111,7 +111,7 @@ TEST(DecideEdge, CallsTwoPlanesOfOneHeightThatDoNotMeetAlongTheLineAmbiguous) {
   EXPECT_EQ(decide_edge(planes, kLine, {}).status, Status::kAmbiguous);
 }
 
-/// Both images of a segment from 800 m, B/H 0.26, GSD 8 cm.
+/// What two images show of a segment, from 800 m with B/H 0.26 and GSD 8 cm.
 ImageEvidence seen(const Segment3& segment) {
   ImageEvidence images;
   for (const std::size_t j : {0U, 1U}) {
@@ -133,14 +133,14 @@ TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguousUnlessTheImagesShowThe
   };
   EXPECT_EQ(decide(5.0, 5.25, 9.0).status, Status::kAmbiguous);
   EXPECT_EQ(decide(5.0, 5.25, 0.0).planes, (std::vector<std::size_t>{0}));
-  // of one of the roofs no plane was found
+  // no plane was found for one of the roofs
   EXPECT_EQ(decide(5.2, 9.75, 9.0).status, Status::kAmbiguous);
   // a shed beside a part of a line on the ground does not make it an edge of the shed
   EXPECT_EQ(decide(3.0, 9.75, 9.0).planes, (std::vector<std::size_t>{0}));
 }
 
 TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
-  // an overhang of a metre without points
+  // an overhang of a metre has no points
   const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
                                            candidate(left_slope, 1.0, 1.5)};
   const auto decide = [&](double seen_at_m) {

@@ -17,7 +17,7 @@ using test::seen;
 
 constexpr double kLidarSigma_m = 0.034;
 constexpr double kDensity_per_m2 = 8.0;
-// a hit lies within the search radius (0.3 m) of the ray: on a roof of slope 0.5 at most this high
+// a hit lies within the search radius (0.3 m) of the ray, so it is at most this high on a roof of slope 0.5
 constexpr double kHit_m = 0.2;
 
 class OnRoof : public testing::Test {
@@ -165,8 +165,8 @@ TEST(JudgeBesideACar, AMarkingIsJudgedByTheGround) {
 
 constexpr double kEaves_m = 8.0;
 
-/// A flat roof west of x = 0, across the base, of which the cloud has nothing within half a metre of
-/// the edge: the rays of the edge end on the ground, a metre east.
+/// A flat roof west of x = 0, whose edge runs across the base. The cloud has no points within half a metre of
+/// the edge, so the rays of the edge end on the ground, a metre east.
 PointGrid roof_with_a_bare_edge() {
   test::Random random(7);
   std::vector<Eigen::Vector3d> points;
@@ -182,7 +182,7 @@ PointGrid roof_with_a_bare_edge() {
 LineEvaluation judged_at_a_bare_edge(double z) {
   JudgedLine line;
   line.id = "edge";
-  // where the ray of the left image through the edge has that height
+  // the ray of the left image through the edge has the height z here
   const double x = 100.0 / (800.0 - kEaves_m) * (kEaves_m - z);
   line.segment = {{x, 1, z}, {x, 4, z}};
   line.images = seen(line.segment);

@@ -75,7 +75,7 @@ TEST(JudgeLine, ChoosesPlanesWithoutLookingAtTheLinesHeight) {
   const House house;
   const PointGrid grid = grid_of(house.roof.sample(5.0, 0.034, 3));
   const LineEvaluation at_roof = judge_line(grid, line(house.eave()), {}).evaluation;
-  // exactly on the ground: the flattering plane would give 0
+  // the line lies exactly on the ground, which would flatter it with a distance of 0
   const LineEvaluation on_ground =
       judge_line(grid, line(moved(house.eave(), {0, 0, -house.roof.eave_height_m})), {}).evaluation;
   ASSERT_EQ(at_roof.planes.size(), 1U);
@@ -88,7 +88,7 @@ TEST(JudgeLine, TellsBothPlanesAndTheIntersectionOfARidge) {
   const PointGrid grid = grid_of(house.roof.sample(8.0, 0.034, 4));
   const LineEvaluation e = judge_line(grid, line(moved(house.ridge(), {0, 0.4, 0})), {}).evaluation;
   ASSERT_EQ(e.kind, Kind::kRidge);
-  // 0.4 m aside lifts the line above the one plane and sinks it below the other
+  // a shift of 0.4 m aside lifts the line above one plane and sinks it below the other
   EXPECT_NEAR(e.mean_distance_m, 0.4 * house.roof.slope * house.roof.normal_z(), kNoisy);
   EXPECT_NEAR(*e.intersection_distance_m, 0.4, kNoisy);
   EXPECT_NEAR(*e.intersection_angle_deg, 0.0, 0.5);

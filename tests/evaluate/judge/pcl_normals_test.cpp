@@ -15,12 +15,12 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kRise_m = 0.19, kRun_m = 0.75;  // of a step
+constexpr double kRise_m = 0.19, kRun_m = 0.75;  // rise and run of a step
 constexpr double kLength_m = 10.0, kHalfWidth_m = 4.0;
 constexpr double kWeight = 0.4;  // at 0.1 the 14 degrees of the false slope cost 2.5 cm only
 
-/// Terraces that go up along y. A slope through all of them has no point farther than half a rise: by
-/// distances alone it beats every one of them.
+/// Terraces that go up along y. No point is farther than half a rise from a slope through all of them, so by
+/// distances alone this slope beats every terrace.
 double terrace_m(double y) { return kRise_m * std::floor(y / kRun_m + 0.5); }
 
 template <typename PointT>
@@ -38,7 +38,7 @@ typename pcl::PointCloud<PointT>::Ptr terraces() {
   return cloud;
 }
 
-/// Along the outer edge of the step at height 0.
+/// A line along the outer edge of the step at height 0.
 JudgedLine edge_of_a_step() {
   JudgedLine line;
   line.id = "edge";
@@ -128,7 +128,7 @@ TEST(SetInputNormals, TakesNormalsOfAnyLengthAndEitherSign) {
   evaluation.setInputNormals(normals);
   const auto expected = evaluation.compute()[0].planes.at(0).plane.coeffs();
   for (std::size_t i = 0; i < normals->size(); ++i) {
-    (*normals)[i].normal_z = i % 2 == 0 ? -1e-30F : 1e-30F;  // whose square is no float
+    (*normals)[i].normal_z = i % 2 == 0 ? -1e-30F : 1e-30F;  // the square is no float
   }
   EXPECT_EQ(evaluation.compute()[0].planes.at(0).plane.coeffs(), expected);
 }
@@ -136,7 +136,7 @@ TEST(SetInputNormals, TakesNormalsOfAnyLengthAndEitherSign) {
 TEST(SetInputNormals, FollowsTheIndices) {
   const auto cloud = terraces<pcl::PointXYZ>();
   const auto normals = upright_normals<pcl::Normal>(cloud->size());
-  // the second half, backwards; the normals of the first half lie
+  // the search gets the second half backwards; the normals of the first half are wrong
   auto indices = std::make_shared<pcl::Indices>();
   for (std::size_t i = cloud->size(); i-- > cloud->size() / 2;) {
     indices->push_back(static_cast<pcl::index_t>(i));

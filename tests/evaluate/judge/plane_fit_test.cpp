@@ -58,7 +58,7 @@ TEST(SigmaAt, IsTheScatterOfRepeatedFits) {
     squares += d * d;
     predicted += fit->sigma_at(outside) * fit->sigma_at(outside);
   }
-  // ratio of two variances over 2000 trials: standard deviation sqrt(2/2000) = 3 %
+  // the ratio of two variances over 2000 trials has the standard deviation sqrt(2/2000) = 3 %
   EXPECT_NEAR(squares / predicted, 1.0, 0.12);
 }
 

@@ -190,7 +190,7 @@ TEST(CheckFrame, TakesLinesOutOfRangeForLinesElsewhere) {
   const std::vector<LineEvaluation> lines(3, excluded_line("", Status::kOutOfRange));
   EXPECT_THAT(check_frame(lines, 1.0).reason, HasSubstr("only 0 of 3 lines are near the cloud"));
   std::vector<LineEvaluation> without_height = lines;  // two of them
-  without_height[1].length_m = 0.0;                    // nowhere on Earth
+  without_height[1].length_m = 0.0;                    // the line has no place on Earth
   EXPECT_THAT(check_frame(without_height, 1.0).reason,
               HasSubstr("(2 lie at one height more than 100 m above or below it)"));
 }

@@ -51,7 +51,7 @@ TEST(Wilcoxon, ApproximationRejectsATrueHypothesisAsOftenAsStated) {
   std::mt19937_64 rng(11);
   std::normal_distribution<double> normal;
   constexpr int kTrials = 2000;
-  for (const std::size_t n : {std::size_t{20}, std::size_t{40}}) {  // exact, approximate
+  for (const std::size_t n : {std::size_t{20}, std::size_t{40}}) {  // exact and approximate test
     int n_rejected = 0;
     std::vector<double> d(n);
     for (int trial = 0; trial < kTrials; ++trial) {

@@ -159,7 +159,7 @@ TEST(ApplyGates, NamesTheAllowanceInTheRule) {
 TEST(ApplyGates, HoldsNothingAgainstTheBaselineThatNobodyWrote) {
   Gate gate = gate_on("total", "evaluated_share");
   gate.min = 0.8;
-  const ResultFolder results = results_with(0.1);  // 60 of 65 lines
+  const ResultFolder results = results_with(0.1);  // 60 of 65 lines are evaluated
   ResultFolder baseline = results;
   Evaluation& e = baseline.evaluations[0];
   std::erase_if(e.lines, [](const LineEvaluation& l) { return l.status != Status::kEvaluated; });

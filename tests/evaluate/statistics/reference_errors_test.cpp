@@ -36,7 +36,7 @@ const Segment3 kRidge{{0, 0, 8}, {10, 0, 8}};
 const Segment3 kEave{{0, 5, 5}, {10, 5, 5}};
 
 TEST(CompareWithReferences, ErrorIsTheMeanDistanceFromTheLineThatTheImagesShow) {
-  // shifted along itself, which is no error, and by a 3-4-5 triangle across
+  // the ridge is shifted along itself, which is no error, and by a 3-4-5 triangle across
   const std::vector<JudgedLine> lines{
       reconstructed(kRidge, moved(kRidge, {0.7, 0.3, 0.4}), "aligned"),
       reconstructed(kEave, moved(kEave, {0, 0, 0.1}), "not_aligned")};
@@ -80,7 +80,7 @@ TEST(CompareWithReferences, UprightReferenceHasNoParts) {
   EXPECT_FALSE(total.rmse_horizontal_m);
 }
 
-/// Errors of both ends with this sigma in all directions, independent of each other.
+/// The line with independent errors of both ends that have this sigma in all directions.
 JudgedLine with_sigma(JudgedLine line, double sigma_m) {
   line.covariance_m2 = sigma_m * sigma_m * Eigen::Matrix<double, 6, 6>::Identity();
   return line;
@@ -95,10 +95,10 @@ TEST(CompareWithReferences, NeesIsTheErrorOfBothEndsAcrossOverItsCovariance) {
     return compare_with_references(std::vector<JudgedLine>{with_sigma(line, sigma_m)}, truth)
         .classes[1];
   };
-  constexpr double kMedian = 3.35669;  // of chi-square with 4 degrees of freedom
+  constexpr double kMedian = 3.35669;  // median of chi-square with 4 degrees of freedom
   EXPECT_NEAR(*tested(0.25).median_nees_ratio, 8.0 / kMedian, kExact);
   EXPECT_EQ(*tested(0.25).nees_beyond_99_9_share, 0.0);
-  EXPECT_EQ(*tested(0.1).nees_beyond_99_9_share, 1.0);  // 50, limit 18.5
+  EXPECT_EQ(*tested(0.1).nees_beyond_99_9_share, 1.0);  // it is 50, the limit 18.5
 }
 
 TEST(CompareWithReferences, NeesIsOfLinesWithCovarianceOnTheReferenceToOnePixel) {
@@ -125,10 +125,10 @@ TEST(ReferenceErrors, BelongToTheLinesInTheirOrder) {
   const auto errors_m =
       reference_errors_m(lines, std::vector<ReferenceLine>{{kRidge, "ridge"}, {kEave, "eave"}});
   ASSERT_EQ(errors_m.size(), 3U);
-  EXPECT_FALSE(errors_m[0].has_value());  // on no reference line
+  EXPECT_FALSE(errors_m[0].has_value());  // it is on no reference line
   ASSERT_TRUE(errors_m[1].has_value());
   EXPECT_NEAR(*errors_m[1], 0.1, kExact);
-  EXPECT_FALSE(errors_m[2].has_value());  // no geometry
+  EXPECT_FALSE(errors_m[2].has_value());  // it has no geometry
 }
 
 TEST(CompareWithReferences, LineMetresOffIsStillComparedWithItsOwnReference) {
@@ -150,7 +150,7 @@ TEST(CompareWithReferences, LineThatTheImagesShowElsewhereHasNoReference) {
 }
 
 TEST(ReferenceErrors, LinesOfSeveralPairsAreEachComparedInTheirOwnImages) {
-  // in its own images each line lies on its reference line, in those of the other one elsewhere
+  // each line lies on its reference line in its own images, but elsewhere in those of the other line
   std::vector<JudgedLine> lines{reconstructed(kRidge, kRidge, "aligned"),
                                 reconstructed(kEave, kEave, "aligned")};
   const std::array<ProjectionMatrix, 2> other{camera_at(40.0), camera_at(250.0)};
@@ -178,7 +178,7 @@ TEST(CompareWithReferences, CompletenessCountsHalfOfTheLengthOfVisibleLines) {
   const auto rows = compare_with_references(lines, truth).completeness;
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].kind, "eave");
-  EXPECT_EQ(rows[0].n_lines, 1U);  // the hidden one does not count
+  EXPECT_EQ(rows[0].n_lines, 1U);  // the hidden line does not count
   EXPECT_EQ(rows[0].n_reconstructed, 0U);
   EXPECT_EQ(rows[1].kind, "ridge");
   EXPECT_EQ(rows[1].n_reconstructed, 1U);

@@ -52,7 +52,7 @@ TEST(StandardsBlock, AddsTheErrorOfTheReferenceToTheRmse) {
   EXPECT_NEAR(*block.asprs.rmse_vertical_m, std::hypot(0.04, 0.02, 0.02), kExact);
   EXPECT_NEAR(*block.asprs.rmse_3d_m,
               std::hypot(*block.asprs.rmse_horizontal_m, *block.asprs.rmse_vertical_m), kExact);
-  EXPECT_TRUE(block.asprs.biased);  // all are too low
+  EXPECT_TRUE(block.asprs.biased);  // all ridges are too low
   EXPECT_NEAR(*block.nssda.horizontal_m, 1.7308 * *block.asprs.rmse_horizontal_m, kExact);
   EXPECT_NEAR(*block.nssda.vertical_m, 1.9600 * *block.asprs.rmse_vertical_m, kExact);
 }

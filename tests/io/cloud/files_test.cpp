@@ -88,7 +88,7 @@ TEST(FolderLock, IsRefusedToAnotherProcess) {
   const auto lock = FolderLock::of(folder.file(""));
   const int other = open(folder.file(".ridgeline.lock").c_str(), O_RDWR);
   ASSERT_GE(other, 0);
-  EXPECT_NE(flock(other, LOCK_EX | LOCK_NB), 0);  // of its own description, as another process's
+  EXPECT_NE(flock(other, LOCK_EX | LOCK_NB), 0);  // not the description that holds the lock
   EXPECT_EQ(errno, EWOULDBLOCK);
   close(other);
 }

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kFloat_m = 1e-5;  // of PCL's coordinates at 100 m
+constexpr double kFloat_m = 1e-5;  // rounding of PCL's coordinates at 100 m
 constexpr double kMillimetre_m = 0.5001e-3;
 
 LabelledPoints some_points() {

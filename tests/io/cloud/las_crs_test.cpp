@@ -89,7 +89,7 @@ TEST(ReadLasCrs, DamagedRecordsLeaveItUnknownWithAWarning) {
 }
 
 TEST(ReadLasCrs, ANameIsNoWkt) {
-  // PROJ would search its data base for what is like it, for seconds.
+  // PROJ would search its data base for seconds for systems that are like it.
   const LasCrs result = crs_of(LasBytes(2, 0).add_vlr(kProjection, 2112, "COMPD_CSPROJCS[\"x\"]"));
   EXPECT_FALSE(result.crs.known());
   EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("no reference system that PROJ reads")));

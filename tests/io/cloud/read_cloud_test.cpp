@@ -123,7 +123,7 @@ TEST_F(ReadCloud, KeepsLastReturns) {
   std::vector<CloudPoint> points(4, point_at(0, 0, 0));
   points[0].number_of_returns = 2;
   points[1].number_of_returns = points[1].return_number = 2;
-  points[3].return_number = 5;  // more than there are: kept
+  points[3].return_number = 5;  // above the number of returns: kept
   ReadOptions options;
   options.last_returns = true;
   const PointCloud cloud = read_cloud({write("a.las", points)}, options);
@@ -209,7 +209,7 @@ TEST_F(ReadCloud, IsTheSameForAnyNumberOfThreads) {
 TEST_F(ReadCloud, RefusesMoreThanIsAllowed) {
   const std::string path = write("a.las", {point_at(0, 0, 0), point_at(1, 0, 0, 7)});
   ReadOptions options;
-  options.max_points = 1;  // of two, one is kept
+  options.max_points = 1;  // one of the two points is kept
   EXPECT_EQ(read_cloud({path}, options).points.size(), 1U);
   options.classes = {6, 7};
   EXPECT_THAT(io_error_of([&] { read_cloud({path}, options); }),

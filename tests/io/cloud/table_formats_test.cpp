@@ -61,7 +61,7 @@ std::string pcd_row() {
   return bytes_of(kEasting) + bytes_of(kNorthing) + bytes_of(250.5) + "rgb" + bytes_of(6U);
 }
 
-/// LZF of literal runs only.
+/// Packs bytes as LZF with literal runs only.
 std::string pack_literals(std::string_view bytes) {
   std::string packed;
   for (std::size_t i = 0; i < bytes.size(); i += 32) {
@@ -149,23 +149,23 @@ TEST(UnpackLzf, RefusesDamage) {
   const auto fails = [](std::string_view packed, std::size_t size) {
     return !unpack_lzf(std::as_bytes(std::span(packed)), size).has_value();
   };
-  EXPECT_TRUE(fails(std::string_view("\x60\x00", 2), 5));  // before the start
+  EXPECT_TRUE(fails(std::string_view("\x60\x00", 2), 5));  // reference before the start
   EXPECT_TRUE(fails(std::string_view("\x05"
                                      "ab",
                                      3),
-                    6));  // literals missing
+                    6));  // literals are missing
   EXPECT_TRUE(fails(std::string_view("\x00"
                                      "a\xe0",
                                      3),
-                    9));  // reference cut
+                    9));  // reference is cut short
   EXPECT_TRUE(fails(std::string_view("\x01"
                                      "ab",
                                      3),
-                    1));  // too many
+                    1));  // too many bytes
   EXPECT_TRUE(fails(std::string_view("\x01"
                                      "ab",
                                      3),
-                    3));  // too few
+                    3));  // too few bytes
   EXPECT_TRUE(fails(std::string_view("\x00"
                                      "a",
                                      2),

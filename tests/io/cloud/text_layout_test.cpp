@@ -26,7 +26,7 @@ std::string error_of_text(const std::string& content) {
   return io_error_of([&] { (void)cloud_of(content); });
 }
 
-/// Two points of a roof in UTM, the same in every way of writing.
+/// Expects two points of a roof in UTM, which are the same in every way of writing.
 void expect_roof(const std::string& content) {
   const PointCloud cloud = cloud_of(content);
   ASSERT_EQ(cloud.points.size(), 2U) << content;

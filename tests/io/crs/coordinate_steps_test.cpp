@@ -109,7 +109,7 @@ TEST(CloudSteps, OfARasterInPlanAreRight) {
     const int column = i % 30, row = i / 30;
     raster +=
         fmt::format("{}.5 {}.5 {:.3f}\n", 513000 + column, 5403000 + row, 250.0 + 0.01234 * i);
-    // the same, but that a few points stand on others
+    // the same points, except that a few have the plan position of others
     scattered += fmt::format("{}.5 {}.5 {:.3f}\n", 513000 + std::max(column, 2), 5403000 + row,
                              250.0 + 0.01234 * i);
   }

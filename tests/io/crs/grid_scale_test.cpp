@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// of differences over 200 m: the scale's own curvature there is 1e-10
+// error of differences over 200 m; the scale's own curvature there is 1e-10
 constexpr double kDifferences = 1e-7;
 
 TEST(GridScale, OfUtmOnItsCentralMeridianIsItsScaleFactor) {

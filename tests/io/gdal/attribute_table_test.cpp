@@ -31,7 +31,7 @@ ColumnType type_of(const LineSet& set, const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-/// Empty where the feature of the line has none.
+/// The value of a column for a line; empty if the feature of the line has none.
 Value value_of(const LineSet& set, std::size_t line, const std::string& name) {
   for (const auto& [column, value] : set.features.rows.at(set.lines.at(line).row)) {
     if (set.features.columns[column].name == name) return value;
@@ -81,7 +81,7 @@ TEST(AttributesOfGeoJson, HaveTheTypesOfTheirValues) {
   EXPECT_EQ(value_of(set, 0, "x"), Value(1.0));
   EXPECT_EQ(value_of(set, 0, "list"), Value("[1,2]"));
   EXPECT_EQ(value_of(set, 2, "ok"), Value());
-  // both parts of a polyline are of its feature
+  // both parts of a polyline belong to its feature
   EXPECT_EQ(value_of(set, 3, "who"), Value("me"));
   EXPECT_EQ(set.lines[3].part, 1);
   EXPECT_EQ(set.lines[3].source_fid, 17);

@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-/// Smooth, with another course in each band.
+/// A smooth picture that differs from band to band.
 cv::Mat picture(int type) {
   cv::Mat image(60, 90, type);
   for (int y = 0; y < image.rows; ++y) {

@@ -19,7 +19,7 @@ struct Format {
 
 int depth_of(GDALDataType type) { return type == GDT_Byte ? CV_8U : CV_16U; }
 
-/// Values that differ from pixel to pixel and from band to band.
+/// An image of values that differ from pixel to pixel and from band to band.
 cv::Mat pattern(int bands, GDALDataType type) {
   cv::Mat image(7, 13, CV_MAKETYPE(depth_of(type), bands));
   for (int i = 0; i < 7 * 13 * bands; ++i) {

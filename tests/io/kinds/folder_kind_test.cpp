@@ -9,7 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// What a folder with such files is.
+/// The kind of a folder with these files.
 FileKind kind_of_files(std::initializer_list<const char*> files) {
   const TempFolder folder;
   for (const char* const file : files) (void)folder.write(file, "");

@@ -19,7 +19,7 @@ using ::testing::SizeIs;
 
 constexpr const char* kHeader = "ply\nformat ascii 1.0\nelement vertex 2\n";
 
-/// With `mark` at byte `at`.
+/// A content that begins with `start` and has `mark` at byte `at`.
 std::string marked(std::size_t at, const std::string& start, const std::string& mark) {
   std::string content = start + std::string(500, '\0');
   return content.replace(at, mark.size(), mark);
@@ -138,7 +138,7 @@ TEST(KindOfContent, TellsASequenceOfGeoJsonByItsName) {
 TEST(BeginningOf, AHugeFileIsNoMoreThanItsFirstBytes) {
   const TempFolder folder;
   const std::string file = folder.write("a.las", "LASF");
-  std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);  // sparse
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);  // the file is sparse
   EXPECT_THAT(beginning_of(file), SizeIs(kTelling_bytes));
   EXPECT_THAT(io_error_of([&] { refuse_other_kind(file, Expected::kPatch); }),
               HasSubstr("is a LAS point cloud, not a patch file"));

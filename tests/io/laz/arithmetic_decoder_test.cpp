@@ -102,7 +102,7 @@ TEST(ArithmeticDecoder, StaysInsideTheAlphabetForRandomBytes) {
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<std::byte> bytes(300);
     for (std::byte& byte : bytes) byte = static_cast<std::byte>(rng());
-    bytes[0] = std::byte{0x7F};  // not the impossible code
+    bytes[0] = std::byte{0x7F};  // avoids the impossible code
     ArithmeticDecoder decoder{ByteStream(bytes)};
     SymbolModel large(516);
     SymbolModel small(3);
@@ -113,7 +113,7 @@ TEST(ArithmeticDecoder, StaysInsideTheAlphabetForRandomBytes) {
         ASSERT_LT(decoder.read_bits(7), 128U);
       }
     } catch (const CodecError&) {
-      SUCCEED();  // at the latest at the end of the stream
+      SUCCEED();  // the end of the stream ends it at the latest
     }
   }
 }

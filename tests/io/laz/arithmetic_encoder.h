@@ -37,7 +37,7 @@ class IntegerCompressor {
               std::int32_t value,
               unsigned context = 0);
 
-  /// As IntegerDecompressor's.
+  /// As IntegerDecompressor::last_bit_count().
   [[nodiscard]] unsigned last_bit_count() const { return last_bit_count_; }
 
  private:

@@ -105,7 +105,7 @@ void append_entry(FileBytes& page,
   append(page, n_points);
 }
 
-/// The pages one after another, each but the last ending in an entry for the next.
+/// The pages one after another. Each page except the last ends in an entry for the next.
 FileBytes hierarchy(std::span<const BuiltNode> nodes,
                     std::uint64_t first_chunk,
                     std::uint64_t first_page,
@@ -186,7 +186,7 @@ FileBytes start_of_file(std::span<const CopcPoint> points, const Cube& cube, int
 
 FileBytes encode_layered_chunk(std::span<const CopcPoint> points) {
   constexpr std::size_t kLayers = 9;
-  std::array<ArithmeticEncoder, 3> layers;  // x and y, z, class: the others never change
+  std::array<ArithmeticEncoder, 3> layers;  // x and y, z, class; the other layers never change
   auto& [xy, z, classes] = layers;
   SymbolModel changed(128);
   IntegerCompressor dx(32, 2);

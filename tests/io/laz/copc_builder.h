@@ -11,7 +11,7 @@
 
 namespace ridgeline::io::laz {
 
-/// A single return of point format 6; what is not here is 0.
+/// A single return of point format 6; the other fields are 0.
 struct CopcPoint {
   std::array<std::int32_t, 3> x;  ///< stored coordinates
   std::uint8_t classification = 2;
@@ -24,7 +24,7 @@ FileBytes encode_layered_chunk(std::span<const CopcPoint> points);
 /// the points of the level above. Scale 0.01, offset 0, no reference system.
 struct CopcBuilder {
   int n_levels = 3;
-  std::size_t entries_per_page = 1U << 20U;  ///< fewer: the hierarchy has child pages
+  std::size_t entries_per_page = 1U << 20U;  ///< if there are more nodes, child pages follow
 
   /// Points in any order; every one is in the file once.
   [[nodiscard]] FileBytes build(std::span<const CopcPoint> points) const;

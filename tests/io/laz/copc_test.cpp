@@ -173,7 +173,7 @@ TEST(ReadCopcHierarchy, EndsForAPageThatRefersToItself) {
   const LasHeader header = parse_las_header(file, "test.laz");
   const std::size_t info = find_vlr(header, "copc", 1)->data_offset;
   const auto page = load<std::uint64_t>(&file[info + 40]);
-  put(file, page + 16, page);  // the first entry: a child page, this one
+  put(file, page + 16, page);  // the first entry names this page as its child page
   put(file, page + 28, -1);
   EXPECT_TRUE(read_copc_hierarchy(file, header));
 }

@@ -22,13 +22,13 @@ constexpr const char* kSamples[] = {
     "las_samples/laszip_broken_coder.laz", "las_samples/laszip_broken_size.laz",
 };
 
-// A larger run: RIDGELINE_LAZ_TRIALS=20000.
+// The number of trials; RIDGELINE_LAZ_TRIALS=20000 makes a larger run.
 int num_trials() {
   const char* const text = std::getenv("RIDGELINE_LAZ_TRIALS");
   return text == nullptr ? 60 : std::atoi(text);
 }
 
-// Whether it could be decoded; more records than the file claims would be a fault of ours.
+// Whether the file could be decoded. More records than it claims would be a fault of the decoder.
 bool decodes(const FileBytes& file) {
   try {
     decode_laz(file);
@@ -79,7 +79,7 @@ TEST(DamagedLaz, SurvivesACutAtEveryByteOfASmallFile) {
   for (std::int32_t i = 0; i < 4; ++i) builder.add_single_point(i, i, i);
   builder.chunk_size = 1;
   const FileBytes file = builder.build();
-  const std::size_t end_of_points = file.size() - 24;  // what follows is the table, maybe shorter
+  const std::size_t end_of_points = file.size() - 24;  // the table follows, maybe shorter
   for (std::size_t size = 0; size < end_of_points; ++size) {
     EXPECT_FALSE(decodes({file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size)})) << size;
   }

@@ -33,7 +33,7 @@ extern "C" const char* __asan_default_options() {
 namespace ridgeline::io::laz {
 namespace {
 
-constexpr double kMostSeconds = 2.0;  // of the processor, so that a busy machine fails nothing
+constexpr double kMostSeconds = 2.0;  // processor time, so that no test fails on a busy machine
 constexpr std::size_t kMostMemory = std::size_t{512} << 20U;
 
 struct Sample {
@@ -89,11 +89,11 @@ std::vector<Sample> samples() {
   return samples;
 }
 
-/// Where the chunks, and the layers in them, begin and end.
+/// Adds the places where the chunks, and the layers in them, begin and end.
 void add_chunk_boundaries(const FileBytes& file,
                           const LasHeader& header,
                           std::set<std::size_t>& at) {
-  constexpr std::size_t kMostLayers = 9;  // of the core of a layered record
+  constexpr std::size_t kMostLayers = 9;  // layers of the core of a layered record
   const LazPoints points(file, header, "sample");
   for (const Chunk& chunk : points.chunks()) {
     at.insert({chunk.offset, chunk.offset + chunk.n_bytes});
@@ -111,7 +111,7 @@ void add_chunk_boundaries(const FileBytes& file,
   at.insert(load<std::uint64_t>(&file[header.point_offset]) + 8);
 }
 
-/// Ends of fields of the header, records, points, chunks, layers, pages; those beyond the file out.
+/// The ends of fields of the header, records, points, chunks, layers and pages that lie within the file.
 std::set<std::size_t> boundaries(const FileBytes& file) {
   const LasHeader header = parse_las_header(file, "sample");
   std::set<std::size_t> at{0,
@@ -158,7 +158,7 @@ std::size_t peak_memory() {
 
 class MutatedCloud : public testing::Test {
  protected:
-  /// The most memory is that since here, whatever other tests the process ran before.
+  /// Resets the peak of memory, so that it does not count what other tests of the process used before.
   void SetUp() override { std::ofstream("/proc/self/clear_refs") << 5; }
 
   /// The points, or nothing for an error.
@@ -191,7 +191,7 @@ TEST_F(MutatedCloud, CutAtAnyBoundaryIsAnErrorOrLosesNoPoint) {
     ASSERT_TRUE(whole) << sample.name;
     for (const std::size_t boundary : boundaries(sample.bytes)) {
       for (const std::size_t size : {boundary - 1, boundary, boundary + 1}) {
-        if (size >= sample.bytes.size()) continue;  // also -1
+        if (size >= sample.bytes.size()) continue;  // -1 is left out as well
         const std::string what = sample.name + " cut to " + std::to_string(size);
         const auto cut = read(
             {sample.bytes.begin(), sample.bytes.begin() + static_cast<std::ptrdiff_t>(size)}, what);

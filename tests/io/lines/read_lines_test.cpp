@@ -101,7 +101,7 @@ TEST(ReadGeoJson, LeavesColumnsOfOtherToolsThatHaveOurNames) {
            collection(
                feature(R"({"n_points":7,"covariance":[1,2],"n_images":2})", line) + "," +
                feature(R"({"n_points":"about 120","epipolar_angle_deg":"x","n_images":3})", line)));
-  // a column is ours as a whole or not at all
+  // a column is read as a whole or not at all
   EXPECT_FALSE(set.lines[0].n_points.has_value());
   EXPECT_FALSE(set.lines[0].covariance_m2.has_value());
   EXPECT_EQ(set.lines[0].n_images, 2);
@@ -114,7 +114,7 @@ TEST(ReadGeoJson, LeavesColumnsOfOtherToolsThatHaveOurNames) {
           "be a number",
           "column n_points is another tool's and not read: \"about 120\" in feature 1 must be a "
           "number"));
-  // and stays in the map
+  // columns that are not read stay in the map
   EXPECT_EQ(set.features.columns.size(), 4U);
 }
 
@@ -209,7 +209,7 @@ TEST(ReadGeoJson, RefusesFeaturesWithoutALineNamingTheirKinds) {
   // a status of another tool is no reason for a line to be nowhere
   EXPECT_THAT(error_of("a.geojson", collection(feature(R"({"status":"demolished"})", "null"))),
               HasSubstr("1 null geometry"));
-  // an empty result is one
+  // an empty result is a result, too
   EXPECT_THAT(read("a.geojson", collection("")).warnings, ElementsAre("holds no lines"));
 }
 
@@ -344,7 +344,7 @@ std::string dense(const std::vector<Eigen::Vector3d>& corners, int n) {
 }
 
 TEST(ReadLines, VerticesOnAStraightLineDoNotDivideIt) {
-  // every coordinate rounded to a hundredth
+  // every coordinate is rounded to a hundredth
   const LineSet set =
       read("a.geojson",
            collection(feature("{}", dense({{0.11, 0.22, 5.33}, {12.02, 3.31, 7.17}}, 49)) + "," +

@@ -30,7 +30,7 @@ JudgeFilesOptions sample_options() {
   return options;
 }
 
-/// Over points that must outlive it.
+/// A cloud source over points, which must outlive it.
 std::unique_ptr<io::CloudSource> open_points(const std::vector<double>& xyz) {
   constexpr std::size_t kSize = sizeof(double), kRow = 3 * kSize;
   using io::PointAttribute;
@@ -53,7 +53,7 @@ std::vector<double> sample_points() {
 }
 
 TEST(JudgeLines, InMemoryGivesTheDistancesOfTheFiles) {
-  constexpr double kRounding_m = 1e-9;  // of the reduction to the local frame
+  constexpr double kRounding_m = 1e-9;  // rounding of the reduction to the local frame
   const JudgeFilesOptions options = sample_options();
   RunRecord record("test");
   const JudgedFiles by_files = judge_files(options, record);

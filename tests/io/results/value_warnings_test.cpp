@@ -100,7 +100,7 @@ TEST(ValueWarnings, NameLinesOfNoHeight) {
   }
   EXPECT_THAT(judged.warnings(),
               ElementsAre(AllOf(HasSubstr("2 of 7 lines"), HasSubstr("(out_of_range): 1, 4;"))));
-  judged.evaluation.lines[4].length_m = 0.0;  // nowhere on Earth, as its reason says
+  judged.evaluation.lines[4].length_m = 0.0;  // it has no place on Earth, as its reason says
   EXPECT_THAT(judged.warnings(), ElementsAre(HasSubstr("1 of 7 lines")));
 }
 

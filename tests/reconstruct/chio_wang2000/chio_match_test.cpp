@@ -41,7 +41,7 @@ TEST_F(ChioMatch, FindsEavesWithTheirHeightAndLeavesEpipolarOnesAlone) {
   for (const ChioLine& line : result.lines) {
     EXPECT_EQ(line.scored.match.left, line.scored.match.right);
     ASSERT_TRUE(line.line);
-    // painted without blur, the edge is a staircase of a pixel, 0.3 m of height
+    // the edge is painted without blur, a staircase of a pixel, which is 0.3 m of height
     EXPECT_NEAR(line.line->segment.start.z(), 6.0, 0.4);
     EXPECT_NEAR(line.line->segment.end.z(), 6.0, 0.4);
     EXPECT_NEAR(line.chain.mean_height_m, 6.0, 0.2);

@@ -42,7 +42,7 @@ TEST_F(Core, PassesTheTrueMate) {
   const CoreCandidates found = candidates({});
   ASSERT_EQ(found.list.size(), 1U);
   EXPECT_TRUE(found.list[0].may_begin);
-  EXPECT_GT(found.list[0].chain.n_reliable, 60);  // of 125 px, where the image shows the edge
+  EXPECT_GT(found.list[0].chain.n_reliable, 60);  // of 125 px; parts of the edge are not seen
   EXPECT_NEAR(found.list[0].chain.mean_height_m, 6.0, 0.2);
   EXPECT_NEAR(found.gsd_m, 0.08, 0.005);
 }
@@ -85,7 +85,7 @@ TEST_F(Core, LinksFragmentsOfOneEdgeOnly) {
   pair_.add_segment(0, eave_);
   pair_.add_segment(1, {eave_.start, point_at(eave_, 0.45)});
   pair_.add_segment(1, {point_at(eave_, 0.5), eave_.end});
-  // beside it, of the same rate and azimuth
+  // this line runs beside it, with the same rate and azimuth
   const Eigen::Vector3d aside(0.6, 0.0, 0.0);
   pair_.add_segment(1, {point_at(eave_, 0.6) + aside, eave_.end + aside});
   ChioOptions options;

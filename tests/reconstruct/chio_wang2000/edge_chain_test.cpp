@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kExact = 1e-6;  // of intersections 800 m below the cameras, in double
+constexpr double kExact = 1e-6;  // rounding of intersections 800 m below the cameras
 constexpr double kGsd_m = 0.08;
 
 /// What edge_points() would find of a perfect edge.

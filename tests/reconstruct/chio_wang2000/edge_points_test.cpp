@@ -45,7 +45,7 @@ TEST(EdgePoints, FindTheStepBesideTheSegmentToAFractionOfAPixel) {
 TEST(EdgePoints, AreIdealWhereTheSegmentIsIdeal) {
   const cv::Mat image = blurred_step(Eigen::Vector2d::UnitY(), 30.0);
   EdgeSegment edge = test::edge({{10.0, 30.0}, {40.0, 30.0}});
-  const Eigen::Vector2d shift(3.0, -5.0);  // what a lens would make of it
+  const Eigen::Vector2d shift(3.0, -5.0);  // as a lens would shift it
   edge.line.segment = {edge.in_image.start + shift, edge.in_image.end + shift};
   const std::vector<EdgePoint> points = edge_points(ImageSampler(image), edge);
   ASSERT_EQ(points.size(), 30U);
@@ -61,7 +61,7 @@ TEST(EdgePoints, LeaveOutStepsWithoutAnEdgeAndAtTheBorder) {
   EXPECT_TRUE(edge_points(ImageSampler(flat), test::edge({{10, 10}, {40, 30}})).empty());
   const cv::Mat image = blurred_step(Eigen::Vector2d::UnitY(), 1.0);
   EXPECT_TRUE(edge_points(ImageSampler(image), test::edge({{10, 1}, {40, 1}})).empty());
-  // 3 px away from the segment is another edge
+  // an edge 3 px away from the segment is another one
   const cv::Mat other = blurred_step(Eigen::Vector2d::UnitY(), 33.0);
   EXPECT_TRUE(edge_points(ImageSampler(other), test::edge({{10, 30}, {40, 30}})).empty());
 }

@@ -122,7 +122,7 @@ TEST_F(FigureThree, LooserConstraintsNeverLoseALine) {
 }
 
 TEST_F(FigureThree, WhatIsAcquiredGivesNothingMore) {
-  // a fixed point: with its own result given, nothing is found
+  // the result is a fixed point: if it is given, nothing more is found
   const ProcessedSegments first = process();
   std::vector<ScoredMatch> given;
   for (std::size_t i = 0; i < first.acquired.size(); ++i) {
@@ -150,7 +150,7 @@ TEST_F(FigureThree, TheHeightOfTheNeighbourChoosesAmongCandidates) {
   const int wrong = static_cast<int>(views_[1].segments.size()) - 1;
   add_candidate(kC, wrong, 0.95);
   const Segment2 of_c = views_[0].segments[kC].line.segment;
-  // seen from the left as C: the candidate's height follows from its place in the right image
+  // the left image shows it as C, so the candidate's height follows from its place in the right image
   const auto overlap =
       epipolar_overlap(*searched_segment(search_, of_c), views_[1].segments[wrong].line.segment);
   ASSERT_GT(overlap->height_m[0], 10.0);

@@ -18,7 +18,7 @@ TEST(FitLine, GoesThroughPointsOnALine) {
   for (const double t : {1.0, 0.5, 0.25, 0.0}) points.push_back(point_at(line, t));
   const auto fitted = fit_line(points, 1.0);
   ASSERT_TRUE(fitted);
-  // in the order of the points: from the end to the start
+  // the line runs in the order of the points, from the end to the start
   EXPECT_LT((fitted->segment.start - line.end).norm(), 1e-12);
   EXPECT_LT((fitted->segment.end - line.start).norm(), 1e-12);
   EXPECT_LT(fitted->cov_m2.norm(), 1e-12);
@@ -78,7 +78,7 @@ TEST(FitLine, FewerIndependentPointsMakeItLessCertain) {
 
 TEST(LineThroughLinks, RunsTheWayOfTheLeftSegmentInWhicheverOrderTheFragmentsWereLinked) {
   constexpr double kGsd_m = 0.08;
-  constexpr double kNear_m = 0.5;  // of ends on an edge painted without blur, 12 m apart
+  constexpr double kNear_m = 0.5;  // error of ends 12 m apart on an edge without blur
   test::PaintedPair pair({{-4.0, -6.0, 4.0, 6.0, 5.0}});
   const Segment3 edge{{-4.0, -6.0, 5.0}, {-4.0, 6.0, 5.0}};
   pair.add_segment(0, edge);

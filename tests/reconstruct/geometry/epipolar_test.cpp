@@ -16,7 +16,7 @@ namespace {
 using test::kDegree;
 using test::StereoScene;
 
-/// f = 100 px, at the origin, looking along z.
+/// A camera with f = 100 px at `centre` that looks along z.
 ProjectionMatrix simple_camera(const Eigen::Vector3d& centre = Eigen::Vector3d::Zero()) {
   ProjectionMatrix p;
   p << Eigen::Matrix3d::Identity(), -centre;
@@ -53,7 +53,7 @@ TEST(PointOnPlane, IsSeenAtThePixelAndLiesOnThePlane) {
     EXPECT_NEAR(plane.signedDistance(x), 0.0, 1e-12);
     EXPECT_TRUE(project(camera, x).isApprox(Eigen::Vector2d(30, -40)));
   }
-  // straight ahead at depth 10
+  // the point lies straight ahead at depth 10
   EXPECT_TRUE(point_on_plane(camera, {0, 0}, Plane3(Eigen::Vector3d::UnitZ(), -13.0))
                   .isApprox(Eigen::Vector3d(1, 2, 13)));
 }

@@ -20,7 +20,7 @@
 namespace ridgeline {
 namespace {
 
-// Published heights are ellipsoidal, those of the shots altitudes.
+// Published heights are ellipsoidal, the heights of the shots are altitudes.
 constexpr double kHeightShiftM = -49.30;
 constexpr double kPlanToleranceM = 0.005;  // MAD; 2.7 and 3.6 mm were measured
 constexpr double kHeightToleranceM = 0.015;

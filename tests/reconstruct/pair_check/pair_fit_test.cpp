@@ -10,7 +10,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kLimit_px = 3.0;
-constexpr double kExact_px = 1e-6;  // of double precision in pixels of a few thousand
+constexpr double kExact_px = 1e-6;  // rounding of a few thousand pixels in double
 const std::array<Eigen::Vector2i, 2> kSizes{Eigen::Vector2i(1000, 800), Eigen::Vector2i(900, 700)};
 
 /// Two cameras 800 m up and 200 m apart, the right one turned and tilted a little, so that no two readings agree.
@@ -93,7 +93,7 @@ TEST(FitOfPair, LeavesOutWhatTheCameraCannotHaveSeenAndHasNoMedianOfNothing) {
   EXPECT_TRUE(std::isnan(fit.median_y_parallax_px));
 }
 
-/// The point in a file that was made from the camera's image so, by the steps that make it.
+/// Where the point lies in a file that was made from the camera's image by turning and scaling it.
 Eigen::Vector2d in_file(Eigen::Vector2d x_px, Eigen::Vector2i size, int turned_deg, double scale) {
   for (int angle = 0; angle < turned_deg; angle += 90) {  // a quarter clockwise
     x_px = {size.y() - 1 - x_px.y(), x_px.x()};

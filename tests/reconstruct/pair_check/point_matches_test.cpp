@@ -10,12 +10,12 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kSide_px = 900;
-// Of images reduced to 500 pixels, SIFT is exact to about half a pixel.
+// SIFT is exact to about half a pixel of images that are reduced to 500 pixels.
 constexpr double kPixel_px = 2.0;
 constexpr std::size_t kFewest = 100;
 constexpr double kLeastRight = 0.9;
 
-/// Blots of many sizes: a look that no two places share. CV_32FC3 in [0, 1].
+/// Blots of many sizes, so that no two places look the same. CV_32FC3 in [0, 1].
 cv::Mat blots(int seed) {
   cv::RNG random(seed);
   cv::Mat image(kSide_px, kSide_px, CV_32FC3, cv::Scalar::all(0.5));

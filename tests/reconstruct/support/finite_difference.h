@@ -29,7 +29,7 @@ Eigen::Matrix<double, N, M> central_differences(const Function& function,
   return jacobian;
 }
 
-/// Components in [-1, 1], at least one of them not small.
+/// A vector with components in [-1, 1], at least one of them not small.
 template <int N>
 Eigen::Matrix<double, N, 1> random_vector(Random& random) {
   Eigen::Matrix<double, N, 1> x;
@@ -39,7 +39,7 @@ Eigen::Matrix<double, N, 1> random_vector(Random& random) {
   return x;
 }
 
-/// Regular, with standard deviations of about 1e-3.
+/// A regular covariance matrix with standard deviations of about 1e-3.
 template <int N>
 Eigen::Matrix<double, N, N> random_covariance(Random& random) {
   Eigen::Matrix<double, N, N> root;

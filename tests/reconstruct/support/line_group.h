@@ -11,7 +11,7 @@
 
 namespace ridgeline::test {
 
-/// Ok et al. 2011 without what goes beyond it.
+/// The options of Ok et al. 2011 without what goes beyond it.
 inline reconstruct::EstimationOptions published() {
   return {{}, reconstruct::EstimateExtensionOptions::none()};
 }
@@ -37,10 +37,10 @@ struct LineGroup {
 
 /// A line that meets the first one at a parameter of it.
 struct NeighbourSpec {
-  double parameter;   ///< along the first line, 0 at its start
-  double angle_deg;   ///< of its left image to the epipolar line
-  double rise_m = 3;  ///< of its far end over the meeting point
-  double gap_px = 0;  ///< between the meeting point and its near end
+  double parameter;   ///< place along the first line, 0 at its start
+  double angle_deg;   ///< angle of its left image to the epipolar line
+  double rise_m = 3;  ///< height of its far end over the meeting point
+  double gap_px = 0;  ///< gap between the meeting point and its near end
 };
 
 inline Segment3 make_neighbour(const StereoScene& scene,
@@ -57,8 +57,8 @@ inline Segment3 make_neighbour(const StereoScene& scene,
   return {point_at(Segment3{meeting, far}, near), far};
 }
 
-/// Adds the images of the true lines, without error for noise zero; the stated precision is that of
-/// `stated`.
+/// Adds the images of the true lines, with random errors of the precision `stated`, or exactly without
+/// `random`.
 inline void observe(LineGroup& group, const Noise& stated, Random* random) {
   for (std::size_t i = 0; i < group.truth.size(); ++i) {
     const std::array<Segment2, 2> images = group.scene.images(group.truth[i]);
@@ -70,7 +70,7 @@ inline void observe(LineGroup& group, const Noise& stated, Random* random) {
   }
 }
 
-/// A line, number 0, with the neighbours that meet it, 1, 2, ..., each connected with it. Observed
+/// A line, number 0, with the neighbours that meet it, 1, 2, ..., each connected with it. They are observed
 /// with random errors, or exactly without `random`.
 inline LineGroup make_group(const SegmentSpec& line,
                             const std::vector<NeighbourSpec>& neighbours,
@@ -86,7 +86,7 @@ inline LineGroup make_group(const SegmentSpec& line,
   return group;
 }
 
-/// The same, observed with random errors, with neighbours that miss the line by random distances.
+/// The group of make_group() with random errors and with neighbours that miss the line by random distances.
 inline LineGroup make_group_with_misses(const SegmentSpec& line,
                                         const std::vector<NeighbourSpec>& neighbours,
                                         double sigma_m,
@@ -125,8 +125,8 @@ inline double height_error_m(const StereoScene& scene,
                              const Eigen::Vector3d& x) {
   const Eigen::Vector2d image = project(scene.cameras[0], x);
   const Segment2 s = project(scene.cameras[0], estimate);
-  // the place on the estimate imaged closest to x; along the segment, hence the endpoint noise
-  // cancels
+  // the place on the estimate whose image is closest to x; measured along the segment, so that the
+  // noise of the endpoints cancels
   const Eigen::Vector2d d = s.end - s.start;
   const double u = d.dot(image - s.start) / d.squaredNorm();
   const Eigen::Vector3d h_start = scene.cameras[0] * estimate.start.homogeneous();

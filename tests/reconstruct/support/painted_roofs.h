@@ -15,8 +15,8 @@ struct PaintedFace {
   Eigen::AlignedBox2d plan{};
   double height_m = 0.0;
   double slope = 0.0;
-  double contrast = 1.0;  ///< 0: nothing to see on it
-  double brighter = 0.0;  ///< than the ground, of the range of grey values
+  double contrast = 1.0;  ///< contrast of the paint; 0: a plain face
+  double brighter = 0.0;  ///< by how much of the grey range it is brighter than ground
 
   [[nodiscard]] double height_at(const Eigen::Vector2d& x) const {
     return height_m + slope * (x.x() - plan.center().x());
@@ -41,12 +41,12 @@ inline double paint(double x_m, double y_m) {
          b * ((1.0 - a) * lattice(i, k + 1) + a * lattice(i + 1, k + 1));
 }
 
-/// The pair of StereoScene, cut out around the origin, of faces over painted ground at z = 0.
+/// Images of faces over painted ground at z = 0: the pair of StereoScene, cut out around the origin.
 struct PaintedRoofs {
   std::vector<PaintedFace> faces;
   int size_px = 400;
   double ground_contrast = 1.0;
-  double right_turn_rad = 0.0;  ///< of the right image in its plane
+  double right_turn_rad = 0.0;  ///< turn of the right image in its plane
 
   [[nodiscard]] OwnedPair pair() const {
     const StereoScene scene;
@@ -66,7 +66,7 @@ struct PaintedRoofs {
     return result;
   }
 
-  /// Height of what a camera sees at a pixel, and the point.
+  /// The point that a camera sees at a pixel.
   [[nodiscard]] Eigen::Vector3d seen(const ProjectionMatrix& camera,
                                      const Eigen::Vector2d& x) const {
     const Eigen::Vector3d centre = projection_centre(camera).hnormalized();

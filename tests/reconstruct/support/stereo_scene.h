@@ -87,7 +87,7 @@ struct Noise {
   double e_px = 1.0;
 };
 
-/// The same with every standard deviation multiplied.
+/// The noise with every standard deviation multiplied.
 inline Noise scaled(const Noise& noise, double factor) {
   return {factor * noise.q_px, factor * noise.phi_rad, factor * noise.e_px};
 }

@@ -11,7 +11,7 @@ namespace {
 
 using test::BlurredStrip;
 
-/// Single precision of the image.
+/// The image has single precision.
 constexpr double kExact_px = 1e-4;
 
 std::optional<std::array<ProfileStep, 2>> find(const BlurredStrip& strip, const Segment2& segment) {
@@ -31,7 +31,7 @@ TEST(CloseEdges, FindsBothBordersOfAStripThatBlursIntoOneEdge) {
   ASSERT_TRUE(edges);
   EXPECT_NEAR((*edges)[0].offset_px, -0.6, kExact_px);
   EXPECT_NEAR((*edges)[1].offset_px, 0.7, kExact_px);
-  // root of the summed squares of the steps of the bands
+  // the height is the root of the summed squares of the steps of the bands
   EXPECT_NEAR((*edges)[0].height, std::sqrt(0.4 * 0.4 + 0.2 * 0.2 + 0.35 * 0.35), kExact_px);
 }
 

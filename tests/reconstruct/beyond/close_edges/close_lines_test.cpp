@@ -12,7 +12,7 @@ using test::PaintedPair;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Northwards, 8 m long.
+/// A line of 8 m that runs north.
 Segment3 northwards(double east_m, double height_m) {
   return {{east_m, -4.0, height_m}, {east_m, 4.0, height_m}};
 }

@@ -43,7 +43,7 @@ BlurredStrip marking(double width_px) {
 
 TEST(SeparateEdges, BothBordersOfAMarkingAreWhereTheyAreAndEachIsThereOnce) {
   constexpr double kTolerance_px =
-      0.1;  // where the gradient has its maxima, both are 0.3 px outside
+      0.1;  // the maxima of the gradient lie 0.3 px outside of both borders
   const BlurredStrip strip = marking(1.5);
   const auto segments = extract(strip.image());
   EXPECT_THAT(offsets_px(strip, segments),

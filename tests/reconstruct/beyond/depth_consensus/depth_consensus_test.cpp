@@ -54,7 +54,7 @@ double worst_error_m(const LineGroup& group, const ReconstructedLine& line) {
 TEST(DepthConsensus, LeavesOutThePointThatDisagrees) {
   LineGroup group = make_group(eave(0.5), {{0.0, 80}, {1.0, 110}});
   add_ground_line(group, 0.5, 70.0);
-  // as published all three regions give a point, and the false one bends the line
+  // in the published method all three regions give a point, and the false one bends the line
   EXPECT_GT(worst_error_m(group, group.reconstruct(test::published())[0]), 1.0);
   const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kJoint);
@@ -70,7 +70,7 @@ TEST(DepthConsensus, IsNotOutvotedByPointsOfOneFalseSurface) {
   EXPECT_LT(worst_error_m(group, line), kRecoveredM);
 }
 
-/// A line that meets nothing and of which the ends in both images show the height and another one.
+/// A line that meets nothing. Its start has its true height in both images, its end another height.
 LineGroup with_ends_that_disagree(double other_m) {
   LineGroup group = make_group(eave(0.5), {});
   const Eigen::Vector2d end = group.segments[0][0].segment.end;
@@ -82,7 +82,7 @@ LineGroup with_ends_that_disagree(double other_m) {
 TEST(DepthConsensus, CountsHowFarLinesThatMeetMissEachOther) {
   constexpr int kTrials = 400;
   constexpr double kLeast = 0.7,
-                   kMost = 1.3;  // of the mean, 1; a chi-square mean of 300 scatters by 0.08
+                   kMost = 1.3;  // around the mean 1; a chi-square mean of 300 scatters by 0.08
   const EstimationOptions options;
   test::Random random(71);
   double sum = 0.0;
@@ -145,7 +145,7 @@ TEST(DepthConsensus, DoesNotForceASlopingLineToBeHorizontal) {
 }
 
 TEST(DepthConsensus, DoesNotTakeTwoPointsInOnePlaceForADirection) {
-  // in two regions, but only a tenth of the segment apart
+  // the two meetings lie in two regions, but only a tenth of the segment apart
   const LineGroup group = make_group(eave(0.5), {{0.28, 80}, {0.38, 110}});
   const ReconstructedLine line = group.reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.points.size(), 2U);
@@ -175,7 +175,7 @@ TEST(DepthConsensus, EndsOfAShortSegmentProveNothing) {
   step.length_px = 12.0;
   EXPECT_EQ(make_group(step, {}).reconstruct(EstimationOptions{})[0].status,
             Status::kAmbiguousDepth);
-  // with a point they do
+  // with a point beside them they do
   const ReconstructedLine line = make_group(step, {{0.0, 80}}).reconstruct(EstimationOptions{})[0];
   EXPECT_EQ(line.status, Status::kHorizontal);
 }
@@ -233,7 +233,7 @@ TEST(AgreeOnDepth, OfTwoLinesThatEndThereTheHigherOneCannotPassBehind) {
   ASSERT_TRUE(consensus);
   EXPECT_THAT(consensus->parts.at(0).supports, testing::ElementsAre(1U));
   EXPECT_GT(consensus->margin, ConsensusOptions{}.min_depth_margin);
-  // without a say in what hides what, neither is better
+  // if the meetings say nothing of what hides what, neither height is better
   for (DepthEvidence& e : evidence) e.meeting = 0.0;
   EXPECT_LT(line.consensus(evidence)->margin, ConsensusOptions{}.min_depth_margin);
 }
@@ -263,7 +263,7 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
                           kScene.at_height(beside + Eigen::Vector2d(0.0, 60.0), height_m)};
     const std::array<Segment2, 2> images = kScene.images(nearby);
     for (std::size_t j = 0; j < 2; ++j) with.segments[j].push_back(test::exact(images[j], {}));
-    with.matches.push_back({1, 1});  // not connected: it meets nothing
+    with.matches.push_back({1, 1});  // the line is not connected and meets nothing
     EstimationOptions options;
     options.consensus.min_depth_margin = 0.0;  // a weak reason alone
     const ReconstructedLine line = with.reconstruct(options)[0];
@@ -273,11 +273,11 @@ TEST(DepthConsensus, OfEndsThatDisagreeTheHeightOfALineNearbyDecides) {
   }
 }
 
-/// Part of a line across the first one, by the distance beside the middle of it, px.
+/// Part of a line across the first one, by distances beside the middle of the first one, px.
 using Stretch = std::array<double, 2>;
 
-/// Adds a rising line whose left segment is longer than the right one, which shows a part of a given
-/// height. Not connected: it meets nothing.
+/// Adds a rising line whose left segment is longer than the right one. The middle of the right one has a given
+/// height. The line is not connected and meets nothing.
 void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, double height_m) {
   constexpr double kRiseM = 0.005;  // per pixel
   const Eigen::Vector2d across =
@@ -290,7 +290,7 @@ void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, dou
     return Segment3{at(s[0]), at(s[1])};
   };
   const auto i = static_cast<int>(group.matches.size());
-  const test::Noise noise;  // of 100 px; that of a direction goes with the length to the -1.5
+  const test::Noise noise;  // noise of 100 px; that of a direction goes with length^-1.5
   const double shorter = (right[1] - right[0]) / 100.0;
   group.segments[0].push_back(test::exact(kScene.images(line(left))[0], noise));
   group.segments[1].push_back(
@@ -299,7 +299,7 @@ void add_line_with_short_mate(LineGroup& group, Stretch left, Stretch right, dou
   group.matches.push_back({i, i});
 }
 
-/// Heights of both ends of the first line, beside one with a short mate at a height.
+/// Heights of both ends of the first line, beside a line with a short mate at a height.
 std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_m) {
   LineGroup group = with_ends_that_disagree(3.0);
   add_line_with_short_mate(group, left, right, height_m);
@@ -307,12 +307,12 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
   options.consensus.min_depth_margin = 0.0;  // a weak reason alone
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
   EXPECT_TRUE(lines[1].between_right_ends);
-  EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m: known well enough to be compared with
+  EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m; the height is known well enough to compare
   return {segment_of(lines[0]).start.z(), segment_of(lines[0]).end.z()};
 }
 
 TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
-  // 100 px are near: both ends of the left segment are not, those of its mate are
+  // within 100 px is near: both ends of the left segment are farther off, those of its mate are near
   const Stretch whole{-120.0, 200.0};
   for (const double height_m : {kHeightM, 3.0}) {
     EXPECT_THAT(heights_beside(whole, {25.0, 55.0}, height_m),
@@ -321,7 +321,7 @@ TEST(DepthConsensus, HeightsNearbyAreThoseOfEndsThatBothImagesShow) {
 }
 
 TEST(DepthConsensus, HeightsNearbyAreNotThoseOfWhatIsFarAway) {
-  // an end of the left segment is near, that of its mate whose height is known is not
+  // an end of the left segment is near, but the end of its mate, whose height is known, is not
   const Stretch whole{40.0, 360.0};
   EXPECT_EQ(heights_beside(whole, {200.0, 230.0}, kHeightM)[0] > 4.5,
             heights_beside(whole, {200.0, 230.0}, 3.0)[0] > 4.5);

@@ -45,7 +45,7 @@ void add_meeting(LineGroup& group, const Eigen::Vector3d& x, double angle_deg) {
   group.connections.push_back({0, static_cast<int>(group.matches.size()) - 1});
 }
 
-/// The match of what lies between the outer ends of these lines, which are left in `truth`.
+/// A group whose only match reaches from the first to the last end of these lines; `truth` holds the lines.
 LineGroup match_of(const std::vector<Segment3>& lines) {
   LineGroup group;
   add(group, {lines.front().start, lines.back().end});
@@ -98,7 +98,7 @@ TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
 }
 
 TEST(MatchOfSeveralLines, GivesTheVergesOfADormerToo) {
-  // too short for the steps of a row
+  // the segment is too short for the steps of a row
   const std::vector<Segment3> verges{{seen_at(0.35, 6.0), seen_at(0.5, 7.0)},
                                      {seen_at(0.5, 7.0), seen_at(0.65, 6.0)}};
   LineGroup group = match_of(verges);

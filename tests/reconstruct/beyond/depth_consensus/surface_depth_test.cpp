@@ -14,7 +14,7 @@ namespace {
 
 using test::segment_of;
 
-constexpr double kSurface_m = 0.1;  // what the exact surface is known to: the prior of its slopes
+constexpr double kSurface_m = 0.1;  // error of the exact surface, by the prior of its slopes
 constexpr int kSize_px = 400;
 
 /// A line of 100 px along the epipolar line and what meets it, in images of 400 px around the origin.
@@ -103,7 +103,7 @@ TEST(SurfaceDepth, StandsAgainstANetworkWithFewerMeetings) {
   EXPECT_EQ(line.status, Status::kSurface);
 }
 
-/// Whether lines that meet keep a line at its height between surfaces of others.
+/// Expects that lines that meet keep a line at its height between surfaces of other heights.
 void expect_kept_by_meetings(double z_m, double towards_m, double away_m) {
   const test::LineGroup group = group_of(z_m, test::kThreeNeighbours);
   const Surface surface = surface_beside(group, towards_m, away_m);

@@ -19,7 +19,7 @@ test::ErrorSummary errors_of(const test::BlurredScene& scene, bool faint_edges) 
 }
 
 TEST(WithFaintEdges, FindsFaintEdgesAsAccurately) {
-  // steps of twice the noise
+  // the steps are twice the noise
   const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.02});
   const test::ErrorSummary two_looks = errors_of(scene, true);
   const test::ErrorSummary one_look = errors_of(scene, false);

@@ -16,7 +16,7 @@ constexpr double kHeight_m = 6.0;
 const Segment3 kEave{{6.0, -4.5, kHeight_m}, {6.0, 4.5, kHeight_m}};
 constexpr double kStep_px = 0.5;  // the scene is sampled, not blurred: edges lie between pixels
 
-/// A bright roof, its eave extracted in none of the views to begin with.
+/// A bright roof whose eave is extracted in neither view to begin with.
 class GuidedMatchesTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -43,7 +43,7 @@ class MatePredictionTest : public testing::Test {
 };
 
 TEST_F(MatePredictionTest, IsWhereTheOtherViewShowsTheNearerSurface) {
-  constexpr double kLeft_px = 0.1;   // what pixels beside the edge take of the ground
+  constexpr double kLeft_px = 0.1;   // pixels beside the edge show some of the ground
   constexpr double kRight_px = 0.6;  // the surface of the right view lies on whole pixels
   for (const std::size_t from : {0U, 1U}) {
     const auto mate = MatePrediction(surface, from).of(seen(kAcross, from));

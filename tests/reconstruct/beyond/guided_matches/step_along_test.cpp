@@ -64,9 +64,9 @@ TEST(StepAlong, FollowsAStepThatIsTurnedAgainstTheExpectedLine) {
 }
 
 TEST(StepAlong, IsTheExpectedOneBesideAStrongerOne) {
-  constexpr double kDrawn_px = 0.7;  // by the strong step, whose blur reaches this far
+  constexpr double kDrawn_px = 0.7;  // the strong step, whose blur reaches this far, draws it
   for (const double side : {1.0, -1.0}) {
-    const Eigen::Vector2d aside = 0.4 * side * normal(kLine);  // the stronger one is at 1.85 px
+    const Eigen::Vector2d aside = 0.4 * side * normal(kLine);  // the stronger step is at 1.85 px
     EXPECT_NEAR(found_at_px(image_of({{0.0, 0.04}, {2.25 * side, -0.2}}, 0.005),
                             {kLine.start + aside, kLine.end + aside}),
                 0.0, kDrawn_px);
@@ -81,7 +81,7 @@ TEST(StepAlong, SeesWhatIsTooFaintForSinglePixels) {
     const double at_px = found_at_px(image_of({{0.0, kNoise}}, kNoise, seed));
     if (std::abs(at_px) < kScatter_px) ++n_found;
   }
-  EXPECT_GE(n_found, 15);  // of noise as strong as the step three of four are seen
+  EXPECT_GE(n_found, 15);  // three of four are seen in noise as strong as the step
 }
 
 TEST(StepAlong, IsRareInNoise) {

@@ -57,7 +57,7 @@ TEST(CompareAcrossHiddenStrips, TheFootOfAWallIsNotTheUpperEdgeThatTheOtherCamer
   const Candidates after = compared(pair, before);
   ASSERT_EQ(after.at(0).size(), 1U);
   EXPECT_EQ(after[0][0].right, kUpper);
-  // beyond the strip is the ground that the left image shows beside the wall
+  // beyond the strip lies the ground that the left image shows beside the wall
   EXPECT_GT(after[0][0].similarity, with_mate(before[0], kUpper).similarity);
   EXPECT_GT(after[0][0].measures.values[LineMeasures::kContrast], 0.9);  // nearly the same step
 }
@@ -94,7 +94,7 @@ TEST(CompareAcrossHiddenStrips, TheFootStaysWhereTheUpperEdgeLooksQuiteDifferent
 
 TEST(CompareAcrossHiddenStrips, AStripThatNoWallCouldShowAtThatWidthIsNone) {
   PaintedPair pair({});
-  // 2.5 px apart; a wall that runs towards the camera's nadir shows no width
+  // the edges are 2.5 px apart; a wall that runs towards the camera's nadir shows no width
   pair.add_line({{-4.0, 0.0, 9.0}, {4.0, 1.0, 9.0}});
   pair.add_segment(0, {{-4.0, 0.2, 9.0}, {4.0, 1.2, 9.0}});
   const Candidates before = candidates_of(pair);

@@ -52,9 +52,9 @@ class SidePastAWall : public ::testing::TestWithParam<bool> {
 };
 
 TEST_P(SidePastAWall, IsTheGroundThatTheOtherCameraSeesBesideTheEdge) {
-  ASSERT_LT(look_.sides[worse_]->agreement(), 0.8);  // wall against ground
+  ASSERT_LT(look_.sides[worse_]->agreement(), 0.8);  // the wall is compared with ground
   const EdgeLook past = past_wall(kEaves_m + 5.0);
-  // the same texture, less what the choice of a height costs
+  // both show the same texture; the choice of a height costs some of the agreement
   EXPECT_GT(past.sides[worse_]->ncc, 0.5);
   EXPECT_GT(past.sides[worse_]->colour_agreement(), 0.5);
   EXPECT_TRUE(past.is_past_wall[worse_]);

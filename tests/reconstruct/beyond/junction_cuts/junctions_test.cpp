@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kNoisePx = 0.05;  // of edge pixels in an aerial image
+constexpr double kNoisePx = 0.05;  // noise of edge pixels in an aerial image
 constexpr int kLength = 120;
 constexpr int kRidgeAt = 60;
 
@@ -67,7 +67,7 @@ TEST(CutAtJunctions, WhereAStripInterruptsTheEdge) {
   auto& trace = interrupted;
   trace.erase(trace.begin() + kRidgeAt - 2, trace.begin() + kRidgeAt + 2);
   EXPECT_THAT(begins(cut_at_junctions({interrupted}, {})), ElementsAre(0.0, kRidgeAt + 2.0));
-  // as straight as it would be without the strip
+  // the edge is as straight as it would be without the strip
   EdgeTrace straight = edge([](int) { return 0.0; });
   straight.erase(straight.begin() + kRidgeAt - 2, straight.begin() + kRidgeAt + 2);
   EXPECT_THAT(begins(cut_at_junctions({straight}, {})), ElementsAre(0.0));
@@ -85,7 +85,7 @@ TEST(CutAtJunctions, NotAStraightEdge) {
 }
 
 TEST(CutAtJunctions, EveryEaveOfATerraceThatStepsDownASlope) {
-  // a staircase, which one line fits better than two do
+  // one line fits this staircase better than two do
   const auto terrace = [](int i) { return 0.35 * std::floor(i / 30.0); };
   const auto cut = cut_at_junctions({edge(terrace), stem(30), stem(60), stem(90)}, {});
   EXPECT_THAT(begins(cut), ElementsAre(0.0, 30.0, 60.0, 90.0));

@@ -33,7 +33,7 @@ PaintedPair village() {
   return pair;
 }
 
-/// The right image alone shows walls: lines in its corner with darker sides than all others.
+/// Adds walls that only the right image shows: lines in its corner with darker sides than all others.
 void add_walls(View& right, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     EdgeSegment wall = test::edge({{2.0, 2.0}, {2.0, 12.0}});

@@ -37,14 +37,14 @@ std::vector<const NetworkLine*> pointers(const std::vector<NetworkLine>& lines) 
 }
 
 TEST(NetworkAdjustment, OfImagesAloneIsTheIntersectionOfThePlanesWithItsCovariance) {
-  constexpr double kRounding = 1e-8;  // the range of heights, 200 km, has a share of 1e-10
+  constexpr double kRounding = 1e-8;  // the range of heights, 200 km, weighs 1e-10
   const ConditionedScene scene;
   test::Random random(321);
   for (const double theta_deg : {80.0, 30.0, 8.0}) {
     std::vector<NetworkLine> lines =
         observed_lines(scene, {test::make_segment(scene.scene, test::line_at(theta_deg))}, random);
     const UncertainLine3 direct{lines[0].start, *lines[0].start_cov};
-    Vector6d away = direct.mean;  // the start is not what decides
+    Vector6d away = direct.mean;  // the start must not decide
     away(5) += 1e-3;
     lines[0].start = project_to_pluecker_quadric(away);
     NetworkAdjustment adjustment(scene.stereo, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
@@ -77,7 +77,7 @@ class MeetingLines : public testing::Test {
 };
 
 TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
-  constexpr double kSecondOrder = 0.02;  // of lines whose heights move by 2 standard deviations
+  constexpr double kSecondOrder = 0.02;  // the heights of lines move by 2 standard deviations
   NetworkAdjustment all(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   ASSERT_TRUE(all.minimise(1e-9, 50) && all.invert());
   for (std::size_t m = 0; m < meetings.size(); ++m) {
@@ -108,7 +108,7 @@ TEST_F(MeetingLines, HaveConvergedOnceAPassMovesNoLineByMoreThanTheTolerance) {
   EXPECT_FALSE(adjustment.converged());
   ASSERT_TRUE(adjustment.minimise(1e-6, 50));
   EXPECT_TRUE(adjustment.converged());
-  // the last call decides: a pass that may not be made finds nothing
+  // the last call decides, and without a pass it cannot find that the lines have converged
   ASSERT_TRUE(adjustment.minimise(1e-6, 0));
   EXPECT_FALSE(adjustment.converged());
 }

@@ -20,7 +20,7 @@ using test::kDegree;
 constexpr double kDifferences = 1e-6;
 constexpr double kRounding = 1e-9;
 
-/// The derivatives along the four free directions of a line, where alone they have a meaning.
+/// Compares derivatives along the four free directions of a line; only there they have a meaning.
 template <typename Condition>
 void expect_derivatives(const Condition& condition, const Vector6d& line, const Vector6d& stated) {
   const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(line);
@@ -41,7 +41,7 @@ void expect_derivatives(const Condition& condition, const Vector6d& line, const 
 class Conditions : public testing::Test {
  protected:
   ConditionedScene scene;
-  /// 2 degrees off the epipolar direction, which is the hard case.
+  /// A segment 2 degrees off the epipolar direction, which is the hard case.
   Segment3 segment =
       test::make_segment(scene.scene, {scene.scene.left_centre(), 2.0 * kDegree, 100.0, 3.0, 4.0});
   std::array<ObservedLine, 2> seen = scene.observe(test::exact_pair(scene.scene, segment));
@@ -72,7 +72,7 @@ TEST_F(Conditions, ImageDeviationHasUnitVariance) {
 
 TEST_F(Conditions, ImageDerivatives) {
   for (const double sign : {1.0, -1.0}) {
-    // off the observed line by some sigma
+    // this line is off the observed one by some sigma
     const Vector6d off = sign * scene.line({segment.start + Eigen::Vector3d(0, 0.1, 0.2),
                                             segment.end + Eigen::Vector3d(0, -0.05, 0.4)});
     for (std::size_t j = 0; j < 2; ++j) {

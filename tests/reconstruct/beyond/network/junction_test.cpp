@@ -9,7 +9,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Of a line of 100 px and one at right angles to it that starts there, this far beyond it.
+/// The junction of a line of 100 px and one at right angles to it, which starts `gap_px` beyond the place `parameter`.
 Junction junction_at(double parameter, double gap_px) {
   const test::ConditionedScene scene;
   const Segment3 line = test::make_segment(scene.scene, test::line_at(45));

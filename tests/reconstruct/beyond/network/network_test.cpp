@@ -25,7 +25,7 @@ using test::LineGroup;
 using test::make_group;
 using test::segment_of;
 
-/// More than `joint` takes points of, so that `network` knows more.
+/// More neighbours than `joint` takes points from, so that `network` knows more.
 const std::vector<test::NeighbourSpec> kFiveNeighbours{
     {0.05, 80}, {0.5, -60}, {0.95, 110}, {0.05, -70}, {0.95, -80}};
 
@@ -41,14 +41,14 @@ double largest_error_m(const ReconstructedLine& line, const Segment3& truth) {
                   (segment_of(line).end - truth.end).norm());
 }
 
-/// Larger distance of the two ends from the true line; along it they scatter with those of the image.
+/// The larger distance of the two ends from the true line. Along it the ends scatter as those in the image do.
 double error_across_m(const ReconstructedLine& line, const Segment3& truth) {
   const Eigen::Vector3d along = (truth.end - truth.start).normalized();
   return std::max((segment_of(line).start - truth.start).cross(along).norm(),
                   (segment_of(line).end - truth.start).cross(along).norm());
 }
 
-/// The neighbours, ends on the line, miss it by as much as such do: half of sigma_meeting_m.
+/// A group whose neighbours end on the line and miss it by half of sigma_meeting_m, as such ends do.
 LineGroup group_with_misses(double theta_deg,
                             const std::vector<test::NeighbourSpec>& neighbours,
                             const test::Noise& noise,
@@ -59,7 +59,7 @@ LineGroup group_with_misses(double theta_deg,
 }
 
 TEST(Network, RecoversLinesWithoutErrorAtAnyAngle) {
-  constexpr double kRounding_m = 1e-6;  // for the range of heights of 200 km, a weak prior
+  constexpr double kRounding_m = 1e-6;  // the range of heights of 200 km is a weak prior
   for (const double theta_deg : {60.0, 20.0, 6.0, 2.0, 0.5, 0.0}) {
     const LineGroup group = make_group(line_at(theta_deg), kFiveNeighbours);
     const auto lines = group.reconstruct(network_options());
@@ -110,12 +110,12 @@ TEST_P(NetworkPrecision, StatesItsErrors) {
     const LineGroup group =
         group_with_misses(GetParam(), kFiveNeighbours, test::scaled({}, 0.3), options, random);
     const auto lines = group.reconstruct(options);
-    // of those with all meetings accepted: a miss of 3 sigma is rejected, which is not normal any more
+    // only lines with all meetings accepted count: a miss of 3 sigma is rejected, so the others are not normal
     if (lines[0].n_meetings < 5) continue;
     sum += test::nees(lines[0], group.truth[0]);
     ++n;
   }
-  ASSERT_GT(n, 0.85 * kTrials);  // five meetings each
+  ASSERT_GT(n, 0.85 * kTrials);  // lines with five meetings each
   EXPECT_NEAR(sum / n, 4.0, test::chi_square_mean_band(4.0, n));
 }
 
@@ -155,7 +155,7 @@ TEST(Network, IsAsAccurateAsJointWithSomeOfTheFivePoints) {
         group_with_misses(random.uniform(0, 9), kFiveNeighbours, {}, network_options(), random);
     const ReconstructedLine before = group.reconstruct(joint)[0];
     const ReconstructedLine after = group.reconstruct(network_options())[0];
-    // a depth that nothing tells stays without a line: five meetings are about as many as points that disagree
+    // a line without a depth stays without one: its five meetings are about as many as points that disagree
     ASSERT_EQ(after.segment_in_local.has_value(), before.segment_in_local.has_value()) << trial;
     if (!before.segment_in_local) continue;
     before_m.push_back(error_across_m(before, group.truth[0]));
@@ -163,7 +163,7 @@ TEST(Network, IsAsAccurateAsJointWithSomeOfTheFivePoints) {
   }
   ASSERT_GT(before_m.size(), 0.9 * kTrials);
   EXPECT_LT(median(after_m), 1.05 * median(before_m));
-  // a meeting that is rejected must not leave a line with less than `joint` had
+  // a rejected meeting must not leave a line with fewer constraints than `joint` had
   EXPECT_LT(*std::max_element(after_m.begin(), after_m.end()),
             1.5 * *std::max_element(before_m.begin(), before_m.end()));
 }
@@ -178,10 +178,10 @@ TEST(Network, RejectsAFalseMeetingAmongFour) {
   for (const double theta_deg : {30.0, 4.0}) {
     int rejected = 0;
     for (int trial = 0; trial < kTrials; ++trial) {
-      test::SegmentSpec level = line_at(theta_deg);  // as eaves and ridges are
+      test::SegmentSpec level = line_at(theta_deg);  // eaves and ridges are level
       level.end_z_m = level.start_z_m;
       LineGroup group = make_group(level, neighbours);
-      // an eave over the ground: it crosses in both images only because it hides what is below
+      // the line is an eave over the ground: the two cross in both images only because the eave hides what is below
       const auto wrong = static_cast<std::size_t>(1 + trial % 4);
       const Eigen::Vector3d below(0, 0, -5.0);
       group.truth[wrong] = {group.truth[wrong].start + below, group.truth[wrong].end + below};

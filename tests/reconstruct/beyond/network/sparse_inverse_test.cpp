@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// Regular, with about `per_row` elements per row off the diagonal.
+/// A regular matrix with about `per_row` elements per row off the diagonal.
 Eigen::SparseMatrix<double> random_matrix(int n, int per_row, test::Random& random) {
   Eigen::MatrixXd matrix = 0.5 * Eigen::MatrixXd::Identity(n, n);
   for (int k = 0; k < n * per_row; ++k) {

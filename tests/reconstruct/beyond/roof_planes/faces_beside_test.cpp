@@ -39,7 +39,7 @@ Segment3 moved(const Segment3& segment, const Eigen::Vector3d& by) {
   return {segment.start + by, segment.end + by};
 }
 
-/// A piece of one verge, not as far as ridge and eave.
+/// A piece of one verge that reaches neither ridge nor eave.
 Segment3 verge(const test::GableSurface& gable) {
   const Segment3 ridge = gable.ridge();
   const Eigen::Vector3d top = ridge.end;
@@ -55,7 +55,7 @@ double largest_distance_m(const Segment3& a, const Segment3& b) {
 }
 
 TEST(FacesBeside, RidgesAndVergesComeToTheHeightOfTheirFaces) {
-  constexpr double kFromFaces_m = 0.03;  // of 0.3 m: what the line said before weighs a little
+  constexpr double kFromFaces_m = 0.03;  // of 0.3 m; the first height of the line weighs a little
   for (const double azimuth_deg : {0.0, 65.0, 90.0}) {
     const test::GableSurface gable(azimuth_deg);
     const PlaneFaces faces = plane_faces(gable.surface());
@@ -112,7 +112,7 @@ TEST(FacesBeside, NearerOfTwoFacesWinsALineBetweenThem) {
   const auto disparity_px = [&](double z_m) {
     return r.disparity_px(midpoint(gable.ridge()) + Eigen::Vector3d(0.0, 0.0, z_m));
   };
-  constexpr double kLeft = 0.06;  // of the step: what the line said before weighs a little
+  constexpr double kLeft = 0.06;  // share of the step; the first height of the line weighs a little
   const double low_px = disparity_px(-0.6);
   const double high_px = disparity_px(0.6);
   constexpr int kCells = 40;
@@ -135,7 +135,7 @@ TEST(FacesBeside, NearerOfTwoFacesWinsALineBetweenThem) {
   }
 }
 
-/// The faces with errors as stated, of their planes and of how far the line is from them.
+/// The faces with errors as stated: of their planes, and of the distance of the line from them.
 PlaneFaces with_errors(const PlaneFaces& faces, const Segment2& rectified, test::Random& random) {
   PlaneFaces result = faces;
   const Eigen::Vector2d u = along(rectified);
@@ -156,7 +156,7 @@ TEST(FacesBeside, CovarianceHoldsForErrorsAsStated) {
   const test::GableSurface gable(65.0);
   const Rectification& r = gable.rectification();
   PlaneFaces faces = plane_faces(gable.surface());
-  constexpr double kWorse = 300.0;  // by which their planes err as much as lines are off them
+  constexpr double kWorse = 300.0;  // planes then err as much as lines are off them
   for (PlaneFace& face : faces.faces) face.cov *= kWorse;
   test::Random random(11);
   for (const Segment3& truth : {gable.ridge(), verge(gable)}) {

@@ -17,8 +17,8 @@ class GableSurface {
   static constexpr int kSize_px = 400;
   static constexpr double kHalfLength_m = 10.0, kHalfWidth_m = 6.0, kRidge_m = 10.0;
 
-  /// @param azimuth_deg  of the ridge, from x
-  /// @param slope        of both roof planes, m/m
+  /// @param azimuth_deg  angle of the ridge to the x axis
+  /// @param slope        slope of both roof planes, m/m
   explicit GableSurface(double azimuth_deg, double slope = 0.7)
       : along_(std::cos(azimuth_deg * kDegree), std::sin(azimuth_deg * kDegree)), slope_(slope) {
     cameras_ = scene_.cameras;
@@ -51,7 +51,7 @@ class GableSurface {
             Plane3(Eigen::Vector3d::UnitZ(), 0.0)};
   }
 
-  /// What the rectified left view shows, and a noise for each pixel.
+  /// The surface that the rectified left view shows, plus `noise_px` of each pixel.
   [[nodiscard]] reconstruct::Surface surface(
       const std::function<double(int row, int column)>& noise_px = {}) const {
     reconstruct::Surface surface{rectification_, cv::Mat(rectification_.size, CV_32F)};

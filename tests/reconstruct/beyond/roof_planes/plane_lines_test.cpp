@@ -41,7 +41,7 @@ TEST(PlaneLines, RidgeOfAGableIsWhereItsRoofPlanesMeet) {
   for (const double azimuth_deg : {0.0, 20.0, 65.0, 90.0}) {
     const test::GableSurface gable(azimuth_deg);
     const std::vector<ReconstructedLine> lines = lines_of(gable);
-    ASSERT_EQ(lines.size(), 1U) << azimuth_deg;  // none at the eaves and verges, which are steps
+    ASSERT_EQ(lines.size(), 1U) << azimuth_deg;  // eaves and verges, which are steps, give none
     const Segment3& found = segment_of(lines[0]);
     for (const Eigen::Vector3d& end : {found.start, found.end})
       EXPECT_LT(distance_from_axis_m(gable.ridge(), end), kOfFloats_m) << azimuth_deg;
@@ -64,13 +64,13 @@ TEST(PlaneLines, NoneWhereLinesAreKnownAlongHalfOfIt) {
   EXPECT_EQ(n_beside(ridge), 0U);
   EXPECT_EQ(n_beside({ridge.start, point_at(ridge, 0.6)}), 0U);
   EXPECT_EQ(n_beside({ridge.start, point_at(ridge, 0.4)}), 1U);
-  // the same in the images, at the depth of the ground
+  // this line looks the same in the images, at the depth of the ground
   const Eigen::Vector3d below(0.0, 0.0, -1.0);
   EXPECT_EQ(n_beside({ridge.start + below, ridge.end + below}), 1U);
-  // one that crosses it
+  // this line crosses the ridge
   const Eigen::Vector3d across(ridge.start.y(), -ridge.start.x(), 0.0);
   EXPECT_EQ(n_beside({midpoint(ridge) - across, midpoint(ridge) + across}), 1U);
-  EXPECT_EQ(lines_of(gable, {ReconstructedLine{}}).size(), 1U);  // one without geometry
+  EXPECT_EQ(lines_of(gable, {ReconstructedLine{}}).size(), 1U);  // a line without geometry
 }
 
 TEST(PlaneLines, NoneOfPlanesThatHardlyBend) {
@@ -111,7 +111,7 @@ TEST(PointOfPlanes, IsOnBothWithTheJacobianOfCentralDifferences) {
   const auto difference = [](const Vector6& p) -> Eigen::Vector3d {
     return p.head<3>() - p.tail<3>();
   };
-  // the place on the intersection that is nearest to a fixed one
+  // the place on the intersection that is nearest to a fixed place
   const auto place = [&](const Vector6& p, const Eigen::Vector2d& near) -> Eigen::Vector2d {
     const Eigen::Vector3d q = difference(p);
     return near - q.dot(near.homogeneous()) / q.head<2>().squaredNorm() * q.head<2>();

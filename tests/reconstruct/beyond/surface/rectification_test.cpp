@@ -8,8 +8,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kExact_px = 1e-7;  // of pixels by the thousand
-constexpr double kExact_m = 1e-7;   // of metres by the hundred
+constexpr double kExact_px = 1e-7;  // rounding of thousands of pixels
+constexpr double kExact_m = 1e-7;   // rounding of hundreds of metres
 const cv::Size kSize(7680, 13824);
 const std::array kPoints{Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(60.0, -80.0, 12.0),
                          Eigen::Vector3d(-40.0, 30.0, -5.0)};
@@ -87,7 +87,7 @@ TEST(ImageFromRectified, TakesTheWayBackThroughTheLens) {
   const auto cameras = cameras_turned_by(0.0);
   const auto r = rectification(cameras, kSize);
   ASSERT_TRUE(r);
-  // half a pixel at the border of the tile
+  // the distortion is half a pixel at the border of the tile
   const Eigen::Vector2d centre(3840.0, 6912.0);
   const PixelMap ideal = [&](const Eigen::Vector2d& x) {
     const Eigen::Vector2d d = x - centre;

@@ -17,8 +17,8 @@ constexpr int kSize_px = 400;
 constexpr double kRoof_m = 6.0, kGround_m = 0.0;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 const double kContradicted = std::log(0.1);
-const double kAgreed = std::log(2.0);  // of at most 2.8
-constexpr double kSteep = 0.05;        // of log-odds; both ends are far from one sigma
+const double kAgreed = std::log(2.0);  // log-odds are at most 2.8
+constexpr double kSteep = 0.05;        // tolerance of log-odds, far beyond one sigma
 
 /// A line across the rows of two views, with a surface on either side.
 class SurfaceCandidates : public testing::Test {
@@ -55,7 +55,7 @@ class SurfaceCandidates : public testing::Test {
     }
   }
 
-  /// Of a candidate that gives the line this height, over a part of its length.
+  /// The log-odds of a candidate that gives the line this height over a part of its length.
   [[nodiscard]] double log_odds(double z_m, std::array<double, 2> on_left = {0.0, 1.0}) const {
     Candidate candidate;
     candidate.overlap = {.on_left = on_left, .on_right = on_left, .height_m = {z_m, z_m}};

@@ -24,7 +24,7 @@ struct Errors {
   double known = 0.0, median_px = 0.0, beyond_half_px = 0.0;
 };
 
-/// Over what both views show, away from the image's border.
+/// The errors of what both views show, away from the border of the image.
 Errors errors_of(const test::PaintedRoofs& roofs, const StereoPair& pair, const Surface& surface) {
   std::vector<double> errors;
   std::size_t n = 0;
@@ -35,7 +35,7 @@ Errors errors_of(const test::PaintedRoofs& roofs, const StereoPair& pair, const 
       const Eigen::Vector2d x(column, row);
       const Eigen::Vector3d truth = roofs.seen(left, x);
       const Eigen::Vector3d in_right = roofs.seen(right, project(right, truth));
-      if ((in_right - truth).norm() > 1e-6) continue;  // hidden
+      if ((in_right - truth).norm() > 1e-6) continue;  // the right view does not see it
       ++n;
       const Rectification& r = surface.rectification;
       if (const auto d = surface.at(r.rectified(0, x)))
@@ -115,7 +115,7 @@ TEST(DenseSurface, HardlyDependsOnTheTiles) {
 TEST(DenseSurface, TakesAnyRangeOfHeights) {
   const test::PaintedRoofs roofs = scene();
   test::OwnedPair pair = roofs.pair();
-  pair.height_range_in_local_m = {-300.0, 300.0};  // by five paths
+  pair.height_range_in_local_m = {-300.0, 300.0};  // searched by five paths
   const auto wide = dense_surface(pair);
   ASSERT_TRUE(wide);
   EXPECT_GT(errors_of(roofs, pair, *wide).known, kKnown);
@@ -125,7 +125,7 @@ TEST(DenseSurface, TakesAnyRangeOfHeights) {
   EXPECT_EQ(cv::countNonZero(endless->disparity_px == endless->disparity_px), 0);
 }
 
-/// Of 8 x 6 pixels, of which one is not known.
+/// A surface of 8 x 6 pixels, one of which is not known.
 Surface small_surface() {
   const Eigen::Matrix3d no_turn = Eigen::Matrix3d::Identity();
   const Rectification r{.rectified_from_ideal = {no_turn, no_turn},

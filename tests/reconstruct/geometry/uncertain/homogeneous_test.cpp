@@ -16,7 +16,7 @@ using test::random_covariance;
 using test::random_vector;
 
 constexpr double kTol = 1e-12;         // roundings of quantities of size 1
-constexpr double kJacobianTol = 1e-6;  // relative, of central differences
+constexpr double kJacobianTol = 1e-6;  // relative error of central differences
 
 TEST(Skew, IsTheCrossProduct) {
   test::Random random(41);

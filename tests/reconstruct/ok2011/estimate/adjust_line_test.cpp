@@ -22,7 +22,7 @@ using test::kDegree;
 using Planes = std::vector<UncertainPlane3>;
 using Points = std::vector<UncertainPoint3>;
 
-/// Of an independent 3D point, metres: twice as long in height, as from a stereo pair.
+/// Standard deviations of an independent 3D point, m. That of the height is larger, as from a stereo pair.
 const Eigen::Vector3d kPointSigmaM(0.05, 0.05, 0.2);
 
 Planes planes_of(const std::array<ObservedLine, 2>& observed) {
@@ -244,7 +244,7 @@ TEST(AdjustLine, NullDirectionsAreTwoOneAndNoneWithMorePoints) {
   const ObservedLine left = scene.observe(test::exact_pair(scene.scene, truth))[0];
   const UncertainPoint3 a = point_of(scene, truth, 0.1, nullptr);
   const UncertainPoint3 b = point_of(scene, truth, 0.9, nullptr);
-  // free directions carry no increment and no covariance; their line is one of many
+  // free directions carry no increment and no covariance, so the line is one of many
   const auto free_directions = [&](const Points& points) {
     const auto adjusted = adjust_line(Planes{left.plane, left.plane}, points);
     const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(adjusted->line.mean);

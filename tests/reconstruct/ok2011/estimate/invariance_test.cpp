@@ -23,7 +23,7 @@ using test::right_segment_of;
 using test::segment_of;
 
 constexpr double kTolM = 1e-6;
-constexpr double kRelativeTol = 1e-5;  // of covariances
+constexpr double kRelativeTol = 1e-5;  // relative error of covariances
 
 /// Lines of all classes with two or three neighbours each, observed with errors.
 LineGroup make_roof(std::uint64_t seed, int num_lines = 12) {
@@ -71,7 +71,7 @@ void expect_equal(const ReconstructedLine& a, const ReconstructedLine& b) {
   EXPECT_EQ(covariance_of(a), covariance_of(b));
 }
 
-/// As many lines, most of them with a geometry.
+/// Expects as many lines in both, most of them with a geometry.
 void expect_as_many(const std::vector<ReconstructedLine>& a,
                     const std::vector<ReconstructedLine>& b) {
   ASSERT_EQ(a.size(), b.size());
@@ -80,7 +80,7 @@ void expect_as_many(const std::vector<ReconstructedLine>& a,
   EXPECT_GT(2 * n, static_cast<std::ptrdiff_t>(b.size()));
 }
 
-/// The method as published and ours, each with every method.
+/// A method, as published or with the extensions.
 struct Path {
   Method method;
   bool is_published;

@@ -90,7 +90,7 @@ TEST(ReconstructLines, TheThresholdAngleIsStillAligned) {
 }
 
 TEST(ReconstructLines, ALongSegmentIsNotCarriedOnFarBeyondAShortMate) {
-  constexpr double kShare = 0.12;  // of the line's length seen in the right image
+  constexpr double kShare = 0.12;  // share of the line that the right image shows
   LineGroup group = make_group(line_at(40.0), {});
   UncertainSegment2& right = group.segments[1][0];
   const Segment2 whole = right.segment;
@@ -199,7 +199,7 @@ TEST(ReconstructLines, WeighsPointsByTheMeasuresOfBothImages) {
                              &group.segments[1][1].centroid_px}) {
     x->x() += 10.0;  // off the epipolar line by 10 px times the sine of the line's angle
   }
-  // the same from pixel coordinates
+  // the expected values follow from pixel coordinates
   std::array<Eigen::Vector3d, 2> crossing;
   std::array<double, 2> distance_px{};
   for (std::size_t j = 0; j < 2; ++j) {

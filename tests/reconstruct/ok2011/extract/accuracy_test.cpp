@@ -30,7 +30,7 @@ Found found_edges(const test::BlurredSceneOptions& scene_options) {
   return found;
 }
 
-/// Shift of all segments in x and y together, which does not depend on what side is bright.
+/// Shift of all segments together in x and y, which does not depend on the side that is bright.
 Eigen::Vector2d common_shift_px(const std::vector<test::EdgeError>& errors) {
   Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
@@ -53,7 +53,7 @@ TEST(Accuracy, EdgesOfGoodContrastAreFoundToAFewHundredthsOfAPixel) {
 }
 
 TEST(Accuracy, StatedSigmasAreThoseOfTheErrors) {
-  // noise that outweighs the systematic part of the sigmas
+  // this noise outweighs the systematic part of the sigmas
   const Found found = found_edges({.blur_px = 0.8, .noise = 0.02});
   const test::ErrorSummary s = test::summary(found.errors, found.edges);
   // 15.16 of the specification asks for 10 % of sigma, 20 % of the variance

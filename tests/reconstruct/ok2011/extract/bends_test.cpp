@@ -11,7 +11,7 @@ namespace {
 using Points = std::vector<Eigen::Vector2d>;
 using testing::ElementsAre;
 
-constexpr double kNoisePx = 0.05;  // of edge pixels in an aerial image
+constexpr double kNoisePx = 0.05;  // noise of edge pixels in an aerial image
 
 /// Edge pixels of a line along x, displaced by `across`.
 template <typename Across>

@@ -20,8 +20,8 @@ struct BlurredScene {
 
 struct BlurredSceneOptions {
   double blur_px = 0.8;
-  double noise = 0.01;    ///< of a grey value, of 0..1
-  double contrast = 0.2;  ///< of the rectangles to the ground, on average
+  double noise = 0.01;    ///< noise of a grey value in 0..1
+  double contrast = 0.2;  ///< mean difference of the rectangles to the ground
   int size_px = 600;
 };
 
@@ -75,7 +75,7 @@ inline void add_edges(const Rectangle& r, std::vector<Segment2>& edges) {
   for (std::size_t i = 0; i < 4; ++i) edges.push_back({corners[i], corners[(i + 1) % 4]});
 }
 
-/// What the camera makes of it: 8 bits of each band.
+/// The image as the camera records it, with noise and 8 bits for each band.
 inline cv::Mat raw_image(const cv::Mat& image, double noise, Random& random) {
   cv::Mat raw(image.size(), CV_8UC3);
   for (int y = 0; y < image.rows; ++y) {
@@ -130,10 +130,10 @@ inline BlurredScene diagonal_scene(std::uint64_t seed, const BlurredSceneOptions
 
 /// How a found segment deviates from the true edge that it belongs to.
 struct EdgeError {
-  Eigen::Vector2d normal;  ///< of the true edge, towards the inside of the rectangle
-  double across_px = 0.0;  ///< along the normal, at the segment's centroid
-  double angle_rad = 0.0;  ///< of the direction
-  double length_px = 0.0;  ///< of the part of the true edge that the segment covers
+  Eigen::Vector2d normal;  ///< normal of the true edge, towards the inside of the rectangle
+  double across_px = 0.0;  ///< error along the normal, at the segment's centroid
+  double angle_rad = 0.0;  ///< error of the direction
+  double length_px = 0.0;  ///< length of the part of the true edge that the segment covers
   const EdgeSegment* segment = nullptr;
 };
 
@@ -169,7 +169,7 @@ inline std::vector<EdgeError> edge_errors(const std::vector<Segment2>& edges,
 struct ErrorSummary {
   double rms_px = 0.0, bias_px = 0.0;
   double across_z2 = 0.0, angle_z2 = 0.0;  ///< mean squares of the errors over their sigmas
-  double completeness = 0.0;               ///< share of the edges' length
+  double completeness = 0.0;               ///< share of the edges' length that is found
 };
 
 inline ErrorSummary summary(const std::vector<EdgeError>& errors,

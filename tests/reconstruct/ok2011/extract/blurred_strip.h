@@ -15,8 +15,8 @@ namespace ridgeline::test {
 /// lines through the image, offset from the row `row_px` of a slightly inclined base line.
 struct BlurredStrip {
   double row_px = 40.3;
-  double slope = 0.11;                            ///< of the base line, px per px
-  std::array<double, 2> offsets_px{-0.75, 0.75};  ///< of the borders, along the normal
+  double slope = 0.11;                            ///< slope of the base line, px per px
+  std::array<double, 2> offsets_px{-0.75, 0.75};  ///< offsets of the borders along the normal
   std::array<double, 2> tilts_px{0.0, 0.0};  ///< at the end of base_segment(), minus at its start
   double blur_px = 0.55;
   double noise = 0.0;
@@ -29,7 +29,7 @@ struct BlurredStrip {
     return {{10.0, row_px + 10.0 * slope}, {110.0, row_px + 110.0 * slope}};
   }
 
-  /// CV_32FC3.
+  /// The strip as an image, CV_32FC3.
   [[nodiscard]] cv::Mat image() const {
     const Segment2 base = base_segment();
     const double len = length(base);

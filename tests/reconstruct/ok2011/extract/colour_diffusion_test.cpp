@@ -41,7 +41,7 @@ TEST(ColourDiffusion, KeepsTheSumOfEveryBand) {
   const cv::Mat image = noise(3, 0.02);
   const cv::Scalar before = cv::sum(image);
   const cv::Scalar after = cv::sum(colour_diffusion(image, lambda_of(image), 3));
-  constexpr double kRounding = 1e-3;  // of 4096 float values
+  constexpr double kRounding = 1e-3;  // rounding of 4096 float values
   for (int band = 0; band < 3; ++band) EXPECT_NEAR(before[band], after[band], kRounding);
 }
 

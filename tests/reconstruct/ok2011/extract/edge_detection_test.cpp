@@ -24,7 +24,7 @@ std::vector<EdgePixel> detected(const cv::Mat& image) {
 }
 
 TEST(DetectedEdgePixels, DoNotDependOnWhereTheTilesLie) {
-  // a shift by one block of the noise grid, which is no multiple of the tiles
+  // the image is shifted by one block of the noise grid, which is no multiple of the tiles
   constexpr int kShift_px = NoiseGrid::kBlock_px;
   const cv::Mat image = normalised_image(test::blurred_scene(7).raw);
   const auto whole = by_place(detected(image), 0);

@@ -19,7 +19,7 @@ std::vector<EdgeSegment> extract(const cv::Mat& raw) {
   return extract_segments(normalised_image(raw));
 }
 
-/// Grey, with white from column `x` on.
+/// A grey image that is white from column `x` on.
 cv::Mat white_from_column(int x, int size_px, int type = CV_8UC1) {
   cv::Mat raw(size_px, size_px, type, cv::Scalar::all(80));
   raw.colRange(x, size_px).setTo(cv::Scalar::all(160));
@@ -68,7 +68,7 @@ TEST(ExtractSegments, AStepWithoutNoiseIsAsUncertainAsTheSystematicPart) {
 }
 
 TEST(ExtractSegments, TheBrighterSideIsOnTheRight) {
-  // x right, y down: white on the right of a line that runs up
+  // x runs right and y down: white lies on the right of a line that runs up
   const std::vector<EdgeSegment> segments = extract(white_from_column(50, 100));
   ASSERT_THAT(segments, SizeIs(1));
   EXPECT_LT(segments[0].in_image.end.y(), segments[0].in_image.start.y());
@@ -103,7 +103,7 @@ TEST(ExtractSegments, ALongEdgeThatIsCoveredInPlacesIsOneSegment) {
 /// A step that is covered in places and frayed at its end.
 cv::Mat frayed_step(int seed) {
   constexpr int kSize_px = 60;
-  constexpr int kFrayed_px = 40;  // from this row on
+  constexpr int kFrayed_px = 40;  // the edge is frayed from this row on
   cv::RNG random(static_cast<std::uint64_t>(seed));
   cv::Mat raw(kSize_px, kSize_px, CV_8UC1, cv::Scalar(80));
   const double slope = random.uniform(-1.0, 1.0);
@@ -125,7 +125,7 @@ cv::Mat frayed_step(int seed) {
 }
 
 TEST(ExtractSegments, AreLinesThroughThreeEdgePixelsAtLeastHoweverShort) {
-  // of 4000 those that have a bend beside which two edge pixels, 3 px apart, are left
+  // in these 6 of 4000 images a bend leaves two edge pixels, 3 px apart, beside it
   ExtractOptions options;
   options.min_length_px = 3.0;
   for (const int seed : {829, 978, 989, 1132, 1691, 2106}) {

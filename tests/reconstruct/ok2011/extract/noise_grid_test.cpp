@@ -19,12 +19,12 @@ cv::Mat quarters(float left, float right) {
 
 TEST(NoiseGrid, IsTheSigmaOfTheGradientBetweenTheMiddlesOfBlocks) {
   constexpr float kRayleighMedian = 1.1774F;
-  constexpr float kFloat = 1e-5F;  // of single precision
+  constexpr float kFloat = 1e-5F;  // rounding of single precision
   const NoiseGrid noise(quarters(0.1F, 0.3F), 0.0F);
   EXPECT_NEAR(noise.at(0, 0), 0.1F / kRayleighMedian, kFloat);
   EXPECT_NEAR(noise.at(255, 0), 0.3F / kRayleighMedian, kFloat);
   EXPECT_NEAR(noise.at(255, 255), 0.6F / kRayleighMedian, kFloat);
-  // half a pixel past the borders: a 128th of the way of a block
+  // the place is half a pixel past the borders, a 128th of the way of a block
   EXPECT_NEAR(noise.at(128, 70), (0.2F + 0.2F / 128.0F) / kRayleighMedian, kFloat);
   EXPECT_NEAR(noise.at(70, 128), (0.15F + 0.1F / 128.0F) / kRayleighMedian, kFloat);
 }

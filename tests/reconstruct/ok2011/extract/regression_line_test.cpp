@@ -125,7 +125,7 @@ TEST(EdgeNoise, OfLinesThatFitExactlyIsNoneAndUncorrelated) {
   Points points;
   for (int i = 0; i < 60; ++i) points.emplace_back(i, 7.0);
   const std::vector<RegressionLine> lines(3, regression_line(points));
-  ASSERT_EQ(lines[0].rms_px, 0.0);  // as rows and columns of an image without noise give
+  ASSERT_EQ(lines[0].rms_px, 0.0);  // rows and columns of an image without noise give this
   const EdgeNoise noise = edge_noise(lines);
   EXPECT_EQ(noise.correlation, 1.0);
   EXPECT_EQ(noise.variance_px2, 0.0);

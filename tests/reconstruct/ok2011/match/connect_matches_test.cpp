@@ -42,7 +42,7 @@ TEST_F(ConnectMatches, JoinsLinesThatMeetInSpace) {
 
 TEST_F(ConnectMatches, RefusesLinesThatOnlyCrossInOneView) {
   add({{0, 0, 10}, {3, 3, 10}});
-  add({{3, 3, 0}, {6, 0, 0}});  // 10 m below: 33 px of parallax between them
+  add({{3, 3, 0}, {6, 0, 0}});  // it lies 10 m below: 33 px of parallax between them
   EXPECT_TRUE(connect().empty());
 }
 

@@ -40,7 +40,7 @@ TEST(MatchPairwise, FindsTheOutlinesOfFlatRoofs) {
 
 TEST(MatchPairwise, FindsAnIsolatedLineByItsLook) {
   PaintedPair pair({kHigh});
-  // the border of the roof alone: no other segment in either image
+  // only the border of the roof is there, no other segment in either image
   const double z = kHigh.height_m;
   pair.add_line({{kHigh.east, kHigh.south, z}, {kHigh.east, kHigh.north, z}});
   const MatchResult result = match(pair);
@@ -61,7 +61,7 @@ TEST(MatchPairwise, HasNoCandidateThatWouldBeSteeperThanARoof) {
 
 TEST(MatchPairwise, LeavesALineWithoutMateAloneAndSaysWhy) {
   PaintedPair pair = two_roofs();
-  pair.add_segment(0, {{-2.0, 8.0, 0.0}, {-2.0, 12.0, 0.0}});  // in the left image only
+  pair.add_segment(0, {{-2.0, 8.0, 0.0}, {-2.0, 12.0, 0.0}});  // only the left image shows it
   const MatchResult result = match(pair);
   EXPECT_EQ(result.matches.size(), 8U);
   EXPECT_EQ(result.outcomes.back(), MatchOutcome::kNoCandidate);
@@ -81,7 +81,7 @@ TEST(MatchPairwise, GivesFragmentsOfOneEdgeTheirCommonMate) {
   EXPECT_EQ(result.matches[1].match.right, 0);
 }
 
-constexpr int kEast = 1;  // of the outline of the high roof
+constexpr int kEast = 1;  // east side in the outline of the high roof
 
 /// The right image shows the east edge of the high roof in two parts, each over `share` of it.
 std::vector<int> mates_of_the_east_edge(double share) {

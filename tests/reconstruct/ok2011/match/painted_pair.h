@@ -20,7 +20,7 @@ class PaintedPair {
  public:
   struct Roof {
     double west, south, east, north, height_m;
-    double rise = 0.0;  ///< to the north; `height_m` is that of the south edge
+    double rise = 0.0;  ///< rise to the north; `height_m` is that of the south edge
 
     [[nodiscard]] double height_at(double y_m) const { return height_m + rise * (y_m - south); }
   };
@@ -102,7 +102,7 @@ class PaintedPair {
   [[nodiscard]] float colour_along(double camera_x_m, const Eigen::Vector2d& on_ground) const {
     for (std::size_t r = 0; r < roofs_.size(); ++r) {
       const Roof& roof = roofs_[r];
-      // of the ray from the camera to the ground, where it meets the plane of the roof
+      // share of the ray from the camera to the ground at which it meets the plane of the roof
       const double share = (StereoPair::kHeight_m - roof.height_at(0.0)) /
                            (StereoPair::kHeight_m + roof.rise * on_ground.y());
       const double x = camera_x_m + share * (on_ground.x() - camera_x_m);

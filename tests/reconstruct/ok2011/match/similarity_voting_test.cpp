@@ -42,7 +42,7 @@ class SimilarityVotes : public ::testing::Test {
 
   View left_, right_;
   std::vector<std::vector<Candidate>> candidates_;
-  double px_per_m_ = 3.25;  ///< of parallax; base to height ratio 0.26
+  double px_per_m_ = 3.25;  ///< parallax of a metre of height, at B/H 0.26
 };
 
 const Segment2 kFirst{{0, 0}, {0, 40}};
@@ -104,7 +104,7 @@ TEST_F(SimilarityVotes, TakeHeightsForTheSameThatTheParallaxHardlyTellsApart) {
   add_candidate(0, 0, 0.7, 10.0);
   add_candidate(1, 1, 0.95, 12.0);
   EXPECT_LT(vote()[0][0].height, 0.4);
-  px_per_m_ = 1.0;  // 2 px
+  px_per_m_ = 1.0;  // the heights then differ by 2 px
   EXPECT_GT(vote()[0][0].height, 0.5);
 }
 
@@ -278,7 +278,7 @@ TEST_F(SimilarityVotes, FinalChoiceDropsALineThatItsMatchedPartnersDoNotVoteFor)
   const MatchResult result = final_choice({left_, right_, candidates_}, supports, pairs, {});
   EXPECT_EQ(result.matches.size(), 2U);
   EXPECT_EQ(result.outcomes[0], MatchOutcome::kNoPair);
-  // without partners its look decides, and has to be better
+  // without partners the look of the line decides, and it has to be better
   EXPECT_EQ(final_choice({left_, right_, candidates_}, supports, {}, {}).matches.size(), 2U);
   supports[0][0].probability = 0.99;
   EXPECT_EQ(final_choice({left_, right_, candidates_}, supports, {}, {}).matches.size(), 3U);
