@@ -145,7 +145,7 @@ bool covered_by(const ReferenceMatch& match, const ReferenceMatch& other) {
   return covered_by(match.left, other.left) && covered_by(match.right, other.right);
 }
 
-/// Of several candidates that coincide the one of the lowest rank stays, among equal ranks the longest.
+/// The candidates without duplicates. Among coinciding ones that of the lowest rank stays, at equal rank the longest.
 std::vector<ReferenceMatch> without_duplicates(std::vector<Candidate> candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) {

@@ -159,7 +159,7 @@ TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
 }
 
 TEST(DecideEdge, TakesASurfaceThatAccompaniesHalfOfTheLineIfTheImagesShowTheLineOnIt) {
-  // a street beside a house, six metres of it seen by the laser
+  // the laser sees six metres of a street beside a house
   const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
                                            candidate(ground, -1.5, 0, 0.0, 6.0)};
   const auto decide = [&](double seen_at_m) {

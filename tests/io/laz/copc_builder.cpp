@@ -63,7 +63,7 @@ Cube cube_of(std::span<const CopcPoint> points) {
 using NodeKey = std::array<std::int32_t, 4>;  // level, x, y, z
 
 NodeKey node_of(const CopcPoint& point, const Cube& cube, int n_levels) {
-  // Of 4^0 + 4^1 + ... shares, level l has 4^l.
+  // Level l has 4^l of the 4^0 + 4^1 + ... shares.
   const auto n_shares = ((std::uint64_t{1} << (2 * n_levels)) - 1) / 3;
   std::uint64_t share = hash(point) % n_shares;
   int level = 0;

@@ -42,7 +42,7 @@ TEST_F(Core, PassesTheTrueMate) {
   const CoreCandidates found = candidates({});
   ASSERT_EQ(found.list.size(), 1U);
   EXPECT_TRUE(found.list[0].may_begin);
-  EXPECT_GT(found.list[0].chain.n_reliable, 60);  // of 125 px; parts of the edge are not seen
+  EXPECT_GT(found.list[0].chain.n_reliable, 60);  // it is 125 px long; some is not seen
   EXPECT_NEAR(found.list[0].chain.mean_height_m, 6.0, 0.2);
   EXPECT_NEAR(found.gsd_m, 0.08, 0.005);
 }

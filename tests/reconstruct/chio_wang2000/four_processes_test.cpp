@@ -164,7 +164,7 @@ TEST_F(FigureThree, TwoCandidatesOfOneLookAreAmbiguousButByPaper) {
       test::edge(project(pair_.right, Segment3{{3.8, 0, 8.2}, {8.8, 8, 8.2}})));
   add_candidate(kC, static_cast<int>(views_[1].segments.size()) - 1, 0.85);
   ChioOptions options;
-  options.height_difference_m = 5.0;  // 0.8 m aside is 3 m of height
+  options.height_difference_m = 5.0;  // 0.8 m aside means 3 m of height
   EXPECT_EQ(process(options).outcomes[kC], ChioOutcome::kAmbiguous);
   EXPECT_EQ(process().outcomes[kC], ChioOutcome::kMatched);  // the height decides
   EXPECT_EQ(process(options, {}, ChioExtensions{}).outcomes[kC], ChioOutcome::kMatched);

@@ -65,7 +65,7 @@ TEST(CloseEdges, FollowsAStripThatWidens) {
 }
 
 TEST(CloseEdges, AStripIsFoundToAFewHundredthsOfAPixelInNoise) {
-  constexpr double kTolerance_px = 0.05;  // three standard deviations, by repetition
+  constexpr double kTolerance_px = 0.05;  // three standard deviations, found by repetition
   BlurredStrip strip;
   strip.noise = 0.02;
   const auto edges = find(strip, strip.base_segment());
@@ -89,7 +89,7 @@ TEST(CloseEdges, LeavesAnEdgeWithAnotherBlurAlone) {
     step.blur_px = blur_px;
     EXPECT_FALSE(finder.find(step.image(), step.base_segment())) << blur_px;
   }
-  // the edge of a shadow: the sun is no point
+  // a shadow has a soft edge, because the sun is no point
   BlurredStrip shadow;
   shadow.colours = {{{0.6, 0.6, 0.6}, {0.4, 0.4, 0.4}, {0.2, 0.2, 0.2}}};
   shadow.offsets_px = {-0.35, 0.35};
@@ -125,7 +125,7 @@ TEST(CloseEdges, TakesASegmentThatGoesOnBeyondTheImage) {
 }
 
 TEST(EdgeBlur, IsThatOfCleanEdges) {
-  constexpr double kGrid_px = 0.05;  // blurs that are tried
+  constexpr double kGrid_px = 0.05;  // step of the blurs that are tried
   for (const double blur_px : {0.5, 0.8, 1.1}) {
     BlurredStrip step;
     step.noise = 0.005;

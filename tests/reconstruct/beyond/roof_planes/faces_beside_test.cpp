@@ -55,7 +55,7 @@ double largest_distance_m(const Segment3& a, const Segment3& b) {
 }
 
 TEST(FacesBeside, RidgesAndVergesComeToTheHeightOfTheirFaces) {
-  constexpr double kFromFaces_m = 0.03;  // of 0.3 m; the first height of the line weighs a little
+  constexpr double kFromFaces_m = 0.03;  // rest of 0.3 m; the line's first height weighs a little
   for (const double azimuth_deg : {0.0, 65.0, 90.0}) {
     const test::GableSurface gable(azimuth_deg);
     const PlaneFaces faces = plane_faces(gable.surface());

@@ -48,8 +48,7 @@ TEST(PlaneFaces, OfAGableAreItsRoofPlanesAndTheGround) {
 }
 
 TEST(PlaneFaces, AreAsExactFarFromTheFirstPixel) {
-  constexpr double kOfFloats_px =
-      1e-6;  // disparities are float, and as small as this where the face lies
+  constexpr double kOfFloats_px = 1e-6;  // disparities are float and close to 0 where the face lies
   constexpr int kFar_px = 24000, kSide_px = 48;
   const Eigen::Vector2d middle(kFar_px - 0.5 * kSide_px - 0.5, 0.5 * kSide_px - 0.5);
   const Eigen::Vector2d slope(0.3, -0.2);
@@ -69,7 +68,7 @@ TEST(PlaneFaces, AreAsExactFarFromTheFirstPixel) {
   const Eigen::Vector3d x = middle.homogeneous();
   const int n_inner = found.faces[0].n_cells - 4 * (kSide_px / kCell_px - 1);
   constexpr double kSigma_px = 0.05,
-                   kTogether = 100.0;  // least that is assumed; pixels that err together
+                   kTogether = 100.0;  // least sigma that is assumed; pixels that err together
   EXPECT_NEAR(x.dot(found.faces[0].cov * x),
               kTogether * kSigma_px * kSigma_px / (n_inner * kCell_px * kCell_px), 1e-7);
 }
@@ -104,7 +103,7 @@ TEST(PlaneFaces, LeaveOutWallsSmallFacesAndWhatIsNotKnown) {
            }))
         .faces.size();
   };
-  EXPECT_EQ(known_up_to(3 * kCell_px), 0U);  // nine cells
+  EXPECT_EQ(known_up_to(3 * kCell_px), 0U);  // nine cells are too few
   EXPECT_EQ(known_up_to(4 * kCell_px), 1U);
 }
 
@@ -116,8 +115,8 @@ TEST(PlaneFaces, AreKnownBetterTheMorePixelsTheyHave) {
     const Eigen::Vector3d middle(0.5 * (width_px - 1.0), 59.5, 1.0);
     return middle.dot(found.faces.at(0).cov * middle);
   };
-  constexpr double kSigma_px = 0.05;  // at least, of 100 pixels together
-  // without the cells on the border
+  constexpr double kSigma_px = 0.05;  // least sigma of 100 pixels that err together
+  // cells on the border do not count
   const auto expected_px2 = [](double width_px) {
     return kSigma_px * kSigma_px * 100.0 / ((width_px - 2 * kCell_px) * (120.0 - 2 * kCell_px));
   };

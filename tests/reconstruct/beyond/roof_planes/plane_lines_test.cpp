@@ -96,7 +96,7 @@ TEST(PlaneLines, CovarianceHoldsForPixelsThatErrTogether) {
     ASSERT_EQ(lines.size(), 1U);
     sum += test::nees(lines[0], ridge);
   }
-  // blocks of 100 pixels; stated are 100 that err together
+  // pixels err together in blocks; the stated covariance takes 100 to err together
   constexpr double kExpected = 4.0 * kBlock_px * kBlock_px / 100.0;
   EXPECT_NEAR(sum / kTrials, kExpected, test::chi_square_mean_band(4.0, kTrials));
 }

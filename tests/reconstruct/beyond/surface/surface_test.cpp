@@ -50,9 +50,9 @@ Errors errors_of(const test::PaintedRoofs& roofs, const StereoPair& pair, const 
 }
 
 constexpr double kMedian_px =
-    0.15;  // a sixteenth, and half a pixel of nearest-neighbour looking up on a slope
+    0.15;  // steps of 1/16 px, and the nearest pixel is up to half a pixel off on a slope
 constexpr double kKnown = 0.9;
-constexpr double kBeyond = 0.08;  // beside the steps of the roof
+constexpr double kBeyond = 0.08;  // errors beside the steps of the roof
 
 TEST(DenseSurface, KnowsRoofAndGround) {
   const test::PaintedRoofs roofs = scene();

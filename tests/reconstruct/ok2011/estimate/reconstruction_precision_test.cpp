@@ -75,7 +75,7 @@ TEST(ReconstructionPrecision, JointIsFarMoreAccurateThanDirectOnAlignedLines) {
   std::nth_element(direct_errors.begin(), direct_errors.begin() + kTrials / 2, direct_errors.end());
   std::nth_element(joint_errors.begin(), joint_errors.begin() + kTrials / 2, joint_errors.end());
   EXPECT_GT(direct_errors[kTrials / 2], 5.0 * joint_errors[kTrials / 2]);
-  EXPECT_LT(joint_errors[kTrials / 2], 0.3);  // the height of a point of these lines
+  EXPECT_LT(joint_errors[kTrials / 2], 0.3);  // as the height of a point of these lines
 }
 
 TEST(ReconstructionPrecision, JointIsOptimisticBecauseItsPointsReuseTheLine) {

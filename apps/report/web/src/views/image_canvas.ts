@@ -17,7 +17,7 @@ export class ImageCanvas {
   private scale = 0; // screen pixels per image pixel; 0: fit
   private centre: Point2;
   private moved = false;
-  private width = 1; // of the canvas on the page; asking it for every segment would lay out the page anew
+  private width = 1; // width of the canvas on the page; asking it for every segment would lay out the page anew
   private height = 1;
 
   /** `paint` draws the overlay; `click` gets image coordinates and the reach of a click in them. */
