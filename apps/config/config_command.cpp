@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/parameter_flags.h"
 #include "apps/common/say.h"
-#include "apps/pipeline/parameters.h"
+#include "apps/common/shared_options.h"
 
 #include <memory>
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/exit_code.h"
-#include "apps/common/image_options.h"
-#include "apps/common/parameter_flags.h"
 #include "apps/common/say.h"
+#include "apps/common/shared_options.h"
 #include "apps/extract/segment_overlay.h"
-#include "apps/pipeline/parameters.h"
 #include "io/error.h"
 #include "io/images/image.h"
 #include "io/images/png_writer.h"

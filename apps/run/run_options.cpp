@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/run/run_options.h"
 
-#include "apps/common/image_options.h"
-#include "apps/common/line_format_options.h"
 #include "apps/common/option_flags.h"
-#include "apps/common/parameter_flags.h"
-#include "apps/common/schema_option.h"
+#include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/match_tables.h"
+
 #include "reconstruct/geometry/degrees.h"
 
 #include <fmt/core.h>
@@ -47,6 +48,15 @@ std::string line_fields(const std::optional<reconstruct::FittedLine>& line,
 }
 
 }  // namespace
+
+std::string unmatched_csv(const reconstruct::MatchList& list) {
+  std::string text = "left_id,reason\n";
+  for (std::size_t i = 0; i < list.reasons.size(); ++i) {
+    if (list.reasons[i] == "matched") continue;
+    text += fmt::format("{},{}\n", i, list.reasons[i]);
+  }
+  return text;
+}
 
 std::string chio_csv(const reconstruct::ChioResult& result, const LocalFrame& frame) {
   std::string text = header();

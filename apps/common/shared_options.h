@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+// Options that several commands have.
+
 namespace ridgeline::apps {
 
 void add_preset_option(CLI::App& app, std::string& preset);
@@ -21,5 +23,19 @@ void add_method_options(CLI::App& app, ParameterArguments& arguments);
 void add_judge_options(CLI::App& app, ParameterArguments& arguments);
 /// Adds `--matcher`, which takes one matcher, or both separated by a comma.
 void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
+
+std::vector<std::string> line_format_names();
+
+/// Adds `--local-origin`.
+void add_local_origin_flag(CLI::App& app, bool& local_origin);
+
+/// Adds `--max-image-mpx`. Its default 0 stands for the rule of io::check_image_size().
+void add_image_size_option(CLI::App& app, double& max_image_mpx);
+
+/// Adds `--max-y-parallax-px`. Its default is the value that `max_y_parallax_px` has.
+void add_pair_check_option(CLI::App& app, double& max_y_parallax_px);
+
+/// Adds `--schema`, which takes a name for results::map_schema_named().
+void add_schema_option(CLI::App& app, std::string& schema);
 
 }  // namespace ridgeline::apps
