@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/profile_registration/profile_registration.h"
 
+#include "tests/reconstruct/support/owned_pair.h"
 #include "tests/reconstruct/support/stereo_scene.h"
 
 #include <gtest/gtest.h>
