@@ -6,7 +6,6 @@
 #include "apps/common/page_facts.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
-#include "apps/pipeline/evaluation_echo.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/judge/options.h"
+#include "io/results/judge_files.h"
 #include "reconstruct/reconstruct.h"
 
 #include <nlohmann/json.hpp>
@@ -58,5 +59,8 @@ std::string to_yaml(const Parameters& parameters);
 
 /// The parameters as run.json records them.
 nlohmann::ordered_json echo(const Parameters& parameters);
+
+/// The options of an evaluation as run.json records them. The report reads the cloud again with them.
+nlohmann::ordered_json echo(const results::JudgeFilesOptions& options);
 
 }  // namespace ridgeline::apps

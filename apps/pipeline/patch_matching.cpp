@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/project/matches_file.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -12,19 +13,13 @@ namespace ridgeline::apps {
 namespace {
 
 std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
-  std::vector<Segment2> result;
-  result.reserve(segments.size());
-  for (const EdgeSegment& segment : segments) result.push_back(segment.in_image);
-  return result;
+  return transformed(segments, &EdgeSegment::in_image);
 }
 
 std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges) {
-  std::vector<evaluate::EdgeInBoth> result;
-  result.reserve(edges.size());
-  for (const io::ReferenceEdge& edge : edges) {
-    result.push_back({edge.left, edge.right, edge.is_wrong_pair});
-  }
-  return result;
+  return transformed(edges, [&](const io::ReferenceEdge& edge) -> evaluate::EdgeInBoth {
+    return {edge.left, edge.right, edge.is_wrong_pair};
+  });
 }
 
 void check_id(const std::string& file,

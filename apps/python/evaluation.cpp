@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/pipeline/evaluation_echo.h"
 #include "apps/pipeline/parameters.h"
 #include "apps/python/bindings.h"
 #include "apps/python/clouds.h"

@@ -17,6 +17,7 @@
 #include "io/project/segments_file.h"
 #include "io/results/judged_lines.h"
 #include "io/results/result_folder_reader.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<LineMatch> line_matches(const std::vector<FoundMatch>& rows) {
-  std::vector<LineMatch> matches;
-  matches.reserve(rows.size());
-  for (const FoundMatch& row : rows) matches.push_back(row.scored.match);
-  return matches;
+  return transformed(rows, [&](const FoundMatch& row) { return row.scored.match; });
 }
 
 void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& patch) {

@@ -4,6 +4,7 @@
 #include "io/error.h"
 #include "io/results/judge_files.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -40,12 +41,7 @@ std::vector<std::string> RunInputs::paths(const std::string& role) const {
   return found;
 }
 
-std::vector<std::string> RunInputs::all_paths() const {
-  std::vector<std::string> paths;
-  paths.reserve(inputs_.size());
-  for (const Input& input : inputs_) paths.push_back(input.path);
-  return paths;
-}
+std::vector<std::string> RunInputs::all_paths() const { return transformed(inputs_, &Input::path); }
 
 std::vector<std::string> RunInputs::given_paths() const {
   std::vector<std::string> paths;

@@ -71,4 +71,12 @@ std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& o
 /// Two heights (world) between which the whole scene lies: whole metres, 50 m apart or more.
 std::array<double, 2> height_range_m(const Scene& scene);
 
+/// Projection matrices of two exactly vertical frames with the defaults of FlightOptions: the
+/// geometry of Ok et al. 2011, section 4, without errors of the flight.
+std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene);
+
+/// The lines with their epipolar angle in a pair and the class that follows from it:
+/// `aligned` up to 10 degrees, else `not_aligned`.
+io::LineSet classed_by_pair(io::LineSet lines, const std::array<ProjectionMatrix, 2>& pair);
+
 }  // namespace ridgeline::simulate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/ray_scene.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <Eigen/Geometry>
 #include <embree3/rtcore.h>
 
@@ -162,10 +164,8 @@ std::vector<char> RayScene::occluded(std::span<const Ray> rays) const {
   RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
   rtcOccluded1M(embree_->scene, &context, queries.data(), static_cast<unsigned>(queries.size()),
                 sizeof(RTCRay));
-  std::vector<char> answers;
-  answers.reserve(rays.size());
-  for (const RTCRay& query : queries) answers.push_back(was_hit(query) ? 1 : 0);
-  return answers;
+  return transformed(queries,
+                     [&](const RTCRay& query) { return static_cast<char>(was_hit(query)); });
 }
 
 }  // namespace ridgeline::simulate

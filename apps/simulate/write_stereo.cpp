@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/write_stereo.h"
 
+#include "apps/simulate/aerial_pair.h"
 #include "apps/simulate/fittings.h"
-#include "apps/simulate/nominal_pair.h"
 #include "apps/simulate/reference_matches.h"
 #include "io/images/image_writer.h"
 #include "io/project/write_patch.h"

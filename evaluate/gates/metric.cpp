@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/gates/metric.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -81,10 +83,7 @@ constexpr std::array kMatchingMetrics{
 
 template <typename Entries>
 std::vector<Metric> metrics_of(const Entries& entries) {
-  std::vector<Metric> result;
-  result.reserve(entries.size());
-  for (const auto& entry : entries) result.push_back(entry.metric);
-  return result;
+  return transformed(entries, [&](const auto& entry) { return entry.metric; });
 }
 
 /// The entry of a name, or nullptr.

@@ -2,6 +2,7 @@
 #include "evaluate/judge/line_to_plane_evaluation.h"
 
 #include "evaluate/judge/pcl_point_search.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <pcl/point_types.h>
 
@@ -73,10 +74,7 @@ std::vector<LineEvaluation> LineToPlaneEvaluation<PointT, PointNT>::compute() {
     }
   }
   deinitCompute();
-  std::vector<LineEvaluation> evaluations;
-  evaluations.reserve(results_.size());
-  for (const JudgedResult& result : results_) evaluations.push_back(result.evaluation);
-  return evaluations;
+  return transformed(results_, &JudgedResult::evaluation);
 }
 
 template <typename PointT, typename PointNT>

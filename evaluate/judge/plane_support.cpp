@@ -2,6 +2,7 @@
 #include "evaluate/judge/plane_support.h"
 
 #include "evaluate/judge/plan_hull.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +42,7 @@ double nearest_along(std::span<const ZonePoint> points, double length_m, double 
 }  // namespace
 
 std::vector<Eigen::Vector3d> positions(std::span<const ZonePoint> points) {
-  std::vector<Eigen::Vector3d> x;
-  x.reserve(points.size());
-  for (const ZonePoint& p : points) x.push_back(p.x);
-  return x;
+  return transformed(points, &ZonePoint::x);
 }
 
 double point_spacing_m(std::size_t n, double area_m2) {

@@ -3,6 +3,7 @@
 
 #include "evaluate/statistics/distribution.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +81,8 @@ std::vector<std::string> AccuracyStatement::flags() const {
 }
 
 std::vector<AccuracyStatement> accuracy_statements(const Evaluation& evaluation) {
-  std::vector<AccuracyStatement> result;
-  for (const Summary& s : evaluation.classes) result.push_back(statement(evaluation, s));
-  return result;
+  return transformed(evaluation.classes,
+                     [&](const Summary& s) { return statement(evaluation, s); });
 }
 
 }  // namespace ridgeline::evaluate

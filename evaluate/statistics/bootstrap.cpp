@@ -5,6 +5,7 @@
 #include "evaluate/statistics/random.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <boost/math/distributions/normal.hpp>
 #include <tbb/parallel_for.h>
@@ -97,12 +98,9 @@ class DisjointSets {
 
 std::vector<std::size_t> dense_labels(std::span<const std::size_t> labels) {
   std::unordered_map<std::size_t, std::size_t> dense;
-  std::vector<std::size_t> result;
-  result.reserve(labels.size());
-  for (const std::size_t label : labels) {
-    result.push_back(dense.try_emplace(label, dense.size()).first->second);
-  }
-  return result;
+  return transformed(labels, [&](const std::size_t label) {
+    return dense.try_emplace(label, dense.size()).first->second;
+  });
 }
 
 std::size_t count_clusters(std::span<const std::size_t> labels) {

@@ -5,6 +5,7 @@
 #include "evaluate/statistics/parameter_intervals.h"
 #include "evaluate/statistics/segment_tree.h"
 #include "evaluate/statistics/summary.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -306,11 +307,9 @@ std::vector<std::optional<std::size_t>> reference_of_each(std::span<const Judged
 std::vector<std::optional<double>> reference_errors_m(std::span<const JudgedLine> lines,
                                                       std::span<const ReferenceLine> references,
                                                       const ReferenceOptions& options) {
-  std::vector<std::optional<double>> errors_m;
-  for (const auto& error : line_errors(lines, references, options)) {
-    errors_m.push_back(error ? std::optional(error->mean_m) : std::nullopt);
-  }
-  return errors_m;
+  return transformed(line_errors(lines, references, options), [&](const auto& error) {
+    return error ? std::optional(error->mean_m) : std::nullopt;
+  });
 }
 
 ReferenceComparison compare_with_references(std::span<const JudgedLine> lines,

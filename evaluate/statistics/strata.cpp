@@ -2,6 +2,7 @@
 #include "evaluate/statistics/strata.h"
 
 #include "evaluate/statistics/distribution.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -128,11 +129,9 @@ std::vector<Stratification> stratify(const Evaluation& evaluation) {
   std::iota(all.begin(), all.end(), std::size_t{0});
   const Summary total =
       summarize(evaluation.lines, clusters, all, std::string(kTotal), evaluation.options);
-  std::vector<Stratification> result;
-  for (const Property& property : properties(evaluation)) {
-    result.push_back(stratify_by(property, evaluation, clusters, total));
-  }
-  return result;
+  return transformed(properties(evaluation), [&](const Property& property) {
+    return stratify_by(property, evaluation, clusters, total);
+  });
 }
 
 }  // namespace ridgeline::evaluate

@@ -2,6 +2,7 @@
 #include "evaluate/statistics/wireframe.h"
 
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Core>
 #include <boost/geometry.hpp>
@@ -148,11 +149,9 @@ std::vector<WireframeScore> wireframe_scores(std::span<const Segment3> lines,
   const Wireframe truth = wireframe_of(references);
   const std::vector<Pair> pairs =
       pairs_within(frame, truth, std::ranges::max(kWireframeThresholds_m));
-  std::vector<WireframeScore> scores;
-  for (const double threshold_m : kWireframeThresholds_m) {
-    scores.push_back(score_at(threshold_m, pairs, frame, truth));
-  }
-  return scores;
+  return transformed(kWireframeThresholds_m, [&](const double threshold_m) {
+    return score_at(threshold_m, pairs, frame, truth);
+  });
 }
 
 }  // namespace ridgeline::evaluate

@@ -6,7 +6,7 @@
 #include "io/cloud/cloud_origin.h"
 #include "io/cloud/common_crs.h"
 #include "io/error.h"
-#include "io/files/page_advice.h"
+#include "io/files/mapped_file.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>

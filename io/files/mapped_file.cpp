@@ -2,13 +2,14 @@
 #include "io/files/mapped_file.h"
 
 #include "io/error.h"
-#include "io/files/page_advice.h"
 
 #include <boost/interprocess/exceptions.hpp>
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>
 #include <sys/mman.h>
+#include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
@@ -45,5 +46,15 @@ void MappedFile::release(std::span<const std::byte> part) {
 MappedFile::~MappedFile() = default;
 MappedFile::MappedFile(MappedFile&&) noexcept = default;
 MappedFile& MappedFile::operator=(MappedFile&&) noexcept = default;
+
+void advise_whole_pages(std::span<const std::byte> range, int advice) {
+  static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = reinterpret_cast<std::uintptr_t>(range.data());
+  const std::size_t skipped = (page - begin % page) % page;
+  if (range.size() < skipped + page) return;
+  const std::size_t size = (range.size() - skipped) / page * page;
+  // madvise() takes a pointer that is not const, but does not change the bytes.
+  (void)madvise(const_cast<std::byte*>(range.data() + skipped), size, advice);
+}
 
 }  // namespace ridgeline::io

@@ -4,6 +4,7 @@
 #include "io/error.h"
 #include "io/text/json_text.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -94,9 +95,7 @@ Matrix6d covariance_of(const json& value) {
 std::vector<int> plane_ids_of(const json& value) {
   const json ids = unwrapped(value);
   if (!ids.is_array()) return {integer_of(ids)};
-  std::vector<int> planes;
-  for (const json& id : ids) planes.push_back(integer_of(id));
-  return planes;
+  return transformed(ids, [&](const json& id) { return integer_of(id); });
 }
 
 Segment2 segment_of(const json& value) {

@@ -7,6 +7,7 @@
 #include "io/lines/feature_collector.h"
 #include "io/lines/readers.h"
 #include "io/text/json_text.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -189,9 +190,7 @@ class GeoJsonReader {
 
   static std::vector<Vertices> rings_of(const json& polygon, const std::string& where) {
     if (!polygon.is_array()) throw IoError(where, "a polygon is no array of rings");
-    std::vector<Vertices> rings;
-    for (const json& ring : polygon) rings.push_back(vertices_of(ring, where));
-    return rings;
+    return transformed(polygon, [&](const json& ring) { return vertices_of(ring, where); });
   }
 
   static Vertices vertices_of(const json& positions, const std::string& where) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/lines/ogr_geometry.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <limits>
 #include <memory>
 #include <vector>
@@ -19,9 +21,7 @@ Vertices vertices_of(const OGRLineString& line) {
 }
 
 std::vector<Vertices> rings_of(const OGRPolygon& polygon) {
-  std::vector<Vertices> rings;
-  for (const OGRLinearRing* ring : polygon) rings.push_back(vertices_of(*ring));
-  return rings;
+  return transformed(polygon, [&](const OGRLinearRing* ring) { return vertices_of(*ring); });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "io/lines/polyline.h"
 #include "io/lines/readers.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -97,9 +98,8 @@ std::vector<int> images_per_line(const std::filesystem::path& space_lines) {
   const std::filesystem::path cameras = space_lines.parent_path() / "cams.txt";
   if (!std::filesystem::exists(cameras)) return {};
   const std::string content = read_input(cameras.string());
-  std::vector<int> counts;
-  for (const TextRow& row : rows_of(content)) counts.push_back(count_distinct(words_of(row.text)));
-  return counts;
+  return transformed(rows_of(content),
+                     [&](const TextRow& row) { return count_distinct(words_of(row.text)); });
 }
 
 [[noreturn]] void refuse_folder_of_others(const std::string& path) {

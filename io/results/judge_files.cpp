@@ -9,6 +9,7 @@
 #include "io/results/plan_scale.h"
 #include "io/results/value_warnings.h"
 #include "io/text/utf8.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Geometry>
 #include <fmt/core.h>
@@ -240,9 +241,8 @@ void refuse_mismatch(std::string_view what,
 }
 
 std::vector<std::string> own_warnings(const io::LineSet& set) {
-  std::vector<std::string> warnings;
-  for (const std::string& warning : set.warnings) warnings.push_back(set.path + ": " + warning);
-  return warnings;
+  return transformed(set.warnings,
+                     [&](const std::string& warning) { return set.path + ": " + warning; });
 }
 
 std::string stem_of(const std::string& path) {

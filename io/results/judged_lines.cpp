@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -77,10 +78,7 @@ std::vector<Segment3> finite_segments(const std::vector<JudgedLine>& lines) {
 }
 
 std::vector<Segment3> segments_of(const std::vector<evaluate::ReferenceLine>& references) {
-  std::vector<Segment3> segments;
-  segments.reserve(references.size());
-  for (const evaluate::ReferenceLine& line : references) segments.push_back(line.segment);
-  return segments;
+  return transformed(references, [&](const evaluate::ReferenceLine& line) { return line.segment; });
 }
 
 }  // namespace
@@ -116,12 +114,9 @@ std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
                                         double max_aligned_angle_deg) {
   const std::vector<ProjectionMatrix> cameras = cameras_of(patch);
   const Eigen::Vector3d unit_m = unit_m_of(set);
-  std::vector<JudgedLine> lines;
-  lines.reserve(set.lines.size());
-  for (const io::Line& line : set.lines) {
-    lines.push_back(judged_line(line, unit_m, frame, patch, cameras, max_aligned_angle_deg));
-  }
-  return lines;
+  return transformed(set.lines, [&](const io::Line& line) {
+    return judged_line(line, unit_m, frame, patch, cameras, max_aligned_angle_deg);
+  });
 }
 
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,

@@ -6,6 +6,7 @@
 #include "io/results/judged_lines.h"
 #include "io/results/map_style.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,10 +48,7 @@ struct Field {
 
 template <typename Fields>
 std::vector<Column> columns_of(const Fields& fields) {
-  std::vector<Column> columns;
-  columns.reserve(fields.size());
-  for (const auto& field : fields) columns.push_back({field.name, field.type});
-  return columns;
+  return transformed(fields, [&](const auto& field) -> Column { return {field.name, field.type}; });
 }
 
 template <typename Fields, typename... Thing>

@@ -5,6 +5,7 @@
 #include "io/files/library_versions.h"
 #include "io/files/sha256.h"
 #include "io/results/version.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <pcl/pcl_config.h>
 #include <sys/resource.h>
@@ -50,10 +51,7 @@ nlohmann::ordered_json versions() {
 }
 
 std::vector<std::string> paths_of(const std::vector<InputFile>& files) {
-  std::vector<std::string> paths;
-  paths.reserve(files.size());
-  for (const InputFile& file : files) paths.push_back(file.path);
-  return paths;
+  return transformed(files, &InputFile::path);
 }
 
 RunRecord::RunRecord(std::string command)

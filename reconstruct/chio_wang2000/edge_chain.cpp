@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/edge_chain.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,11 +117,9 @@ void summarise_heights(const EpipolarTransfer& right_from_left,
 std::vector<SearchedPoint> searched_points(const EpipolarTransfer& right_from_left,
                                            const ImageSampler& left_image,
                                            const EdgeSegment& left) {
-  std::vector<SearchedPoint> points;
-  for (const EdgePoint& point : edge_points(left_image, left)) {
-    points.push_back({point, right_from_left.stretch(point.x_px)});
-  }
-  return points;
+  return transformed(edge_points(left_image, left), [&](const EdgePoint& point) -> SearchedPoint {
+    return {point, right_from_left.stretch(point.x_px)};
+  });
 }
 
 EdgeChain edge_chain(const EpipolarTransfer& right_from_left,

@@ -5,7 +5,6 @@ set(io_laz_sources
   cloud/las_header.cpp
   cloud/las_vlr.cpp
   files/mapped_file.cpp
-  files/page_advice.cpp
   cloud/laz/arithmetic_decoder.cpp
   cloud/laz/arithmetic_model.cpp
   cloud/laz/attribute_items.cpp
@@ -32,7 +31,6 @@ set(io_laz_headers
   cloud/las_header.h
   cloud/las_vlr.h
   files/mapped_file.h
-  files/page_advice.h
   cloud/laz/arithmetic_decoder.h
   cloud/laz/arithmetic_model.h
   cloud/laz/byte_stream.h

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/aerial_pair.h"
 
-#include "apps/simulate/nominal_pair.h"
 #include "tests/support/scene.h"
 
 #include <gtest/gtest.h>
