@@ -115,9 +115,11 @@ class RgbVersion1 final : public ItemDecoder {
   IntegerDecompressor difference_{8, 6};
 };
 
-class RgbVersion2 final : public ItemDecoder {
+/// A value that its models decode as a whole.
+template <typename Models, typename Value>
+class Modelled final : public ItemDecoder {
  public:
-  explicit RgbVersion2(std::span<const std::byte> first) : last_(load<Rgb>(first.data())) {}
+  explicit Modelled(std::span<const std::byte> first) : last_(load<Value>(first.data())) {}
 
   void decode(ArithmeticDecoder& decoder, std::byte* item) override {
     last_ = models_.decode(decoder, last_);
@@ -125,8 +127,8 @@ class RgbVersion2 final : public ItemDecoder {
   }
 
  private:
-  Rgb last_;
-  RgbModels models_;
+  Value last_;
+  Models models_;
 };
 
 class BytesVersion1 final : public ItemDecoder {
@@ -165,41 +167,28 @@ class BytesVersion2 final : public ItemDecoder {
   std::vector<SymbolModel> differences_;
 };
 
-class WavePacketVersion1 final : public ItemDecoder {
- public:
-  explicit WavePacketVersion1(std::span<const std::byte> first)
-      : last_(load<WavePacket>(first.data())) {}
-
-  void decode(ArithmeticDecoder& decoder, std::byte* item) override {
-    last_ = models_.decode(decoder, last_);
-    store(item, last_);
-  }
-
- private:
-  WavePacket last_;
-  WavePacketModels models_;
-};
+/// One of two versions of a decoder.
+template <typename Version1, typename Version2>
+std::unique_ptr<ItemDecoder> of_version(int version, std::span<const std::byte> first) {
+  if (version == 1) return std::make_unique<Version1>(first);
+  return std::make_unique<Version2>(first);
+}
 
 }  // namespace
 
-std::unique_ptr<ItemDecoder> make_gps_time11_decoder(int version,
-                                                     std::span<const std::byte> first) {
-  if (version == 1) return std::make_unique<GpsTimeVersion1>(first);
-  return std::make_unique<GpsTimeVersion2>(first);
-}
-
-std::unique_ptr<ItemDecoder> make_rgb12_decoder(int version, std::span<const std::byte> first) {
-  if (version == 1) return std::make_unique<RgbVersion1>(first);
-  return std::make_unique<RgbVersion2>(first);
-}
-
-std::unique_ptr<ItemDecoder> make_byte_decoder(int version, std::span<const std::byte> first) {
-  if (version == 1) return std::make_unique<BytesVersion1>(first);
-  return std::make_unique<BytesVersion2>(first);
-}
-
-std::unique_ptr<ItemDecoder> make_wave_packet13_decoder(std::span<const std::byte> first) {
-  return std::make_unique<WavePacketVersion1>(first);
+std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, std::span<const std::byte> first) {
+  switch (item.type) {
+    case ItemType::kPoint10:
+      return make_point10_decoder(item.version, first);
+    case ItemType::kGpsTime11:
+      return of_version<GpsTimeVersion1, GpsTimeVersion2>(item.version, first);
+    case ItemType::kRgb12:
+      return of_version<RgbVersion1, Modelled<RgbModels, Rgb>>(item.version, first);
+    case ItemType::kWavePacket13:  // there is version 1 only
+      return std::make_unique<Modelled<WavePacketModels, WavePacket>>(first);
+    default:
+      return of_version<BytesVersion1, BytesVersion2>(item.version, first);
+  }
 }
 
 }  // namespace ridgeline::io::laz

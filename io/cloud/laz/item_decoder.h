@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/cloud/laz/arithmetic_decoder.h"
+#include "io/cloud/laz/laszip_record.h"
 
 #include <cstddef>
 #include <memory>
@@ -19,13 +20,12 @@ class ItemDecoder {
   virtual void decode(ArithmeticDecoder& decoder, std::byte* item) = 0;
 };
 
-/// Each function makes the decoder of an item from the item of the chunk's first record, which is stored raw. The
-/// version is 1 or 2.
+/// The decoder of an item.
+/// @param first  the item of the chunk's first record, which is stored raw
+std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, std::span<const std::byte> first);
+
+/// The same for the core of the record, which POINT10 is.
+/// @param version  1 or 2
 std::unique_ptr<ItemDecoder> make_point10_decoder(int version, std::span<const std::byte> first);
-std::unique_ptr<ItemDecoder> make_gps_time11_decoder(int version, std::span<const std::byte> first);
-std::unique_ptr<ItemDecoder> make_rgb12_decoder(int version, std::span<const std::byte> first);
-std::unique_ptr<ItemDecoder> make_byte_decoder(int version, std::span<const std::byte> first);
-/// Wave packets exist in version 1 only.
-std::unique_ptr<ItemDecoder> make_wave_packet13_decoder(std::span<const std::byte> first);
 
 }  // namespace ridgeline::io::laz

@@ -18,21 +18,6 @@ struct Placed {
   std::size_t offset;  // byte of the record at which the item begins
 };
 
-std::unique_ptr<ItemDecoder> make_item_decoder(const Item& item, Bytes first) {
-  switch (item.type) {
-    case ItemType::kPoint10:
-      return make_point10_decoder(item.version, first);
-    case ItemType::kGpsTime11:
-      return make_gps_time11_decoder(item.version, first);
-    case ItemType::kRgb12:
-      return make_rgb12_decoder(item.version, first);
-    case ItemType::kWavePacket13:
-      return make_wave_packet13_decoder(first);
-    default:
-      return make_byte_decoder(item.version, first);
-  }
-}
-
 // A chunk is the first record, raw, then one stream in which the items of each record alternate.
 class PointwiseDecoder final : public RecordDecoder {
  public:
