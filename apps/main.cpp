@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "io/error.h"
 #include "io/results/run_record.h"
 #include "io/results/version.h"

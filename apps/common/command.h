@@ -7,6 +7,13 @@
 
 namespace ridgeline::apps {
 
+enum ExitCode : int {
+  kDone = 0,
+  kWrongInput = 1,  ///< the user's files, options or usage are at fault
+  kInternalError = 2,
+  kGateFailed = 3,
+};
+
 /// What a subcommand does once its options are parsed; returns an ExitCode.
 using Run = std::function<int()>;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
 #include "io/files/atomic_file.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "apps/common/sample_data.h"
 #include "apps/report/write_report.h"
 #include "apps/run/run_patches.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
 #include "apps/common/page_facts.h"

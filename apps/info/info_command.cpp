@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "apps/info/own_files.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/match/match_overlay.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
-#include "apps/common/exit_code.h"
 #include "apps/common/say.h"
 #include "apps/report/write_report.h"
 #include "io/results/gate_files.h"

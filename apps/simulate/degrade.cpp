@@ -57,27 +57,24 @@ Segment3 moved(const Segment3& segment, const DegradeOptions& o, Random& random)
 }  // namespace
 
 DegradeOptions options_of(Grade grade, std::uint64_t seed) {
-  DegradeOptions o;
-  o.seed = seed;
   switch (grade) {
     case Grade::kGood:
-      o.missing_share = 0.05;
-      break;
+      return {.seed = seed, .missing_share = 0.05};
     case Grade::kFair:
-      o.plan_sigma_m = 0.2;
-      o.height_sigma_m = 0.18;
-      o.tilt_sigma_m = 0.1;
-      o.missing_share = 0.15;
-      break;
+      return {.seed = seed,
+              .plan_sigma_m = 0.2,
+              .height_sigma_m = 0.18,
+              .tilt_sigma_m = 0.1,
+              .missing_share = 0.15};
     case Grade::kPoor:
-      o.plan_sigma_m = 0.6;
-      o.height_sigma_m = 0.52;
-      o.tilt_sigma_m = 0.3;
-      o.missing_share = 0.3;
-      o.gross_share = 0.08;
       break;
   }
-  return o;
+  return {.seed = seed,
+          .plan_sigma_m = 0.6,
+          .height_sigma_m = 0.52,
+          .tilt_sigma_m = 0.3,
+          .missing_share = 0.3,
+          .gross_share = 0.08};
 }
 
 io::LineSet degrade_lines(const io::LineSet& lines, const DegradeOptions& options) {
