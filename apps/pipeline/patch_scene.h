@@ -34,4 +34,11 @@ reconstruct::Scene load_scene(const io::PatchFile& patch,
 std::string edges_file(const io::PatchImage& image);
 std::string segments_file(const io::PatchImage& image);
 
+/// The file in a patch's folder that holds the points of the surface, and the stage that writes it.
+inline constexpr const char* kSurfaceFile = "surface.las";
+inline constexpr const char* kSurfaceStage = "surface";
+
+/// Most points of a surface that a run keeps. A point takes 8 bytes of the report.
+inline constexpr std::size_t kMaxSurfacePoints = 150000;
+
 }  // namespace ridgeline::apps

@@ -7,14 +7,15 @@
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/reconstructed_lines.h"
-#include "apps/pipeline/surface_file.h"
 #include "io/cloud/labelled_points.h"
+#include "io/cloud/las_writer.h"
 #include "io/error.h"
 #include "io/files/input_file.h"
 #include "io/lines/write_lines.h"
 #include "io/project/segments_file.h"
 #include "io/results/output_folder.h"
 #include "reconstruct/beyond/surface/surface.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -79,7 +80,7 @@ void write_whole_surface(const std::string& file,
                          const std::optional<reconstruct::Surface>& surface) {
   if (!surface)
     throw io::IoError(patch.path, "--write-surface: the images cannot be rectified to each other");
-  write_surface(file, points_in_local(*surface), frame, patch.crs);
+  io::write_las(file, transformed(points_in_local(*surface), io::single_return), frame, patch.crs);
 }
 
 /// The lines of the patch, from the matches of a file or from those made now.

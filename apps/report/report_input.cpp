@@ -4,7 +4,6 @@
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/stage_cache.h"
-#include "apps/pipeline/surface_file.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"

@@ -2,8 +2,8 @@
 #include "apps/run/patch_run.h"
 
 #include "apps/common/outcome.h"
+#include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/stage_cache.h"
-#include "apps/pipeline/surface_file.h"
 #include "apps/run/patch_stages.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"

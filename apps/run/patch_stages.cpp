@@ -6,12 +6,13 @@
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/reconstructed_lines.h"
-#include "apps/pipeline/surface_file.h"
 #include "evaluate/gates/figure.h"
 #include "io/cloud/labelled_points.h"
+#include "io/cloud/las_writer.h"
 #include "io/files/atomic_file.h"
 #include "io/project/matches_file.h"
 #include "io/project/segments_file.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
@@ -175,7 +176,8 @@ std::vector<std::string> PatchStages::keep_surface() {
     out_.remove(patch_.id + "/" + kSurfaceFile);
     return {};
   }
-  write_surface(path(kSurfaceFile), points_in_local(*kept, kMaxSurfacePoints), scene_.frame,
+  const std::vector<Eigen::Vector3d> points = points_in_local(*kept, kMaxSurfacePoints);
+  io::write_las(path(kSurfaceFile), transformed(points, io::single_return), scene_.frame,
                 patch_.crs);
   return {kSurfaceFile};
 }
