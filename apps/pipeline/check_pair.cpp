@@ -26,19 +26,12 @@ struct CheckedPair {
   double limit_px;
 };
 
-reconstruct::PairGeometry geometry_of(const io::PatchFile& patch, const cv::Mat& base) {
-  const LocalFrame frame = reconstruct::local_frame(patch.images[0].image_from_world,
-                                                    {base.cols, base.rows}, patch.height_range_m);
-  reconstruct::PairGeometry geometry{
-      io::cameras_in_local(patch, frame), io::heights_in_local_m(patch, frame), {}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const io::PatchImage& image = patch.images[i];
-    if (!image.interior || image.interior->distortion.is_zero()) continue;
-    geometry.ideal_from_image[i] = [&image](const Eigen::Vector2d& x_px) {
-      return io::undistorted_px(image, x_px);
-    };
-  }
-  return geometry;
+reconstruct::PairGeometry geometry_of(const reconstruct::Scene& scene) {
+  const reconstruct::View& left = scene.views[0];
+  const reconstruct::View& right = scene.views[1];
+  return {{left.image_from_local, right.image_from_local},
+          scene.height_range_in_local_m,
+          {left.ideal_from_image, right.ideal_from_image}};
 }
 
 /// The images that are at fault: "both images", or the path of one.
@@ -113,16 +106,14 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
 }  // namespace
 
 std::optional<std::string> check_pair(const io::PatchFile& patch,
-                                      const std::array<cv::Mat, 2>& images,
+                                      const reconstruct::Scene& scene,
                                       double max_y_parallax_px) {
   constexpr std::size_t kFewestPoints = 30;
   constexpr double kUsualShare = 0.5;
   if (max_y_parallax_px == 0.0) return std::nullopt;
-  CheckedPair pair{patch,
-                   geometry_of(patch, images[0]),
-                   reconstruct::match_points(images),
-                   {},
-                   max_y_parallax_px};
+  const std::array images{scene.views[0].image, scene.views[1].image};
+  CheckedPair pair{
+      patch, geometry_of(scene), reconstruct::match_points(images), {}, max_y_parallax_px};
   for (std::size_t i = 0; i < 2; ++i) pair.sizes_px[i] = {images[i].cols, images[i].rows};
   const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
   if (fit.n_points < kFewestPoints) {

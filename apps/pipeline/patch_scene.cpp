@@ -43,13 +43,19 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& fra
   return scene;
 }
 
+reconstruct::Scene patch_scene(const io::PatchFile& patch,
+                               const LocalFrame& frame,
+                               const std::array<cv::Mat, 2>& images) {
+  reconstruct::Scene scene = patch_scene(patch, frame);
+  for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
+  return scene;
+}
+
 reconstruct::Scene load_scene(const io::PatchFile& patch,
                               const LocalFrame& frame,
                               double max_y_parallax_px) {
-  const std::array<cv::Mat, 2> images = patch_images(patch);
-  if (const auto doubt = check_pair(patch, images, max_y_parallax_px)) spdlog::warn("{}", *doubt);
-  reconstruct::Scene scene = patch_scene(patch, frame);
-  for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
+  reconstruct::Scene scene = patch_scene(patch, frame, patch_images(patch));
+  if (const auto doubt = check_pair(patch, scene, max_y_parallax_px)) spdlog::warn("{}", *doubt);
   return scene;
 }
 

@@ -24,7 +24,12 @@ std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch);
 /// The first two views of a patch in a frame, without images and segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
 
-/// The scene of patch_scene() with its images, after check_pair(), whose warning is printed. Throws IoError.
+/// The same with images.
+reconstruct::Scene patch_scene(const io::PatchFile& patch,
+                               const LocalFrame& frame,
+                               const std::array<cv::Mat, 2>& images);
+
+/// The scene of a patch with its images, after check_pair(), whose warning is printed. Throws IoError.
 reconstruct::Scene load_scene(const io::PatchFile& patch,
                               const LocalFrame& frame,
                               double max_y_parallax_px);

@@ -51,11 +51,9 @@ py::dict lines_of(const io::PatchFile& patch,
                   const reconstruct::Options& options,
                   const Read& read) {
   return dict_of(interruptibly([&] {
-    const std::array<cv::Mat, 2> images = read();
+    reconstruct::Scene scene = in_local_frame(apps::patch_scene(patch, {}, read()));
     const std::optional<std::string> doubt =
-        apps::check_pair(patch, images, apps::kDefaultMaxYParallax_px);
-    reconstruct::Scene scene = apps::patch_scene(patch, {});
-    for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
+        apps::check_pair(patch, scene, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
     io::LineSet set = apps::line_set_of(found.pairs.front().lines, found.scene.frame, patch.crs,
                                         options.estimation.lines.method);

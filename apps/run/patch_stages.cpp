@@ -130,8 +130,7 @@ std::string PatchStages::path(const std::string& file) const {
 
 void PatchStages::read_images() {
   if (!scene_.views[0].image.empty()) return;
-  const std::array<cv::Mat, 2> images = patch_images(patch_);
-  for (std::size_t i = 0; i < images.size(); ++i) scene_.views[i].image = images[i];
+  scene_ = patch_scene(patch_, scene_.frame, patch_images(patch_));
 }
 
 std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
@@ -155,8 +154,7 @@ const std::optional<reconstruct::Surface>& PatchStages::surface(
 
 void PatchStages::check_pair() {
   read_images();
-  const auto doubt = apps::check_pair(patch_, {scene_.views[0].image, scene_.views[1].image},
-                                      options_.max_y_parallax_px);
+  const auto doubt = apps::check_pair(patch_, scene_, options_.max_y_parallax_px);
   if (doubt) spdlog::warn("{}", *doubt);
 }
 
