@@ -150,8 +150,7 @@ void check_scene(const Scene& scene, std::span<const ViewPair> pairs) {
   const std::vector<View>& views = scene.views;
   check(views.size() >= 2, "reconstruct: views = ", views.size(), ", must be 2 or more");
   for (const View& view : views) {
-    const ProjectionMatrix& p = view.image_from_local;
-    check(p.allFinite() && p.leftCols<3>().fullPivLu().isInvertible(), "view ", view.id,
+    check(is_central_camera(view.image_from_local), "view ", view.id,
           ": the matrix that takes the world to its pixels must be finite and show space");
     check(view.image.channels() == views[0].image.channels(), "view ", view.id,
           ": bands = ", view.image.channels(), ", must be as many as those of view ", views[0].id,

@@ -64,10 +64,12 @@ void print_processes(const reconstruct::ChioResult& result,
       count([](const Acquired& a) { return a.relaxed; }));
 }
 
-/// The files of segments that --segments asks for.
+/// The files of the segments that the matches speak of. None stand beside a device such as /dev/stdout.
 std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchFile& patch) {
-  if (a.segments.empty()) return {};
-  const std::filesystem::path folder(a.segments);
+  namespace fs = std::filesystem;
+  const bool is_device = fs::exists(a.out) && !fs::is_regular_file(a.out);
+  if (a.segments.empty() && is_device) return {};
+  const fs::path folder = a.segments.empty() ? fs::path(a.out).parent_path() : fs::path(a.segments);
   return {(folder / segments_file(patch.images[0])).string(),
           (folder / segments_file(patch.images[1])).string()};
 }
@@ -128,8 +130,8 @@ Run add_match(CLI::App& subcommand) {
   subcommand.add_option("--overlay", a->overlay, "PNG of both images with the matched segments");
   subcommand.add_option(
       "--segments", a->segments,
-      "folder for segments.IMAGE.csv of both images, with the segments that were found while "
-      "matching. reconstruct --matches reads the files beside its own");
+      "folder for segments.IMAGE.csv of both images, whose ids the matches have; default: that of "
+      "--out, where reconstruct --matches looks for them");
   add_matcher_option(subcommand, a->matchers);
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/wilcoxon.h"
 
+#include "evaluate/probability.h"
 #include "reconstruct/geometry/check.h"
-
-#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +65,7 @@ double approximate_p(const SignedRanks& ranks) {
   const double variance = n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - ranks.tie_term / 48.0;
   const double deviation = std::abs(0.5 * static_cast<double>(ranks.doubled_positive) - mean);
   const double z = std::max(0.0, deviation - 0.5) / std::sqrt(variance);
-  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), z));
+  return 2.0 * normal_tail(z);
 }
 
 }  // namespace

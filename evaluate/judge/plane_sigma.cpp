@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/plane_sigma.h"
 
-#include <boost/math/distributions/students_t.hpp>
+#include "evaluate/probability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,7 @@ constexpr int kParameters = 3;  // of a plane
 double widening(int degrees_of_freedom) {
   constexpr double kNormal = 1.959964;
   if (degrees_of_freedom < 1) return std::numeric_limits<double>::infinity();
-  const boost::math::students_t distribution(degrees_of_freedom);
-  return boost::math::quantile(distribution, 0.975) / kNormal;
+  return student_t_quantile(degrees_of_freedom, 0.975) / kNormal;
 }
 
 /// (1, u, v) with the coordinates of x in the plane.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/statistics/bootstrap.h"
 
+#include "evaluate/probability.h"
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/statistics/random.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <boost/math/distributions/normal.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -68,13 +68,11 @@ Interval bca_shares(std::span<const double> values,
   // Ties count half and the ends are kept off 0 and 1, where the normal quantile is infinite.
   double below = 0.5;
   for (const double v : values) below += v < estimate ? 1.0 : (v == estimate ? 0.5 : 0.0);
-  const boost::math::normal normal;
-  const double z0 =
-      boost::math::quantile(normal, below / (static_cast<double>(values.size()) + 1.0));
+  const double z0 = normal_quantile(below / (static_cast<double>(values.size()) + 1.0));
   const double a = acceleration(n_clusters, statistic);
   const auto share = [&](double plain) {
-    const double z = z0 + boost::math::quantile(normal, plain);
-    return boost::math::cdf(normal, z0 + z / (1.0 - a * z));
+    const double z = z0 + normal_quantile(plain);
+    return normal_cdf(z0 + z / (1.0 - a * z));
   };
   return {share(0.5 * (1.0 - level)), share(0.5 * (1.0 + level))};
 }

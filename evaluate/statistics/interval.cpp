@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/statistics/interval.h"
 
+#include "evaluate/probability.h"
 #include "reconstruct/geometry/check.h"
-
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 
 #include <cmath>
 
@@ -21,10 +19,8 @@ std::optional<Interval> chi_square_ratio_bounds(std::size_t dof, double level) {
   check_level(level);
   if (dof == 0) return std::nullopt;
   const auto k = static_cast<double>(dof);
-  const boost::math::chi_squared chi2(k);
   const double tail = 0.5 * (1.0 - level);
-  return Interval{boost::math::quantile(chi2, tail) / k,
-                  boost::math::quantile(boost::math::complement(chi2, tail)) / k};
+  return Interval{chi_square_quantile(k, tail) / k, chi_square_upper_quantile(k, tail) / k};
 }
 
 std::optional<Interval> chi_square_rms_interval(double rms, std::size_t dof, double level) {
@@ -40,7 +36,7 @@ std::optional<Interval> wilson_interval(std::size_t successes, std::size_t trial
   if (trials == 0) return std::nullopt;
   const auto n = static_cast<double>(trials);
   const double p = static_cast<double>(successes) / n;
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 * (1.0 + level));
+  const double z = normal_quantile(0.5 * (1.0 + level));
   const double centre = p + z * z / (2.0 * n);
   const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
   const double scale = 1.0 / (1.0 + z * z / n);

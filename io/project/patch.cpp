@@ -16,16 +16,6 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
-/// Whether the camera has a centre that is not at infinity. Rows are scaled first: those of a matrix in pixels differ
-/// by the focal length.
-bool is_central_camera(const ProjectionMatrix& P) {
-  constexpr double kSmallestRatio = 1e-9;
-  const Eigen::Matrix3d rows = P.leftCols<3>().rowwise().normalized();
-  if (!rows.allFinite()) return false;
-  const Eigen::Vector3d singular_values = rows.jacobiSvd().singularValues();
-  return singular_values.z() > kSmallestRatio * singular_values.x();
-}
-
 /// Whether two cameras are in one place, which is a copied orientation and no short base: a millimetre is far below
 /// any stereo base.
 bool in_one_place(const ProjectionMatrix& a, const ProjectionMatrix& b) {

@@ -40,6 +40,13 @@ Eigen::Vector3d point_on_plane(const ProjectionMatrix& image_from_world,
   return centre + t * ray;
 }
 
+bool is_central_camera(const ProjectionMatrix& image_from_world) {
+  constexpr double kSmallestVolume =
+      1e-9;  // spanned by the rows: in pixels they differ by the focal length
+  const Eigen::Matrix3d rows = image_from_world.leftCols<3>().rowwise().normalized();
+  return image_from_world.allFinite() && std::abs(rows.determinant()) > kSmallestVolume;
+}
+
 ProjectionMatrix image_from_local(const ProjectionMatrix& image_from_world,
                                   const Eigen::Vector3d& origin_m) {
   ProjectionMatrix p = image_from_world;

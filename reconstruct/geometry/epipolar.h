@@ -17,6 +17,9 @@ using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 /// Homogeneous projection centre C (4, unit length): P C = 0.
 Eigen::Vector4d projection_centre(const ProjectionMatrix& image_from_world);
 
+/// Whether a matrix is finite and of a camera whose centre is not at infinity.
+bool is_central_camera(const ProjectionMatrix& image_from_world);
+
 /// Pixel of a world point; NaN for a point in the plane of the projection centre.
 Eigen::Vector2d project(const ProjectionMatrix& image_from_world,
                         const Eigen::Vector3d& x_in_world);

@@ -60,7 +60,8 @@ TEST_F(Config, PublishedHoldsNothingOfOurs) {
         std::pair("reconstruct", "surface"), std::pair("reconstruct", "register_profiles")}) {
     EXPECT_EQ(published[group][key].Scalar(), "false") << group << "." << key;
   }
-  EXPECT_EQ(published["chio"]["paper"].Scalar(), "true");
+  EXPECT_EQ(published["chio"]["allow_noise"].Scalar(), "false");
+  EXPECT_EQ(published["chio"]["by_look"].Scalar(), "false");
   EXPECT_EQ(published["judge"]["sample_consensus"].Scalar(), "ransac");
 }
 

@@ -61,10 +61,12 @@ TEST_F(Match, ThatIsGuidedNeedsItsSegments) {
       AllOf(HasSubstr("m.csv"), HasSubstr("Guided matches need the segments.IMAGE.csv")));
 }
 
-TEST_F(Match, WithoutSegmentsHasNoGuidedMatches) {
-  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "m.csv"}).exit_code, 0);
-  const auto rows = io::read_matches(path("m.csv").string());
-  EXPECT_EQ(std::ranges::count(rows, "guided", &FoundMatch::matcher), 0);
+TEST_F(Match, HasItsSegmentsBesideIt) {
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "of_match/m.csv"}).exit_code, 0);
+  ASSERT_EQ(run({"run", "pair/patch.yaml", "--out", "of_run", "--no-report"}).exit_code, 0);
+  EXPECT_EQ(read(path("of_match/m.csv")), read(path("of_run/pair/matches.csv")));
+  for (const char* const file : {"segments.left.csv", "segments.right.csv"})
+    EXPECT_EQ(read(path("of_match") / file), read(path("of_run/pair") / file)) << file;
 }
 
 TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
@@ -78,7 +80,7 @@ TEST_F(Match, ByChioTellsHowEachLineCameAbout) {
   EXPECT_EQ(rows.front().matcher, "chio");
   const std::string provenance = read(path("chio.csv"));
   EXPECT_EQ(std::count(provenance.begin(), provenance.end(), '\n') - 1,
-            static_cast<std::ptrdiff_t>(rows.size()));
+            std::ranges::count(rows, "chio", &FoundMatch::matcher));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--provenance", "chio.csv"}),
                  HasSubstr("needs --matcher chio"));
 }

@@ -35,25 +35,42 @@ TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
   const auto first = results_in("out");
   const ProgramResult again = run_patch("out", {"--resume"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("6 finished stages skipped"));
+  EXPECT_THAT(again.err, HasSubstr("8 finished stages skipped"));
   EXPECT_EQ(results_in("out"), first);
 
   // a damaged file is made again, with the same content, so that what depends on it stays
   write(path("out/1/lines.joint.geojson"), "damaged");
   const ProgramResult repaired = run_patch("out", {"--resume"});
-  EXPECT_THAT(repaired.err, HasSubstr("5 finished stages skipped"));
+  EXPECT_THAT(repaired.err, HasSubstr("7 finished stages skipped"));
   EXPECT_EQ(results_in("out"), first);
 
   for (const char* name : {"evaluation.joint.csv", "accuracy.joint.md"}) {
     fs::remove(path("out/1") / name);
-    EXPECT_THAT(run_patch("out", {"--resume"}).err, HasSubstr("5 finished stages skipped")) << name;
+    EXPECT_THAT(run_patch("out", {"--resume"}).err, HasSubstr("7 finished stages skipped")) << name;
     EXPECT_EQ(results_in("out"), first);
   }
 
   // another option of the matching leaves the extraction alone
   write(path("p.yaml"), "match: {min_probability: 0.9}\n");
   const ProgramResult other = run_patch("out", {"--resume", "--config", "p.yaml"});
-  EXPECT_THAT(other.err, HasSubstr("1 finished stages skipped"));
+  EXPECT_THAT(other.err, HasSubstr("3 finished stages skipped"));
+}
+
+TEST_F(RunPatch, ResumeRepeatsOnlyWhatDependsOnAChange) {
+  const std::vector<std::string> options{"--resume", "--no-report", "--max-y-parallax-px", "0"};
+  const auto skipped = [&] { return run_patch("out", options).err; };
+  ASSERT_EQ(run_patch("out", options).exit_code, 0);
+  // the heights: not the segments of the images
+  edit_patch("height_range: [229, 280]", "height_range: [228, 280]");
+  EXPECT_THAT(skipped(), HasSubstr("2 finished stages skipped"));
+  // one image: not the segments of the other one
+  fs::copy_file(path("patch/left.tif"), path("patch/right.tif"),
+                fs::copy_options::overwrite_existing);
+  EXPECT_THAT(skipped(), HasSubstr("1 finished stages skipped"));
+  // what only the judge reads: its stage alone
+  EXPECT_THAT(skipped(), HasSubstr("8 finished stages skipped"));
+  edit_patch("id: \"1\"\n", "id: \"1\"  # the same\n");
+  EXPECT_THAT(skipped(), HasSubstr("7 finished stages skipped"));
 }
 
 TEST_F(RunPatch, InputsAreNeverWrittenOver) {

@@ -5,9 +5,8 @@
 #include "reconstruct/beyond/network/network.h"
 #include "reconstruct/ok2011/estimate/line_geometry.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -103,10 +102,9 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
 bool is_determined(const ReconstructedLine& line, const std::array<double, 2>& heights_m) {
   constexpr double kMostLeft = 0.01;
   const Matrix6d& cov = *line.covariance_m2;
-  Eigen::Matrix2d heights;
-  heights << cov(2, 2), cov(2, 5), cov(5, 2), cov(5, 5);
   const double range_m = heights_m[1] - heights_m[0];
-  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(heights).eigenvalues()(1);
+  const double largest =
+      0.5 * (cov(2, 2) + cov(5, 5) + std::hypot(cov(2, 2) - cov(5, 5), 2.0 * cov(2, 5)));
   return largest <= kMostLeft * range_m * range_m / 12.0;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/geometry/uncertain/homogeneous.h"
 
-#include <Eigen/QR>
+#include <Eigen/Householder>
 #include <Eigen/SVD>
 
 namespace ridgeline {
@@ -12,11 +12,28 @@ Eigen::Matrix<double, M, M> propagated(const Eigen::Matrix<double, M, N>& jacobi
   return jacobian * cov * jacobian.transpose();
 }
 
+template <int Rows, int Cols>
+Eigen::Matrix<double, Rows, Rows> orthogonal_factor(Eigen::Matrix<double, Rows, Cols> a) {
+  Eigen::Matrix<double, Cols, 1> tau;
+  Eigen::Matrix<double, Rows, 1> workspace;
+  for (int k = 0; k < Cols; ++k) {
+    double beta = 0.0;
+    a.col(k).tail(Rows - k).makeHouseholderInPlace(tau(k), beta);
+    if (k + 1 == Cols) break;
+    a.bottomRightCorner(Rows - k, Cols - k - 1)
+        .applyHouseholderOnTheLeft(a.col(k).tail(Rows - k - 1), tau(k), workspace.data());
+  }
+  Eigen::Matrix<double, Rows, Rows> q = Eigen::Matrix<double, Rows, Rows>::Identity();
+  for (int k = Cols - 1; k >= 0; --k) {
+    q.bottomRightCorner(Rows - k, Rows - k)
+        .applyHouseholderOnTheLeft(a.col(k).tail(Rows - k - 1), tau(k), workspace.data());
+  }
+  return q;
+}
+
 template <int N>
 Eigen::Matrix<double, N, N - 1> tangent_basis(const Eigen::Matrix<double, N, 1>& x) {
-  const Eigen::HouseholderQR<Eigen::Matrix<double, N, 1>> qr(x);
-  const Eigen::Matrix<double, N, N> q = qr.householderQ();
-  return q.template rightCols<N - 1>();
+  return orthogonal_factor<N, 1>(x).template rightCols<N - 1>();
 }
 
 template <int N>
@@ -52,6 +69,7 @@ RIDGELINE_PROPAGATED(6, 4);
 RIDGELINE_PROPAGATED(6, 6);
 #undef RIDGELINE_PROPAGATED
 
+template Eigen::Matrix<double, 6, 6> orthogonal_factor<6, 2>(Eigen::Matrix<double, 6, 2>);
 template Eigen::Matrix<double, 3, 2> tangent_basis<3>(const Eigen::Vector3d&);
 template Eigen::Matrix<double, 4, 3> tangent_basis<4>(const Eigen::Vector4d&);
 template Eigen::Vector4d null_vector<4>(const Eigen::Matrix<double, Eigen::Dynamic, 4>&);

@@ -32,6 +32,11 @@ template <int M, int N>
 Eigen::Matrix<double, M, M> propagated(const Eigen::Matrix<double, M, N>& jacobian,
                                        const Eigen::Matrix<double, N, N>& cov);
 
+/// Q of the QR decomposition of a matrix, by Householder reflections. Its last columns are an orthonormal basis of what is
+/// orthogonal to all columns of the matrix. The compiler takes seconds for each size of Eigen's own, which gives the same bits.
+template <int Rows, int Cols>
+Eigen::Matrix<double, Rows, Rows> orthogonal_factor(Eigen::Matrix<double, Rows, Cols> a);
+
 /// Orthonormal basis of the complement of x: the coordinates in which a homogeneous vector has a
 /// regular covariance, B' cov B. N x (N-1).
 template <int N>

@@ -2,7 +2,6 @@
 #include "reconstruct/geometry/uncertain/pluecker.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 namespace ridgeline {
 
@@ -69,9 +68,7 @@ Vector6d project_to_pluecker_quadric(const Vector6d& line) {
 Eigen::Matrix<double, 6, 4> line_tangent_basis(const Vector6d& line) {
   Eigen::Matrix<double, 6, 2> normals;
   normals << dual(line), line;
-  const Eigen::HouseholderQR<Eigen::Matrix<double, 6, 2>> qr(normals);
-  const Matrix6d q = qr.householderQ();
-  return q.rightCols<4>();
+  return orthogonal_factor<6, 2>(normals).rightCols<4>();
 }
 
 double signed_distance(const Vector6d& a, const Vector6d& b) {
