@@ -19,11 +19,11 @@ namespace ridgeline::evaluate {
 namespace {
 
 namespace bg = boost::geometry;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Entry = std::pair<Point, std::size_t>;
+using EndPoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using Entry = std::pair<EndPoint, std::size_t>;
 using Tree = bg::index::rtree<Entry, bg::index::rstar<16>>;
 
-Point point_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
+EndPoint point_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
 /// Calls `visit(index)` for the entries within `radius_m` of x on each axis, in the order of their indices.
 template <typename Visit>
@@ -32,7 +32,7 @@ void for_each_within(const Tree& tree,
                      double radius_m,
                      const Visit& visit) {
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius_m);
-  const bg::model::box<Point> box(point_of(x - reach), point_of(x + reach));
+  const bg::model::box<EndPoint> box(point_of(x - reach), point_of(x + reach));
   std::vector<Entry> entries;
   tree.query(bg::index::intersects(box), std::back_inserter(entries));
   std::ranges::sort(entries, {}, &Entry::second);

@@ -11,7 +11,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr int kShareDecimals = 4;
+constexpr int kDecimalsOfShare = 4;
 constexpr int kRatioDecimals = 3;
 
 std::optional<double> share_of(const ReferenceCompleteness& row) {
@@ -71,10 +71,10 @@ std::string reference_errors_to_csv(const std::vector<ReferenceRow>& rows) {
           "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
           escape_csv(row.method), e.line_class, e.n_lines, e.n_on_reference, metres(e.rms_m, ""),
           metres(e.median_m, ""), metres(e.q95_m, ""), metres(e.max_m, ""),
-          fixed(e.gross_share, kShareDecimals, ""), e.n_parts, metres(e.rmse_horizontal_m, ""),
+          fixed(e.gross_share, kDecimalsOfShare, ""), e.n_parts, metres(e.rmse_horizontal_m, ""),
           metres(e.rmse_vertical_m, ""), metres(e.mean_vertical_m, ""), e.n_tested,
           fixed(e.median_nees_ratio, kRatioDecimals, ""),
-          fixed(e.nees_beyond_99_9_share, kShareDecimals, ""));
+          fixed(e.nees_beyond_99_9_share, kDecimalsOfShare, ""));
     }
   }
   return text;
@@ -86,7 +86,7 @@ std::string reference_completeness_to_csv(const std::vector<ReferenceRow>& rows)
     for (const ReferenceCompleteness& c : row.comparison.completeness) {
       text += fmt::format("{},{},{},{},{},{}\n", escape_csv(row.patch), escape_csv(row.method),
                           escape_csv(c.kind), c.n_lines, c.n_reconstructed,
-                          fixed(share_of(c), kShareDecimals, ""));
+                          fixed(share_of(c), kDecimalsOfShare, ""));
     }
   }
   return text;
@@ -101,9 +101,9 @@ std::string wireframe_to_csv(const std::vector<ReferenceRow>& rows) {
                            std::optional<double> offset_m) {
         text += fmt::format("{},{},{},{:g},{},{},{},{},{},{},{}\n", escape_csv(row.patch),
                             escape_csv(row.method), what, w.threshold_m, d.n_found, d.n_true,
-                            d.n_matched, fixed(d.precision(), kShareDecimals, ""),
-                            fixed(d.recall(), kShareDecimals, ""),
-                            fixed(d.f1(), kShareDecimals, ""), metres(offset_m, ""));
+                            d.n_matched, fixed(d.precision(), kDecimalsOfShare, ""),
+                            fixed(d.recall(), kDecimalsOfShare, ""),
+                            fixed(d.f1(), kDecimalsOfShare, ""), metres(offset_m, ""));
       };
       add("edges", w.edges, std::nullopt);
       add("corners", w.corners, w.mean_corner_offset_m);

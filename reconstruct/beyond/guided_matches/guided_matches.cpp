@@ -22,7 +22,7 @@ namespace {
 constexpr double kShortest_px = 15.0;
 
 /// A step that may be the mate of a segment of the other view.
-struct Step {
+struct FoundStep {
   std::size_t guide;  ///< index of that segment
   EdgeSegment mate;
   double similarity = 0.0;
@@ -64,11 +64,11 @@ std::vector<char> has_mate(const StereoPair& pair,
 }
 
 /// The steps to which the unmatched segments of view `from` lead, in their order.
-std::vector<Step> steps_of(const StereoPair& pair,
-                           const Surface& surface,
-                           std::span<const LineMatch> known,
-                           std::size_t from,
-                           const ExtractOptions& options) {
+std::vector<FoundStep> steps_of(const StereoPair& pair,
+                                const Surface& surface,
+                                std::span<const LineMatch> known,
+                                std::size_t from,
+                                const ExtractOptions& options) {
   const std::vector<EdgeSegment>& guides = pair.views[from]->segments;
   const View& there = *pair.views[1 - from];
   const MatePrediction prediction(surface, from);
@@ -87,7 +87,7 @@ std::vector<Step> steps_of(const StereoPair& pair,
   });
   const std::vector<Segment2> segments = ideal_segments(there);
   const SegmentIndex index(segments);
-  std::vector<Step> steps;
+  std::vector<FoundStep> steps;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
     for (EdgeSegment& mate :
@@ -109,10 +109,10 @@ void compare(const StereoPair& pair,
              std::size_t from,
              const GuideOptions& options,
              const CandidateLook& change_look,
-             std::vector<Step>& steps) {
+             std::vector<FoundStep>& steps) {
   constexpr double kUndecided = 0.5;
   std::array<View, 2> guided{without_segments(*pair.views[0]), without_segments(*pair.views[1])};
-  for (const Step& step : steps) {
+  for (const FoundStep& step : steps) {
     guided[from].segments.push_back(pair.views[from]->segments[step.guide]);
     guided[1 - from].segments.push_back(step.mate);
   }
@@ -140,13 +140,13 @@ GuidedMatches guided_matches(const StereoPair& pair,
                              const CandidateLook& change_look) {
   GuidedMatches result;
   for (const std::size_t from : {0U, 1U}) {
-    std::vector<Step> steps = steps_of(pair, surface, known, from, options.edges);
+    std::vector<FoundStep> steps = steps_of(pair, surface, known, from, options.edges);
     compare(pair, from, options, change_look, steps);
-    std::ranges::stable_sort(steps, std::greater{}, &Step::similarity);
+    std::ranges::stable_sort(steps, std::greater{}, &FoundStep::similarity);
     std::vector<char> is_matched(pair.views[from]->segments.size(), 0);
     std::vector<Segment2> taken;
     std::vector<EdgeSegment>& mates = result.mates[1 - from];
-    for (Step& step : steps) {
+    for (FoundStep& step : steps) {
       if (step.similarity < options.min_similarity) break;
       if (is_matched[step.guide] != 0 ||
           is_covered(step.mate.line.segment, SegmentIndex(taken), taken)) {

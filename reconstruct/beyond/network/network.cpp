@@ -48,7 +48,7 @@ std::vector<Group> connected_groups(std::size_t n_lines, std::span<const Meeting
   return result;
 }
 
-double squared(double x) { return x * x; }
+double square(double x) { return x * x; }
 
 /// Posterior probability that two lines meet, by how far everything else predicts that they miss each other.
 /// The miss is normally distributed if they meet, and otherwise about uniform over max_miss_m.
@@ -58,11 +58,11 @@ double probability(const Junction& junction,
   const double prior = junction.prior;
   if (!std::isfinite(predicted.sigma)) return prior;
   const double widest = options.max_miss_m / junction.sigma_m;
-  const double of_lines = 2.0 * std::numbers::pi * squared(predicted.sigma);
-  const double variance = 1.0 + squared(predicted.sigma);
-  const double inlier = std::exp(-0.5 * squared(predicted.miss) / variance) /
+  const double of_lines = 2.0 * std::numbers::pi * square(predicted.sigma);
+  const double variance = 1.0 + square(predicted.sigma);
+  const double inlier = std::exp(-0.5 * square(predicted.miss) / variance) /
                         std::sqrt(2.0 * std::numbers::pi + of_lines);
-  const double outlier = 1.0 / std::sqrt(squared(widest) + of_lines);
+  const double outlier = 1.0 / std::sqrt(square(widest) + of_lines);
   return prior * inlier / (prior * inlier + (1.0 - prior) * outlier);
 }
 
