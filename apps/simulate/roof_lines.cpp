@@ -7,9 +7,9 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kTouchM = 1e-7;       // bodies that only touch do not cover each other
-constexpr double kShortestM = 0.01;    // slivers below this are no lines
-constexpr double kHorizontalM = 1e-9;  // height difference over a line
+constexpr double kRoofTouchM = 1e-7;         // bodies that only touch do not cover each other
+constexpr double kShortestRoofLineM = 0.01;  // slivers below this are no lines
+constexpr double kHorizontalM = 1e-9;        // height difference over a line
 
 /// Where `part` rises above `height` along the segment. This is one interval, because the outline and planes of the part are
 /// half-planes. It is empty where the two only touch.
@@ -22,8 +22,9 @@ Interval covered_interval(const RoofPart& part,
   for (const PlanFunction& inside : conditions) interval = clip(interval, segment, inside);
   const double middle = 0.5 * (interval.begin + interval.end);
   const Eigen::Vector2d x = (1.0 - middle) * segment.start + middle * segment.end;
-  const bool deep = std::all_of(conditions.begin(), conditions.end(),
-                                [&](const PlanFunction& inside) { return inside(x) > kTouchM; });
+  const bool deep =
+      std::all_of(conditions.begin(), conditions.end(),
+                  [&](const PlanFunction& inside) { return inside(x) > kRoofTouchM; });
   return deep ? interval : Interval{0.0, 0.0};
 }
 
@@ -127,7 +128,7 @@ class LineCollector {
                      .kind = kind,
                      .plane_ids = {face.plane_id},
                      .building_id = part_of(face).building_id};
-      if (length(line.segment) < kShortestM) continue;
+      if (length(line.segment) < kShortestRoofLineM) continue;
       if (other != nullptr) line.plane_ids.push_back(other->plane_id);
       lines_.push_back(std::move(line));
     }
