@@ -28,7 +28,7 @@ std::string matrix_text(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   return fmt::format("{}", fmt::join(matrix.reshaped(), " "));
 }
 
-/// What takes the distortion of a lens away.
+/// The values that remove the distortion of a lens, as text; empty without an interior orientation.
 std::string lens_text(const io::PatchImage& image) {
   if (!image.interior) return "";
   const auto& [focal_length_px, principal_point_px, distortion, size_px] = *image.interior;
@@ -37,9 +37,8 @@ std::string lens_text(const io::PatchImage& image) {
                      distortion.k2, distortion.k3, distortion.p1, distortion.p2);
 }
 
-/// One patch on its way through the stages. Each stage either runs or, being done, leaves its files
-/// to be read; what comes after reads files in both cases, so that a resumed run gives the same
-/// bytes.
+/// One patch on its way through the stages. A stage runs, or is skipped if an earlier run has finished it. The
+/// later stages read its files in both cases, so that a resumed run gives the same bytes.
 class PatchRun {
  public:
   PatchRun(const CheckedPatch& patch,
@@ -72,8 +71,8 @@ class PatchRun {
   }
 
  private:
-  /// Runs the stage unless it is done. `files` are those that it writes, in the patch's folder; they may
-  /// be known after the work only.
+  /// Runs the stage unless it is done. `files` are the files that it writes, in the patch's folder. The list is
+  /// read after the work, which may fill it.
   template <typename Work>
   void stage(const std::string& name,
              const std::string& key,
@@ -89,7 +88,7 @@ class PatchRun {
     record_.end_stage(patch_.id + "/" + name);
   }
 
-  /// Of everything that the images of the pair and their cameras are.
+  /// The key of the images of the pair, their cameras and their range of heights.
   [[nodiscard]] std::string views_key() const {
     std::vector<std::string> parts{
         fmt::format("{} {}", patch_.height_range_m[0], patch_.height_range_m[1])};
@@ -109,7 +108,7 @@ class PatchRun {
           [&] { stages_.check_pair(); });
   }
 
-  /// A stage an image; those that are not done run at once.
+  /// Each image has a stage of its own. The stages that are not done run together.
   void extract() {
     progress_.begin(fmt::format("{}: extract", patch_.id));
     const std::vector<std::string> files = stages_.edge_files();
@@ -139,7 +138,7 @@ class PatchRun {
     stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });
   }
 
-  /// Any option of these groups may ask for the surface.
+  /// The options of the groups `match`, `chio` and `reconstruct` are in the key, because any of them may ask for the surface.
   void keep_surface() {
     std::vector<std::string> files;
     stage(kSurfaceStage,
@@ -158,7 +157,7 @@ class PatchRun {
           [&] { stages_.reconstruct(method); });
   }
 
-  /// All methods at once: the cloud is read once.
+  /// All methods are judged in one stage, so that the cloud is read only once.
   void evaluate() {
     std::vector<std::string> files;
     for (const Method method : options_.methods) {
@@ -262,7 +261,7 @@ class PatchRun {
   const io::PatchFile& patch_;
   const LocalFrame& frame_;
   const RunOptions& options_;
-  nlohmann::ordered_json parameters_;  ///< by group
+  nlohmann::ordered_json parameters_;  ///< echo of the parameters, by group
   const results::OutputFolder& out_;
   Progress& progress_;
   results::RunRecord& record_;

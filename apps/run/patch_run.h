@@ -26,13 +26,13 @@ struct RunOptions {
                                            reconstruct::Method::kJoint};
   Parameters parameters;
   evaluate::SummaryOptions summary;
-  std::vector<io::LineFormat> line_formats;  ///< beside GeoJSON
+  std::vector<io::LineFormat> line_formats;  ///< formats beside GeoJSON
   results::MapSchema map_schema = results::MapSchema::kPlain;
-  bool local_origin = false;   ///< see io::WriteLinesOptions
-  io::Crs assume_crs;          ///< declares or overrides that of patch, cloud and reference lines
-  double max_image_mpx = 0.0;  ///< of io::read_image()
-  double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< of check_pair()
-  std::string config_path;                             ///< where parameters come from; empty: none
+  bool local_origin = false;  ///< see io::WriteLinesOptions
+  io::Crs assume_crs;         ///< declares or overrides the CRS of patch, cloud and reference lines
+  double max_image_mpx = 0.0;                          ///< limit of io::read_image()
+  double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< limit of check_pair()
+  std::string config_path;  ///< file of the parameters; empty if there is none
   bool resume = false;
   bool report = true;  ///< report.html and the figures
   PageFacts page;
@@ -40,18 +40,18 @@ struct RunOptions {
 
 /// Matching and evaluation of one patch; its files are written.
 struct PatchResult {
-  std::vector<evaluate::Table1Row> matching;      ///< one per matcher; with reference matches only
+  std::vector<evaluate::Table1Row> matching;      ///< the rows of score_matches()
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method
   std::vector<results::TruthRows> truth;
   std::vector<std::string> messages;  ///< outcome_messages()
-  std::size_t n_skipped_stages = 0;   ///< finished before, by --resume
+  std::size_t n_skipped_stages = 0;   ///< stages that an earlier run has finished (--resume)
 };
 
-/// Steps that run_patch() announces to the progress bar.
+/// The number of steps that run_patch() announces to the progress bar.
 std::size_t count_steps(const RunOptions& options);
 
-/// What can be found wrong before the work begins. Throws IoError for outputs that are inputs, a cloud
-/// that cannot be read or is of another CRS than the patch.
+/// Checks what can be checked before the work begins. Throws IoError for outputs that are inputs, and for a
+/// cloud that cannot be read, has another CRS than the patch or fails check_scale().
 void check_run(const CheckedPatch& patch,
                const RunOptions& options,
                const results::OutputFolder& out);

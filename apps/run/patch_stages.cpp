@@ -27,10 +27,10 @@ namespace {
 static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
               "gates find the combined matches by it");
 
-/// The list that lines are reconstructed from; with two matchers that of both.
+/// The list of matches that lines are reconstructed from. With two matchers it is the combined list.
 constexpr const char* kMatches = "matches.csv";
 
-/// The file of one of several matchers.
+/// The name of the file of one matcher, if there are several.
 std::string list_file(const char* stem, const std::string& matcher) {
   return fmt::format("{}.{}.csv", stem, matcher);
 }
@@ -66,7 +66,7 @@ void PatchStages::check_outputs() const {
   check_files(edge_files());
   check_files(match_files());
   check_files({"verdicts.csv"});
-  // a name that a user may have chosen for points of another tool
+  // A user may have chosen this name for points of another tool.
   results::check_is_own(path(kSurfaceFile), io::is_own_points_file, "points file");
   for (const std::string& name : list_names()) check_files({list_file("verdicts", name)});
   for (const reconstruct::Method method : options_.methods) check_files(line_files(method));
@@ -106,7 +106,7 @@ std::string PatchStages::line_file(reconstruct::Method method, std::string_view 
   return fmt::format("lines.{}{}", reconstruct::name(method), extension);
 }
 
-/// Beside GeoJSON.
+/// The formats of the line files beside GeoJSON.
 std::vector<io::LineFormatInfo> PatchStages::more_line_formats() const {
   std::vector<io::LineFormatInfo> formats;
   for (const io::LineFormatInfo& info : io::line_formats()) {
@@ -145,7 +145,7 @@ reconstruct::StereoPair PatchStages::pair(const std::vector<std::string>& files)
   return stereo_pair(scene_, kPairOfPatch);
 }
 
-/// The stages share it.
+/// The stages share the surface, so that it is computed only once.
 const std::optional<reconstruct::Surface>& PatchStages::surface(
     const reconstruct::StereoPair& pair) {
   if (!surface_) surface_ = reconstruct::surface_of(pair, options_.parameters.method);
@@ -180,7 +180,7 @@ std::vector<std::string> PatchStages::keep_surface() {
   return {kSurfaceFile};
 }
 
-/// Takes away what an earlier run with other matchers has left, which would look like of this one.
+/// Removes the lists of an earlier run with other matchers, which would look like lists of this run.
 void PatchStages::remove_match_lists() const {
   std::vector<std::string> files{"chio.csv", "verdicts.csv"};
   for (const char* stem : {"matches", "unmatched", "verdicts"}) {

@@ -29,25 +29,26 @@ class PatchStages {
   /// Throws IoError if one of the files that the stages write is an input.
   void check_outputs() const;
 
-  /// By image: the segments that extract() writes.
+  /// The files of segments that extract() writes, one per image.
   [[nodiscard]] std::vector<std::string> edge_files() const;
-  /// All that match() writes.
+  /// All files that match() writes.
   [[nodiscard]] std::vector<std::string> match_files() const;
   static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
   /// Throws IoError unless the images fit their cameras; see apps::check_pair().
   void check_pair();
-  /// Of these images, all at once: of one image, what is traced in the order of lengths would keep one core only.
+  /// Extracts the segments of these images, all at once. One image alone would leave other cores idle while its edges
+  /// are traced in the order of their lengths.
   void extract(std::span<const std::size_t> images);
   void match();
-  /// Keeps points of the pair's surface. What an earlier run has left is taken away.
+  /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is removed.
   /// @return the files written: none for a pair without a surface
   [[nodiscard]] std::vector<std::string> keep_surface();
   void reconstruct(reconstruct::Method method);
   [[nodiscard]] PatchCounts counts() const;
-  /// Rows of Table 1, one per matcher and one of both, if the patch has reference
-  /// matches; verdicts.csv has what each of them is.
+  /// The rows of Table 1: one per matcher and, with two matchers, one for the combined matches. There are none without
+  /// reference matches. Writes the verdict on each match to verdicts.csv, and to one more file per matcher if there are two.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
 
  private:
@@ -59,7 +60,7 @@ class PatchStages {
   [[nodiscard]] std::string path(const std::string& file) const;
   void read_images();
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
-  /// The pair with the segments of one file an image.
+  /// The pair with segments that are read from these files, one per image.
   reconstruct::StereoPair pair(const std::vector<std::string>& files);
   const std::optional<reconstruct::Surface>& surface(const reconstruct::StereoPair& pair);
 

@@ -127,7 +127,7 @@ void run_patches(const std::string& command,
   for (const std::string& warning : record.warnings()) spdlog::warn("{}", warning);
   if (options.resume) spdlog::info("{} finished stages skipped", n_skipped);
 
-  // always written: an old table beside new ones would mislead
+  // Table 1 is always written: an old table beside new ones would mislead.
   write_table1(table1, out);
   const bool adjusts_to_faces = options.parameters.method.estimation.beyond.adjusts_to_faces();
   results::write_tables(evaluations, truth, out, adjusts_to_faces);
@@ -142,8 +142,8 @@ void run_patches(const std::string& command,
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());
-  const std::string product =
-      reconstruct::name(std::ranges::max(options.methods));  // the last is the best
+  // The last method is the best.
+  const std::string product = reconstruct::name(std::ranges::max(options.methods));
   for (const auto& [patch, frame] : patches) {
     say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }

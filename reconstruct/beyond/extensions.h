@@ -25,12 +25,12 @@ MatchExtensions match_extensions(const MatchExtensionOptions& options,
                                  const CandidateOptions& candidates,
                                  const Surface* surface = nullptr);
 
-/// What goes beyond the paper in the matching in object space, as the options switch it on.
-/// @param change_look  of the candidates
+/// The extensions of the matching in object space that the options switch on.
+/// @param change_look  changes the look of the candidates
 ChioExtensions chio_extensions(const ChioExtensionOptions& options,
                                const CandidateLook& change_look);
 
-/// What goes beyond the paper in the estimation, as the options switch it on: where uncertain lines end, depth_consensus
+/// The extensions of the estimation that the options switch on: other ends for uncertain lines, depth_consensus
 /// and network.
 /// @param surface  the surface of the pair, or null; must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,

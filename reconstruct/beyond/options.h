@@ -15,7 +15,7 @@ struct EdgeExtensionOptions {
   double faint_gradient_sigma_px = 1.6;
   double faint_min_length_px = 25.0;  ///< shorter edges of the second look are mostly texture
   bool junction_cuts = true;
-  double min_junction_bend_px = 0.05;  ///< a cut stays if two lines fit better by this
+  double min_junction_bend_px = 0.05;  ///< a cut stays if two lines fit better than one by this
   bool separate_edges = true;
 
   static constexpr EdgeExtensionOptions none() {
@@ -54,7 +54,8 @@ struct MatchExtensionOptions {
   bool propagate_heights = true;
   /// The depth of the surfaces beside a line speaks for or against its candidates. See weigh_by_surface().
   bool surface = true;
-  /// Mates of unmatched segments are looked for where these surfaces predict them. See guided_matches().
+  /// Mates of unmatched segments are looked for where the surfaces beside the segments predict them. See
+  /// guided_matches().
   bool guided = true;
   double guided_min_similarity = 0.8;
   /// Lines matched by height must look more alike than lines that pairs of segments support
@@ -94,13 +95,14 @@ struct MatchExtensionOptions {
   }
 };
 
-/// What goes beyond the paper in the matching in object space; see chio_extensions().
+/// The options of the extensions of the matching in object space; see chio_extensions().
 struct ChioExtensionOptions {
   bool allow_noise = true;
   bool by_look = true;
-  double edge_sigma_px = 0.25;  ///< of a single edge pixel across its edge
+  double edge_sigma_px = 0.25;  ///< sigma of a single edge pixel across its edge
   double min_similarity = 0.3;
-  double max_similarity_ratio = 0.8;  ///< of the next candidate and the best one
+  /// Largest ratio of the similarities of the next candidate and the best one.
+  double max_similarity_ratio = 0.8;
 
   static constexpr ChioExtensionOptions none() { return {.allow_noise = false, .by_look = false}; }
 
@@ -119,7 +121,7 @@ struct ChioExtensionOptions {
   }
 };
 
-/// What goes beyond the paper in the estimation; see estimate_extensions().
+/// The options of the extensions of the estimation; see estimate_extensions().
 struct EstimateExtensionOptions {
   /// A not_aligned line whose end is less certain than this (height) is given between the ends of the right
   /// segment, because its left segment continues far beyond a short right one.
@@ -136,8 +138,8 @@ struct EstimateExtensionOptions {
   /// Dense matching of the pair tells how deep the surfaces beside each line are. See SurfaceDepth. Without it
   /// faces_beside does nothing either.
   bool surface = true;
-  /// `joint` and `network`: lines are adjusted to the plane faces of that surface that they border. See
-  /// adjust_to_faces_beside().
+  /// `joint` and `network` adjust lines to the plane faces that they border in the surface by dense matching.
+  /// See adjust_to_faces_beside().
   bool faces_beside = true;
 
   /// Whether `joint` and `network` adjust lines to the plane faces beside them.
@@ -193,8 +195,8 @@ struct ConsensusOptions {
   double gable_share = 0.8;        ///< prior share of gables among what has the shape of one
   double step_share = 0.07;        ///< prior share of crossings where a row of lines has a step
   double min_cut_length_px = 7.0;  ///< least length of each part of a match that is cut
-  /// A line is given no geometry if another depth explains it about as well: by a log of the ratio below
-  /// this.
+  /// A line is given no geometry if another depth explains it about as well: if the log of the odds between
+  /// both depths is below this.
   double min_depth_margin = 2.5;
 
   static constexpr auto fields() {

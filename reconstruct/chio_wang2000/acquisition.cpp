@@ -108,7 +108,7 @@ void Acquisition::accept(const LineMatch& match) {
   const auto& list = candidates_[match.left].list;
   const CoreCandidate* mate = candidate_of(candidates_[match.left], match.right);
   if (!mate) return;
-  // of several mates the best candidate, which comes first
+  // If a segment has several mates, the best candidate is kept. It comes first in the list.
   const int candidate = static_cast<int>(mate - list.data());
   std::optional<Acquired>& acquired = acquired_[match.left];
   if (!acquired || candidate < acquired->candidate) acquired = Acquired{.candidate = candidate};

@@ -14,14 +14,14 @@ namespace ridgeline::reconstruct {
 
 /// How a left segment got its mate.
 struct Acquired {
-  int candidate = 0;  ///< the initial link, in the list of the left segment
+  int candidate = 0;  ///< index of the initial link in the list of the left segment
   int process = 0;    ///< 1 to 4; 0: taken over from another matcher
-  /// The matched left segment whose height the line had to have, that height and the largest
-  /// difference. No neighbour, -1, in the first process.
+  /// The matched left segment whose height the line had to have. -1 in the first process and for a match
+  /// that was taken over.
   int neighbour = -1;
-  double height_m = 0.0;
-  double limit_m = 0.0;
-  bool relaxed = false;  ///< by the relaxed limit
+  double height_m = 0.0;  ///< height of the neighbour
+  double limit_m = 0.0;   ///< largest difference from the height of the neighbour
+  bool relaxed = false;   ///< whether limit_m is the relaxed limit
 };
 
 /// The left segments and what they have acquired so far.
@@ -34,7 +34,7 @@ class Acquisition {
               const std::vector<CoreCandidates>& candidates,
               const std::optional<ChoiceByLook>& by_look);
 
-  /// With a mate that Core knows.
+  /// Whether a left segment has a mate among its candidates.
   [[nodiscard]] bool is_matched(int left) const { return acquired_[left].has_value(); }
   [[nodiscard]] bool is_open(int left) const { return outcomes_[left] != ChioOutcome::kMatched; }
   /// The candidate that a matched segment took.
@@ -42,15 +42,16 @@ class Acquisition {
   [[nodiscard]] const std::vector<std::optional<Acquired>>& acquired() const { return acquired_; }
   [[nodiscard]] const std::vector<ChioOutcome>& outcomes() const { return outcomes_; }
 
-  /// Index of the candidate that Core chooses for an unmatched segment among those allowed: the most
-  /// preferred one that may begin. Nothing, and the outcome says why, if there is none or if another
-  /// left edge has taken it. If the look decides, also nothing if the candidate looks less than
-  /// min_similarity alike or a rival comes closer than max_similarity_ratio: another candidate, or
-  /// another unmatched left segment that looks more like this one.
+  /// Index of the candidate that Core chooses for an unmatched segment: the most preferred one of those
+  /// allowed that may begin. If there is none, or if another left edge has taken it, the result is empty and
+  /// the outcome says why. If the look decides, the result is also empty if the similarity of the candidate is
+  ///   - below min_similarity,
+  ///   - not clearly above that of another candidate, which has more than max_similarity_ratio of it, or
+  ///   - below max_similarity_ratio of the similarity between the candidate and another unmatched left segment.
   std::optional<int> choose(int left, const Allowed& allowed);
   void acquire(int left, const Acquired& acquired);
-  /// Takes a match of another matcher over, with process 0. It can give its height to others if it is
-  /// among the candidates; else it only keeps its two segments from others.
+  /// Takes over a match of another matcher, with process 0. If the match is among the candidates, it can give
+  /// its height to others. Otherwise it only keeps its two segments from being matched with others.
   void accept(const LineMatch& match);
 
  private:
@@ -64,8 +65,9 @@ class Acquisition {
   const std::optional<ChoiceByLook>& by_look_;
   std::vector<std::optional<Acquired>> acquired_;
   std::vector<ChioOutcome> outcomes_;
-  std::vector<std::vector<int>> takers_;   ///< by right segment: the left ones matched with it
-  std::vector<std::vector<int>> wanters_;  ///< by right segment: the left ones it may begin
+  std::vector<std::vector<int>> takers_;  ///< by right segment: the left segments matched with it
+  /// By right segment: the left segments whose initial link it may be.
+  std::vector<std::vector<int>> wanters_;
 };
 
 }  // namespace ridgeline::reconstruct

@@ -20,8 +20,8 @@ struct ChioLine {
   ScoredMatch scored;          ///< the initial link; its score is the similarity of the look
   std::vector<int> fragments;  ///< further right segments linked to it
   Acquired acquired;
-  ChainSummary chain;              ///< of the initial link
-  std::optional<FittedLine> line;  ///< through the reliable points of all links, local frame
+  ChainSummary chain;              ///< chain of the initial link
+  std::optional<FittedLine> line;  ///< line through the reliable points of all links, local frame
 };
 
 struct ChioResult {
@@ -34,9 +34,9 @@ struct ChioResult {
 /// structure outwards, further fragments of the right edge are linked and one 3D line is fitted to
 /// all reliable points. Segments along the epipolar lines are left alone.
 ///
-/// @param candidate_options  of the search of candidates, whose angle to the epipolar line is that of `options`
+/// @param candidate_options  options of the search for candidates; its min_epipolar_angle_deg is replaced by that of `options`
 /// @param given              matches of another matcher in place of the first two processes
-/// Deterministic for any number of threads. Throws std::invalid_argument as match_pairwise().
+/// The result is the same for any number of threads. Throws std::invalid_argument as match_pairwise() does.
 ChioResult chio_match(const StereoPair& pair,
                       const ChioOptions& options = {},
                       const CandidateOptions& candidate_options = {},

@@ -13,8 +13,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kSigmas = 3.0;      // of the noise of rates that is allowed for
-constexpr int kAllCandidates = 100;  // in place of those that look best
+constexpr double kSigmas = 3.0;      // multiple of the sigma of rates that is allowed for as noise
+constexpr int kAllCandidates = 100;  // in place of max_candidates, which keeps those that look best
 
 /// One left segment on its way through the screening.
 struct Screened {
@@ -42,7 +42,8 @@ RateNoise rate_noise(const ChainSummary& chain, double gsd_m, const ChioExtensio
           kSigmas * expected_rate_sigma(chain, gsd_m, edge_sigma_px)};
 }
 
-/// A slope turns a line between the views; the paper's limit makes no allowance for that.
+/// The largest difference of azimuths. A slope turns a line between the views. The paper's limit makes no
+/// allowance for that; NoiseAllowance does.
 double azimuth_limit_rad(const LocalTransfer& transfer, const Context& context) {
   const double turn_rad =
       context.beyond.noise ? std::atan(context.options.max_rate * transfer.base_to_height()) : 0.0;

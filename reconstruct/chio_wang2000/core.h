@@ -13,8 +13,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// What became of a left segment; of the reasons that its candidates fail for, the last one in this
-/// order.
+/// What became of a left segment. If its candidates fail for several reasons, the last one in this order
+/// counts.
 enum class ChioOutcome : std::uint8_t {
   kMatched,
   kNoCandidate,         ///< no right segment in its epipolar band
@@ -27,7 +27,7 @@ enum class ChioOutcome : std::uint8_t {
   kOutOfReach,          ///< no matched line is near
   kHeight,              ///< no candidate is near the height of a matched line
   kLowScore,            ///< it does not look like its best candidate
-  kAmbiguous,           ///< two candidates are about as good
+  kAmbiguous,           ///< a rival is about as good; see Acquisition::choose()
   kLostToOther,         ///< its candidate belongs to another left segment
 };
 const char* name(ChioOutcome outcome);  ///< "matched", "epipolar_degenerate", ...
@@ -37,29 +37,31 @@ struct CoreCandidate {
   int right = 0;
   EpipolarOverlap overlap;
   ChainSummary chain;
-  double similarity = 0.0;  ///< of the look
-  bool may_begin = false;   ///< passes the screening: may be the initial link
+  double similarity = 0.0;  ///< similarity of the look
+  bool may_begin = false;   ///< whether it passes the screening and may be the initial link
 };
 
 /// The candidates of one left segment.
 struct CoreCandidates {
-  std::vector<CoreCandidate> list;                 ///< by preference; those that may not begin last
-  ChioOutcome reason = ChioOutcome::kNoCandidate;  ///< why none may begin, if so
-  double gsd_m = 0.0;                              ///< of its pixels
+  std::vector<CoreCandidate> list;  ///< by preference; candidates that may not begin come last
+  ChioOutcome reason = ChioOutcome::kNoCandidate;  ///< why no candidate may begin, if none may
+  double gsd_m = 0.0;  ///< size of a pixel on the ground, at the left segment
 };
 
-/// The candidates of every left segment that pass the screening of Core (Chio and Wang 2000; the
-/// thresholds of section 4): difference of azimuths, of the grey values beside the edge, number of
-/// reliable pieces, mean rate of height change and its standard deviation. The epipolar band is
-/// searched as match_candidates() does. Preference: the most reliable pieces, then the steadiest rate;
-/// or the look (ChioExtensions).
+/// The candidates of every left segment, screened by Core (Chio and Wang 2000; the thresholds of section 4).
+/// The screening tests the difference of azimuths, the difference of the grey values beside the edge, the
+/// number of reliable pieces, the mean rate of height change and the standard deviation of the rates. The
+/// epipolar band is searched as match_candidates() does. Candidates with the most reliable pieces are
+/// preferred, then those with the steadiest rate. If the look decides (ChioExtensions), the candidates that
+/// look most alike are preferred.
 std::vector<CoreCandidates> core_candidates(const SearchedPair& pair,
                                             const ChioOptions& options,
                                             const CandidateOptions& candidate_options,
                                             const ChioExtensions& beyond = {});
 
-/// Further fragments of the right edge that `begin`, an index of the list, is one of: enough reliable
-/// pieces, the same rate and azimuth in object space, on one line in the image. Indices, ascending.
+/// The further fragments of a right edge, as ascending indices of the list. `begin` is the index of the
+/// initial link. A further fragment has enough reliable pieces and the rate and azimuth of the initial link in
+/// object space, and both lie on one line in the image.
 std::vector<int> linked_fragments(const CoreCandidates& candidates,
                                   int begin,
                                   const View& right,

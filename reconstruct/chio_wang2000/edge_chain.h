@@ -13,13 +13,13 @@
 
 namespace ridgeline::reconstruct {
 
-/// P(i): where the ray of an edge point of the left image meets the candidate of the right one.
+/// P(i): the point in space where the ray of a left edge point meets the projection plane of the right candidate.
 struct ChainPoint {
   int step = 0;
   Eigen::Vector3d x_in_local;  ///< m
 };
 
-/// From P(i) to P(i+1) of neighbouring edge points.
+/// The piece of an edge from P(i) to P(i+1), which belong to neighbouring edge points.
 struct EdgePiece {
   int first = 0;       ///< index of P(i)
   double run_m = 0.0;  ///< dP(i), horizontal length
@@ -27,15 +27,19 @@ struct EdgePiece {
   bool reliable = false;
 };
 
-/// What the screening asks of a chain.
+/// The figures of a chain that the screening tests and the matching uses.
 struct ChainSummary {
-  int n_reliable = 0;        ///< pieces
-  double mean_rate = 0.0;    ///< of the reliable pieces, m/m, in the direction of the left segment
-  double rate_sigma = 0.0;   ///< their standard deviation; 0 for fewer than two
-  double azimuth_rad = 0.0;  ///< of the reliable pieces, clockwise from the y axis, (-pi, pi]
-  double mean_height_m = 0.0;    ///< of all points
-  double height_sigma_m = 0.0;   ///< of that mean, from the precision of both segments
-  double height_per_px_m = 0.0;  ///< change of height when an edge point moves across its edge
+  int n_reliable = 0;  ///< number of reliable pieces
+  /// Mean rate of the reliable pieces, m/m, in the direction of the left segment.
+  double mean_rate = 0.0;
+  /// Standard deviation of the rates of the reliable pieces; 0 for fewer than two.
+  double rate_sigma = 0.0;
+  /// Azimuth of the reliable pieces, clockwise from the y axis, (-pi, pi].
+  double azimuth_rad = 0.0;
+  double mean_height_m = 0.0;   ///< mean height of all points
+  double height_sigma_m = 0.0;  ///< sigma of mean_height_m, from the precision of both segments
+  /// Change of height when an edge point moves by 1 px across its edge.
+  double height_per_px_m = 0.0;
 };
 
 /// The 3D edge pieces of a left segment that a right segment implies.
@@ -45,21 +49,21 @@ struct EdgeChain {
   ChainSummary summary;
 };
 
-/// An edge point with the image of its ray in the right image. searched_points(): those of a segment.
+/// An edge point with the image of its ray in the right image.
 struct SearchedPoint {
   EdgePoint point;
   Stretch stretch;
 };
 
+/// The edge points of a left segment, each with the image of its ray in the right image.
 std::vector<SearchedPoint> searched_points(const EpipolarTransfer& right_from_left,
                                            const ImageSampler& left_image,
                                            const EdgeSegment& left);
 
-/// The chain of a candidate (Chio and Wang 2000, section 3): each
-/// left point's epipolar line cuts the right segment, forward intersection gives P(i). Points that
-/// would lie beyond the ends of the right segment by more than a pixel are left out. A piece is
-/// reliable if its horizontal length is at least min_piece_gsd (or at most, see options) and its
-/// rate is finite.
+/// The chain of a candidate (Chio and Wang 2000, section 3). The epipolar line of each left point cuts the
+/// right segment, and forward intersection gives P(i). Points that would lie beyond the ends of the right
+/// segment by more than a pixel are left out. A piece is reliable if its horizontal length is at least
+/// min_piece_gsd ground pixels and its rate is finite.
 /// For a segment along the epipolar line the points are not finite and all are left out.
 EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      std::span<const SearchedPoint> left_points,
@@ -68,9 +72,10 @@ EdgeChain edge_chain(const EpipolarTransfer& right_from_left,
                      double gsd_m,
                      const ChioOptions& options);
 
-/// What noise of the edge pixels alone makes of the rates of a chain, as standard deviations: of a
-/// single piece and of the mean over n pieces in a row, whose noise cancels but for its ends.
+/// The standard deviation of the rate of a single piece that the noise of the edge pixels alone would cause.
 double expected_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
+/// The standard deviation of the mean rate of a chain that the noise of the edge pixels alone would cause. The
+/// noise of pieces in a row cancels except at the two ends of the row.
 double expected_mean_rate_sigma(const ChainSummary& chain, double gsd_m, double edge_sigma_px);
 
 }  // namespace ridgeline::reconstruct

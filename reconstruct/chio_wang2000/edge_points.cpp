@@ -11,7 +11,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kStep_px = 0.5;    // of the profile across the edge
+constexpr double kStep_px = 0.5;    // step of the profile across the edge
 constexpr int kHalfDifference = 2;  // the gradient is that of samples 2 px apart
 constexpr int kReach = 3;           // maxima up to 1.5 px from the segment count
 constexpr int kHalfBase = 2;        // the parabola through a maximum spans 2 px
@@ -30,8 +30,8 @@ double difference(const Colour& a, const Colour& b) {
   return sum;
 }
 
-/// Offset along the unit normal from x to the strongest gradient: of the parabola through the
-/// logarithms, which is exact for a blurred step.
+/// Offset along the unit normal from x to the strongest gradient. It is the vertex of the parabola through the
+/// logarithms of the gradients, which is exact for a blurred step.
 std::optional<double> edge_offset_px(const ImageSampler& image,
                                      const Eigen::Vector2d& x,
                                      const Eigen::Vector2d& normal) {

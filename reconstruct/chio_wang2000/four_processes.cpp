@@ -15,10 +15,11 @@ namespace {
 
 enum class HeightLimit : std::uint8_t { kClose, kRelaxed };
 
-/// A right junction that may show that of a left structure.
+/// A right junction that may show the junction of a left structure.
 struct Correspondence {
-  int structure = 0;         ///< of the right image
-  std::vector<int> members;  ///< of the left structure that have a mate in it, strongest first
+  int structure = 0;  ///< index of the right structure
+  /// Members of the left structure with a mate in the right one, strongest first.
+  std::vector<int> members;
   double strength = 0.0;
 };
 
@@ -69,7 +70,8 @@ class Iteration {
                                         : options_.relaxed_height_difference_m;
   }
 
-  /// Tries a segment under the height of one neighbour and, if given, in one right structure.
+  /// Tries to match a segment under the height of one neighbour. If a right structure is given, the mate must
+  /// be a member of it.
   bool acquire_beside(int process,
                       int left,
                       const Neighbour& neighbour,
@@ -96,7 +98,8 @@ class Iteration {
     return by_look_ ? candidate.similarity : candidate.chain.n_reliable;
   }
 
-  /// The best candidate of a left segment in a right structure, or its mate if that is one.
+  /// The best candidate of a left segment among the members of a right structure. For a matched segment only
+  /// its mate counts. Null if there is none.
   [[nodiscard]] const CoreCandidate* best_in(int left, const Structure& right) const {
     if (acquisition_.is_matched(left)) {
       const CoreCandidate& mate = acquisition_.mate(left);
@@ -124,7 +127,8 @@ class Iteration {
     return found;
   }
 
-  /// The right junctions on the epipolar line of a left one that two members at least agree on.
+  /// The right junctions on the epipolar line of a left junction that have mates of at least two of its
+  /// members, best first.
   [[nodiscard]] std::vector<Correspondence> correspondences(const Structure& structure) const {
     std::set<int> right;
     for (const int member : structure.members) {
@@ -172,7 +176,7 @@ class Iteration {
     }
   }
 
-  /// Passes over all unmatched segments until one finds nothing; how many were found.
+  /// Passes over all unmatched segments until a pass finds nothing. Returns how many segments were matched.
   int until_nothing_changes(int process, const Neighbourhood& neighbourhood, HeightLimit limit) {
     int n_found = 0;
     for (int n_before = -1; n_before != n_found;) {

@@ -19,19 +19,20 @@ struct ProcessedSegments {
   std::vector<ChioOutcome> outcomes;
 };
 
-/// The four processes of Chio and Wang 2000, section 3. From the strongest structure to the weakest:
-///   1  if a junction of the right image corresponds to that of the structure, on its epipolar line
-///      and with segments for at least two of its members, Core matches the strongest member;
-///   2  its height constrains Core on the other members.
-/// Then, with the height limit of 0.5 m and again with that of 5 m:
-///   3  members of structures with a matched member, constrained by its height, until nothing
-///      changes;
-///   4  segments within range of matched ones, constrained by their height, until nothing changes.
-/// 3 and 4 repeat until neither finds more. The geometric constraint becomes looser from process to
-/// process, those of Core never change. NeighbourHeights compares the heights.
+/// The four processes of Chio and Wang 2000, section 3. Processes 1 and 2 go from the strongest structure to
+/// the weakest:
+///   1  A junction of the right image corresponds to the junction of the structure if it is on its epipolar
+///      line and has segments for at least two members. Core then matches the strongest member.
+///   2  The height of this member constrains Core on the other members.
+/// Processes 3 and 4 follow, with the height limit of 0.5 m and again with that of 5 m:
+///   3  Members of structures with a matched member are matched, constrained by its height, until nothing
+///      changes.
+///   4  Segments within range of matched ones are matched, constrained by their height, until nothing changes.
+/// Processes 3 and 4 repeat until neither finds more. The geometric constraint becomes looser from process to
+/// process; the constraints of Core never change. NeighbourHeights compares the heights.
 ///
-/// Matches of another matcher may stand in place of the first two processes, `given`; then what 3 and
-/// 4 find beside them by the close limit is all.
+/// `given` are matches of another matcher in place of the first two processes. With them, processes 3 and 4
+/// run with the close limit (0.5 m) only.
 ProcessedSegments four_processes(const SearchedPair& pair,
                                  const std::vector<CoreCandidates>& candidates,
                                  const ChioOptions& options,

@@ -7,7 +7,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kHeightSigmas = 2.0;  // of the difference of two heights that are allowed for
+// Multiple of the sigma of a height difference that is allowed for as noise.
+constexpr double kHeightSigmas = 2.0;
 
 /// How far the heights of two lines are apart; negative where they overlap.
 double gap_m(const CoreCandidate& a, const CoreCandidate& b) {

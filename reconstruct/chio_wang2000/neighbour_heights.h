@@ -11,11 +11,12 @@
 
 namespace ridgeline::reconstruct {
 
-/// Compares the height of a candidate with that of a matched neighbour: the averages of both lines or, if noise is allowed for,
-/// the heights where the two lines meet, else the gap between the ranges of their heights, less the noise of both.
+/// Compares the height of a candidate with that of a matched neighbour. Without allowance for noise,
+/// the mean heights of both lines are compared. With it, the heights where the two lines meet are compared; if they do
+/// not meet, the gap between the ranges of their heights counts. The noise of both then widens the limit.
 class NeighbourHeights {
  public:
-  /// Both must live as long as this.
+  /// Both arguments must live as long as this object.
   NeighbourHeights(std::span<const Segment2> left_segments,
                    const std::optional<NoiseAllowance>& noise)
       : left_segments_(left_segments), noise_(noise) {}

@@ -26,7 +26,8 @@ Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m) {
   Neighbourhood neighbourhood(segments.size());
-  if (!(range_m > 0.0)) return neighbourhood;  // segments that cross are 0 apart, at any heights
+  // A range of 0 would still find segments that cross in the image, whatever their heights are.
+  if (!(range_m > 0.0)) return neighbourhood;
   const SegmentIndex index(segments);
   tbb::parallel_for(std::size_t{0}, segments.size(), [&](std::size_t i) {
     if (candidates[i].list.empty()) return;

@@ -7,28 +7,29 @@
 
 namespace ridgeline::reconstruct {
 
-/// Iterative matching and linking in object space (Chio and Wang 2000, section 4). The thresholds are
-/// the paper's, of images with a ground pixel of 0.24 m; its lengths are in ground pixels here. What
+/// Iterative matching and linking in object space (Chio and Wang 2000, section 4). The thresholds are those of
+/// the paper, whose images have a ground pixel of 0.24 m; the length of a piece is in ground pixels here. What
 /// the paper does not state is marked "ours".
 struct ChioOptions {
-  double min_piece_gsd = 0.5;  ///< dP(i), 0.12 m: shorter pieces are not reliable
-  double max_rate = 1.0;       ///< m/m, of the mean rate of height change
+  double min_piece_gsd = 0.5;  ///< dP(i), 0.12 m in the paper: shorter pieces are not reliable
+  double max_rate = 1.0;       ///< largest mean rate of height change, m/m
   double max_azimuth_deg = 10.0;
-  double max_flank_difference = 20.0 / 255.0;  ///< of the range of grey values
+  double max_flank_difference = 20.0 / 255.0;  ///< share of the range of grey values
   int min_pieces = 8;
-  double max_rate_sigma = 3.0;  ///< m/m, of the pieces
+  double max_rate_sigma = 3.0;  ///< largest standard deviation of the rates of pieces, m/m
   int min_link_pieces = 5;
   double max_link_rate_difference = 0.2;  ///< m/m
 
-  double height_difference_m = 0.5;  ///< of the second to the fourth process
-  double relaxed_height_difference_m =
-      5.0;               ///< of the third and fourth, once nothing more is found
-  double range_m = 5.0;  ///< of the fourth process; ours
+  double height_difference_m = 0.5;  ///< limit in the second to the fourth process
+  /// Limit in the third and fourth process, once nothing more is found.
+  double relaxed_height_difference_m = 5.0;
+  double range_m = 5.0;  ///< search range of the fourth process; ours
 
-  double min_epipolar_angle_deg = 5.0;   ///< below it a segment is left to others; ours
-  double junction_radius_px = 5.0;       ///< of the ends of segments that meet; ours
+  double min_epipolar_angle_deg = 5.0;   ///< segments below it are left to other matchers; ours
+  double junction_radius_px = 5.0;       ///< largest distance of a junction from its segments; ours
   double min_junction_angle_deg = 20.0;  ///< ours
-  double junction_epipolar_px = 2.0;     ///< of corresponding junctions; ours
+  /// Largest distance of a junction from its mate's epipolar line; ours.
+  double junction_epipolar_px = 2.0;
 
   static constexpr auto fields() {
     using O = ChioOptions;

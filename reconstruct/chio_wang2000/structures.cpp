@@ -22,7 +22,8 @@ namespace bg = boost::geometry;
 struct Crossing {
   Eigen::Vector2d x;
   int first = 0, second = 0;
-  double gap_px = 0.0;  ///< sum of their distances from x
+  /// Distance of an end of one segment from x, plus that of the other segment.
+  double gap_px = 0.0;
 };
 
 double end_distance(const Segment2& s, const Eigen::Vector2d& x) {
@@ -53,7 +54,7 @@ std::vector<Crossing> crossings_of(std::span<const Segment2> segments, const Chi
   return crossings;
 }
 
-/// Crossings grouped around the most precise ones: by group the first and all its crossings.
+/// Groups of crossings. Each group begins with its most precise crossing; the others lie within the radius of it.
 std::vector<std::vector<Crossing>> grouped(const std::vector<Crossing>& crossings, double radius) {
   using Place = bg::model::d2::point_xy<double>;
   bg::index::rtree<std::pair<Place, std::size_t>, bg::index::quadratic<16>> first_of_groups;

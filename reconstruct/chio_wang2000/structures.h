@@ -15,7 +15,7 @@ namespace ridgeline::reconstruct {
 struct Structure {
   Eigen::Vector2d junction_px;
   std::vector<int> members;   ///< segments, ascending; two at least
-  double length_px = 0.0;     ///< of all members
+  double length_px = 0.0;     ///< total length of the members
   double precision_px = 0.0;  ///< mean distance of the members from the junction
 };
 
@@ -27,7 +27,7 @@ struct Structure {
 std::vector<Structure> linear_structures(std::span<const Segment2> segments,
                                          const ChioOptions& options);
 
-/// By segment: its structures, ascending.
+/// The indices of the structures of each segment, ascending.
 std::vector<std::vector<int>> structures_of_segments(std::span<const Structure> structures,
                                                      std::size_t n_segments);
 

@@ -20,7 +20,7 @@ bool has_telling_ends(const AlignedMatch& match) {
          kShortestWithEnds_px;
 }
 
-/// Whether the points are far enough apart, as a share of the segment.
+/// Whether the points are far enough apart along the segment to fix its direction.
 bool fix_direction(std::span<const CandidatePoint> points) {
   if (points.empty()) return false;
   const auto [low, high] = std::ranges::minmax(
@@ -44,7 +44,7 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
   return seen;
 }
 
-/// Takes points of the line that lie on the surface beside it; false if it does not tell them.
+/// Adds points of the line that lie on the surface beside it. Returns false if the surface does not give any.
 bool add_surface_points(const AlignedMatch& match,
                         const Surface& surface,
                         const DepthPart& part,
@@ -62,7 +62,7 @@ bool add_surface_points(const AlignedMatch& match,
   return support.on_surface;
 }
 
-/// A point where a line misses this one by a standard deviation, in any direction.
+/// The point with `sigma` added to its uncertainty in every direction: lines that meet miss each other by that.
 UncertainPoint3 scattered(UncertainPoint3 point, double sigma) {
   const double w = point.mean.w();
   point.cov.topLeftCorner<3, 3>() += w * w * sigma * sigma * Eigen::Matrix3d::Identity();

@@ -4,8 +4,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kNearby_px = 100.0;     // from the line, in the base image
-constexpr double kLargestSigma_m = 0.4;  // height of a line that others are compared with
+constexpr double kNearby_px = 100.0;  // largest distance of an end from the line, in the base image
+constexpr double kLargestSigma_m = 0.4;  // largest sigma of the height of a known line
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::vector<double> KnownEnds::heights_near(const Segment2& seen_px) const {
   return heights;
 }
 
-/// The line may end where the right segment does, so that the end's place in the left image is its own projection.
+/// The line may end where the right segment does. So the end's place in the left image is computed by projection.
 void KnownEnds::add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local) {
   const Eigen::Vector3d x = stereo.object.conditioned_from_local(end_in_local);
   const Eigen::Vector2d x_px =

@@ -9,11 +9,11 @@
 
 namespace ridgeline::reconstruct {
 
-/// The ends of lines of known height, by their place in the left image. Eaves, ridges and streets come at few heights, so that
-/// these are likely for the lines nearby.
+/// The ends of lines of known height, by their place in the left image. Eaves, ridges and streets come at few heights, so the
+/// heights of known ends are likely for the lines nearby, too.
 class KnownEnds {
  public:
-  /// @param direct  lines by intersection of their planes
+  /// @param direct  the lines by the method `direct`, the intersection of two projection planes
   KnownEnds(const StereoLines& lines, std::span<const ReconstructedLine> direct);
 
   /// Heights of the ends near an image line, in the conditioned object frame.
@@ -22,8 +22,8 @@ class KnownEnds {
  private:
   void add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local);
 
-  std::vector<Segment2> ends_px_;  ///< of no length
-  std::vector<double> heights_;
+  std::vector<Segment2> ends_px_;  ///< the ends, as segments of no length
+  std::vector<double> heights_;    ///< by end, conditioned object frame
   SegmentIndex index_{{}};
 };
 

@@ -12,9 +12,9 @@ namespace {
 constexpr double kMostPointPrior = 0.7;
 /// The probability that the ends of both segments show the same point.
 constexpr double kEndPrior = 0.75;
-constexpr double kLeastCutWeight = 0.3;  // W of the point where a match is cut
+constexpr double kLeastCutWeight = 0.3;  // least weight W of a point where a match may be cut
 
-/// A segment's end: uncertain along the line by sigma_end, across as the line is there.
+/// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the line it is that of the line.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
                              const Eigen::Vector2d& end,
                              double sigma_end) {
@@ -29,10 +29,10 @@ UncertainPoint2 end_in_image(const ObservedLine& observed,
   return spherically_normalised(point);
 }
 
-/// What the left camera sees at a pixel on the level of the patch's centre, seen by the right one.
+/// The place in the right image of the point that the left image shows at a pixel, if the point is as high as the patch's centre.
 Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_left) {
   const ProjectionMatrix& left = stereo.views[0].image_from_object;
-  Eigen::Matrix3d image_from_level;  // of (X, Y, 1)
+  Eigen::Matrix3d image_from_level;  // maps (X, Y, 1) to the left image
   image_from_level << left.col(0), left.col(1), left.col(3);
   const Eigen::Vector3d x = image_from_level.inverse() * x_in_left.homogeneous();
   return (stereo.views[1].image_from_object * Eigen::Vector4d(x.x(), x.y(), 0.0, x.z()))
@@ -50,7 +50,8 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
   return {point.mean.hnormalized(), propagated(jacobian, point.cov), parameter, prior};
 }
 
-/// Whether the match may be cut where it meets another one: the parts are long enough in both images.
+/// Whether the match may be cut where it meets another one. The meeting must have enough weight, and both parts must be long
+/// enough in both images.
 bool may_cut(const AlignedMatch& match, const CandidatePoint& at, const ConsensusOptions& options) {
   if (at.ranked.weight < kLeastCutWeight) return false;
   const auto x = match.crossing_with(at.ranked.neighbour);

@@ -18,8 +18,8 @@ struct AlignedMatch {
 
   const StereoLines& lines;
   const ObservedPair& line;
-  /// Whether the right segment runs the other way than the left one, by whatever rule the segments
-  /// were directed.
+  /// Whether the right segment runs the other way than the left one. The rule by which the segments were
+  /// directed does not matter.
   bool runs_back;
 
   /// The starts (0) or the ends (1) of both segments, in the direction of the left one.
@@ -28,23 +28,23 @@ struct AlignedMatch {
   [[nodiscard]] std::array<Eigen::Vector2d, 2> crossing_with(int other) const;
 };
 
-/// What tells the depth of a match: the artificial points that are good enough, and what its ends show.
+/// What tells the depth of a match: the artificial points of sufficient weight, and the points that its ends show.
 struct MatchEvidence {
   AlignedMatch match;
   std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
   std::vector<int> which_ends;          ///< by end: 0 starts, 1 ends
-  std::vector<DepthEvidence> on_depth;  ///< of the points, then of the ends
+  std::vector<DepthEvidence> on_depth;  ///< the evidence of the points, then that of the ends
 };
 
 MatchEvidence evidence_of(const AlignedMatch& match,
                           std::span<const int> neighbours,
                           const EstimationOptions& options);
 
-/// The point that both images show at one place each of their segments; empty if it is not before the cameras and within the
-/// heights.
-/// @param x         in the left and the right image, conditioned
-/// @param sigma_px  of both places along the line
+/// The point in object space that both images show, by its place on the segment of each image. The result is empty if there is
+/// no such point in front of the cameras and within the range of heights.
+/// @param x         the places in the left and the right image, conditioned
+/// @param sigma_px  sigma of both places along the line
 std::optional<UncertainPoint3> point_in_object(const AlignedMatch& match,
                                                const std::array<Eigen::Vector2d, 2>& x,
                                                double sigma_px);

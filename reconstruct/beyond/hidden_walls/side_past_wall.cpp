@@ -37,7 +37,7 @@ class LoweredStrips {
                 sample_strip(images.right, frame_.on_right, side_in_right_, kGrid)};
   }
 
-  /// Width in pixels of the wall that one of the images shows, by metre of its height.
+  /// Width in pixels of the wall that one of the images shows, per metre of its height.
   [[nodiscard]] double wall_px_per_m() const { return std::abs(right_px_per_m_); }
 
   /// How alike both images show the strip on a level surface that much below the edge. The image that faces the wall shows
@@ -71,11 +71,11 @@ void look_past_wall(const ImagePair& images,
                     const LocalTransfer& transfer,
                     double most_drop_m,
                     EdgeLook& look) {
-  constexpr double kMostSimilar = 0.8;   // of at most 2: a side that agrees needs no wall
+  constexpr double kMostSimilar = 0.8;   // of at most 2; a side that agrees better needs no wall
   constexpr double kNarrowest_px = 2.0;  // width of a wall, across the line
-  constexpr double kFarthest_px = 36.0;  // parallax
-  constexpr double kStep_px = 1.5;       // parallax
-  // What the best of many heights gains without being right.
+  constexpr double kFarthest_px = 36.0;  // largest parallax of the wall
+  constexpr double kStep_px = 1.5;       // step of the parallax between two heights
+  // The best of many heights looks better by this, even if none of them is right.
   constexpr SideLook kByChance{0.2, 0.012};
   if (!look.sides[0] || !look.sides[1]) return;
   const int worse = look.sides[0]->agreement() < look.sides[1]->agreement() ? 0 : 1;

@@ -80,7 +80,8 @@ void give_up(Status why, ReconstructedLine& result) {
   result.right_segment_in_local.reset();
 }
 
-/// Takes the result of `direct` over and replaces it where there is anything to rest on.
+/// `result` comes with the line by the method `direct`. The line is replaced if there are points or ends to
+/// adjust it to. It loses its geometry if its depth is ambiguous or the adjustment fails.
 void reconstruct_joint(const StereoLines& lines,
                        const LineSupport& support,
                        double max_end_sigma_m,
@@ -106,7 +107,7 @@ void reconstruct_joint(const StereoLines& lines,
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
 
-/// The lines of an aligned match; `direct` is its one line by that method.
+/// The lines of an aligned match by the method `joint`. `direct` is its one line by the method `direct`.
 std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
                                            const std::vector<LineSupport>& parts,
                                            double max_end_sigma_m,
@@ -138,9 +139,9 @@ std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
   return results;
 }
 
-/// The lines by `joint`, by match.
-/// @param support  of aligned lines
-/// @param direct   the lines of the matches by `direct`
+/// The lines of each match by the method `joint`.
+/// @param support  gives the support of aligned lines
+/// @param direct   the lines of the matches by the method `direct`
 std::vector<std::vector<JointLine>> joint_lines(const StereoLines& lines,
                                                 std::span<const ObservedPair> observed,
                                                 const Neighbours& neighbours,
@@ -151,7 +152,8 @@ std::vector<std::vector<JointLine>> joint_lines(const StereoLines& lines,
   tbb::parallel_for(std::size_t{0}, observed.size(), [&](std::size_t i) {
     Interruption::check();
     if (direct[i].line_class != LineClass::kAligned) {
-      by_match[i] = {{direct[i], LineSupport{.seen = observed[i]}}};  // the images alone
+      // A line that is not aligned rests on the images alone.
+      by_match[i] = {{direct[i], LineSupport{.seen = observed[i]}}};
       return;
     }
     const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
@@ -218,7 +220,7 @@ std::vector<ReconstructedLine> reconstruct_lines(const MatchedSegments& matched,
   const std::span<const LineMatch> matches = matched.matches;
   const Neighbours neighbours = neighbours_of(matched.connections, matches.size());
   if (matches.empty()) return {};
-  // The consensus on the depth of aligned lines takes what they meet as it was extracted.
+  // The consensus on the depth of aligned lines uses the lines that these meet as they were extracted, not as registered.
   const StereoLines lines =
       stereo_lines(matched, extracted_mates(matched), options.line_covariance);
   const std::vector<Mates> registered = registered_mates(matched);

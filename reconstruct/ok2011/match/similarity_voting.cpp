@@ -14,7 +14,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr int kMostPasses = 20;
-constexpr double kFixedPoint = 1e-4;  // largest change of a probability
+constexpr double kFixedPoint = 1e-4;  // the passes end when no probability changes by this
 /// A share of support starts from "undecided" with this weight: a lone neighbour proves little, and
 /// a segment without neighbours is judged by its look.
 constexpr double kLittle = 0.5;
@@ -29,7 +29,7 @@ double best_probability(const VoteGraph& graph, std::span<const double> probabil
   return best;
 }
 
-/// The votes for a candidate: for each partner that of its best pair.
+/// Adds up the votes for a candidate. Each partner gives the vote of its best pair.
 void add_votes(const VoteGraph& graph,
                std::span<const double> probability,
                Flat candidate,
@@ -56,7 +56,7 @@ double height_support(const VoteGraph& graph, std::span<const double> probabilit
   constexpr double kNear_px = 12.0;
   constexpr double kSlope = 0.7;
   const EpipolarOverlap& own = graph.candidates[candidate]->overlap;
-  if (own.aligned) return kUndecided;  // the images do not tell its height
+  if (own.aligned) return kUndecided;  // the images do not tell the height of an aligned line
   double all = kLittle;
   double agreeing = kLittle * kUndecided;
   for (const NearSegment& neighbour : graph.neighbours[graph.left[candidate]]) {

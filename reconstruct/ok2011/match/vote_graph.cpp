@@ -31,7 +31,7 @@ NearSegment closest(const Segment2& own, int other, const Segment2& segment) {
   return best;
 }
 
-/// Other mates of the same left segment.
+/// Adds the rivals with the same left segment: its other mates.
 void add_row_rivals(VoteGraph& graph, const MatchChoices& choices) {
   for (std::size_t i = 0; i + 1 < graph.first.size(); ++i) {
     for (Flat a = graph.first[i]; a < graph.first[i + 1]; ++a) {
@@ -46,7 +46,7 @@ void add_row_rivals(VoteGraph& graph, const MatchChoices& choices) {
   }
 }
 
-/// The same mate for other left segments.
+/// Adds the rivals with the same mate: other left segments that it may belong to.
 void add_column_rivals(VoteGraph& graph, const MatchChoices& choices) {
   const auto part = [&](Flat c) { return choices.on_left(graph.left[c], *graph.candidates[c]); };
   std::vector<std::vector<Flat>> of_right(choices.right.segments.size());
@@ -107,7 +107,7 @@ VoteGraph vote_graph(const MatchChoices& choices,
                      std::span<const PairMatch> pairs,
                      const LocalTransfer& transfer) {
   constexpr double kGutters_m = 0.6;  // gutters and the like lie between edges that meet
-  constexpr double kNoise_px = 2.0;   // of the parallax
+  constexpr double kNoise_px = 2.0;   // noise of the parallax
   VoteGraph graph;
   graph.gsd_m = transfer.gsd_m;
   graph.same_height_m = std::max(kGutters_m, kNoise_px / transfer.per_height.norm());

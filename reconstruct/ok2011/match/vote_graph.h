@@ -29,7 +29,8 @@ struct NearSegment {
 
 /// The candidates of all left segments and what connects them.
 struct VoteGraph {
-  std::vector<int> first;  ///< by left segment: its first flat candidate; one more at the end
+  /// By left segment: its first flat candidate; the last entry is the number of candidates.
+  std::vector<int> first;
   std::vector<const Candidate*> candidates;
   std::vector<int> left;                             ///< by candidate: its left segment
   std::vector<std::vector<Flat>> rivals;             ///< by candidate
