@@ -25,7 +25,7 @@ struct ChioLine {
 };
 
 struct ChioResult {
-  std::vector<ChioLine> lines;        ///< by left index; one per left segment at most
+  std::vector<ChioLine> lines;        ///< ascending by left segment, one for each at most
   std::vector<ChioOutcome> outcomes;  ///< per left segment
 };
 

@@ -14,7 +14,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kSigmas = 3.0;      // multiple of the sigma of rates that is allowed for as noise
-constexpr int kAllCandidates = 100;  // in place of max_candidates, which keeps those that look best
+constexpr int kAllCandidates = 100;  // replaces max_candidates where the look does not decide
 
 /// One left segment on its way through the screening.
 struct Screened {

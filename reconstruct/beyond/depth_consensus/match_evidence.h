@@ -33,7 +33,7 @@ struct MatchEvidence {
   AlignedMatch match;
   std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
-  std::vector<int> which_ends;          ///< by end: 0 starts, 1 ends
+  std::vector<int> which_ends;          ///< for each of `ends`: 0 starts, 1 ends of the segments
   std::vector<DepthEvidence> on_depth;  ///< the evidence of the points, then that of the ends
 };
 

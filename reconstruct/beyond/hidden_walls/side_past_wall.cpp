@@ -71,7 +71,7 @@ void look_past_wall(const ImagePair& images,
                     const LocalTransfer& transfer,
                     double most_drop_m,
                     EdgeLook& look) {
-  constexpr double kMostSimilar = 0.8;   // of at most 2; a side that agrees better needs no wall
+  constexpr double kMostSimilar = 0.8;   // a side that agrees more (2 at most) needs no wall
   constexpr double kNarrowest_px = 2.0;  // width of a wall, across the line
   constexpr double kFarthest_px = 36.0;  // largest parallax of the wall
   constexpr double kStep_px = 1.5;       // step of the parallax between two heights

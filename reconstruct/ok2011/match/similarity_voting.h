@@ -50,9 +50,9 @@ using Supports = std::vector<std::vector<Support>>;
 /// candidate's strength is a logistic regression over its own look, its votes and the agreement of its height
 /// with its neighbours. Its probability is its strength against that of its rivals. Rivals are other mates for
 /// the left segment, unless the mates are fragments of one edge, of which one is taken, and other left segments
-/// for the mate, unless these may share it. The regression was fitted to the simulated training scenes (seeds 1 to 8) and then adjusted for the best
-/// quality of matching in them. The vote is repeated to a fixed point, with at most 20 passes. The result is
-/// the same for any number of threads.
+/// for the mate, unless these may share it. The regression was fitted to the simulated training scenes (seeds 1
+/// to 8) and then adjusted for the best quality of matching in them. The vote is repeated to a fixed point, with
+/// at most 20 passes. The result is the same for any number of threads.
 /// @param transfer  the transfer from the left image to the right one at any place. It gives the size of a
 ///                  pixel on the ground and the height that corresponds to a pixel of parallax.
 Supports similarity_votes(const MatchChoices& choices,
