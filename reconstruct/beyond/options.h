@@ -58,8 +58,7 @@ struct MatchExtensionOptions {
   /// guided_matches().
   bool guided = true;
   double guided_min_similarity = 0.8;
-  /// Lines matched by height must look more alike than lines that pairs of segments support
-  /// (chio.min_similarity). On the training villages 4 of 19 lines below this value were false, and none of
+  /// Lines matched by height must look more alike than other lines of `chio` (its min_similarity). On the training villages 4 of 19 lines below this value were false, and none of
   /// the 6 from this value on.
   double propagate_min_similarity = 0.82;
 
