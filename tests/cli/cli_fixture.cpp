@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/cli/cli_fixture.h"
 
+#include "io/files/sha256.h"
 #include "tests/support/paths.h"
 
 #include <algorithm>
@@ -85,6 +86,16 @@ ProgramResult Cli::evaluate(const std::string& lines,
                                      "scene/lidar.las", "--out",   out};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run(arguments);
+}
+
+std::map<std::string, std::string> Cli::results_in(const std::string& folder) const {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(path(folder))) {
+    if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
+    files[fs::relative(entry.path(), path(folder)).string()] =
+        io::sha256_of_file(entry.path().string());
+  }
+  return files;
 }
 
 }  // namespace ridgeline::cli

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,9 @@ class Cli : public testing::Test {
                                        const std::string& out,
                                        const std::vector<std::string>& more = {}) const;
   [[nodiscard]] std::filesystem::path path(std::string_view name) const { return folder_ / name; }
+
+  /// Hashes of all files of a result folder but the run's record, hidden ones too, by relative name.
+  [[nodiscard]] std::map<std::string, std::string> results_in(const std::string& folder) const;
 
  private:
   std::filesystem::path folder_;

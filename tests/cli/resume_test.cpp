@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are killed, and two runs into one folder.
-#include "tests/cli/run_fixture.h"
+#include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 
 #include <map>
@@ -15,8 +15,15 @@ using ::testing::HasSubstr;
 
 constexpr int kKilled = 128 + 9;
 
-class Resume : public RunPatch {
+/// A patch so small that it is run in a second: it is run twenty times.
+class Resume : public Cli {
  protected:
+  void SetUp() override {
+    const ProgramResult made = run({"simulate", "--out", "patch", "--seed", "3", "--extent-m",
+                                    "30,30", "--samples-per-side", "1"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+
   /// A shell's script with the program and the arguments of a run as $@, and `file` as $0.
   [[nodiscard]] ProgramResult script(const std::string& script,
                                      const std::string& file,
@@ -47,9 +54,9 @@ TEST_F(Resume, AfterAKillGivesTheBytesOfAnUndisturbedRun) {
   ASSERT_EQ(resume({}).exit_code, 0);
   const auto undisturbed = results_in("out");
   for (const auto& [file, jobs] :
-       {std::pair("out/1/segments.left.csv", "1"), std::pair("out/1/surface.las", "2"),
-        std::pair("out/1/matches.csv", "2"), std::pair("out/1/lines.direct.geojson", "1"),
-        std::pair("out/1/evaluation.direct.json", "2"), std::pair("out/table2.json", "1"),
+       {std::pair("out/patch/segments.left.csv", "1"), std::pair("out/patch/surface.las", "2"),
+        std::pair("out/patch/matches.csv", "2"), std::pair("out/patch/lines.direct.geojson", "1"),
+        std::pair("out/patch/evaluation.direct.json", "2"), std::pair("out/table2.json", "1"),
         std::pair("out/run.json", "2")}) {
     SCOPED_TRACE(std::string(file) + ", threads: " + jobs);
     fs::remove_all(path("out"));
@@ -64,8 +71,8 @@ TEST_F(Resume, AfterSeveralKillsGivesTheBytesOfAnUndisturbedRun) {
   ASSERT_EQ(resume({}).exit_code, 0);
   const auto undisturbed = results_in("out");
   fs::remove_all(path("out"));
-  for (const char* file : {"out/1/segments.right.csv", "out/1/unmatched.csv",
-                           "out/1/lines.joint.geojson", "out/table1.md"}) {
+  for (const char* file : {"out/patch/segments.right.csv", "out/patch/unmatched.csv",
+                           "out/patch/lines.joint.geojson", "out/table1.md"}) {
     EXPECT_EQ(killed_run(file, {"--resume"}).exit_code, kKilled) << file;
   }
   EXPECT_EQ(resume({}).exit_code, 0);

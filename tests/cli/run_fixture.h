@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "io/files/sha256.h"
 #include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,17 +41,6 @@ class RunPatch : public Cli {
     std::string rest = text.substr(text.find('\n', begin) + 1);
     while (rest.starts_with(" ") || rest.starts_with("-")) rest.erase(0, rest.find('\n') + 1);
     write(path("patch/patch.yaml"), text.substr(0, begin) + rest);
-  }
-
-  /// Hashes of all files of a result folder but the run's record, hidden ones too, by relative name.
-  [[nodiscard]] std::map<std::string, std::string> results_in(const std::string& folder) const {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(folder))) {
-      if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
-      files[std::filesystem::relative(entry.path(), path(folder)).string()] =
-          io::sha256_of_file(entry.path().string());
-    }
-    return files;
   }
 };
 
