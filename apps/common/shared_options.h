@@ -38,4 +38,14 @@ void add_pair_check_option(CLI::App& app, double& max_y_parallax_px);
 /// Adds `--schema`, which takes a name for results::map_schema_named().
 void add_schema_option(CLI::App& app, std::string& schema);
 
+/// Texts that the operator wants on top of the report; empty ones are left out.
+struct PageFacts {
+  std::string title, project, operator_name, date;
+};
+
+/// Adds `--title`, `--project`, `--operator` and `--date`.
+void add_page_options(CLI::App& app, PageFacts& facts);
+
+nlohmann::ordered_json to_json(const PageFacts& facts);
+
 }  // namespace ridgeline::apps

@@ -2,7 +2,6 @@
 #include "apps/common/command.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/outcome.h"
-#include "apps/common/page_facts.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/page_facts.h"
+#include "apps/common/shared_options.h"
 #include "apps/common/progress.h"
 #include "apps/pipeline/check_pair.h"
 #include "apps/pipeline/check_patch.h"

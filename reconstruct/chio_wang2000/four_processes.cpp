@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/chio_wang2000/four_processes.h"
 
-#include "reconstruct/chio_wang2000/neighbour_heights.h"
 #include "reconstruct/chio_wang2000/neighbourhood.h"
 #include "reconstruct/chio_wang2000/structures.h"
 

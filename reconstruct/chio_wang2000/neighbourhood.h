@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/chio_wang2000/core.h"
+#include "reconstruct/chio_wang2000/extensions.h"
 #include "reconstruct/chio_wang2000/structures.h"
 #include "reconstruct/geometry/segment.h"
 
@@ -33,5 +34,35 @@ Neighbourhood adjacent_segments(std::span<const Segment2> segments,
 Neighbourhood segments_in_range(std::span<const Segment2> segments,
                                 std::span<const CoreCandidates> candidates,
                                 double range_m);
+
+/// Compares the height of a candidate with that of a matched neighbour. Without allowance for noise,
+/// the mean heights of both lines are compared. With it, the heights where the two lines meet are compared; if they do
+/// not meet, the gap between the ranges of their heights counts. The noise of both then widens the limit.
+class NeighbourHeights {
+ public:
+  /// Both arguments must live as long as this object.
+  NeighbourHeights(std::span<const Segment2> left_segments,
+                   const std::optional<NoiseAllowance>& noise)
+      : left_segments_(left_segments), noise_(noise) {}
+
+  /// The height of the neighbour that a candidate is compared with.
+  /// @param mate  the candidate that the neighbour has taken
+  [[nodiscard]] double height_of(const Neighbour& neighbour, const CoreCandidate& mate) const;
+
+  /// Whether a candidate of a left segment is as high as its neighbour, within a limit.
+  [[nodiscard]] bool agree(int left,
+                           const CoreCandidate& candidate,
+                           const Neighbour& neighbour,
+                           const CoreCandidate& mate,
+                           double limit_m) const;
+
+ private:
+  [[nodiscard]] double height_at(int left,
+                                 const CoreCandidate& candidate,
+                                 const Eigen::Vector2d& x_px) const;
+
+  std::span<const Segment2> left_segments_;
+  const std::optional<NoiseAllowance>& noise_;
+};
 
 }  // namespace ridgeline::reconstruct
