@@ -15,12 +15,12 @@ using ::testing::HasSubstr;
 
 constexpr int kKilled = 128 + 9;
 
-/// A patch so small that it is run in a second: it is run twenty times.
+/// Its patch is as small as can be, because it is run twenty times.
 class Resume : public Cli {
  protected:
   void SetUp() override {
     const ProgramResult made = run({"simulate", "--out", "patch", "--seed", "3", "--extent-m",
-                                    "30,30", "--samples-per-side", "1"});
+                                    "40,40", "--samples-per-side", "1"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
   }
 
