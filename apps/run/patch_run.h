@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/common/shared_options.h"
 #include "apps/common/progress.h"
+#include "apps/common/shared_options.h"
 #include "apps/pipeline/check_pair.h"
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/parameters.h"
