@@ -24,7 +24,7 @@ std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch);
 /// The first two views of a patch in a frame, without images and segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
 
-/// The same with images.
+/// The first two views of a patch in a frame, with images and without segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
                                const std::array<cv::Mat, 2>& images);

@@ -63,6 +63,9 @@ TEST_F(RunPatch, ResumeRepeatsOnlyWhatDependsOnAChange) {
   // the heights: not the segments of the images
   edit_patch("height_range: [229, 280]", "height_range: [228, 280]");
   EXPECT_THAT(skipped(), HasSubstr("2 finished stages skipped"));
+  // a camera: the same
+  edit_patch("- [10014.687252119684,", "- [10014.687252119685,");
+  EXPECT_THAT(skipped(), HasSubstr("2 finished stages skipped"));
   // one image: not the segments of the other one
   fs::copy_file(path("patch/left.tif"), path("patch/right.tif"),
                 fs::copy_options::overwrite_existing);
