@@ -44,8 +44,8 @@ function(ridgeline_test name)
     set(left_out EXCLUDE_FROM_ALL)
   endif()
   add_executable(${name} ${left_out} ${arg_SOURCES})
-  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support ridgeline_test_flags GTest::gmock
-                        GTest::gtest_main ridgeline_flags)
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support ridgeline_flags ridgeline_test_flags
+                        GTest::gmock GTest::gtest_main)
   if(TARGET ridgeline_test_headers)
     target_precompile_headers(${name} REUSE_FROM ridgeline_test_headers)
   endif()

@@ -19,7 +19,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* kGood = "scene/lines.good.geojson";
+constexpr const char* kGoodLines = "scene/lines.good.geojson";
 
 class Outputs : public Cli {
  protected:
@@ -45,17 +45,17 @@ TEST_F(Outputs, ReaderThatHasSeenEnoughIsNoFault) {
 }
 
 TEST_F(Outputs, QuietPrintsErrorsOnly) {
-  const ProgramResult good = evaluate(kGood, "out", {"--quiet"});
+  const ProgramResult good = evaluate(kGoodLines, "out", {"--quiet"});
   EXPECT_EQ(good.exit_code, 0);
   EXPECT_EQ(good.out + good.err, "");
   EXPECT_REFUSED(evaluate("none.geojson", "out", {"--quiet"}), HasSubstr("none.geojson"));
-  EXPECT_NE(run({"info", kGood, "--quiet"}).out, "");
+  EXPECT_NE(run({"info", kGoodLines, "--quiet"}).out, "");
 }
 
 TEST_F(Outputs, FailedCommandsLeaveNoFolders) {
   EXPECT_REFUSED(evaluate("none.geojson", "new/deep"), HasSubstr("none.geojson"));
   EXPECT_REFUSED(
-      run({"evaluate", "--lines", kGood, "--cloud", "scene/truth.geojson", "--out", "new"}),
+      run({"evaluate", "--lines", kGoodLines, "--cloud", "scene/truth.geojson", "--out", "new"}),
       HasSubstr("truth.geojson"));
   EXPECT_FALSE(fs::exists(path("new")));
 }
@@ -64,7 +64,7 @@ TEST_F(Outputs, LinkAmongTheResultsIsReplacedAndItsFileStays) {
   write(path("mine.txt"), "mine");
   fs::create_directory(path("out"));
   fs::create_symlink("../mine.txt", path("out/table2.csv"));
-  ASSERT_EQ(evaluate(kGood, "out", {"--no-report"}).exit_code, 0);
+  ASSERT_EQ(evaluate(kGoodLines, "out", {"--no-report"}).exit_code, 0);
   EXPECT_EQ(read(path("mine.txt")), "mine");
   EXPECT_THAT(read(path("out/table2.csv")), HasSubstr("patch,method"));
 }
@@ -74,10 +74,10 @@ TEST_F(Outputs, FolderThatAnotherRunWritesToIsRefusedUntilItsEnd) {
   write(path("out/.ridgeline.lock"), "process 7 on elsewhere");
   const int lock = open(path("out/.ridgeline.lock").c_str(), O_RDWR);
   ASSERT_EQ(flock(lock, LOCK_EX), 0);
-  EXPECT_REFUSED(evaluate(kGood, "out"), AllOf(HasSubstr("out: process 7 on elsewhere"),
-                                               HasSubstr("choose another folder")));
+  EXPECT_REFUSED(evaluate(kGoodLines, "out"), AllOf(HasSubstr("out: process 7 on elsewhere"),
+                                                    HasSubstr("choose another folder")));
   close(lock);  // as the kernel does for a process that was killed
-  EXPECT_EQ(evaluate(kGood, "out", {"--no-report"}).exit_code, 0);
+  EXPECT_EQ(evaluate(kGoodLines, "out", {"--no-report"}).exit_code, 0);
   EXPECT_THAT(names_in(path("out")), Not(testing::Contains(".ridgeline.lock")));
 }
 
@@ -85,14 +85,14 @@ TEST_F(Outputs, FilesThatAKilledRunLeftAreRemovedByTheNext) {
   // above the largest process number of Linux, 2^22
   write(path("out/.table2.4194305.3.tmp.csv"), "half");
   write(path("out/.mine.csv"), "mine");
-  ASSERT_EQ(evaluate(kGood, "out", {"--no-report"}).exit_code, 0);
+  ASSERT_EQ(evaluate(kGoodLines, "out", {"--no-report"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(path("out/.table2.4194305.3.tmp.csv")));
   EXPECT_TRUE(fs::exists(path("out/.mine.csv")));
 }
 
 TEST_F(Outputs, NamesThatAreNoUtf8AreTaken) {
   const std::string odd = "odd\xff";
-  fs::copy(path(kGood), path(odd + ".geojson"));
+  fs::copy(path(kGoodLines), path(odd + ".geojson"));
   fs::copy(path("scene/lidar.las"), path(odd + ".las"));
   const ProgramResult judged =
       run({"evaluate", "--lines", odd + ".geojson", "--cloud", odd + ".las", "--out", odd});

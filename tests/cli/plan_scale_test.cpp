@@ -20,7 +20,7 @@ using ::testing::Not;
 constexpr double kEast = 1.514680;
 constexpr double kNorth = 1.519113;
 const Eigen::Vector3d kMercator(1021600.0, 6237600.0, 250.0);  // 9.177 E, 48.780 N
-constexpr double kFoot_m = 0.3048;
+constexpr double kPlanFoot_m = 0.3048;
 
 /// A gable of 20 m x 10 m whose ridge runs north, in a grid whose metres are `scale` long.
 class PlanScale : public Cli {
@@ -140,8 +140,8 @@ images:
 }
 
 TEST_F(PlanScale, PlacesOutsideOfTheAreaOfUseAreWarnedOf) {
-  const Eigen::Vector3d far(513000.0 / kFoot_m, 5403000.0 / kFoot_m, 100.0);
-  const Eigen::Vector3d feet = Eigen::Vector3d::Constant(1.0 / kFoot_m);
+  const Eigen::Vector3d far(513000.0 / kPlanFoot_m, 5403000.0 / kPlanFoot_m, 100.0);
+  const Eigen::Vector3d feet = Eigen::Vector3d::Constant(1.0 / kPlanFoot_m);
   write_cloud("cloud.las", "EPSG:2992", far, feet);
   write_ridge("ridge.geojson", "EPSG:2992", far, feet);
   const ProgramResult result = judge();
@@ -152,7 +152,7 @@ TEST_F(PlanScale, PlacesOutsideOfTheAreaOfUseAreWarnedOf) {
 
 TEST_F(PlanScale, BoundsAreInTheCoordinatesOfTheCloud) {
   const Eigen::Vector3d origin(1000000.0, 600000.0, 300.0);  // feet, in Oregon
-  const Eigen::Vector3d feet = Eigen::Vector3d::Constant(1.0 / kFoot_m);
+  const Eigen::Vector3d feet = Eigen::Vector3d::Constant(1.0 / kPlanFoot_m);
   write_cloud("cloud.las", "EPSG:2992", origin, feet);
   write_ridge("ridge.geojson", "EPSG:2992", origin, feet);
   const ProgramResult inside = judge({"--bounds", "999900,599900,1000100,600100"});

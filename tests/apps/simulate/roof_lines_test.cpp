@@ -15,7 +15,7 @@ namespace {
 
 using test::HouseScene;
 
-constexpr double kTol = 1e-9;  // the exactness that Scene promises
+constexpr double kRoofTol = 1e-9;  // the exactness that Scene promises
 
 std::map<LineKind, int> count_kinds(const Scene& scene) {
   std::map<LineKind, int> counts;
@@ -50,17 +50,18 @@ TEST(RoofLines, GabledHouseHasOneRidgeTwoEavesFourVerges) {
                 {LineKind::kRidge, 1}, {LineKind::kEave, 2}, {LineKind::kVerge, 4}}));
   const SceneLine ridge = of_kind(scene, LineKind::kRidge).front();
   // half a width of 4 m at 45 degrees above the wall; both verges overhang by 0.3 m
-  EXPECT_NEAR(ridge.segment.start.z(), HouseScene::kWallHeightM + 4.0, kTol);
-  EXPECT_NEAR(ridge.segment.end.z(), HouseScene::kWallHeightM + 4.0, kTol);
-  EXPECT_NEAR(length(ridge.segment), HouseScene::kLengthM + 2.0 * 0.3, kTol);
-  EXPECT_NEAR(ridge.segment.start.y(), 20.0, kTol);
+  EXPECT_NEAR(ridge.segment.start.z(), HouseScene::kWallHeightM + 4.0, kRoofTol);
+  EXPECT_NEAR(ridge.segment.end.z(), HouseScene::kWallHeightM + 4.0, kRoofTol);
+  EXPECT_NEAR(length(ridge.segment), HouseScene::kLengthM + 2.0 * 0.3, kRoofTol);
+  EXPECT_NEAR(ridge.segment.start.y(), 20.0, kRoofTol);
   EXPECT_EQ(ridge.plane_ids.size(), 2U);
   for (const SceneLine& eave : of_kind(scene, LineKind::kEave)) {
-    EXPECT_NEAR(eave.segment.start.z(), HouseScene::kWallHeightM - 0.5, kTol);  // overhang 0.5 m
+    EXPECT_NEAR(eave.segment.start.z(), HouseScene::kWallHeightM - 0.5,
+                kRoofTol);  // overhang 0.5 m
     EXPECT_EQ(eave.plane_ids.size(), 1U);
   }
   for (const SceneLine& verge : of_kind(scene, LineKind::kVerge)) {
-    EXPECT_NEAR(length(verge.segment), 4.5 * std::numbers::sqrt2, kTol);
+    EXPECT_NEAR(length(verge.segment), 4.5 * std::numbers::sqrt2, kRoofTol);
   }
 }
 
@@ -70,23 +71,24 @@ TEST(RoofLines, HippedHouseHasFourHipsThatMeetTheRidge) {
       count_kinds(scene),
       (std::map<LineKind, int>{{LineKind::kRidge, 1}, {LineKind::kHip, 4}, {LineKind::kEave, 4}}));
   // equal pitches: the ridge is as long as the house is longer than wide
-  EXPECT_NEAR(total_length(of_kind(scene, LineKind::kRidge)), 4.0, kTol);
+  EXPECT_NEAR(total_length(of_kind(scene, LineKind::kRidge)), 4.0, kRoofTol);
   // a hip spans 4.5 m in u, v and z
-  EXPECT_NEAR(total_length(of_kind(scene, LineKind::kHip)), 4.0 * 4.5 * std::numbers::sqrt3, kTol);
+  EXPECT_NEAR(total_length(of_kind(scene, LineKind::kHip)), 4.0 * 4.5 * std::numbers::sqrt3,
+              kRoofTol);
 }
 
 TEST(RoofLines, FlatHouseHasFourEavesAtOneHeight) {
   const Scene scene = test::flat_house();
   EXPECT_EQ(count_kinds(scene), (std::map<LineKind, int>{{LineKind::kEave, 4}}));
   for (const SceneLine& eave : scene.lines) {
-    EXPECT_NEAR(eave.segment.start.z(), HouseScene::kWallHeightM, kTol);
+    EXPECT_NEAR(eave.segment.start.z(), HouseScene::kWallHeightM, kRoofTol);
   }
 }
 
 TEST(RoofLines, ParapetHasOuterAndInnerRimButNoMitres) {
   const Scene scene = scene_of(parapet({.length_m = 10.0, .width_m = 6.0}, 0.3, 0.5));
   EXPECT_EQ(count_kinds(scene), (std::map<LineKind, int>{{LineKind::kEave, 8}}));
-  EXPECT_NEAR(total_length(scene.lines), 2.0 * (10.0 + 6.0) + 2.0 * (9.4 + 5.4), kTol);
+  EXPECT_NEAR(total_length(scene.lines), 2.0 * (10.0 + 6.0) + 2.0 * (9.4 + 5.4), kRoofTol);
 }
 
 TEST(RoofLines, ShedRoofHasTwoEavesOfDifferentHeight) {
@@ -94,7 +96,7 @@ TEST(RoofLines, ShedRoofHasTwoEavesOfDifferentHeight) {
       scene_of(shed({.width_m = 8.0, .pitch_rad = std::atan(0.25), .eave_overhang_m = 0.0}));
   const std::vector<SceneLine> eaves = of_kind(scene, LineKind::kEave);
   ASSERT_EQ(eaves.size(), 2U);
-  EXPECT_NEAR(std::abs(eaves[0].segment.start.z() - eaves[1].segment.start.z()), 2.0, kTol);
+  EXPECT_NEAR(std::abs(eaves[0].segment.start.z() - eaves[1].segment.start.z()), 2.0, kRoofTol);
   EXPECT_EQ(of_kind(scene, LineKind::kVerge).size(), 2U);
 }
 
@@ -109,15 +111,15 @@ TEST(RoofLines, WingJoinsByTwoValleysFromTheInnerCornersToItsRidge) {
     const bool reversed = valley.segment.start.z() > valley.segment.end.z();
     const Eigen::Vector3d top = reversed ? valley.segment.start : valley.segment.end;
     const Eigen::Vector3d foot = reversed ? valley.segment.end : valley.segment.start;
-    EXPECT_LT((top - meeting).norm(), kTol);
-    EXPECT_NEAR(std::abs(foot.x() - 1.0), 3.4, kTol);  // both eaves overhang by 0.4 m
-    EXPECT_NEAR(foot.y(), 4.4, kTol);
-    EXPECT_NEAR(foot.z(), 4.6, kTol);
+    EXPECT_LT((top - meeting).norm(), kRoofTol);
+    EXPECT_NEAR(std::abs(foot.x() - 1.0), 3.4, kRoofTol);  // both eaves overhang by 0.4 m
+    EXPECT_NEAR(foot.y(), 4.4, kRoofTol);
+    EXPECT_NEAR(foot.z(), 4.6, kRoofTol);
   }
   // two ridges; the eave of the main roof is interrupted by the wing
   EXPECT_EQ(of_kind(scene, LineKind::kRidge).size(), 2U);
   EXPECT_NEAR(total_length(of_kind(scene, LineKind::kEave)),
-              2.0 * 14.6 - 6.8 + 2.0 * (3.0 + 0.3 - 0.4), kTol);
+              2.0 * 14.6 - 6.8 + 2.0 * (3.0 + 0.3 - 0.4), kRoofTol);
 }
 
 TEST(RoofLines, DormerCutsNothingOfTheMainRidgeAndHidesItsInnerEnd) {
@@ -130,11 +132,11 @@ TEST(RoofLines, DormerCutsNothingOfTheMainRidgeAndHidesItsInnerEnd) {
   ASSERT_EQ(ridges.size(), 2U);
   std::sort(ridges.begin(), ridges.end(),
             [](const auto& a, const auto& b) { return a.segment.start.z() < b.segment.start.z(); });
-  EXPECT_NEAR(length(ridges[1].segment), 12.6, kTol);
+  EXPECT_NEAR(length(ridges[1].segment), 12.6, kRoofTol);
   EXPECT_LT(ridges[0].segment.start.z(), main_ridge_z);
   // the dormer's ridge ends on the main roof plane
   const double inner_v = std::min(ridges[0].segment.start.y(), ridges[0].segment.end.y());
-  EXPECT_NEAR(ridges[0].segment.start.z(), main_ridge_z - std::tan(0.8) * inner_v, kTol);
+  EXPECT_NEAR(ridges[0].segment.start.z(), main_ridge_z - std::tan(0.8) * inner_v, kRoofTol);
   EXPECT_EQ(of_kind(scene, LineKind::kValley).size(), 2U);
   EXPECT_GE(scene.joints.size(), 1U);  // its walls on the main roof
 }
@@ -145,8 +147,8 @@ TEST(RoofLines, ShedDormerHasOneValleyWhereItRunsIntoTheRoof) {
   parts.push_back(dormer(shape, {.type = DormerType::kShed, .pitch_rad = 0.4}));
   const std::vector<SceneLine> valleys = of_kind(scene_of(parts), LineKind::kValley);
   ASSERT_EQ(valleys.size(), 1U);
-  EXPECT_NEAR(valleys.front().segment.start.z(), valleys.front().segment.end.z(), kTol);
-  EXPECT_NEAR(length(valleys.front().segment), 2.0 + 2.0 * 0.15, kTol);
+  EXPECT_NEAR(valleys.front().segment.start.z(), valleys.front().segment.end.z(), kRoofTol);
+  EXPECT_NEAR(length(valleys.front().segment), 2.0 + 2.0 * 0.15, kRoofTol);
 }
 
 TEST(RoofLines, ChimneyInterruptsTheRidgeItStandsOn) {
@@ -165,7 +167,7 @@ TEST(Placed, TurnsAndMovesPlanesWithTheirOutline) {
   const RoofPart moved = placed(part, {100.0, -20.0}, 0.7);
   for (std::size_t i = 0; i < part.outline.size(); ++i) {
     for (std::size_t k = 0; k < part.tops.size(); ++k) {
-      EXPECT_NEAR(moved.tops[k](moved.outline[i]), part.tops[k](part.outline[i]), kTol);
+      EXPECT_NEAR(moved.tops[k](moved.outline[i]), part.tops[k](part.outline[i]), kRoofTol);
     }
   }
 }
@@ -176,15 +178,16 @@ TEST(TrueMeanDistance, AveragesThePlanesOfARidge) {
                                   [](const auto& line) { return line.kind == LineKind::kRidge; });
   ASSERT_NE(ridge, scene.lines.end());
   const int id = static_cast<int>(ridge - scene.lines.begin());
-  EXPECT_NEAR(true_mean_distance(scene, ridge->segment, id), 0.0, kTol);
+  EXPECT_NEAR(true_mean_distance(scene, ridge->segment, id), 0.0, kRoofTol);
   Segment3 lifted = ridge->segment;
   lifted.start.z() += 6.0;
   lifted.end.z() += 6.0;
-  EXPECT_NEAR(true_mean_distance(scene, lifted, id), 6.0 * std::cos(std::numbers::pi / 4.0), kTol);
+  EXPECT_NEAR(true_mean_distance(scene, lifted, id), 6.0 * std::cos(std::numbers::pi / 4.0),
+              kRoofTol);
   Segment3 aside = ridge->segment;  // leaves one plane downwards, the other upwards
   aside.start.y() += 1.0;
   aside.end.y() += 1.0;
-  EXPECT_NEAR(true_mean_distance(scene, aside, id), std::sqrt(0.5), kTol);
+  EXPECT_NEAR(true_mean_distance(scene, aside, id), std::sqrt(0.5), kRoofTol);
 }
 
 TEST(TrueMeanDistance, RejectsAnUnknownLine) {

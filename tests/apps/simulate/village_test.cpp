@@ -18,7 +18,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kTol = 1e-9;  // the exactness that Scene promises
+constexpr double kVillageTol = 1e-9;  // the exactness that Scene promises
 
 Scene village(std::uint64_t seed) {
   VillageOptions options;
@@ -70,7 +70,7 @@ TEST_P(EachSeed, TrueLinesLieOnTheirPlanes) {
       EXPECT_EQ(line.plane_ids.size(), two ? 2U : 1U) << name(line.kind);
       for (const int id : line.plane_ids) {
         const ScenePlane& plane = scene.planes.at(static_cast<std::size_t>(id));
-        EXPECT_LT(end_distance(line, plane.plane), kTol) << name(line.kind);
+        EXPECT_LT(end_distance(line, plane.plane), kVillageTol) << name(line.kind);
       }
     }
   }
@@ -157,7 +157,7 @@ TEST_P(EachSeed, OutlinesOfPlanesLieOnThem) {
     const ScenePlane& plane = scene.planes[i];
     EXPECT_EQ(plane.id, static_cast<int>(i));
     for (const Eigen::Vector3d& corner : plane.outline) {
-      EXPECT_NEAR(plane.plane.signedDistance(corner), 0.0, kTol);
+      EXPECT_NEAR(plane.plane.signedDistance(corner), 0.0, kVillageTol);
     }
   }
   for (const Triangle& triangle : scene.mesh.triangles) {
@@ -165,7 +165,7 @@ TEST_P(EachSeed, OutlinesOfPlanesLieOnThem) {
     const ScenePlane& plane = scene.planes.at(static_cast<std::size_t>(triangle.plane_id));
     for (const std::int32_t vertex : triangle.vertices) {
       const Eigen::Vector3d& x = scene.mesh.vertices.at(static_cast<std::size_t>(vertex));
-      EXPECT_NEAR(plane.plane.signedDistance(x), 0.0, kTol);
+      EXPECT_NEAR(plane.plane.signedDistance(x), 0.0, kVillageTol);
     }
   }
 }
@@ -218,7 +218,7 @@ TEST(MakeVillage, DormersAndChimneysOfAHouseKeepApartBelowItsRidge) {
         ridge_z = line.segment.start.z();
       }
     }
-    EXPECT_NEAR(highest, ridge_z, kTol);
+    EXPECT_NEAR(highest, ridge_z, kVillageTol);
   }
 }
 
@@ -243,7 +243,8 @@ TEST(MakeVillage, RowHousesShareNoVergeAndKeepTheirEaves) {
 TEST(MakeVillage, GroundEndsWithTheExtent) {
   const Scene scene = village(1);
   const auto inside = [&](const Eigen::Vector3d& x) {
-    return x.head<2>().minCoeff() > -kTol && (scene.extent_m - x.head<2>()).minCoeff() > -kTol;
+    return x.head<2>().minCoeff() > -kVillageTol &&
+           (scene.extent_m - x.head<2>()).minCoeff() > -kVillageTol;
   };
   double ground_m2 = 0.0;
   for (const Triangle& triangle : scene.mesh.triangles) {
@@ -312,7 +313,7 @@ TEST(MakeVillage, TerracesStepTheGroundFromRowToRow) {
     if (plane.kind == PlaneKind::kGround) heights.insert(plane.outline.front().z());
   }
   ASSERT_GE(heights.size(), 3U);
-  EXPECT_NEAR(*std::next(heights.begin()) - *heights.begin(), 2.0, kTol);
+  EXPECT_NEAR(*std::next(heights.begin()) - *heights.begin(), 2.0, kVillageTol);
 }
 
 TEST(MakeVillage, RejectsOptionsOutsideTheirRange) {

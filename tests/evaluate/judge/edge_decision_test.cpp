@@ -112,7 +112,7 @@ TEST(DecideEdge, CallsTwoPlanesOfOneHeightThatDoNotMeetAlongTheLineAmbiguous) {
 }
 
 /// What two images show of a segment, from 800 m with B/H 0.26 and GSD 8 cm.
-ImageEvidence seen(const Segment3& segment) {
+ImageEvidence evidence_of(const Segment3& segment) {
   ImageEvidence images;
   for (const std::size_t j : {0U, 1U}) {
     ProjectionMatrix& p = images.image_from_local[j];
@@ -129,7 +129,7 @@ TEST(DecideEdge, CallsALineOverTheEavesOfTwoRoofsAmbiguousUnlessTheImagesShowThe
     const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
                                              candidate(left_slope, 0, 1.5, 0.0, first_roof_to),
                                              candidate(lower, 0, 1.5, second_roof_from, 10.0)};
-    return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
+    return decide_edge(planes, kLine, {}, evidence_of({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
   };
   EXPECT_EQ(decide(5.0, 5.25, 9.0).status, Status::kAmbiguous);
   EXPECT_EQ(decide(5.0, 5.25, 0.0).planes, (std::vector<std::size_t>{0}));
@@ -144,7 +144,7 @@ TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
   const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
                                            candidate(left_slope, 1.0, 1.5)};
   const auto decide = [&](double seen_at_m) {
-    return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
+    return decide_edge(planes, kLine, {}, evidence_of({{0, 0, seen_at_m}, {10, 0, seen_at_m}}));
   };
   const EdgeDecision eave = decide(9.0);
   EXPECT_EQ(eave.planes, (std::vector<std::size_t>{1}));
@@ -154,7 +154,7 @@ TEST(DecideEdge, TakesAPlaneThatEndsFartherAwayOnlyIfTheImagesShowTheLineOnIt) {
   // a car that ends as far away does not judge
   std::vector<CandidatePlane> with_car = planes;
   with_car[1].low_object = true;
-  EXPECT_EQ(decide_edge(with_car, kLine, {}, seen({{0, 0, 9.0}, {10, 0, 9.0}})).planes,
+  EXPECT_EQ(decide_edge(with_car, kLine, {}, evidence_of({{0, 0, 9.0}, {10, 0, 9.0}})).planes,
             (std::vector<std::size_t>{0}));
 }
 
@@ -163,7 +163,7 @@ TEST(DecideEdge, TakesASurfaceThatAccompaniesHalfOfTheLineIfTheImagesShowTheLine
   const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
                                            candidate(ground, -1.5, 0, 0.0, 6.0)};
   const auto decide = [&](double seen_at_m) {
-    return decide_edge(planes, kLine, {}, seen({{0, 0, seen_at_m}, {10, 0, seen_at_m}})).planes;
+    return decide_edge(planes, kLine, {}, evidence_of({{0, 0, seen_at_m}, {10, 0, seen_at_m}})).planes;
   };
   EXPECT_EQ(decide(0.0), (std::vector<std::size_t>{1}));
   EXPECT_EQ(decide(9.0), (std::vector<std::size_t>{0}));
@@ -174,7 +174,7 @@ TEST(DecideEdge, JudgesAMarkingBesideParkedCarsByTheGround) {
   const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0),
                                            candidate(car, 0, 1.5, 0.0, 4.5),
                                            candidate(car, 0, 1.5, 5.5, 10.0)};
-  const ImageEvidence marking = seen({{0, 0, 0.3}, {10, 0, 0.3}});
+  const ImageEvidence marking = evidence_of({{0, 0, 0.3}, {10, 0, 0.3}});
   EXPECT_EQ(decide_edge(planes, kLine, {}, marking).planes, (std::vector<std::size_t>{0}));
 }
 

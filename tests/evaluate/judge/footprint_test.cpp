@@ -11,14 +11,14 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kTol = 1e-12;  // a few roundings of metre-sized numbers
+constexpr double kFootprintTol = 1e-12;  // a few roundings of metre-sized numbers
 
 TEST(FootprintOf, HasItsAxesAlongAndLeftOfTheLine) {
   const Footprint f = footprint_of({{1, 2, 50}, {1, 6, -3}});
-  EXPECT_NEAR(f.length_m, 4.0, kTol);
-  EXPECT_NEAR(f.s({7, 3}), 1.0, kTol);
-  EXPECT_NEAR(f.t({7, 3}), -6.0, kTol);  // east of a line that runs north is right of it
-  EXPECT_TRUE(f.middle().isApprox(Eigen::Vector2d(1, 4), kTol));
+  EXPECT_NEAR(f.length_m, 4.0, kFootprintTol);
+  EXPECT_NEAR(f.s({7, 3}), 1.0, kFootprintTol);
+  EXPECT_NEAR(f.t({7, 3}), -6.0, kFootprintTol);  // east of a line that runs north is right of it
+  EXPECT_TRUE(f.middle().isApprox(Eigen::Vector2d(1, 4), kFootprintTol));
 }
 
 TEST(FootprintOf, RejectsAVerticalSegment) {

@@ -16,14 +16,14 @@ namespace {
 using test::seen;
 
 constexpr double kLidarSigma_m = 0.034;
-constexpr double kDensity_per_m2 = 8.0;
+constexpr double kEvidenceDensity_per_m2 = 8.0;
 // a hit lies within the search radius (0.3 m) of the ray, so it is at most this high on a roof of slope 0.5
 constexpr double kHit_m = 0.2;
 
 class OnRoof : public testing::Test {
  protected:
   OnRoof() {
-    const auto points = roof_.sample(kDensity_per_m2, kLidarSigma_m, 5);
+    const auto points = roof_.sample(kEvidenceDensity_per_m2, kLidarSigma_m, 5);
     grid_ = PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
   }
 

@@ -12,7 +12,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 // a ledge of 25 returns: sigma / sqrt(n) = 0.7 cm
-constexpr double kNoisy = 0.03;
+constexpr double kNoisyLedge = 0.03;
 
 /// A flat roof at 4 m for y < 0 and ground for y > 0.3, with a parapet 0.5 m high between them.
 std::vector<Eigen::Vector3d> parapet_roof(std::uint64_t seed, double parapet_slope) {
@@ -40,14 +40,14 @@ TEST(SearchLedge, JudgesAParapetByItsTopAndNotByTheRoof) {
     const LineEvaluation e = judge(parapet_roof(1, 0.0), {{0, y, 4.6}, {12, y, 4.6}});
     ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
     EXPECT_EQ(e.kind, Kind::kStep);
-    EXPECT_NEAR(e.signed_mean_m, 0.1, kNoisy) << "y = " << y;
+    EXPECT_NEAR(e.signed_mean_m, 0.1, kNoisyLedge) << "y = " << y;
   }
 }
 
 TEST(SearchLedge, FollowsALedgeThatDescendsAlongTheLine) {
   const LineEvaluation e = judge(parapet_roof(2, 0.05), {{0, 0.15, 4.5}, {12, 0.15, 5.1}});
   ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
-  EXPECT_NEAR(e.mean_distance_m, 0.0, kNoisy);
+  EXPECT_NEAR(e.mean_distance_m, 0.0, kNoisyLedge);
 }
 
 TEST(SearchLedge, TakesNoWideSurfaceForALedge) {
@@ -62,7 +62,7 @@ TEST(SearchLedge, TakesNoWideSurfaceForALedge) {
   }
   const LineEvaluation e = judge(points, {{0, 0, 0.2}, {5, 0, 0.2}});
   ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
-  EXPECT_NEAR(e.signed_mean_m, 0.2, kNoisy);
+  EXPECT_NEAR(e.signed_mean_m, 0.2, kNoisyLedge);
 }
 
 }  // namespace

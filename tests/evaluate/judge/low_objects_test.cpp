@@ -13,13 +13,13 @@ namespace {
 constexpr double kSpacing_m = 0.45;
 constexpr double kRoof_m = 1.4;
 constexpr double kBonnet_m = 1.1;
-constexpr double kLength_m = 2.0;
+constexpr double kObjectLength_m = 2.0;
 
 /// A level surface on both sides of the line, which runs along s.
 CandidatePlane level(double z, double half_width_m) {
   CandidatePlane plane;
   std::vector<Eigen::Vector3d> x;
-  for (double s = 0.0; s < kLength_m; s += kSpacing_m) {
+  for (double s = 0.0; s < kObjectLength_m; s += kSpacing_m) {
     for (double t = -half_width_m; t <= half_width_m; t += kSpacing_m) {
       plane.inliers.push_back({{-t, s, z}, s, t, 0});
       x.emplace_back(-t, s, z);
@@ -29,7 +29,7 @@ CandidatePlane level(double z, double half_width_m) {
   return plane;
 }
 
-ImageEvidence seen_at(double z) { return test::seen({{0, 0, z}, {0, kLength_m, z}}); }
+ImageEvidence seen_at(double z) { return test::seen({{0, 0, z}, {0, kObjectLength_m, z}}); }
 
 std::vector<CandidatePlane> street_roof_and_bonnet() {
   return {level(0.0, 4.0), level(kRoof_m, 0.9), level(kBonnet_m, 0.9)};

@@ -16,7 +16,7 @@ namespace ridgeline::evaluate {
 namespace {
 
 constexpr double kRise_m = 0.19, kRun_m = 0.75;  // rise and run of a step
-constexpr double kLength_m = 10.0, kHalfWidth_m = 4.0;
+constexpr double kRoofLength_m = 10.0, kRoofHalfWidth_m = 4.0;
 constexpr double kWeight = 0.4;  // at 0.1 the 14 degrees of the false slope cost 2.5 cm only
 
 /// Terraces that go up along y. No point is farther than half a rise from a slope through all of them, so by
@@ -28,8 +28,8 @@ typename pcl::PointCloud<PointT>::Ptr terraces() {
   test::Random random(2);
   auto cloud = std::make_shared<pcl::PointCloud<PointT>>();
   for (int i = 0; i < 8000; ++i) {
-    const double x = random.uniform(-kHalfWidth_m, kLength_m + kHalfWidth_m);
-    const double y = random.uniform(-kHalfWidth_m, kHalfWidth_m);
+    const double x = random.uniform(-kRoofHalfWidth_m, kRoofLength_m + kRoofHalfWidth_m);
+    const double y = random.uniform(-kRoofHalfWidth_m, kRoofHalfWidth_m);
     PointT p;
     p.getVector3fMap() =
         Eigen::Vector3d(x, y, terrace_m(y) + random.normal(0.01)).template cast<float>();
@@ -42,7 +42,7 @@ typename pcl::PointCloud<PointT>::Ptr terraces() {
 JudgedLine edge_of_a_step() {
   JudgedLine line;
   line.id = "edge";
-  line.segment = {{0, 0.5 * kRun_m, 0}, {kLength_m, 0.5 * kRun_m, 0}};
+  line.segment = {{0, 0.5 * kRun_m, 0}, {kRoofLength_m, 0.5 * kRun_m, 0}};
   return line;
 }
 
@@ -64,7 +64,7 @@ LineToPlaneEvaluation<PointT> evaluation_of(
   evaluation.setInputCloud(cloud);
   evaluation.setInputLines({edge_of_a_step()});
   JudgeOptions options;
-  options.corridor_half_width_m = kHalfWidth_m;  // several terraces on each side
+  options.corridor_half_width_m = kRoofHalfWidth_m;  // several terraces on each side
   options.side_gap_m =
       0.0;  // a terrace is not much wider than the narrowest plane that is judged by
   evaluation.setOptions(options);

@@ -43,7 +43,7 @@ pcl::IndicesPtr all_of(const Cloud& cloud) {
   return indices;
 }
 
-PointGrid grid_of(const Cloud& cloud, const pcl::Indices& indices) {
+PointGrid grid_of_cloud(const Cloud& cloud, const pcl::Indices& indices) {
   return PointGrid::build(indices.size(), [&](std::size_t i) {
     return Eigen::Vector3d(
         cloud[static_cast<std::size_t>(indices[i])].getVector3fMap().cast<double>());
@@ -65,7 +65,7 @@ std::vector<int> visits_within(const PointSearch& search,
 TEST(PclPointSearch, VisitsThePointsThatTheGridVisitsOnce) {
   const Cloud::Ptr cloud = cloud_on_a_hillside();
   const pcl::IndicesPtr indices = all_of(*cloud);
-  const PointGrid grid = grid_of(*cloud, *indices);
+  const PointGrid grid = grid_of_cloud(*cloud, *indices);
   for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
     test::Random random(5);
@@ -101,7 +101,7 @@ TEST(PclPointSearch, LosesNoPointToFloats) {
     const pcl::IndicesPtr indices = all_of(*cloud);
     const Segment2 segment{start, start + Eigen::Vector2d(24.0, 0.0)};
     const auto expected =
-        visits_within(grid_of(*cloud, *indices), segment, kRadius_m, cloud->size());
+        visits_within(grid_of_cloud(*cloud, *indices), segment, kRadius_m, cloud->size());
     for (const Search::Ptr& method : test::pcl_searches()) {
       const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
       EXPECT_EQ(visits_within(search, segment, kRadius_m, cloud->size()), expected)
@@ -113,7 +113,7 @@ TEST(PclPointSearch, LosesNoPointToFloats) {
 TEST(PclPointSearch, CountsAsTheGridDoes) {
   const Cloud::Ptr cloud = cloud_on_a_hillside();
   const pcl::IndicesPtr indices = all_of(*cloud);
-  const PointGrid grid = grid_of(*cloud, *indices);
+  const PointGrid grid = grid_of_cloud(*cloud, *indices);
   for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
     test::Random random(6);
@@ -132,7 +132,7 @@ TEST(PclPointSearch, GivesPlacesInTheIndicesInWhateverOrderTheyAre) {
   for (int i = 2999; i > 0; i -= 3) indices->push_back(i);
   indices->push_back(2999);  // listed twice: its first place counts
   const Segment2 segment{{5000, -4030}, {5060, -4030}};
-  const auto places = visits_within(grid_of(*cloud, *indices), segment, 5.0, indices->size());
+  const auto places = visits_within(grid_of_cloud(*cloud, *indices), segment, 5.0, indices->size());
   for (const Search::Ptr& method : test::pcl_searches()) {
     const PclPointSearch<pcl::PointXYZ> search(method, cloud, indices);
     search.visit_near(segment, 5.0, [&](const PointSearch::Point& p) {

@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kExact = 1e-12;  // noise-free points at metre size
+constexpr double kFitExact = 1e-12;  // noise-free points at metre size
 
 TEST(FitPlane, RecoversANoiseFreePlane) {
   test::Random random(1);
@@ -21,8 +21,8 @@ TEST(FitPlane, RecoversANoiseFreePlane) {
     const auto fit = fit_plane(points);
     ASSERT_TRUE(fit.has_value());
     const Plane3 expected = upward(truth);
-    EXPECT_LT((fit->plane.normal() - expected.normal()).norm(), kExact * 10);
-    EXPECT_NEAR(fit->plane.offset(), expected.offset(), kExact * 100);
+    EXPECT_LT((fit->plane.normal() - expected.normal()).norm(), kFitExact * 10);
+    EXPECT_NEAR(fit->plane.offset(), expected.offset(), kFitExact * 100);
     EXPECT_NEAR(fit->rms_m, 0.0, 1e-6);  // the root of rounding errors of squares of 10 m
   }
 }

@@ -14,9 +14,9 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kTol = 1e-12;
+constexpr double kSupportTol = 1e-12;
 
-std::vector<ZonePoint> at(const std::vector<Eigen::Vector2d>& st) {
+std::vector<ZonePoint> zone_at(const std::vector<Eigen::Vector2d>& st) {
   std::vector<ZonePoint> points;
   for (const Eigen::Vector2d& p : st) {
     points.push_back(
@@ -28,24 +28,24 @@ std::vector<ZonePoint> at(const std::vector<Eigen::Vector2d>& st) {
 Footprint along_x(double length_m) { return footprint_of({{0, 0, 0}, {length_m, 0, 0}}); }
 
 TEST(CoverageAlong, CountsOverlapsOnceAndStopsAtTheEnds) {
-  EXPECT_NEAR(coverage_along(at({{2, 0}, {2.5, 1}}), 10.0, 0.5), 0.15, kTol);
-  EXPECT_NEAR(coverage_along(at({{-0.3, 0}}), 10.0, 0.5), 0.02, kTol);
-  EXPECT_NEAR(coverage_along(at({{12, 0}}), 10.0, 0.5), 0.0, kTol);
-  EXPECT_NEAR(coverage_along(at({{5, 0}}), 10.0, 50.0), 1.0, kTol);
-  EXPECT_NEAR(coverage_along({}, 10.0, 1.0), 0.0, kTol);
+  EXPECT_NEAR(coverage_along(zone_at({{2, 0}, {2.5, 1}}), 10.0, 0.5), 0.15, kSupportTol);
+  EXPECT_NEAR(coverage_along(zone_at({{-0.3, 0}}), 10.0, 0.5), 0.02, kSupportTol);
+  EXPECT_NEAR(coverage_along(zone_at({{12, 0}}), 10.0, 0.5), 0.0, kSupportTol);
+  EXPECT_NEAR(coverage_along(zone_at({{5, 0}}), 10.0, 50.0), 1.0, kSupportTol);
+  EXPECT_NEAR(coverage_along({}, 10.0, 1.0), 0.0, kSupportTol);
 }
 
 TEST(ExtrapolationBeyond, IsZeroInsideTheHullAndTheDistanceOutside) {
-  const auto square = at({{0, -1}, {10, -1}, {10, 1}, {0, 1}, {5, 0}});
-  EXPECT_NEAR(extrapolation_beyond(square, along_x(10)), 0.0, kTol);
-  EXPECT_NEAR(extrapolation_beyond(square, along_x(13)), 3.0, kTol);
-  const auto aside = at({{0, 2}, {10, 2}, {10, 4}, {0, 4}});
-  EXPECT_NEAR(extrapolation_beyond(aside, along_x(10)), 2.0, kTol);
+  const auto square = zone_at({{0, -1}, {10, -1}, {10, 1}, {0, 1}, {5, 0}});
+  EXPECT_NEAR(extrapolation_beyond(square, along_x(10)), 0.0, kSupportTol);
+  EXPECT_NEAR(extrapolation_beyond(square, along_x(13)), 3.0, kSupportTol);
+  const auto aside = zone_at({{0, 2}, {10, 2}, {10, 4}, {0, 4}});
+  EXPECT_NEAR(extrapolation_beyond(aside, along_x(10)), 2.0, kSupportTol);
 }
 
 TEST(ExtrapolationBeyond, TakesDegenerateHulls) {
-  EXPECT_NEAR(extrapolation_beyond(at({{0, 3}}), along_x(4)), 5.0, kTol);
-  EXPECT_NEAR(extrapolation_beyond(at({{0, 3}, {4, 3}}), along_x(4)), 3.0, kTol);
+  EXPECT_NEAR(extrapolation_beyond(zone_at({{0, 3}}), along_x(4)), 5.0, kSupportTol);
+  EXPECT_NEAR(extrapolation_beyond(zone_at({{0, 3}, {4, 3}}), along_x(4)), 3.0, kSupportTol);
   EXPECT_EQ(extrapolation_beyond({}, along_x(4)), HUGE_VAL);
 }
 

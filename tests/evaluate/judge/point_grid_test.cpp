@@ -14,7 +14,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-PointGrid grid_of(const std::vector<Eigen::Vector3d>& points, double cell_m = 1.0) {
+PointGrid grid_with_cells(const std::vector<Eigen::Vector3d>& points, double cell_m = 1.0) {
   return PointGrid::build(
       points.size(), [&](std::size_t i) { return points[i]; }, cell_m);
 }
@@ -36,7 +36,7 @@ TEST(PointGrid, CountsAsPclKdTreeDoes) {
   }
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
-  const PointGrid grid = grid_of(points);
+  const PointGrid grid = grid_with_cells(points);
   pcl::Indices indices;
   std::vector<float> squared;
   test::Random random(5);
@@ -52,7 +52,7 @@ TEST(PointGrid, CountsAsPclKdTreeDoes) {
 
 TEST(PointGrid, VisitsEveryPointNearASegmentOnce) {
   const std::vector<Eigen::Vector3d> points = random_points(5000, 40.0, 3);
-  const PointGrid grid = grid_of(points, 1.7);
+  const PointGrid grid = grid_with_cells(points, 1.7);
   test::Random random(4);
   for (int trial = 0; trial < 100; ++trial) {
     const Segment2 segment{random.vector(-5.0, 45.0).head<2>(),
@@ -71,28 +71,28 @@ TEST(PointGrid, VisitsEveryPointNearASegmentOnce) {
 
 TEST(PointGrid, LeavesOutPointsThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const PointGrid grid = grid_of({{0, 0, 0}, {nan, 0, 0}, {1, 1, HUGE_VAL}, {2, 2, 2}});
+  const PointGrid grid = grid_with_cells({{0, 0, 0}, {nan, 0, 0}, {1, 1, HUGE_VAL}, {2, 2, 2}});
   EXPECT_EQ(grid.size(), 2U);
   EXPECT_EQ(grid.count_within({0, 0}, 10.0), 2U);
 }
 
 TEST(PointGrid, AnswersQueriesOfAnEmptyCloud) {
-  EXPECT_EQ(grid_of({}).count_within({0, 0}, 1e6), 0U);
+  EXPECT_EQ(grid_with_cells({}).count_within({0, 0}, 1e6), 0U);
 }
 
 TEST(PointGrid, KeepsItsSizeForTwoPointsFarApart) {
-  const PointGrid grid = grid_of({{0, 0, 0}, {1e7, 1e7, 0}});
+  const PointGrid grid = grid_with_cells({{0, 0, 0}, {1e7, 1e7, 0}});
   EXPECT_GT(grid.cell_m(), 1.0);
   EXPECT_EQ(grid.count_within({1e7, 1e7}, 1.0), 1U);
 }
 
 TEST(PointGrid, AnswersQueriesFarOutsideTheCloud) {
-  const PointGrid grid = grid_of(random_points(100, 10.0, 1));
+  const PointGrid grid = grid_with_cells(random_points(100, 10.0, 1));
   EXPECT_EQ(grid.count_within({1e300, -1e300}, 5.0), 0U);
 }
 
 TEST(PointGrid, RejectsACellSizeThatIsNotPositive) {
-  EXPECT_THROW(grid_of({{0, 0, 0}}, 0.0), std::invalid_argument);
+  EXPECT_THROW(grid_with_cells({{0, 0, 0}}, 0.0), std::invalid_argument);
 }
 
 }  // namespace

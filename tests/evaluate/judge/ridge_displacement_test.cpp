@@ -10,7 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kExact = 1e-12;
+constexpr double kShiftExact = 1e-12;
 const std::array<double, 2> kSigmas_m{0.01, 0.02};
 
 Plane3 through(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
@@ -28,28 +28,28 @@ std::array<Plane3, 2> roofs(const Eigen::Vector3d& start,
   return {through(start, direction.cross(down_left)), through(start, direction.cross(down_right))};
 }
 
-Segment3 moved(const Segment3& line, const Eigen::Vector3d& by) {
+Segment3 shifted(const Segment3& line, const Eigen::Vector3d& by) {
   return {line.start + by, line.end + by};
 }
 
 TEST(RidgeDisplacement, OfALevelRidgeIsItsMovementAcrossAndUp) {
   const Segment3 ridge{{2, 3, 9}, {12, 3, 9}};
   const auto planes = roofs(ridge.start, {1, 0, 0}, 0.5, 0.9);
-  const auto d = ridge_displacement(moved(ridge, {0.7, 0.2, 0.4}), planes, kSigmas_m);
+  const auto d = ridge_displacement(shifted(ridge, {0.7, 0.2, 0.4}), planes, kSigmas_m);
   ASSERT_TRUE(d);
-  EXPECT_NEAR(d->horizontal_m, 0.2, kExact);
-  EXPECT_NEAR(d->vertical_m, 0.4, kExact);
+  EXPECT_NEAR(d->horizontal_m, 0.2, kShiftExact);
+  EXPECT_NEAR(d->vertical_m, 0.4, kShiftExact);
 }
 
 TEST(RidgeDisplacement, DoesNotDependOnTheEndThatTheLineBeginsWith) {
   const Segment3 ridge{{2, 3, 9}, {7, -4, 9}};
   const auto planes = roofs(ridge.start, ridge.end - ridge.start, 0.5, 0.5);
-  const Segment3 line = moved(ridge, {0.3, 0.1, -0.2});
+  const Segment3 line = shifted(ridge, {0.3, 0.1, -0.2});
   const auto there = ridge_displacement(line, planes, kSigmas_m);
   const auto back = ridge_displacement({line.end, line.start}, planes, kSigmas_m);
   ASSERT_TRUE(there && back);
-  EXPECT_NEAR(there->horizontal_m, back->horizontal_m, kExact);
-  EXPECT_NEAR(there->vertical_m, back->vertical_m, kExact);
+  EXPECT_NEAR(there->horizontal_m, back->horizontal_m, kShiftExact);
+  EXPECT_NEAR(there->vertical_m, back->vertical_m, kShiftExact);
   // the line was moved to the side of larger x
   EXPECT_GT(there->horizontal_m, 0.0);
 }
@@ -59,17 +59,17 @@ TEST(RidgeDisplacement, OfAHipIsTheDifferenceOfHeightsAtTheSamePlaceInPlan) {
   const Segment3 hip{{0, 0, 5}, along + Eigen::Vector3d(0, 0, 5)};
   const auto planes = roofs(hip.start, along, 0.6, 0.6);
   const Eigen::Vector3d movement(0.5, -0.1, 0.3);
-  const auto d = ridge_displacement(moved(hip, movement), planes, kSigmas_m);
+  const auto d = ridge_displacement(shifted(hip, movement), planes, kSigmas_m);
   ASSERT_TRUE(d);
   const Eigen::Vector3d u(0.6, 0.8, 0.0);
   const Eigen::Vector3d h(0.8, -0.6, 0.0);
-  EXPECT_NEAR(d->horizontal_m, movement.dot(h), kExact);
-  EXPECT_NEAR(d->vertical_m, movement.z() - movement.dot(u) * 0.5, kExact);
+  EXPECT_NEAR(d->horizontal_m, movement.dot(h), kShiftExact);
+  EXPECT_NEAR(d->vertical_m, movement.z() - movement.dot(u) * 0.5, kShiftExact);
 
-  const auto along_itself = ridge_displacement(moved(hip, 0.2 * along), planes, kSigmas_m);
+  const auto along_itself = ridge_displacement(shifted(hip, 0.2 * along), planes, kSigmas_m);
   ASSERT_TRUE(along_itself);
-  EXPECT_NEAR(along_itself->horizontal_m, 0.0, kExact);
-  EXPECT_NEAR(along_itself->vertical_m, 0.0, kExact);
+  EXPECT_NEAR(along_itself->horizontal_m, 0.0, kShiftExact);
+  EXPECT_NEAR(along_itself->vertical_m, 0.0, kShiftExact);
 }
 
 TEST(RidgeDisplacement, HasTheCovarianceOfPlanesThatAreFittedAgain) {

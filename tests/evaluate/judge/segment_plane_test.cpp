@@ -14,7 +14,7 @@
 namespace ridgeline {
 namespace {
 
-constexpr double kTol = 1e-12;  // a few roundings of coordinates up to 30
+constexpr double kDistanceTol = 1e-12;  // a few roundings of coordinates up to 30
 
 TEST(OrthogonalDistance, HandCheckedCases) {
   struct Case {
@@ -33,12 +33,12 @@ TEST(OrthogonalDistance, HandCheckedCases) {
            Case{"zero length", {{1, 2, 4}, {1, 2, 4}}, 4.0, 4.0, 4.0, 4.0},
        }) {
     const SegmentPlaneDistance d = orthogonal_distance(c.segment, ground);
-    EXPECT_NEAR(d.start, c.segment.start.z(), kTol) << c.name;
-    EXPECT_NEAR(d.end, c.segment.end.z(), kTol) << c.name;
-    EXPECT_NEAR(d.mean_abs, c.mean_abs, kTol) << c.name;
-    EXPECT_NEAR(d.mean, c.mean, kTol) << c.name;
-    EXPECT_NEAR(d.rms, c.rms, kTol) << c.name;
-    EXPECT_NEAR(d.max_abs, c.max_abs, kTol) << c.name;
+    EXPECT_NEAR(d.start, c.segment.start.z(), kDistanceTol) << c.name;
+    EXPECT_NEAR(d.end, c.segment.end.z(), kDistanceTol) << c.name;
+    EXPECT_NEAR(d.mean_abs, c.mean_abs, kDistanceTol) << c.name;
+    EXPECT_NEAR(d.mean, c.mean, kDistanceTol) << c.name;
+    EXPECT_NEAR(d.rms, c.rms, kDistanceTol) << c.name;
+    EXPECT_NEAR(d.max_abs, c.max_abs, kDistanceTol) << c.name;
   }
 }
 
@@ -86,10 +86,10 @@ TEST(OrthogonalDistance, IgnoresDirectionSideAndRigidMotion) {
     for (const SegmentPlaneDistance& actual :
          {orthogonal_distance({s.end, s.start}, Plane3(-normal, origin)),
           orthogonal_distance(s_in_b, plane_in_b)}) {
-      EXPECT_NEAR(actual.mean_abs, expected.mean_abs, kTol);
-      EXPECT_NEAR(std::abs(actual.mean), std::abs(expected.mean), kTol);
-      EXPECT_NEAR(actual.rms, expected.rms, kTol);
-      EXPECT_NEAR(actual.max_abs, expected.max_abs, kTol);
+      EXPECT_NEAR(actual.mean_abs, expected.mean_abs, kDistanceTol);
+      EXPECT_NEAR(std::abs(actual.mean), std::abs(expected.mean), kDistanceTol);
+      EXPECT_NEAR(actual.rms, expected.rms, kDistanceTol);
+      EXPECT_NEAR(actual.max_abs, expected.max_abs, kDistanceTol);
     }
   }
 }

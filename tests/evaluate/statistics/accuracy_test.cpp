@@ -20,7 +20,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr double kTol = 1e-12;
+constexpr double kAccuracyTol = 1e-12;
 
 TEST(AccuracyNumbers, AddAndRemoveTheReferencesError) {
   const AccuracyNumbers numbers = accuracy_numbers(0.152, 0.034);
@@ -53,7 +53,7 @@ TEST(AccuracyStatements, CombineSystematicAndRandomPartOfTheReference) {
   for (LineEvaluation& line : e.lines) line.sigma_plane_m = 0.03;
   e.options.sigma_sys_m = 0.04;
   const AccuracyStatement total = accuracy_statements(e).back();
-  EXPECT_NEAR(total.numbers.sigma_ref_m, 0.05, kTol);
+  EXPECT_NEAR(total.numbers.sigma_ref_m, 0.05, kAccuracyTol);
   EXPECT_EQ(total.n, 40U);
   EXPECT_TRUE(total.flags().empty());
 }
@@ -88,13 +88,14 @@ TEST(Calibrate, HandCheckedCase) {
   lines[3].sigma_line_m = 0.1;
   const Calibration c = calibrate(lines, all_of(lines), "total", 0.0);
   EXPECT_EQ(c.n, 2U) << "c has no predicted sigma, d no distance";
-  EXPECT_NEAR(*c.nees_per_dof, 5.0, kTol);
-  EXPECT_NEAR(*c.median_z2, 5.0, kTol);
-  EXPECT_NEAR(*c.coverage_1_96, 0.5, kTol);
+  EXPECT_NEAR(*c.nees_per_dof, 5.0, kAccuracyTol);
+  EXPECT_NEAR(*c.median_z2, 5.0, kAccuracyTol);
+  EXPECT_NEAR(*c.coverage_1_96, 0.5, kAccuracyTol);
   EXPECT_EQ(*c.share_beyond_99_9, 0.0) << "z = -3 is within 3.29";
-  EXPECT_NEAR(*c.median_sigma_m, 0.1, kTol);
+  EXPECT_NEAR(*c.median_sigma_m, 0.1, kAccuracyTol);
   EXPECT_TRUE(c.optimistic());
-  EXPECT_NEAR(*calibrate(lines, all_of(lines), "", std::sqrt(0.03)).nees_per_dof, 1.25, kTol);
+  EXPECT_NEAR(*calibrate(lines, all_of(lines), "", std::sqrt(0.03)).nees_per_dof, 1.25,
+              kAccuracyTol);
 }
 
 TEST(Calibrate, FindsRightSigmasRight) {

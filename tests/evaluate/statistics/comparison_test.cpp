@@ -21,15 +21,18 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr double kTol = 1e-12;
+constexpr double kComparisonTol = 1e-12;
 
 TEST(Wilcoxon, IsExactForFewDifferences) {
   // All five positive: 2 of the 32 sign patterns are as extreme.
-  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, 2.0, 3.0, 4.0, 5.0}), 2.0 / 32.0, kTol);
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, 2.0, 3.0, 4.0, 5.0}), 2.0 / 32.0,
+              kComparisonTol);
   // W+ = 1 + 2 = 3: rank sums 0, 1, 2, 3 (twice) in each tail of 16.
-  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, 2.0, -3.0, -4.0}), 10.0 / 16.0, kTol);
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, 2.0, -3.0, -4.0}), 10.0 / 16.0,
+              kComparisonTol);
   // Two ties of mean rank 1.5 and one rank 3: sums 0, 1.5, 1.5, 3, 3, 4.5, 4.5, 6; W+ = 1.5.
-  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, -1.0, -2.0, 0.0}), 6.0 / 8.0, kTol);
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(std::vector{1.0, -1.0, -2.0, 0.0}), 6.0 / 8.0,
+              kComparisonTol);
 }
 
 TEST(Wilcoxon, HasNoAnswerWithoutDifference) {
@@ -44,7 +47,7 @@ TEST(Wilcoxon, IgnoresTheOrderAndTheSignOfAll) {
   std::reverse(d.begin(), d.end());
   EXPECT_EQ(*wilcoxon_signed_rank_p(d), p);
   for (double& v : d) v = -v;
-  EXPECT_NEAR(*wilcoxon_signed_rank_p(d), p, kTol);
+  EXPECT_NEAR(*wilcoxon_signed_rank_p(d), p, kComparisonTol);
 }
 
 TEST(Wilcoxon, ApproximationRejectsATrueHypothesisAsOftenAsStated) {
@@ -91,15 +94,15 @@ TEST(Compare, PairsByLineIdOnTheCommonSet) {
   ASSERT_EQ(c.classes.size(), 3U);
   const PairedSummary& aligned = c.classes[1];
   EXPECT_EQ(aligned.n, 2U);
-  EXPECT_NEAR(*aligned.rms_a_m, std::sqrt(0.5), kTol);
-  EXPECT_NEAR(*aligned.rms_b_m, std::sqrt(0.265), kTol);
-  EXPECT_NEAR(*aligned.rms_ratio, std::sqrt(0.53), kTol);
-  EXPECT_NEAR(*aligned.rms_gain_m, std::sqrt(0.5) - std::sqrt(0.265), kTol);
-  EXPECT_NEAR(*aligned.median_gain_m, 0.25, kTol);
+  EXPECT_NEAR(*aligned.rms_a_m, std::sqrt(0.5), kComparisonTol);
+  EXPECT_NEAR(*aligned.rms_b_m, std::sqrt(0.265), kComparisonTol);
+  EXPECT_NEAR(*aligned.rms_ratio, std::sqrt(0.53), kComparisonTol);
+  EXPECT_NEAR(*aligned.rms_gain_m, std::sqrt(0.5) - std::sqrt(0.265), kComparisonTol);
+  EXPECT_NEAR(*aligned.median_gain_m, 0.25, kComparisonTol);
   EXPECT_EQ(aligned.n_clusters, 2U);
   ASSERT_TRUE(aligned.rms_ratio_ci95);
-  EXPECT_NEAR(aligned.rms_ratio_ci95->low, 0.25, kTol) << "a1 drawn twice";
-  EXPECT_NEAR(aligned.rms_ratio_ci95->high, 0.7 / 0.6, kTol) << "a2 drawn twice";
+  EXPECT_NEAR(aligned.rms_ratio_ci95->low, 0.25, kComparisonTol) << "a1 drawn twice";
+  EXPECT_NEAR(aligned.rms_ratio_ci95->high, 0.7 / 0.6, kComparisonTol) << "a2 drawn twice";
   const PairedSummary& total = c.classes[2];
   EXPECT_EQ(total.n_improved, 1U);
   EXPECT_EQ(total.n_unchanged, 1U);
@@ -129,7 +132,7 @@ TEST(Compare, TakesAPerfectAWithoutARatio) {
   const Evaluation zero = evaluation_of("x", {evaluated_line("a1", 0.0, 1)});
   const Comparison c = compare(zero, evaluation_b(), "A", "B");
   EXPECT_FALSE(c.classes.back().rms_ratio);
-  EXPECT_NEAR(*c.classes.back().rms_gain_m, -0.2, kTol);
+  EXPECT_NEAR(*c.classes.back().rms_gain_m, -0.2, kComparisonTol);
 }
 
 TEST(CompareFolders, ComparesEachFolderWithTheFirst) {
@@ -226,7 +229,7 @@ TEST(ComparisonRenderings, AgreeToThePrintedDigit) {
   EXPECT_THAT(text, HasSubstr("differ on 1 not_aligned lines"));
   EXPECT_THAT(text, HasSubstr("Warning: odd"));
   const auto json = nlohmann::json::parse(to_json(report));
-  EXPECT_NEAR(json["comparisons"][0]["common"][1]["rms_ratio"], std::sqrt(0.53), kTol);
+  EXPECT_NEAR(json["comparisons"][0]["common"][1]["rms_ratio"], std::sqrt(0.53), kComparisonTol);
   EXPECT_TRUE(json["comparisons"][0]["common"][0]["rms_ratio_ci95"].is_null());
 }
 

@@ -16,7 +16,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kTol = 1e-12;
+constexpr double kIntervalTol = 1e-12;
 
 TEST(ChiSquareRmsInterval, IsMinus24Plus44PercentFor20Values) {
   const Interval ci = *chi_square_rms_interval(1.0, 20);
@@ -25,7 +25,7 @@ TEST(ChiSquareRmsInterval, IsMinus24Plus44PercentFor20Values) {
   EXPECT_NEAR(ci.high, std::sqrt(20.0 / 9.591), 1e-4);
   EXPECT_NEAR(ci.low, 1.0 - 0.24, 0.006);
   EXPECT_NEAR(ci.high, 1.0 + 0.44, 0.006);
-  EXPECT_NEAR(chi_square_rms_interval(0.3, 20)->high, 0.3 * ci.high, kTol);
+  EXPECT_NEAR(chi_square_rms_interval(0.3, 20)->high, 0.3 * ci.high, kIntervalTol);
 }
 
 TEST(ChiSquareRmsInterval, HasNoAnswerWithoutFreedomAndRejectsNonsense) {
@@ -137,16 +137,16 @@ TEST(BootstrapRms, NeedsTwoClusters) {
   EXPECT_FALSE(bootstrap_rms(std::vector{0.1, 0.2}, std::vector<std::size_t>{7, 7}, {}));
   EXPECT_FALSE(bootstrap_rms({}, {}, {}));
   const Interval equal = *bootstrap_rms(std::vector{0.1, -0.1}, std::vector<std::size_t>{3, 9}, {});
-  EXPECT_NEAR(equal.low, 0.1, kTol);
-  EXPECT_NEAR(equal.high, 0.1, kTol);
+  EXPECT_NEAR(equal.low, 0.1, kIntervalTol);
+  EXPECT_NEAR(equal.high, 0.1, kIntervalTol);
 }
 
 TEST(BootstrapRms, BcaAgreesWithPercentilesWhereNothingIsSkewed) {
   const BootstrapOptions bca{.bca = true};
   const Interval equal =
       *bootstrap_rms(std::vector{0.1, -0.1}, std::vector<std::size_t>{3, 9}, bca);
-  EXPECT_NEAR(equal.low, 0.1, kTol);
-  EXPECT_NEAR(equal.high, 0.1, kTol);
+  EXPECT_NEAR(equal.low, 0.1, kIntervalTol);
+  EXPECT_NEAR(equal.high, 0.1, kIntervalTol);
 }
 
 TEST(ClusteredBootstrap, RejectsWrongOptions) {

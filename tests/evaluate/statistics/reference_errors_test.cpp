@@ -11,7 +11,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kExact = 1e-9;
+constexpr double kReferenceExact = 1e-9;
 
 /// A frame looking straight down from 800 m, GSD 8 cm.
 ProjectionMatrix camera_at(double x) {
@@ -44,10 +44,10 @@ TEST(CompareWithReferences, ErrorIsTheMeanDistanceFromTheLineThatTheImagesShow) 
   const ReferenceComparison found = compare_with_references(lines, truth);
   ASSERT_EQ(found.classes.size(), 3U);
   EXPECT_EQ(found.classes[0].line_class, "not_aligned");
-  EXPECT_NEAR(*found.classes[0].rms_m, 0.1, kExact);
+  EXPECT_NEAR(*found.classes[0].rms_m, 0.1, kReferenceExact);
   EXPECT_EQ(found.classes[1].line_class, "aligned");
-  EXPECT_NEAR(*found.classes[1].rms_m, 0.5, kExact);
-  EXPECT_NEAR(*found.classes[2].rms_m, std::sqrt((0.01 + 0.25) / 2.0), kExact);
+  EXPECT_NEAR(*found.classes[1].rms_m, 0.5, kReferenceExact);
+  EXPECT_NEAR(*found.classes[2].rms_m, std::sqrt((0.01 + 0.25) / 2.0), kReferenceExact);
   EXPECT_EQ(found.classes[2].n_on_reference, 2U);
 }
 
@@ -63,10 +63,10 @@ TEST(CompareWithReferences, PartsAreAcrossInPlanAndInHeightAtTheSamePlace) {
                               std::vector<ReferenceLine>{{hip, "hip"}})
           .classes[2];
   EXPECT_EQ(total.n_parts, 1U);
-  EXPECT_NEAR(*total.rmse_horizontal_m, 0.2, kExact);
-  EXPECT_NEAR(*total.mean_vertical_m, 0.1, kExact);
+  EXPECT_NEAR(*total.rmse_horizontal_m, 0.2, kReferenceExact);
+  EXPECT_NEAR(*total.mean_vertical_m, 0.1, kReferenceExact);
   // the height runs linearly from 0.3 to -0.1 m
-  EXPECT_NEAR(*total.rmse_vertical_m, std::sqrt((0.09 - 0.03 + 0.01) / 3.0), kExact);
+  EXPECT_NEAR(*total.rmse_vertical_m, std::sqrt((0.09 - 0.03 + 0.01) / 3.0), kReferenceExact);
 }
 
 TEST(CompareWithReferences, UprightReferenceHasNoParts) {
@@ -96,7 +96,7 @@ TEST(CompareWithReferences, NeesIsTheErrorOfBothEndsAcrossOverItsCovariance) {
         .classes[1];
   };
   constexpr double kMedian = 3.35669;  // median of chi-square with 4 degrees of freedom
-  EXPECT_NEAR(*tested(0.25).median_nees_ratio, 8.0 / kMedian, kExact);
+  EXPECT_NEAR(*tested(0.25).median_nees_ratio, 8.0 / kMedian, kReferenceExact);
   EXPECT_EQ(*tested(0.25).nees_beyond_99_9_share, 0.0);
   EXPECT_EQ(*tested(0.1).nees_beyond_99_9_share, 1.0);  // it is 50, the limit 18.5
 }
@@ -127,7 +127,7 @@ TEST(ReferenceErrors, BelongToTheLinesInTheirOrder) {
   ASSERT_EQ(errors_m.size(), 3U);
   EXPECT_FALSE(errors_m[0].has_value());  // it is on no reference line
   ASSERT_TRUE(errors_m[1].has_value());
-  EXPECT_NEAR(*errors_m[1], 0.1, kExact);
+  EXPECT_NEAR(*errors_m[1], 0.1, kReferenceExact);
   EXPECT_FALSE(errors_m[2].has_value());  // it has no geometry
 }
 
@@ -135,7 +135,7 @@ TEST(CompareWithReferences, LineMetresOffIsStillComparedWithItsOwnReference) {
   const std::vector<JudgedLine> lines{reconstructed(kRidge, moved(kRidge, {0, 5, 30}), "aligned")};
   const ReferenceComparison found = compare_with_references(
       lines, std::vector<ReferenceLine>{{kEave, "eave"}, {kRidge, "ridge"}});
-  EXPECT_NEAR(*found.classes[1].max_m, std::hypot(5.0, 30.0), kExact);
+  EXPECT_NEAR(*found.classes[1].max_m, std::hypot(5.0, 30.0), kReferenceExact);
   EXPECT_EQ(*found.classes[1].gross_share, 1.0);
 }
 

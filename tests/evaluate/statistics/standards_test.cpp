@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kExact = 1e-12;
+constexpr double kStandardExact = 1e-12;
 
 /// Ridges 3 cm off across and -4 cm in height, whose planes are known to 1 cm, half of that by independent errors.
 Evaluation ridges(int n) {
@@ -48,21 +48,22 @@ std::optional<double> measure(const StandardsBlock& block, int id) {
 
 TEST(StandardsBlock, AddsTheErrorOfTheReferenceToTheRmse) {
   const StandardsBlock block = total(standards_blocks(ridges(30)));
-  EXPECT_NEAR(*block.asprs.rmse_horizontal_m, std::hypot(0.03, 0.01, 0.02), kExact);
-  EXPECT_NEAR(*block.asprs.rmse_vertical_m, std::hypot(0.04, 0.02, 0.02), kExact);
+  EXPECT_NEAR(*block.asprs.rmse_horizontal_m, std::hypot(0.03, 0.01, 0.02), kStandardExact);
+  EXPECT_NEAR(*block.asprs.rmse_vertical_m, std::hypot(0.04, 0.02, 0.02), kStandardExact);
   EXPECT_NEAR(*block.asprs.rmse_3d_m,
-              std::hypot(*block.asprs.rmse_horizontal_m, *block.asprs.rmse_vertical_m), kExact);
+              std::hypot(*block.asprs.rmse_horizontal_m, *block.asprs.rmse_vertical_m),
+              kStandardExact);
   EXPECT_TRUE(block.asprs.biased);  // all ridges are too low
-  EXPECT_NEAR(*block.nssda.horizontal_m, 1.7308 * *block.asprs.rmse_horizontal_m, kExact);
-  EXPECT_NEAR(*block.nssda.vertical_m, 1.9600 * *block.asprs.rmse_vertical_m, kExact);
+  EXPECT_NEAR(*block.nssda.horizontal_m, 1.7308 * *block.asprs.rmse_horizontal_m, kStandardExact);
+  EXPECT_NEAR(*block.nssda.vertical_m, 1.9600 * *block.asprs.rmse_vertical_m, kStandardExact);
 }
 
 TEST(StandardsBlock, SplitsTheUncertaintyOfALine) {
   const UncertaintyBudget budget = total(standards_blocks(ridges(30))).budget;
-  EXPECT_NEAR(budget.laser_random_m, 0.006, kExact);
-  EXPECT_NEAR(budget.plane_fit_m, 0.008, kExact);
-  EXPECT_NEAR(budget.laser_systematic_m, 0.02, kExact);
-  EXPECT_NEAR(budget.expanded_m(), 2.0 * std::hypot(0.01, 0.02), kExact);
+  EXPECT_NEAR(budget.laser_random_m, 0.006, kStandardExact);
+  EXPECT_NEAR(budget.plane_fit_m, 0.008, kStandardExact);
+  EXPECT_NEAR(budget.laser_systematic_m, 0.02, kStandardExact);
+  EXPECT_NEAR(budget.expanded_m(), 2.0 * std::hypot(0.01, 0.02), kStandardExact);
   EXPECT_TRUE(budget.sampling_m);
 }
 
@@ -75,8 +76,8 @@ TEST(StandardsBlock, AveragesTheTwoPlanesOfARidge) {
   }
   const UncertaintyBudget budget = total(standards_blocks(with_summaries(e))).budget;
   EXPECT_NEAR(budget.laser_random_m, 0.005,
-              kExact);  // the mean of 6 and 8 mm that err independently
-  EXPECT_NEAR(budget.plane_fit_m, 0.012, kExact);
+              kStandardExact);  // the mean of 6 and 8 mm that err independently
+  EXPECT_NEAR(budget.plane_fit_m, 0.012, kStandardExact);
 }
 
 TEST(StandardsBlock, SaysWhereThereAreTooFewCheckpoints) {
@@ -97,14 +98,14 @@ TEST(StandardsBlock, HasTheMeasuresOfIso19157) {
   against_lines.precision = 0.9;
   against_lines.completeness = 0.7;
   const StandardsBlock block = total(standards_blocks(e, against_lines));
-  EXPECT_NEAR(*measure(block, 28), (9 * 0.05 + 2.0) / 10, kExact);
-  EXPECT_NEAR(*measure(block, 29), 0.05, kExact);
+  EXPECT_NEAR(*measure(block, 28), (9 * 0.05 + 2.0) / 10, kStandardExact);
+  EXPECT_NEAR(*measure(block, 29), 0.05, kStandardExact);
   EXPECT_EQ(measure(block, 30), 1.0);
-  EXPECT_NEAR(*measure(block, 31), 0.1, kExact);
-  EXPECT_NEAR(*measure(block, 39), std::sqrt((9 * 0.0025 + 4.0) / 10), kExact);
-  EXPECT_NEAR(*measure(block, 47), 0.03, kExact);
-  EXPECT_NEAR(*measure(block, 3), 0.1, kExact);
-  EXPECT_NEAR(*measure(block, 7), 0.3, kExact);
+  EXPECT_NEAR(*measure(block, 31), 0.1, kStandardExact);
+  EXPECT_NEAR(*measure(block, 39), std::sqrt((9 * 0.0025 + 4.0) / 10), kStandardExact);
+  EXPECT_NEAR(*measure(block, 47), 0.03, kStandardExact);
+  EXPECT_NEAR(*measure(block, 3), 0.1, kStandardExact);
+  EXPECT_NEAR(*measure(block, 7), 0.3, kStandardExact);
 }
 
 TEST(QualityXml, IsWellFormedWithAResultForEachMeasureThatExists) {

@@ -15,16 +15,16 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kTol = 1e-12;  // sums of a few numbers of order 1
+constexpr double kSummaryTol = 1e-12;  // sums of a few numbers of order 1
 
 TEST(Quantile, InterpolatesBetweenOrderStatisticsAsType7) {
   const std::vector<double> values{4.0, 1.0, 3.0, 2.0};
-  EXPECT_NEAR(*quantile(values, 0.0), 1.0, kTol);
-  EXPECT_NEAR(*quantile(values, 0.25), 1.75, kTol);
-  EXPECT_NEAR(*quantile(values, 0.5), 2.5, kTol);
-  EXPECT_NEAR(*quantile(values, 0.95), 3.85, kTol);
-  EXPECT_NEAR(*quantile(values, 1.0), 4.0, kTol);
-  EXPECT_NEAR(*quantile({7.0}, 0.3), 7.0, kTol);
+  EXPECT_NEAR(*quantile(values, 0.0), 1.0, kSummaryTol);
+  EXPECT_NEAR(*quantile(values, 0.25), 1.75, kSummaryTol);
+  EXPECT_NEAR(*quantile(values, 0.5), 2.5, kSummaryTol);
+  EXPECT_NEAR(*quantile(values, 0.95), 3.85, kSummaryTol);
+  EXPECT_NEAR(*quantile(values, 1.0), 4.0, kSummaryTol);
+  EXPECT_NEAR(*quantile({7.0}, 0.3), 7.0, kSummaryTol);
   EXPECT_FALSE(quantile({}, 0.5));
   EXPECT_THROW(quantile(values, 1.1), std::invalid_argument);
   EXPECT_THROW(quantile(values, std::nan("")), std::invalid_argument);
@@ -32,8 +32,8 @@ TEST(Quantile, InterpolatesBetweenOrderStatisticsAsType7) {
 
 TEST(Nmad, IsTheScaledMedianDeviationOfSignedValues) {
   // Median 1; deviations 3 1 0 1 9, their median 1.
-  EXPECT_NEAR(*nmad(std::vector{-2.0, 0.0, 1.0, 2.0, 10.0}), 1.4826, kTol);
-  EXPECT_NEAR(*nmad(std::vector{5.0}), 0.0, kTol);
+  EXPECT_NEAR(*nmad(std::vector{-2.0, 0.0, 1.0, 2.0, 10.0}), 1.4826, kSummaryTol);
+  EXPECT_NEAR(*nmad(std::vector{5.0}), 0.0, kSummaryTol);
   EXPECT_FALSE(nmad(std::vector<double>{}));
 }
 
@@ -57,25 +57,25 @@ TEST(SummarizeClasses, HandCheckedCase) {
   ASSERT_EQ(classes.size(), 3U);
   const Summary& not_aligned = classes[0];
   EXPECT_EQ(not_aligned.line_class, "not_aligned");
-  EXPECT_NEAR(*not_aligned.rms_m, std::sqrt(0.125), kTol);
-  EXPECT_NEAR(*not_aligned.mean_m, -0.05, kTol);
-  EXPECT_NEAR(*not_aligned.std_m, 0.35 * std::sqrt(2.0), kTol);
-  EXPECT_NEAR(*not_aligned.median_m, 0.35, kTol);
-  EXPECT_NEAR(*not_aligned.median_signed_m, -0.05, kTol);
-  EXPECT_NEAR(*not_aligned.nmad_m, 1.4826 * 0.35, kTol);
-  EXPECT_NEAR(*not_aligned.gross_share, 0.0, kTol);
+  EXPECT_NEAR(*not_aligned.rms_m, std::sqrt(0.125), kSummaryTol);
+  EXPECT_NEAR(*not_aligned.mean_m, -0.05, kSummaryTol);
+  EXPECT_NEAR(*not_aligned.std_m, 0.35 * std::sqrt(2.0), kSummaryTol);
+  EXPECT_NEAR(*not_aligned.median_m, 0.35, kSummaryTol);
+  EXPECT_NEAR(*not_aligned.median_signed_m, -0.05, kSummaryTol);
+  EXPECT_NEAR(*not_aligned.nmad_m, 1.4826 * 0.35, kSummaryTol);
+  EXPECT_NEAR(*not_aligned.gross_share, 0.0, kSummaryTol);
   const Summary& aligned = classes[1];
   EXPECT_EQ(aligned.n_lines, 2U);
   EXPECT_EQ(aligned.n_evaluated, 1U);
-  EXPECT_NEAR(*aligned.evaluated_share(), 0.5, kTol);
-  EXPECT_NEAR(*aligned.evaluated_share_by_length(), 0.5, kTol);
+  EXPECT_NEAR(*aligned.evaluated_share(), 0.5, kSummaryTol);
+  EXPECT_NEAR(*aligned.evaluated_share_by_length(), 0.5, kSummaryTol);
   EXPECT_FALSE(aligned.std_m);
   EXPECT_FALSE(aligned.ci95_m) << "one cluster cannot be resampled";
   const Summary& total = classes[2];
-  EXPECT_NEAR(*total.rms_m, std::sqrt(1.69 / 3.0), kTol);
+  EXPECT_NEAR(*total.rms_m, std::sqrt(1.69 / 3.0), kSummaryTol);
   EXPECT_EQ(total.max_id, "c");
-  EXPECT_NEAR(*total.max_m, 1.2, kTol);
-  EXPECT_NEAR(*total.gross_share, 1.0 / 3.0, kTol);
+  EXPECT_NEAR(*total.max_m, 1.2, kSummaryTol);
+  EXPECT_NEAR(*total.gross_share, 1.0 / 3.0, kSummaryTol);
   EXPECT_EQ(total.n_by_status[static_cast<std::size_t>(Status::kNoPlane)], 1U);
   EXPECT_EQ(total.n_clusters, 2U);
   EXPECT_TRUE(total.few_clusters());
@@ -123,7 +123,7 @@ TEST(SummarizeClasses, WeighsTheSecondRmsByLength) {
   lines[0].length_m = 1.0;
   lines[1].length_m = 3.0;
   EXPECT_NEAR(*summarize_classes(lines, {}).back().rms_length_weighted_m,
-              std::sqrt((0.09 + 0.03) / 4.0), kTol);
+              std::sqrt((0.09 + 0.03) / 4.0), kSummaryTol);
 }
 
 TEST(SummarizeClasses, CountsOutliersOnceAndKeepsThemInTheHeadline) {
@@ -132,8 +132,8 @@ TEST(SummarizeClasses, CountsOutliersOnceAndKeepsThemInTheHeadline) {
   lines.push_back(evaluated_line("far", 10.0, 99));
   const Summary total = summarize_classes(lines, {}).back();
   EXPECT_EQ(total.n_outliers, 1U);
-  EXPECT_NEAR(*total.rms_m, std::sqrt((0.99 + 100.0) / 100.0), kTol);
-  EXPECT_NEAR(*total.rms_without_outliers_m, 0.1, kTol);
+  EXPECT_NEAR(*total.rms_m, std::sqrt((0.99 + 100.0) / 100.0), kSummaryTol);
+  EXPECT_NEAR(*total.rms_without_outliers_m, 0.1, kSummaryTol);
   SummaryOptions options;
   options.outlier_limit_m = 20.0;
   EXPECT_EQ(summarize_classes(lines, options).back().n_outliers, 0U);
@@ -158,9 +158,10 @@ TEST(SummarizeClasses, SatisfiesItsIdentitiesOnRandomLines) {
     }
     const Summary& total = classes[2];
     const double n = 30.0;
-    EXPECT_NEAR(squares, n * *total.rms_m * *total.rms_m, kTol);
+    EXPECT_NEAR(squares, n * *total.rms_m * *total.rms_m, kSummaryTol);
     EXPECT_NEAR(*total.rms_signed_m * *total.rms_signed_m,
-                *total.mean_m * *total.mean_m + *total.std_m * *total.std_m * (n - 1.0) / n, kTol);
+                *total.mean_m * *total.mean_m + *total.std_m * *total.std_m * (n - 1.0) / n,
+                kSummaryTol);
   }
 }
 

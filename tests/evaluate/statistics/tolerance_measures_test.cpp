@@ -14,7 +14,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kTol = 1e-12;
+constexpr double kMeasureTol = 1e-12;
 
 Segment3 along_x(double x0, double x1, double y = 0.0, double z = 0.0) {
   return {{x0, y, z}, {x1, y, z}};
@@ -31,8 +31,8 @@ ToleranceMeasures against_lines(const std::vector<Segment3>& lines,
 TEST(PartNear, ClampsAtTheEndsOfTheReference) {
   const std::optional<ParameterInterval> part = part_near(along_x(0, 20), along_x(5, 10), 1.0);
   ASSERT_TRUE(part);
-  EXPECT_NEAR(part->begin, 4.0 / 20.0, kTol);
-  EXPECT_NEAR(part->end, 11.0 / 20.0, kTol);
+  EXPECT_NEAR(part->begin, 4.0 / 20.0, kMeasureTol);
+  EXPECT_NEAR(part->end, 11.0 / 20.0, kMeasureTol);
   EXPECT_FALSE(part_near(along_x(21, 30), along_x(5, 10), 1.0)) << "collinear, but beyond";
 }
 
@@ -40,7 +40,7 @@ TEST(PartNear, TakesSegmentsWithoutLengthAsPoints) {
   const Segment3 point{{3, 0, 0}, {3, 0, 0}};
   EXPECT_TRUE(part_near(point, along_x(0, 10, 0.5), 1.0));
   EXPECT_FALSE(part_near(point, along_x(0, 10, 1.5), 1.0));
-  EXPECT_NEAR(part_near(along_x(0, 10), point, 1.0)->begin, 0.2, kTol);
+  EXPECT_NEAR(part_near(along_x(0, 10), point, 1.0)->begin, 0.2, kMeasureTol);
 }
 
 TEST(PartNear, AgreesWithSampling) {
@@ -68,7 +68,7 @@ TEST(PartNear, AgreesWithSampling) {
 TEST(Join, CountsOverlapsOnce) {
   const auto joined = join({{0.5, 0.7}, {0.0, 0.2}, {0.1, 0.3}, {0.3, 0.4}});
   ASSERT_EQ(joined.size(), 2U);
-  EXPECT_NEAR(total_length(joined), 0.6, kTol);
+  EXPECT_NEAR(total_length(joined), 0.6, kMeasureTol);
   EXPECT_TRUE(join({}).empty());
 }
 
@@ -83,20 +83,20 @@ TEST(MeasureAgainstLines, HandCheckedCase) {
   const ToleranceMeasures m =
       against_lines({along_x(2, 12, 0.3)}, {along_x(0, 8), along_x(0, 8, 50)}, 0.5);
   const double reach = std::sqrt(0.25 - 0.09);  // beyond the end of the reference
-  EXPECT_NEAR(*m.precision, (6.0 + reach) / 10.0, kTol);
-  EXPECT_NEAR(*m.completeness, (6.0 + reach) / 16.0, kTol);
+  EXPECT_NEAR(*m.precision, (6.0 + reach) / 10.0, kMeasureTol);
+  EXPECT_NEAR(*m.completeness, (6.0 + reach) / 16.0, kMeasureTol);
   EXPECT_NEAR(*m.f_score, 2.0 * *m.precision * *m.completeness / (*m.precision + *m.completeness),
-              kTol);
+              kMeasureTol);
   EXPECT_NEAR(m.limap_r_m, 6.4, 0.008 * 2) << "one sample of 8 mm at either end";
-  EXPECT_NEAR(*m.limap_p_percent, 100.0, kTol);
+  EXPECT_NEAR(*m.limap_p_percent, 100.0, kMeasureTol);
 }
 
 TEST(MeasureAgainstLines, DuplicatesDoNotRaiseCompleteness) {
   const std::vector<Segment3> references{along_x(0, 10)};
   const ToleranceMeasures one = against_lines({along_x(0, 4)}, references, 0.1);
   const ToleranceMeasures two = against_lines({along_x(0, 4), along_x(0, 4)}, references, 0.1);
-  EXPECT_NEAR(*two.completeness, *one.completeness, kTol);
-  EXPECT_NEAR(*two.redundancy, 2.0 * *one.redundancy, kTol);
+  EXPECT_NEAR(*two.completeness, *one.completeness, kMeasureTol);
+  EXPECT_NEAR(*two.redundancy, 2.0 * *one.redundancy, kMeasureTol);
 }
 
 TEST(MeasureAgainstLines, AsksForTheSameDirection) {
@@ -156,10 +156,10 @@ TEST(MeasureAgainstPlanes, SolvesTheShareWithinTolerance) {
   ToleranceOptions options;
   options.tolerances_m = {0.1, 0.5};
   const auto measures = measure_against_planes(lines, options);
-  EXPECT_NEAR(*measures[0].precision, 0.8 * 0.5, kTol);
-  EXPECT_NEAR(measures[0].limap_r_m, 2.5, kTol);
-  EXPECT_NEAR(*measures[0].limap_p_percent, 100.0, kTol);
-  EXPECT_NEAR(*measures[1].precision, 0.8, kTol);
+  EXPECT_NEAR(*measures[0].precision, 0.8 * 0.5, kMeasureTol);
+  EXPECT_NEAR(measures[0].limap_r_m, 2.5, kMeasureTol);
+  EXPECT_NEAR(*measures[0].limap_p_percent, 100.0, kMeasureTol);
+  EXPECT_NEAR(*measures[1].precision, 0.8, kMeasureTol);
   EXPECT_FALSE(measures[0].completeness);
 }
 
@@ -171,7 +171,7 @@ TEST(MeasureAgainstPlanes, AsksARidgeToBeNearBothPlanes) {
   ToleranceOptions options;
   options.tolerances_m = {0.15, 0.01};
   const auto measures = measure_against_planes(std::vector{ridge}, options);
-  EXPECT_NEAR(*measures[0].precision, 0.5, kTol);
+  EXPECT_NEAR(*measures[0].precision, 0.5, kMeasureTol);
   EXPECT_EQ(*measures[1].precision, 0.0);
   EXPECT_EQ(*measures[1].limap_p_percent, 0.0);
 }

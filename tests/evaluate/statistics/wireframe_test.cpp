@@ -10,7 +10,7 @@ using testing::DoubleNear;
 using testing::Eq;
 using testing::Optional;
 
-constexpr double kExact = 1e-12;
+constexpr double kWireframeExact = 1e-12;
 
 /// The four eaves of a house.
 std::vector<Segment3> square() {
@@ -28,7 +28,7 @@ TEST(Wireframe, OfTheTruthIsPerfect) {
     EXPECT_EQ(w.corners.n_found, 4U);
     EXPECT_THAT(w.corners.f1(), Optional(1.0));
     EXPECT_THAT(w.edges.f1(), Optional(1.0));
-    EXPECT_THAT(w.mean_corner_offset_m, Optional(DoubleNear(0.0, kExact)));
+    EXPECT_THAT(w.mean_corner_offset_m, Optional(DoubleNear(0.0, kWireframeExact)));
   }
 }
 
@@ -37,7 +37,7 @@ TEST(Wireframe, FindsCornersUpToTheThreshold) {
   EXPECT_THAT(scores[0].corners.f1(), Optional(0.0));
   EXPECT_THAT(scores[0].mean_corner_offset_m, Eq(std::nullopt));
   EXPECT_THAT(scores[1].corners.f1(), Optional(1.0));
-  EXPECT_THAT(scores[1].mean_corner_offset_m, Optional(DoubleNear(0.2, kExact)));
+  EXPECT_THAT(scores[1].mean_corner_offset_m, Optional(DoubleNear(0.2, kWireframeExact)));
 }
 
 TEST(Wireframe, CountsEachTrueEdgeOnceWhicheverWayItRuns) {
@@ -47,7 +47,7 @@ TEST(Wireframe, CountsEachTrueEdgeOnceWhicheverWayItRuns) {
   lines.push_back({{0, 0, 5}, {10, 8, 5}});  // a diagonal between true corners
   const WireframeScore w = wireframe_scores(lines, square())[0];
   EXPECT_EQ(w.edges.n_matched, 4U);
-  EXPECT_THAT(w.edges.precision(), Optional(DoubleNear(4.0 / 6.0, kExact)));
+  EXPECT_THAT(w.edges.precision(), Optional(DoubleNear(4.0 / 6.0, kWireframeExact)));
   EXPECT_THAT(w.edges.recall(), Optional(1.0));
 }
 
@@ -57,7 +57,7 @@ TEST(Wireframe, MatchesTheNearestCornerFirst) {
   const WireframeScore w = wireframe_scores(lines, truth)[2];
   EXPECT_EQ(w.corners.n_matched, 2U);
   EXPECT_EQ(w.edges.n_matched, 1U);
-  EXPECT_THAT(w.mean_corner_offset_m, Optional(DoubleNear(0.05, kExact)));
+  EXPECT_THAT(w.mean_corner_offset_m, Optional(DoubleNear(0.05, kWireframeExact)));
 }
 
 TEST(Wireframe, OfNothingHasNoFigures) {

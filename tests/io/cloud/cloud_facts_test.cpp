@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Pair;
 
-CloudPoint point_at(double x, double y, std::uint8_t classification, std::uint8_t flags) {
+CloudPoint classified_point(double x, double y, std::uint8_t classification, std::uint8_t flags) {
   return {.x = x,
           .y = y,
           .z = 1.0,
@@ -31,8 +31,9 @@ CloudPoint point_at(double x, double y, std::uint8_t classification, std::uint8_
 TEST(CloudFacts, CountsAllPoints) {
   const TempFolder folder;
   // Two points in one cell, two in cells of their own.
-  const std::vector<CloudPoint> points{point_at(0.2, 0.2, 2, 0), point_at(0.8, 0.8, 7, 4),
-                                       point_at(-0.5, 0.5, 2, 0), point_at(30.5, 0.5, 6, 0)};
+  const std::vector<CloudPoint> points{
+      classified_point(0.2, 0.2, 2, 0), classified_point(0.8, 0.8, 7, 4),
+      classified_point(-0.5, 0.5, 2, 0), classified_point(30.5, 0.5, 6, 0)};
   write_las(folder.file("a.las"), points, {.origin_m = {1000, 2000, 0}}, {"EPSG:25832"});
   const CloudFacts facts = cloud_facts(folder.file("a.las"));
   EXPECT_EQ(facts.format, "LAS 1.4, point format 6");
@@ -51,7 +52,7 @@ TEST(CloudFacts, CountsAllPoints) {
 
 TEST(CloudFacts, DescribesDegreesWithoutADensity) {
   const TempFolder folder;
-  const std::vector<CloudPoint> points{point_at(7, 51, 2, 0)};
+  const std::vector<CloudPoint> points{classified_point(7, 51, 2, 0)};
   write_las(folder.file("a.las"), points, {}, {"EPSG:4326"});
   const CloudFacts facts = cloud_facts(folder.file("a.las"));
   EXPECT_TRUE(facts.crs.is_geographic);

@@ -23,7 +23,7 @@ LazBuilder three_points() {
   return builder;
 }
 
-std::vector<Chunk> read(const FileBytes& file) {
+std::vector<Chunk> chunks_of(const FileBytes& file) {
   const LasHeader header = parse_las_header(file, "test.laz");
   return read_chunk_table(file, header, read_laszip_record(file, header, "test.laz"));
 }
@@ -37,7 +37,7 @@ TEST(ReadChunkTable, GivesWhereEachChunkLies) {
     LazBuilder builder = three_points();
     builder.chunk_size = chunk_size;
     const FileBytes file = builder.build();
-    const std::vector<Chunk> chunks = read(file);
+    const std::vector<Chunk> chunks = chunks_of(file);
     ASSERT_EQ(chunks.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_EQ(chunks[i].offset, point_offset(file) + 8 + 24 * i);
@@ -52,7 +52,7 @@ TEST(ReadChunkTable, LeavesTheRestToTheLastChunk) {
   LazBuilder builder = three_points();
   builder.chunk_size = 2;
   builder.chunks.pop_back();  // two chunks for 2 + 1 points
-  const std::vector<Chunk> chunks = read(builder.build());
+  const std::vector<Chunk> chunks = chunks_of(builder.build());
   ASSERT_EQ(chunks.size(), 2U);
   EXPECT_EQ(chunks[0].n_points, 2U);
   EXPECT_EQ(chunks[1].n_points, 1U);
@@ -61,7 +61,7 @@ TEST(ReadChunkTable, LeavesTheRestToTheLastChunk) {
 TEST(ReadChunkTable, FindsTheTableThroughTheEndOfTheFile) {
   LazBuilder builder = three_points();
   builder.table = LazBuilder::Table::kAtEndOfFile;
-  EXPECT_EQ(read(builder.build()).size(), 3U);
+  EXPECT_EQ(chunks_of(builder.build()).size(), 3U);
 }
 
 TEST(ReadChunkTable, RefusesTablesThatContradictTheFile) {
@@ -84,7 +84,7 @@ TEST(ReadChunkTable, RefusesTablesThatContradictTheFile) {
        }) {
     FileBytes file = three_points().build();
     change(file, point_offset(file) + 8 + 3 * 24);
-    EXPECT_THAT([&] { read(file); }, ThrowsMessage<CodecError>(HasSubstr(message)));
+    EXPECT_THAT([&] { chunks_of(file); }, ThrowsMessage<CodecError>(HasSubstr(message)));
   }
 }
 
@@ -93,7 +93,7 @@ TEST(ReadChunkTable, RefusesMorePointsThanAChunkMayHold) {
   builder.chunk_size = LaszipRecord::kVariableChunkSize;
   builder.chunks[0].n_points = 2'000'001;
   builder.n_points = 2'000'003;
-  EXPECT_THAT([&] { read(builder.build()); },
+  EXPECT_THAT([&] { chunks_of(builder.build()); },
               ThrowsMessage<CodecError>(HasSubstr("chunk 0 is said to hold 2000001 points")));
 }
 
@@ -101,10 +101,10 @@ TEST(ReadChunkTable, RefusesChunksThatDoNotHoldAllPoints) {
   LazBuilder builder = three_points();
   builder.chunk_size = LaszipRecord::kVariableChunkSize;
   builder.n_points = 4;
-  EXPECT_THAT([&] { read(builder.build()); },
+  EXPECT_THAT([&] { chunks_of(builder.build()); },
               ThrowsMessage<CodecError>(HasSubstr("the chunks hold 3 points; the header says 4")));
   builder.n_points = 2;
-  EXPECT_THAT([&] { read(builder.build()); },
+  EXPECT_THAT([&] { chunks_of(builder.build()); },
               ThrowsMessage<CodecError>(HasSubstr("chunk 2 is said to hold 1 points, 0 are left")));
 }
 

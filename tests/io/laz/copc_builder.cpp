@@ -14,8 +14,8 @@ namespace ridgeline::io::laz {
 namespace {
 
 constexpr std::size_t kRecordSize = 30;
-constexpr std::size_t kHeaderSize = 375;
-constexpr std::size_t kVlrHeaderSize = 54;
+constexpr std::size_t kCopcHeaderSize = 375;
+constexpr std::size_t kCopcVlrHeaderSize = 54;
 constexpr std::size_t kEvlrHeaderSize = 60;
 constexpr std::size_t kInfoSize = 160;
 constexpr std::size_t kEntrySize = 32;
@@ -136,18 +136,18 @@ void append_vlr_header(FileBytes& file,
                        std::uint16_t id,
                        std::uint16_t size) {
   const std::size_t vlr = file.size();
-  file.resize(vlr + kVlrHeaderSize);
+  file.resize(vlr + kCopcVlrHeaderSize);
   put_text(file, vlr + 2, user);
   put(file, vlr + 18, id);
   put(file, vlr + 20, size);
 }
 
 FileBytes start_of_file(std::span<const CopcPoint> points, const Cube& cube, int n_levels) {
-  FileBytes file(kHeaderSize);
+  FileBytes file(kCopcHeaderSize);
   put_text(file, 0, "LASF");
   put(file, 24, std::uint8_t{1});
   put(file, 25, std::uint8_t{4});
-  put(file, 94, static_cast<std::uint16_t>(kHeaderSize));
+  put(file, 94, static_cast<std::uint16_t>(kCopcHeaderSize));
   put(file, 100, std::uint32_t{2});
   put(file, 104, std::uint8_t{0x80 | 6});
   put(file, 105, static_cast<std::uint16_t>(kRecordSize));
@@ -165,7 +165,7 @@ FileBytes start_of_file(std::span<const CopcPoint> points, const Cube& cube, int
     append(file, kScale * static_cast<double>(low) + half_size);
   append(file, half_size);
   append(file, 2.0 * half_size / (1 << n_levels));  // the root's spacing
-  file.resize(kHeaderSize + kVlrHeaderSize + kInfoSize);
+  file.resize(kCopcHeaderSize + kCopcVlrHeaderSize + kInfoSize);
   append_vlr_header(file, "laszip encoded", 22204, 40);
   append(file, std::uint16_t{3});  // layered
   append(file, std::uint16_t{0});
@@ -245,8 +245,8 @@ FileBytes CopcBuilder::build(std::span<const CopcPoint> points) const {
   put_text(file, evlr + 2, "copc");
   put(file, evlr + 18, std::uint16_t{1000});
   put(file, evlr + 20, static_cast<std::uint64_t>(pages.size()));
-  put(file, kHeaderSize + kVlrHeaderSize + 40, static_cast<std::uint64_t>(file.size()));
-  put(file, kHeaderSize + kVlrHeaderSize + 48, root_bytes);
+  put(file, kCopcHeaderSize + kCopcVlrHeaderSize + 40, static_cast<std::uint64_t>(file.size()));
+  put(file, kCopcHeaderSize + kCopcVlrHeaderSize + 48, root_bytes);
   file.insert(file.end(), pages.begin(), pages.end());
   return file;
 }

@@ -14,14 +14,14 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-LaszipRecord read(const FileBytes& file) {
+LaszipRecord record_of(const FileBytes& file) {
   return read_laszip_record(file, parse_las_header(file, "test.laz"), "test.laz");
 }
 
 TEST(ReadLaszipRecord, ReadsItemsAndChunkSize) {
   LazBuilder builder;
   builder.chunk_size = 50'000;
-  const LaszipRecord laszip = read(builder.build());
+  const LaszipRecord laszip = record_of(builder.build());
   EXPECT_EQ(laszip.compressor, Compressor::kPointwiseChunked);
   EXPECT_EQ(laszip.chunk_size, 50'000U);
   EXPECT_FALSE(laszip.has_variable_chunks());
@@ -65,7 +65,7 @@ TEST(ReadLaszipRecord, RefusesWhatItDoesNotKnowByName) {
        }) {
     LazBuilder builder;
     change(builder);
-    EXPECT_THAT([&] { read(builder.build()); },
+    EXPECT_THAT([&] { record_of(builder.build()); },
                 ThrowsMessage<IoError>(HasSubstr(std::string("test.laz: ") + message)));
   }
 }
@@ -73,22 +73,24 @@ TEST(ReadLaszipRecord, RefusesWhatItDoesNotKnowByName) {
 TEST(ReadLaszipRecord, RefusesAFileWithoutTheRecord) {
   FileBytes file = LazBuilder().build();
   put(file, 227 + 2, 'X');
-  EXPECT_THAT([&] { read(file); }, ThrowsMessage<IoError>(HasSubstr("there is no LASzip record")));
+  EXPECT_THAT([&] { record_of(file); },
+              ThrowsMessage<IoError>(HasSubstr("there is no LASzip record")));
 }
 
 TEST(ReadLaszipRecord, RefusesARecordThatIsTooShort) {
   FileBytes file = LazBuilder().build();
   put(file, 227 + 20, std::uint16_t{33});
-  EXPECT_THAT([&] { read(file); }, ThrowsMessage<IoError>(HasSubstr("must have at least 34")));
+  EXPECT_THAT([&] { record_of(file); }, ThrowsMessage<IoError>(HasSubstr("must have at least 34")));
   put(file, 227 + 20, std::uint16_t{39});
-  EXPECT_THAT([&] { read(file); }, ThrowsMessage<IoError>(HasSubstr("must have 40 for 1 items")));
+  EXPECT_THAT([&] { record_of(file); },
+              ThrowsMessage<IoError>(HasSubstr("must have 40 for 1 items")));
 }
 
 TEST(ReadLaszipRecord, RefusesTheBrokenFilesOfLaszip) {
   RIDGELINE_NEED_SHARED_FILE("las_samples/laszip_broken_coder.laz");
-  EXPECT_THAT([&] { read(read_file(shared_file("las_samples/laszip_broken_coder.laz"))); },
+  EXPECT_THAT([&] { record_of(read_file(shared_file("las_samples/laszip_broken_coder.laz"))); },
               ThrowsMessage<IoError>(HasSubstr("LASzip coder is 15")));
-  EXPECT_THAT([&] { read(read_file(shared_file("las_samples/laszip_broken_size.laz"))); },
+  EXPECT_THAT([&] { record_of(read_file(shared_file("las_samples/laszip_broken_size.laz"))); },
               ThrowsMessage<IoError>(HasSubstr("LASzip item POINT10 has version 6")));
 }
 

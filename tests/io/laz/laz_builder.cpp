@@ -8,16 +8,16 @@
 namespace ridgeline::io::laz {
 namespace {
 
-constexpr std::size_t kHeaderSize = 227;  // LAS 1.2
-constexpr std::size_t kVlrHeaderSize = 54;
+constexpr std::size_t kLasHeaderSize = 227;  // LAS 1.2
+constexpr std::size_t kLasVlrHeaderSize = 54;
 
 FileBytes header(std::uint32_t n_points, std::size_t laszip_size) {
-  FileBytes file(kHeaderSize);
+  FileBytes file(kLasHeaderSize);
   put_text(file, 0, "LASF");
   put(file, 24, std::uint8_t{1});
   put(file, 25, std::uint8_t{2});
-  put(file, 94, static_cast<std::uint16_t>(kHeaderSize));
-  put(file, 96, static_cast<std::uint32_t>(kHeaderSize + kVlrHeaderSize + laszip_size));
+  put(file, 94, static_cast<std::uint16_t>(kLasHeaderSize));
+  put(file, 96, static_cast<std::uint32_t>(kLasHeaderSize + kLasVlrHeaderSize + laszip_size));
   put(file, 100, std::uint32_t{1});
   put(file, 104, std::uint8_t{0x80});
   put(file, 105, std::uint16_t{20});
@@ -28,7 +28,7 @@ FileBytes header(std::uint32_t n_points, std::size_t laszip_size) {
 
 void append_laszip_record(FileBytes& file, const LazBuilder& builder) {
   const std::size_t vlr = file.size();
-  file.resize(vlr + kVlrHeaderSize);
+  file.resize(vlr + kLasVlrHeaderSize);
   put_text(file, vlr + 2, "laszip encoded");
   put(file, vlr + 18, std::uint16_t{22204});
   put(file, vlr + 20, static_cast<std::uint16_t>(34 + 6 * builder.items.size()));

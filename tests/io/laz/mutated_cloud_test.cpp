@@ -36,7 +36,7 @@ namespace {
 constexpr double kMostSeconds = 2.0;  // processor time, so that no test fails on a busy machine
 constexpr std::size_t kMostMemory = std::size_t{512} << 20U;
 
-struct Sample {
+struct SampleFile {
   std::string name;
   FileBytes bytes;
 };
@@ -74,8 +74,8 @@ FileBytes small_copc() {
 }
 
 /// Files of this test, then those of the shared data that are there.
-std::vector<Sample> samples() {
-  std::vector<Sample> samples{
+std::vector<SampleFile> samples() {
+  std::vector<SampleFile> samples{
       {"las", small_las()},
       {"laz", small_laz(LazBuilder::Table::kBehindChunks)},
       {"laz, table position last", small_laz(LazBuilder::Table::kAtEndOfFile)},
@@ -186,7 +186,7 @@ class MutatedCloud : public testing::Test {
 };
 
 TEST_F(MutatedCloud, CutAtAnyBoundaryIsAnErrorOrLosesNoPoint) {
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : samples()) {
     const auto whole = read(sample.bytes, sample.name);
     ASSERT_TRUE(whole) << sample.name;
     for (const std::size_t boundary : boundaries(sample.bytes)) {
@@ -207,7 +207,7 @@ TEST_F(MutatedCloud, CutAtAnyBoundaryIsAnErrorOrLosesNoPoint) {
 
 TEST_F(MutatedCloud, ChangedBytesOfHeadersAndTablesGiveNoMorePointsThanAreThere) {
   constexpr std::size_t kHeaders = 700;
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : samples()) {
     const bool is_small = sample.bytes.size() < 10000;
     const auto whole = read(sample.bytes, sample.name);
     ASSERT_TRUE(whole) << sample.name;
@@ -226,7 +226,7 @@ TEST_F(MutatedCloud, ChangedBytesOfHeadersAndTablesGiveNoMorePointsThanAreThere)
 
 TEST_F(MutatedCloud, ChangedBytesAnywhereAreSurvived) {
   constexpr int kTrials = 60;
-  for (const Sample& sample : samples()) {
+  for (const SampleFile& sample : samples()) {
     std::mt19937 rng(11);
     for (int trial = 0; trial < kTrials; ++trial) {
       FileBytes changed = sample.bytes;

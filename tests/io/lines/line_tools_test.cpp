@@ -17,33 +17,33 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const ReadLinesOptions kDefaults;
+const ReadLinesOptions kToolDefaults;
 const std::string kShared = test::shared_data_dir();
 
-LineSet read(std::string_view name,
-             std::string_view content,
-             const ReadLinesOptions& options = kDefaults) {
+LineSet read_tool(std::string_view name,
+                  std::string_view content,
+                  const ReadLinesOptions& options = kToolDefaults) {
   const TempFolder folder;
   return read_lines(folder.write(name, content), options);
 }
 
-std::string error_of(std::string_view name, std::string_view content) {
+std::string tool_error_of(std::string_view name, std::string_view content) {
   const TempFolder folder;
   const std::string path = folder.write(name, content);
   return io_error_of([&] { read_lines(path); });
 }
 
-std::vector<std::string> ids(const LineSet& set) {
+std::vector<std::string> tool_ids(const LineSet& set) {
   std::vector<std::string> result;
   for (const Line& line : set.lines) result.push_back(line.id);
   return result;
 }
 
 TEST(ReadObj, FollowsPolylinesWithEveryKindOfIndex) {
-  const LineSet set = read("a.obj",
-                           "# comment\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 1\n"
-                           "l 1 2 \\\n 3/7\nl -2 -1 # to the last\n");
-  EXPECT_THAT(ids(set), ElementsAre("0.0", "0.1", "1"));
+  const LineSet set = read_tool("a.obj",
+                                "# comment\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 1\n"
+                                "l 1 2 \\\n 3/7\nl -2 -1 # to the last\n");
+  EXPECT_THAT(tool_ids(set), ElementsAre("0.0", "0.1", "1"));
   EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(1, 1, 0));
   EXPECT_EQ(set.lines[2].segment_in_world.start, Eigen::Vector3d(1, 1, 0));
   EXPECT_EQ(set.lines[2].segment_in_world.end, Eigen::Vector3d(1, 1, 1));
@@ -51,17 +51,17 @@ TEST(ReadObj, FollowsPolylinesWithEveryKindOfIndex) {
 
 TEST(ReadObj, TakesEachEdgeOfTheFacesOnce) {
   // Two triangles with a common edge, the second with vertices of its own.
-  const LineSet set = read("a.obj",
-                           "v 0 0 0\nv 1 0 0\nv 0 1 1\nv 0 1 1\nv 1 0 0\nv 2 2 2\n"
-                           "f 1//1 2//1 3//1\nf 4 5 6\n");
+  const LineSet set = read_tool("a.obj",
+                                "v 0 0 0\nv 1 0 0\nv 0 1 1\nv 0 1 1\nv 1 0 0\nv 2 2 2\n"
+                                "f 1//1 2//1 3//1\nf 4 5 6\n");
   EXPECT_EQ(set.lines.size(), 5U);
   EXPECT_EQ(set.format, "OBJ, edges of faces");
 }
 
 TEST(ReadObj, PrefersLinesUnlessTheyOnlyRepeatTheFaces) {
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3 4\n";
-  EXPECT_EQ(read("a.obj", square + "l 1 3\n").lines.size(), 1U);
-  EXPECT_EQ(read("a.obj", square + "l 1 2 3 4\n").lines.size(), 4U);  // with the closing edge
+  EXPECT_EQ(read_tool("a.obj", square + "l 1 3\n").lines.size(), 1U);
+  EXPECT_EQ(read_tool("a.obj", square + "l 1 2 3 4\n").lines.size(), 4U);  // with the closing edge
 }
 
 TEST(ReadObj, ReadsElsrVerticesTwoByTwo) {
@@ -70,24 +70,25 @@ TEST(ReadObj, ReadsElsrVerticesTwoByTwo) {
     obj += "v " + std::to_string(i) + " 0 0\nv " + std::to_string(i) + " 1 0.5\n";
   }
   obj += "v nan 0 0\nv 1 1 1\nv 0 0 0\nv 0 0 1e9\nl 3 4\nl 5 6\nl 7 8\n";
-  const LineSet set = read("a.obj", obj);
-  EXPECT_THAT(ids(set), ElementsAre("0", "1", "2", "3", "4"));
+  const LineSet set = read_tool("a.obj", obj);
+  EXPECT_THAT(tool_ids(set), ElementsAre("0", "1", "2", "3", "4"));
   EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(1, 1, 0.5));
   EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("wrong index"), HasSubstr("2 segments dropped")));
 }
 
 TEST(ReadObj, AsksBeforeItPairsVertices) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\n";
-  EXPECT_THAT(error_of("a.obj", obj), HasSubstr("--pairs"));
-  EXPECT_EQ(read("a.obj", obj, {.assume_crs = {}, .vertex_pairs = true}).lines.size(), 2U);
+  EXPECT_THAT(tool_error_of("a.obj", obj), HasSubstr("--pairs"));
+  EXPECT_EQ(read_tool("a.obj", obj, {.assume_crs = {}, .vertex_pairs = true}).lines.size(), 2U);
 }
 
 TEST(ReadObj, NamesTheRowThatIsWrong) {
-  EXPECT_THAT(error_of("a.obj", "v 0 0 0\nl 1 2\n"),
+  EXPECT_THAT(tool_error_of("a.obj", "v 0 0 0\nl 1 2\n"),
               HasSubstr("a.obj:2: vertex index 2; the file"));
-  EXPECT_THAT(error_of("a.obj", "v 0 0\n"), HasSubstr("a.obj:1: a vertex has three coordinates"));
-  EXPECT_THAT(error_of("a.obj", "v 0 0 x\n"), HasSubstr("a.obj:1: 'x' is no number"));
-  EXPECT_THAT(error_of("a.obj", "v 0 0 0\nl 0 1\n"), HasSubstr("a.obj:2: vertex index '0'"));
+  EXPECT_THAT(tool_error_of("a.obj", "v 0 0\n"),
+              HasSubstr("a.obj:1: a vertex has three coordinates"));
+  EXPECT_THAT(tool_error_of("a.obj", "v 0 0 x\n"), HasSubstr("a.obj:1: 'x' is no number"));
+  EXPECT_THAT(tool_error_of("a.obj", "v 0 0 0\nl 0 1\n"), HasSubstr("a.obj:2: vertex index '0'"));
 }
 
 TEST(ReadObj, ReadsRoofModels) {
@@ -128,7 +129,7 @@ std::string binary_ply(bool big_endian) {
 
 TEST(ReadPly, ReadsBinaryEdgesOfEitherByteOrder) {
   for (const bool big_endian : {false, true}) {
-    const LineSet set = read("a.ply", binary_ply(big_endian));
+    const LineSet set = read_tool("a.ply", binary_ply(big_endian));
     ASSERT_EQ(set.lines.size(), 2U);
     EXPECT_EQ(set.lines[1].segment_in_world.start, Eigen::Vector3d(1.0, 2.5, 11.0));
     EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(2.0, 2.5, 12.0));
@@ -136,26 +137,27 @@ TEST(ReadPly, ReadsBinaryEdgesOfEitherByteOrder) {
 }
 
 TEST(ReadPly, TakesTheEdgesOfFacesWithoutEdges) {
-  const LineSet set = read("a.ply",
-                           "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
-                           "property float y\nproperty float z\nelement face 2\n"
-                           "property list uchar int vertex_indices\nend_header\n"
-                           "0 0 0\n1 0 0\n1 1 1\n0 1 1\n3 0 1 2\n3 0 2 3\n");
+  const LineSet set = read_tool("a.ply",
+                                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                                "property float y\nproperty float z\nelement face 2\n"
+                                "property list uchar int vertex_indices\nend_header\n"
+                                "0 0 0\n1 0 0\n1 1 1\n0 1 1\n3 0 1 2\n3 0 2 3\n");
   EXPECT_EQ(set.lines.size(), 5U);
 }
 
 TEST(ReadPly, SaysWhatIsWrong) {
   std::string ply = binary_ply(false);
   ply.resize(ply.size() - 3);
-  EXPECT_THAT(error_of("a.ply", ply), HasSubstr("ends before the elements"));
-  EXPECT_THAT(error_of("a.ply", "obj\n"), HasSubstr("a.ply: line 1: must be \"ply\""));
+  EXPECT_THAT(tool_error_of("a.ply", ply), HasSubstr("ends before the elements"));
+  EXPECT_THAT(tool_error_of("a.ply", "obj\n"), HasSubstr("a.ply: line 1: must be \"ply\""));
   const std::string head = "ply\nformat ascii 1.0\nelement edge 1\nproperty int vertex1\n";
-  EXPECT_THAT(error_of("a.ply", head + "property int vertex2\nend_header\n0 7\n"),
+  EXPECT_THAT(tool_error_of("a.ply", head + "property int vertex2\nend_header\n0 7\n"),
               HasSubstr("names a vertex beyond the 0 vertices"));
-  EXPECT_THAT(error_of("a.ply", head + "property quad vertex2\nend_header\n0 7\n"),
+  EXPECT_THAT(tool_error_of("a.ply", head + "property quad vertex2\nend_header\n0 7\n"),
               HasSubstr("a.ply: line 5: \"quad\" is no PLY type"));
-  EXPECT_THAT(error_of("a.ply", "ply\nformat ascii 1.0\nelement edge 99999999999\nend_header\n"),
-              HasSubstr("edge has no properties"));
+  EXPECT_THAT(
+      tool_error_of("a.ply", "ply\nformat ascii 1.0\nelement edge 99999999999\nend_header\n"),
+      HasSubstr("edge has no properties"));
 }
 
 std::string ply_with_edges(const std::string& properties, const std::string& edges) {
@@ -171,7 +173,7 @@ TEST(ReadPly, TakesTheEndsOfEdgesUnderAnyNamesWhereNothingElseMayBeMeant) {
         std::pair("property uint a\nproperty uchar red\nproperty uint b\n", "0 255 1\n1 0 2\n"),
         std::pair("property list uchar int vertex_indices\n", "2 0 1\n2 1 2\n")}) {
     SCOPED_TRACE(properties);
-    const LineSet set = read("a.ply", ply_with_edges(properties, edges));
+    const LineSet set = read_tool("a.ply", ply_with_edges(properties, edges));
     ASSERT_EQ(set.lines.size(), 2U);
     EXPECT_EQ(set.lines[1].segment_in_world.start, Eigen::Vector3d(1, 0, 0));
     EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(1, 1, 1));
@@ -179,26 +181,27 @@ TEST(ReadPly, TakesTheEndsOfEdgesUnderAnyNamesWhereNothingElseMayBeMeant) {
 }
 
 TEST(ReadPly, NamesThePropertiesWhereOthersAreExpected) {
-  EXPECT_THAT(error_of("a.ply", ply_with_edges("property int a\nproperty int b\nproperty int c\n",
-                                               "0 1 2\n1 2 0\n")),
-              HasSubstr("element edge has the properties a, b, c; vertex1 and vertex2"));
   EXPECT_THAT(
-      error_of("a.ply",
-               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-               "property float height\nend_header\n0 0 0\n"),
+      tool_error_of("a.ply", ply_with_edges("property int a\nproperty int b\nproperty int c\n",
+                                            "0 1 2\n1 2 0\n")),
+      HasSubstr("element edge has the properties a, b, c; vertex1 and vertex2"));
+  EXPECT_THAT(
+      tool_error_of("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                    "property float height\nend_header\n0 0 0\n"),
       HasSubstr("element vertex has the properties x, y, height; x, y and z are expected"));
   EXPECT_THAT(
-      error_of("a.ply",
-               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-               "property float z\nend_header\n0 0 0\n"),
+      tool_error_of("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                    "property float z\nend_header\n0 0 0\n"),
       HasSubstr("holds no 3D lines but 1 vertex"));
 }
 
 TEST(ReadLine3dpp, ReadsAllSegmentsOfALineAndCountsImages) {
-  const LineSet set = read("lines.txt",
-                           "2 0 0 0 1 0 0 5 0 0 6 0 1 3 7 0 1 2 3 4 8 1 1 2 3 4 7 5 1 2 3 4 \n"
-                           "1 0 0 0 1 1 1 1 7 0 1 2 3 4 \n");
-  EXPECT_THAT(ids(set), ElementsAre("0.0", "0.1", "1"));
+  const LineSet set = read_tool("lines.txt",
+                                "2 0 0 0 1 0 0 5 0 0 6 0 1 3 7 0 1 2 3 4 8 1 1 2 3 4 7 5 1 2 3 4 \n"
+                                "1 0 0 0 1 1 1 1 7 0 1 2 3 4 \n");
+  EXPECT_THAT(tool_ids(set), ElementsAre("0.0", "0.1", "1"));
   EXPECT_EQ(set.lines[1].parent_id, "0");
   EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(6, 0, 1));
   EXPECT_EQ(set.lines[0].n_images, 2);
@@ -207,14 +210,14 @@ TEST(ReadLine3dpp, ReadsAllSegmentsOfALineAndCountsImages) {
 
 TEST(ReadLine3dpp, WarnsOfCoordinatesThatSixDigitsCannotHold) {
   const LineSet set =
-      read("a.txt", "1 513021 5.40312e+06 250 513022 5.40312e+06 251 1 7 0 1 2 3 4\n");
+      read_tool("a.txt", "1 513021 5.40312e+06 250 513022 5.40312e+06 251 1 7 0 1 2 3 4\n");
   EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("six digits")));
 }
 
 TEST(ReadLine3dpp, NamesTheRowThatIsTruncated) {
-  EXPECT_THAT(error_of("a.txt", "1 0 0 0 1 1 1 1 7 0 1 2 3 4\n2 0 0 0 1 1 1 1\n"),
+  EXPECT_THAT(tool_error_of("a.txt", "1 0 0 0 1 1 1 1 7 0 1 2 3 4\n2 0 0 0 1 1 1 1\n"),
               HasSubstr("a.txt:2: word 14 is no count"));
-  EXPECT_THAT(error_of("a.txt", "1 0 0 0 1 1 1 2 7 0 1 2 3 4\n"),
+  EXPECT_THAT(tool_error_of("a.txt", "1 0 0 0 1 1 1 2 7 0 1 2 3 4\n"),
               HasSubstr("a.txt:1: 14 fields; 20 are expected"));
 }
 
@@ -235,12 +238,14 @@ TEST(ReadLine3dpp, AgreesWithTheObjBesideIt) {
 TEST(ReadLimap, ReadsTracks) {
   const std::string tracks =
       "2\n5 4 3\n0 0 0\n1 2 3\n1 2 2 3\n0 0 1 2\n8 4 4\n1 0 0\n1 2 9\n1 2 3 4\n0 0 1 2\n";
-  const LineSet set = read("alltracks.txt", tracks);
-  EXPECT_THAT(ids(set), ElementsAre("5", "8"));
+  const LineSet set = read_tool("alltracks.txt", tracks);
+  EXPECT_THAT(tool_ids(set), ElementsAre("5", "8"));
   EXPECT_EQ(set.lines[0].n_images, 3);
   EXPECT_EQ(set.lines[1].segment_in_world.end, Eigen::Vector3d(1, 2, 9));
-  EXPECT_THAT(error_of("a.txt", tracks.substr(0, tracks.size() - 8)), HasSubstr("ends before"));
-  EXPECT_THAT(error_of("a.txt", tracks + "1 2 3\n"), HasSubstr("a.txt:12: goes on after the 2"));
+  EXPECT_THAT(tool_error_of("a.txt", tracks.substr(0, tracks.size() - 8)),
+              HasSubstr("ends before"));
+  EXPECT_THAT(tool_error_of("a.txt", tracks + "1 2 3\n"),
+              HasSubstr("a.txt:12: goes on after the 2"));
 }
 
 TEST(ReadLimap, ReadsAFolderOfTracksInTheirOrder) {
@@ -252,7 +257,7 @@ TEST(ReadLimap, ReadsAFolderOfTracksInTheirOrder) {
     (void)folder.write(name, std::to_string(k) + " 0 0 1 1 1\n" + rest);
   }
   const LineSet set = read_lines(folder.file("tracks"));
-  EXPECT_THAT(ids(set), ElementsAre("2", "10"));
+  EXPECT_THAT(tool_ids(set), ElementsAre("2", "10"));
   EXPECT_EQ(set.lines[1].segment_in_world.start.x(), 10.0);
   EXPECT_EQ(set.lines[0].n_images, 2);
   (void)folder.write("empty/readme.md", "");
@@ -268,7 +273,7 @@ TEST(ReadElsr, ReadsSpaceLinesAndTheCamerasBesideThem) {
   ASSERT_EQ(set.lines.size(), 2U);
   EXPECT_EQ(set.lines[0].n_images, 3);
   EXPECT_EQ(set.lines[1].n_images, 2);
-  EXPECT_THAT(error_of("a.txt", "0 0 0 1 1 1\n0 0 0 2 2\n"),
+  EXPECT_THAT(tool_error_of("a.txt", "0 0 0 1 1 1\n0 0 0 2 2\n"),
               HasSubstr("a.txt:2: 5 fields; 6 are expected"));
 }
 
@@ -277,23 +282,25 @@ TEST(ReadShapefile, RefusesTypesWithoutHeight) {
   header[2] = 0x27;
   header[3] = 0x0a;
   header[32] = 3;
-  EXPECT_THAT(error_of("a.shp", header), HasSubstr("a.shp: shape type 3 (PolyLine) has no z"));
+  EXPECT_THAT(tool_error_of("a.shp", header), HasSubstr("a.shp: shape type 3 (PolyLine) has no z"));
   header[32] = 23;
-  EXPECT_THAT(error_of("a.shp", header), HasSubstr("a.shp: shape type 23 (PolyLineM) has no z"));
-  EXPECT_THAT(error_of("a.shp", "PK"), HasSubstr("shorter than its header"));
+  EXPECT_THAT(tool_error_of("a.shp", header),
+              HasSubstr("a.shp: shape type 23 (PolyLineM) has no z"));
+  EXPECT_THAT(tool_error_of("a.shp", "PK"), HasSubstr("shorter than its header"));
 }
 
 TEST(ReadOgr, SaysWhatIsWrong) {
-  EXPECT_THAT(error_of("a.gpkg", "SQLite? no"), HasSubstr("a.gpkg: is no GeoPackage"));
-  EXPECT_THAT(error_of("a.gpkg", ""), HasSubstr("a.gpkg: is empty"));
-  EXPECT_THAT(error_of("a.dxf", "\x01\x02\x03"), HasSubstr("a.dxf: is no DXF"));
+  EXPECT_THAT(tool_error_of("a.gpkg", "SQLite? no"), HasSubstr("a.gpkg: is no GeoPackage"));
+  EXPECT_THAT(tool_error_of("a.gpkg", ""), HasSubstr("a.gpkg: is empty"));
+  EXPECT_THAT(tool_error_of("a.dxf", "\x01\x02\x03"), HasSubstr("a.dxf: is no DXF"));
   EXPECT_THAT(io_error_of([] { read_lines("/nowhere/a.dxf"); }), HasSubstr("no such file"));
 }
 
 TEST(ReadDxf, TakesTheLayerAsTheClass) {
-  const LineSet set = read("a.dxf",
-                           "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nRIDGES\n10\n1.5\n20\n2\n30\n3\n"
-                           "11\n4\n21\n5\n31\n6.25\n0\nENDSEC\n0\nEOF\n");
+  const LineSet set =
+      read_tool("a.dxf",
+                "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nRIDGES\n10\n1.5\n20\n2\n30\n3\n"
+                "11\n4\n21\n5\n31\n6.25\n0\nENDSEC\n0\nEOF\n");
   ASSERT_EQ(set.lines.size(), 1U);
   EXPECT_EQ(set.lines[0].line_class, "RIDGES");
   EXPECT_EQ(set.lines[0].segment_in_world.start, Eigen::Vector3d(1.5, 2, 3));
@@ -318,7 +325,7 @@ std::string dxf_of_layers(const std::string& insunits) {
 }
 
 TEST(ReadDxf, LeavesHiddenLayersOutAndCountsThem) {
-  const LineSet set = read("a.dxf", dxf_of_layers("6"));
+  const LineSet set = read_tool("a.dxf", dxf_of_layers("6"));
   ASSERT_EQ(set.lines.size(), 1U);
   EXPECT_EQ(set.lines[0].line_class, "RIDGES");
   EXPECT_THAT(set.warnings, ElementsAre("left out: 2 entities of hidden layers"));
@@ -326,16 +333,16 @@ TEST(ReadDxf, LeavesHiddenLayersOutAndCountsThem) {
 }
 
 TEST(ReadDxf, KnowsTheUnitThatTheHeaderStates) {
-  EXPECT_EQ(read("a.dxf", dxf_of_layers("4")).stated_unit, "millimetres");
-  EXPECT_EQ(read("a.dxf", dxf_of_layers("1")).stated_unit, "inches");
+  EXPECT_EQ(read_tool("a.dxf", dxf_of_layers("4")).stated_unit, "millimetres");
+  EXPECT_EQ(read_tool("a.dxf", dxf_of_layers("1")).stated_unit, "inches");
 }
 
 TEST(LineFactsOf, CountsWhatTheSetHolds) {
-  const LineFacts facts = line_facts(read("a.csv",
-                                          "id,method,wkt\n"
-                                          "a,joint,\"LINESTRING Z (0 0 0,3 4 0,3 4 12)\"\n"
-                                          "b,,\n"
-                                          "c,,\"LINESTRING Z (-1 0 0,-1 0 1)\"\n"));
+  const LineFacts facts = line_facts(read_tool("a.csv",
+                                               "id,method,wkt\n"
+                                               "a,joint,\"LINESTRING Z (0 0 0,3 4 0,3 4 12)\"\n"
+                                               "b,,\n"
+                                               "c,,\"LINESTRING Z (-1 0 0,-1 0 1)\"\n"));
   EXPECT_EQ(facts.n_lines, 4U);
   EXPECT_EQ(facts.n_polylines, 1U);
   EXPECT_EQ(facts.n_non_finite, 1U);

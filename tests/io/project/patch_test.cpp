@@ -16,7 +16,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr double kPixelTolerance = 1e-6;
+constexpr double kPatchPixelTolerance = 1e-6;
 
 constexpr const char* kPatch = R"(id: "1"
 crs: "EPSG:25832+7837"
@@ -81,7 +81,7 @@ TEST(ReadPatch, MakesTheMatrixOfTheWindowFromTheOrientation) {
   // kappa = 90 deg: image columns run north, rows run east. 1000 m below, 0.1 m is one pixel.
   const Eigen::Vector3d x(513000.0 + 30.0, 5403000.0 + 20.0, 500.0);
   const Eigen::Vector2d expected(3839.5 + 200.0 - 3000.0, 6911.5 + 300.0 - 6000.0);
-  EXPECT_LT((project(patch.images[1].image_from_world, x) - expected).norm(), kPixelTolerance);
+  EXPECT_LT((project(patch.images[1].image_from_world, x) - expected).norm(), kPatchPixelTolerance);
 }
 
 TEST(ReadPatch, RemovesTheDistortionInPixelsOfTheWindow) {
@@ -95,7 +95,7 @@ TEST(ReadPatch, RemovesTheDistortionInPixelsOfTheWindow) {
   EXPECT_GT((observed - ideal).norm(), 0.1);
   const auto actual = undistorted_px(image, observed);
   ASSERT_TRUE(actual.has_value());
-  EXPECT_LT((*actual - ideal).norm(), kPixelTolerance);
+  EXPECT_LT((*actual - ideal).norm(), kPatchPixelTolerance);
   EXPECT_EQ(undistorted_px(patch.images[0], observed), observed);
 }
 
@@ -184,7 +184,7 @@ TEST(ReadPatch, ReadsTheVaihingenPatch) {
   EXPECT_LT((projection_centre(patch.images[1].image_from_world).hnormalized() -
              Eigen::Vector3d(246.0, 0.0, 800.0))
                 .norm(),
-            kPixelTolerance);
+            kPatchPixelTolerance);
   ASSERT_EQ(patch.lidar.size(), 1U);
   EXPECT_TRUE(std::filesystem::exists(patch.lidar[0]));
 }

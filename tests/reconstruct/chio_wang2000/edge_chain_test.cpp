@@ -12,7 +12,7 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr double kExact = 1e-6;  // rounding of intersections 800 m below the cameras
-constexpr double kGsd_m = 0.08;
+constexpr double kChainGsd_m = 0.08;
 
 /// What edge_points() would find of a perfect edge.
 std::vector<SearchedPoint> perfect_points(const StereoSearch& search, const Segment2& s) {
@@ -34,7 +34,7 @@ class Chain : public testing::Test {
     const EdgeSegment left = test::edge(project(pair.left, in_left));
     const EdgeSegment right = test::edge(project(pair.right, in_right));
     return edge_chain(search.right_from_left, perfect_points(search, left.line.segment), left.line,
-                      right.line, kGsd_m, options);
+                      right.line, kChainGsd_m, options);
   }
 
   test::StereoPair pair{0.2};
@@ -93,7 +93,7 @@ TEST_F(Chain, AcrossAGapThereIsNoPiece) {
   std::vector<SearchedPoint> points = perfect_points(search, left.line.segment);
   points.erase(points.begin() + 10);
   const EdgeChain chain =
-      edge_chain(search.right_from_left, points, left.line, right.line, kGsd_m, {});
+      edge_chain(search.right_from_left, points, left.line, right.line, kChainGsd_m, {});
   EXPECT_EQ(chain.pieces.size() + 2, chain.points.size());
 }
 
@@ -115,7 +115,7 @@ TEST_F(Chain, HeightSigmaIsThatOfManyDisturbedSegments) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const UncertainSegment2 a = shifted(left);
     const EdgeChain chain = edge_chain(search.right_from_left, perfect_points(search, a.segment), a,
-                                       shifted(right), kGsd_m, {});
+                                       shifted(right), kChainGsd_m, {});
     squares += std::pow(chain.summary.mean_height_m - 6.5, 2);
   }
   // the standard deviation of 2000 trials is known to 1.6 %: four of these
@@ -139,12 +139,12 @@ TEST_F(Chain, ExpectedRateNoiseIsThatOfDisturbedPixels) {
       p.point.x_px += random.normal(kEdgeSigma_px) * Eigen::Vector2d(-u.y(), u.x());
       p.stretch = search.right_from_left.stretch(p.point.x_px);
     }
-    last =
-        edge_chain(search.right_from_left, points, left.line, right.line, kGsd_m, options).summary;
+    last = edge_chain(search.right_from_left, points, left.line, right.line, kChainGsd_m, options)
+               .summary;
     sum += last.rate_sigma / kTrials;
   }
   // pieces are a pixel long, a ground pixel within the height of the edge and its perspective
-  EXPECT_NEAR(sum / expected_rate_sigma(last, kGsd_m, kEdgeSigma_px), 1.0, 0.05);
+  EXPECT_NEAR(sum / expected_rate_sigma(last, kChainGsd_m, kEdgeSigma_px), 1.0, 0.05);
 }
 
 }  // namespace

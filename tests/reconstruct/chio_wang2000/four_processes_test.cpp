@@ -12,7 +12,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kGsd_m = 0.08;
+constexpr double kProcessGsd_m = 0.08;
 
 /// Fig. 3 of the paper: the strong structure A of three lines; B, adjacent to A2, whose junction the
 /// right image does not show; C, in range of A1; D, in range of C alone.
@@ -41,7 +41,7 @@ class FigureThree : public testing::Test {
   /// A candidate as Core would pass it on.
   void add_candidate(int left, int right, double similarity) {
     candidates_.resize(views_[0].segments.size());
-    candidates_[left].gsd_m = kGsd_m;
+    candidates_[left].gsd_m = kProcessGsd_m;
     const auto searched = searched_segment(search_, views_[0].segments[left].line.segment);
     CoreCandidate candidate;
     candidate.right = right;

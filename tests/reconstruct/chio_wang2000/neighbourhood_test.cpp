@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::IsEmpty;
 
-constexpr double kGsd_m = 0.1;
+constexpr double kNeighbourGsd_m = 0.1;
 
 /// Two segments that cross, one beyond both and one 20 px beside the first.
 const std::vector<Segment2> kSegments{
@@ -22,7 +22,7 @@ const std::vector<Segment2> kSegments{
 std::vector<CoreCandidates> with_candidates() {
   CoreCandidates one;
   one.list.resize(1);
-  one.gsd_m = kGsd_m;
+  one.gsd_m = kNeighbourGsd_m;
   return std::vector<CoreCandidates>(kSegments.size(), one);
 }
 

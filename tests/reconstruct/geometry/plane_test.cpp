@@ -11,7 +11,7 @@
 namespace ridgeline {
 namespace {
 
-constexpr double kTol = 1e-12;
+constexpr double kPlaneTol = 1e-12;
 
 TEST(Upward, TurnsTheNormalUpwards) {
   const Plane3 roof(Eigen::Vector3d(0.6, 0, -0.8), 5.0);
@@ -45,7 +45,7 @@ TEST(HeightAt, LiesOnThePlane) {
     const Plane3 plane(normal.normalized(), random.vector(-5, 5));
     const Eigen::Vector2d x = random.vector(-10, 10).head<2>();
     const Eigen::Vector3d on_plane(x.x(), x.y(), height_at(plane, x));
-    EXPECT_NEAR(plane.signedDistance(on_plane), 0.0, kTol);
+    EXPECT_NEAR(plane.signedDistance(on_plane), 0.0, kPlaneTol);
   }
 }
 

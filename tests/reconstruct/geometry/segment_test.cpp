@@ -13,7 +13,7 @@
 namespace ridgeline {
 namespace {
 
-constexpr double kTol = 1e-12;  // a few roundings of coordinates up to 10
+constexpr double kSegmentTol = 1e-12;  // a few roundings of coordinates up to 10
 
 Segment2 random_segment(test::Random& random) {
   return {random.vector(-10, 10).head<2>(), random.vector(-10, 10).head<2>()};
@@ -56,8 +56,8 @@ TEST(SegmentDistance, HandCheckedCases) {
                         Case{"parallel", {{0, 0}, {4, 0}}, {{1, 2}, {9, 2}}, 2.0},
                         Case{"corner to corner", {{0, 0}, {1, 0}}, {{4, 4}, {4, 9}}, 5.0},
                         Case{"both points", {{0, 0}, {0, 0}}, {{3, 4}, {3, 4}}, 5.0}}) {
-    EXPECT_NEAR(distance(c.a, c.b), c.distance, kTol) << c.name;
-    EXPECT_NEAR(distance(c.b, c.a), c.distance, kTol) << c.name;
+    EXPECT_NEAR(distance(c.a, c.b), c.distance, kSegmentTol) << c.name;
+    EXPECT_NEAR(distance(c.b, c.a), c.distance, kSegmentTol) << c.name;
   }
 }
 
@@ -73,8 +73,8 @@ TEST(SegmentDistance, AgreesWithDenseSampling) {
       sampled = std::min(sampled, distance(b, Eigen::Vector2d((1 - t) * a.start + t * a.end)));
     }
     const double half_step = 0.5 * length(a) / kSamples;  // the sample nearest to the closest point
-    EXPECT_LE(distance(a, b), sampled + kTol) << trial;
-    EXPECT_GE(distance(a, b), sampled - half_step - kTol) << trial;
+    EXPECT_LE(distance(a, b), sampled + kSegmentTol) << trial;
+    EXPECT_GE(distance(a, b), sampled - half_step - kSegmentTol) << trial;
   }
 }
 
@@ -100,8 +100,9 @@ TEST(AcuteAngle, IgnoresLengthAndSignOfDirections) {
     const Eigen::Vector3d a = random.vector(-1, 1);
     const Eigen::Vector3d b = random.vector(-1, 1);
     const double angle = acute_angle_rad(a, b);
-    EXPECT_NEAR(acute_angle_rad(Eigen::Vector3d(-3 * a), Eigen::Vector3d(7 * b)), angle, kTol);
-    EXPECT_NEAR(acute_angle_rad(b, a), angle, kTol);
+    EXPECT_NEAR(acute_angle_rad(Eigen::Vector3d(-3 * a), Eigen::Vector3d(7 * b)), angle,
+                kSegmentTol);
+    EXPECT_NEAR(acute_angle_rad(b, a), angle, kSegmentTol);
     EXPECT_GE(angle, 0.0);
     EXPECT_LE(angle, std::numbers::pi / 2);
   }

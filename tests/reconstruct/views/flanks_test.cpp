@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr float kRounding = 1e-6F;
+constexpr float kFlankRounding = 1e-6F;
 
 /// Dark above row 20, bright from there on.
 cv::Mat dark_above_bright() {
@@ -18,16 +18,16 @@ cv::Mat dark_above_bright() {
 
 TEST(Flanks, RightIsBelowALineThatRunsToTheRight) {
   const auto [left, right] = flanks(dark_above_bright(), {{10, 19.5}, {30, 19.5}});
-  EXPECT_NEAR(left.colour[0], 0.1F, kRounding);
-  EXPECT_NEAR(left.colour[3], 0.0F, kRounding);
-  EXPECT_NEAR(left.grey, 0.2F, kRounding);
-  EXPECT_NEAR(right.colour[2], 0.9F, kRounding);
-  EXPECT_NEAR(right.grey, 0.8F, kRounding);
+  EXPECT_NEAR(left.colour[0], 0.1F, kFlankRounding);
+  EXPECT_NEAR(left.colour[3], 0.0F, kFlankRounding);
+  EXPECT_NEAR(left.grey, 0.2F, kFlankRounding);
+  EXPECT_NEAR(right.colour[2], 0.9F, kFlankRounding);
+  EXPECT_NEAR(right.grey, 0.8F, kFlankRounding);
 }
 
 TEST(Flanks, LeaveOutWhatIsBeyondTheImage) {
   const auto [left, right] = flanks(dark_above_bright(), {{10, 39}, {30, 39}});
-  EXPECT_NEAR(left.grey, 0.8F, kRounding);
+  EXPECT_NEAR(left.grey, 0.8F, kFlankRounding);
   EXPECT_EQ(right.grey, 0.0F);
 }
 

@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr float kRounding = 1e-6F;  // a few steps of float at 1
+constexpr float kStretchRounding = 1e-6F;  // a few steps of float at 1
 
 /// Grey values 100, 101, ... 199 in turn.
 template <typename T>
@@ -23,7 +23,7 @@ TEST(NormalisedImage, StretchesLinearlyToZeroAndOne) {
   const cv::Mat image = normalised_image(ramp<std::uint8_t>(CV_8UC1));
   ASSERT_EQ(image.type(), CV_32FC1);
   for (int x = 0; x < 100; ++x) {
-    EXPECT_NEAR(image.at<float>(50, x), static_cast<float>(x) / 99.0F, kRounding);
+    EXPECT_NEAR(image.at<float>(50, x), static_cast<float>(x) / 99.0F, kStretchRounding);
   }
 }
 
@@ -32,7 +32,7 @@ TEST(NormalisedImage, DoesNotDependOnTheRadiometricDepth) {
   ramp<std::uint8_t>(CV_8UC1).convertTo(deep, CV_16U, 16.0, 7.0);  // 12 bits of 16
   const cv::Mat image = normalised_image(deep);
   const cv::Mat expected = normalised_image(ramp<std::uint8_t>(CV_8UC1));
-  EXPECT_LT(cv::norm(image, expected, cv::NORM_INF), kRounding);
+  EXPECT_LT(cv::norm(image, expected, cv::NORM_INF), kStretchRounding);
 }
 
 TEST(NormalisedImage, AHotPixelDoesNotFlattenTheRest) {

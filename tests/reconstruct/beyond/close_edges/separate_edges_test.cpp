@@ -33,7 +33,7 @@ std::vector<double> offsets_px(const BlurredStrip& strip,
 }
 
 /// A marking: bright between two stretches of the same dark.
-BlurredStrip marking(double width_px) {
+BlurredStrip double_edge(double width_px) {
   BlurredStrip strip;
   strip.offsets_px = {-0.5 * width_px, 0.5 * width_px};
   strip.colours[2] = strip.colours[0];
@@ -44,7 +44,7 @@ BlurredStrip marking(double width_px) {
 TEST(SeparateEdges, BothBordersOfAMarkingAreWhereTheyAreAndEachIsThereOnce) {
   constexpr double kTolerance_px =
       0.1;  // the maxima of the gradient lie 0.3 px outside of both borders
-  const BlurredStrip strip = marking(1.5);
+  const BlurredStrip strip = double_edge(1.5);
   const auto segments = extract(strip.image());
   EXPECT_THAT(offsets_px(strip, segments),
               testing::ElementsAre(testing::DoubleNear(-0.75, kTolerance_px),
@@ -52,7 +52,7 @@ TEST(SeparateEdges, BothBordersOfAMarkingAreWhereTheyAreAndEachIsThereOnce) {
 }
 
 TEST(SeparateEdges, WithoutItTheBordersAreTooFarApart) {
-  const BlurredStrip strip = marking(1.5);
+  const BlurredStrip strip = double_edge(1.5);
   EdgeExtensionOptions options;
   options.separate_edges = false;
   const std::vector<double> offsets = offsets_px(strip, extract(strip.image(), options));

@@ -14,23 +14,23 @@ using test::kDegree;
 using test::LineGroup;
 using test::segment_of;
 
-constexpr double kRecoveredM = 1e-6;
-constexpr double kAssumedM = 1e-3;  // horizontality is weighted, not forced
+constexpr double kProfileRecoveredM = 1e-6;
+constexpr double kProfileAssumedM = 1e-3;  // horizontality is weighted, not forced
 constexpr double kEaveM = 6.0, kRidgeM = 8.0;
 constexpr double kLengthPx = 96.0;
 
-const test::StereoScene kScene;
+const test::StereoScene kProfileScene;
 
 /// What the left camera sees at a parameter of a segment along the epipolar line.
 Eigen::Vector3d seen_at(double parameter, double z_m) {
-  const Eigen::Vector2d centre = kScene.left_centre();
-  return kScene.at_height(
-      centre + (parameter - 0.5) * kLengthPx * kScene.epipolar_direction(centre), z_m);
+  const Eigen::Vector2d centre = kProfileScene.left_centre();
+  return kProfileScene.at_height(
+      centre + (parameter - 0.5) * kLengthPx * kProfileScene.epipolar_direction(centre), z_m);
 }
 
 void add(LineGroup& group, const Segment3& line) {
   group.truth.push_back(line);
-  const std::array<Segment2, 2> images = kScene.images(line);
+  const std::array<Segment2, 2> images = kProfileScene.images(line);
   for (std::size_t j = 0; j < 2; ++j) group.segments[j].push_back(test::exact(images[j], {}));
   const int i = static_cast<int>(group.matches.size());
   group.matches.push_back({i, i});
@@ -38,10 +38,10 @@ void add(LineGroup& group, const Segment3& line) {
 
 /// Adds a horizontal line that meets the first match at a point of it.
 void add_meeting(LineGroup& group, const Eigen::Vector3d& x, double angle_deg) {
-  const Eigen::Vector2d image = project(kScene.cameras[0], x);
+  const Eigen::Vector2d image = project(kProfileScene.cameras[0], x);
   const Eigen::Vector2d direction =
-      Eigen::Rotation2Dd(angle_deg * kDegree) * kScene.epipolar_direction(image);
-  add(group, {x, kScene.at_height(image + 80.0 * direction, x.z())});
+      Eigen::Rotation2Dd(angle_deg * kDegree) * kProfileScene.epipolar_direction(image);
+  add(group, {x, kProfileScene.at_height(image + 80.0 * direction, x.z())});
   group.connections.push_back({0, static_cast<int>(group.matches.size()) - 1});
 }
 
@@ -74,15 +74,15 @@ TEST(MatchOfSeveralLines, GivesBothVergesOfAGable) {
   const LineGroup group = gable();
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
-  const Eigen::Vector2d top = project(kScene.cameras[1], kVerges[0].end);
+  const Eigen::Vector2d top = project(kProfileScene.cameras[1], kVerges[0].end);
   for (std::size_t p = 0; p < 2; ++p) {
     EXPECT_EQ(lines[p].part, static_cast<int>(p) + 1);
     EXPECT_EQ(lines[p].match.left, 0);
     EXPECT_EQ(lines[p].status, Status::kJoint);
     ASSERT_TRUE(lines[p].segment_in_local && lines[p].covariance_m2);
-    EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kRecoveredM);
+    EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kProfileRecoveredM);
     const Segment2& right = lines[p].seen_px[1];
-    EXPECT_LT(((p == 0 ? right.end : right.start) - top).norm(), kRecoveredM);
+    EXPECT_LT(((p == 0 ? right.end : right.start) - top).norm(), kProfileRecoveredM);
   }
   EXPECT_EQ(lines[2].part, 0);
   EXPECT_EQ(lines[2].match.left, 1);
@@ -94,7 +94,8 @@ TEST(MatchOfSeveralLines, OneEaveIsEnoughForBothVerges) {
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
   EXPECT_EQ(lines[1].status, Status::kSegmentEnds);
-  for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kRecoveredM);
+  for (std::size_t p = 0; p < 2; ++p)
+    EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kProfileRecoveredM);
 }
 
 TEST(MatchOfSeveralLines, GivesTheVergesOfADormerToo) {
@@ -107,7 +108,8 @@ TEST(MatchOfSeveralLines, GivesTheVergesOfADormerToo) {
   add_meeting(group, verges[1].end, 90.0);
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
-  for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(verges[p], lines[p]), kRecoveredM);
+  for (std::size_t p = 0; p < 2; ++p)
+    EXPECT_LT(worst_error_m(verges[p], lines[p]), kProfileRecoveredM);
 }
 
 TEST(MatchOfSeveralLines, DoesNotDependOnTheDirectionOfTheSegments) {
@@ -116,7 +118,8 @@ TEST(MatchOfSeveralLines, DoesNotDependOnTheDirectionOfTheSegments) {
   std::swap(right.start, right.end);
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size() + 1);
-  for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kRecoveredM);
+  for (std::size_t p = 0; p < 2; ++p)
+    EXPECT_LT(worst_error_m(kVerges[p], lines[p]), kProfileRecoveredM);
 }
 
 TEST(MatchOfSeveralLines, GivesTheStepsOfARow) {
@@ -132,7 +135,7 @@ TEST(MatchOfSeveralLines, GivesTheStepsOfARow) {
   ASSERT_EQ(lines.size(), group.matches.size() + 2);
   for (std::size_t p = 0; p < 3; ++p) {
     ASSERT_TRUE(lines[p].segment_in_local) << p;
-    EXPECT_LT(worst_error_m(eaves[p], lines[p]), kAssumedM) << p;
+    EXPECT_LT(worst_error_m(eaves[p], lines[p]), kProfileAssumedM) << p;
   }
 }
 
@@ -146,7 +149,7 @@ TEST(MatchOfSeveralLines, AnEaveIsOneWhereverOthersMeetIt) {
   const std::vector<ReconstructedLine> lines = group.reconstruct(EstimationOptions{});
   ASSERT_EQ(lines.size(), group.matches.size());
   EXPECT_EQ(lines[0].part, 0);
-  EXPECT_LT(worst_error_m(eave, lines[0]), kRecoveredM);
+  EXPECT_LT(worst_error_m(eave, lines[0]), kProfileRecoveredM);
 }
 
 TEST(MatchOfSeveralLines, AsPublishedIsOneLine) {

@@ -10,11 +10,11 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-const Eigen::AlignedBox2d kHouse(Eigen::Vector2d(-6.0, -5.0), Eigen::Vector2d(6.0, 5.0));
-constexpr double kHeight_m = 6.0;
+const Eigen::AlignedBox2d kPredictedHouse(Eigen::Vector2d(-6.0, -5.0), Eigen::Vector2d(6.0, 5.0));
+constexpr double kPredictedHeight_m = 6.0;
 /// An edge of the roof across the base, and one along it.
-const Segment3 kAcross{{-6.0, -4.0, kHeight_m}, {-6.0, 4.0, kHeight_m}};
-const Segment3 kAlong{{-5.0, 5.0, kHeight_m}, {5.0, 5.0, kHeight_m}};
+const Segment3 kAcross{{-6.0, -4.0, kPredictedHeight_m}, {-6.0, 4.0, kPredictedHeight_m}};
+const Segment3 kAlong{{-5.0, 5.0, kPredictedHeight_m}, {5.0, 5.0, kPredictedHeight_m}};
 
 /// The exact surface of a flat roof over the ground.
 class MatePredictionTest : public testing::Test {
@@ -37,7 +37,7 @@ class MatePredictionTest : public testing::Test {
     return {project(camera, line.start), project(camera, line.end)};
   }
 
-  test::PaintedRoofs roofs{.faces = {{.plan = kHouse, .height_m = kHeight_m}}};
+  test::PaintedRoofs roofs{.faces = {{.plan = kPredictedHouse, .height_m = kPredictedHeight_m}}};
   test::OwnedPair pair = roofs.pair();
   Surface surface;
 };

@@ -10,7 +10,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kSize_px = 160;
+constexpr int kStepSize_px = 160;
 const Segment2 kLine{{40.0, 50.0}, {110.0, 90.0}};
 
 /// A step beside kLine, blurred as by a lens.
@@ -21,9 +21,9 @@ struct ImageStep {
 cv::Mat image_of(const std::vector<ImageStep>& steps, double noise = 0.0, unsigned seed = 1) {
   constexpr double kBlur_px = 0.7;
   test::Random random(seed);
-  cv::Mat image(kSize_px, kSize_px, CV_32F);
-  for (int row = 0; row < kSize_px; ++row) {
-    for (int column = 0; column < kSize_px; ++column) {
+  cv::Mat image(kStepSize_px, kStepSize_px, CV_32F);
+  for (int row = 0; row < kStepSize_px; ++row) {
+    for (int column = 0; column < kStepSize_px; ++column) {
       double grey = 0.3 + random.normal(1.0) * noise;
       for (const ImageStep& step : steps) {
         const double beside_px =

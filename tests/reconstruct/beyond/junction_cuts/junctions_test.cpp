@@ -29,7 +29,7 @@ EdgeTrace trace_of(const std::vector<Eigen::Vector2d>& points) {
 
 /// An edge along x from 0 to kLength, displaced by `across`.
 template <typename Across>
-EdgeTrace edge(Across across) {
+EdgeTrace trace_across(Across across) {
   test::Random random(3);
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < kLength; ++i) points.emplace_back(i, across(i) + random.normal(kNoisePx));
@@ -43,7 +43,7 @@ EdgeTrace stem(double at, double gap = 1.5) {
   return trace_of(points);
 }
 
-double gable(int i) { return 0.005 * (kRidgeAt - std::abs(i - kRidgeAt)); }
+double gable_px(int i) { return 0.005 * (kRidgeAt - std::abs(i - kRidgeAt)); }
 
 /// Where the parts of an edge along x begin.
 std::vector<double> begins(const std::vector<EdgeTrace>& edges) {
@@ -57,62 +57,65 @@ std::vector<double> begins(const std::vector<EdgeTrace>& edges) {
 
 TEST(CutAtJunctions, TheVergesOfAGableApartBelowItsRidge) {
   // 0.3 px at the ridge: 2.5 m of height, a degree off the nadir, at 8 cm
-  const auto cut = cut_at_junctions({edge(gable), stem(kRidgeAt)}, {});
+  const auto cut = cut_at_junctions({trace_across(gable_px), stem(kRidgeAt)}, {});
   EXPECT_EQ(cut.size(), 3U);
   EXPECT_THAT(begins(cut), ElementsAre(0.0, kRidgeAt));
 }
 
 TEST(CutAtJunctions, WhereAStripInterruptsTheEdge) {
-  EdgeTrace interrupted = edge(gable);
+  EdgeTrace interrupted = trace_across(gable_px);
   auto& trace = interrupted;
   trace.erase(trace.begin() + kRidgeAt - 2, trace.begin() + kRidgeAt + 2);
   EXPECT_THAT(begins(cut_at_junctions({interrupted}, {})), ElementsAre(0.0, kRidgeAt + 2.0));
   // the edge is as straight as it would be without the strip
-  EdgeTrace straight = edge([](int) { return 0.0; });
+  EdgeTrace straight = trace_across([](int) { return 0.0; });
   straight.erase(straight.begin() + kRidgeAt - 2, straight.begin() + kRidgeAt + 2);
   EXPECT_THAT(begins(cut_at_junctions({straight}, {})), ElementsAre(0.0));
 }
 
 TEST(CutAtJunctions, NotWhereNoEdgeEnds) {
-  EXPECT_THAT(begins(cut_at_junctions({edge(gable)}, {})), ElementsAre(0.0));
-  EXPECT_THAT(begins(cut_at_junctions({edge(gable), stem(kRidgeAt, 8.0)}, {})), ElementsAre(0.0));
+  EXPECT_THAT(begins(cut_at_junctions({trace_across(gable_px)}, {})), ElementsAre(0.0));
+  EXPECT_THAT(begins(cut_at_junctions({trace_across(gable_px), stem(kRidgeAt, 8.0)}, {})),
+              ElementsAre(0.0));
 }
 
 TEST(CutAtJunctions, NotAStraightEdge) {
-  const auto cut =
-      cut_at_junctions({edge([](int) { return 0.0; }), stem(30), stem(kRidgeAt), stem(90)}, {});
+  const auto cut = cut_at_junctions(
+      {trace_across([](int) { return 0.0; }), stem(30), stem(kRidgeAt), stem(90)}, {});
   EXPECT_THAT(begins(cut), ElementsAre(0.0));
 }
 
 TEST(CutAtJunctions, EveryEaveOfATerraceThatStepsDownASlope) {
   // one line fits this staircase better than two do
   const auto terrace = [](int i) { return 0.35 * std::floor(i / 30.0); };
-  const auto cut = cut_at_junctions({edge(terrace), stem(30), stem(60), stem(90)}, {});
+  const auto cut = cut_at_junctions({trace_across(terrace), stem(30), stem(60), stem(90)}, {});
   EXPECT_THAT(begins(cut), ElementsAre(0.0, 30.0, 60.0, 90.0));
 }
 
 TEST(CutAtJunctions, AtTheOneOfTwoCloseJunctionsWhereTheEdgeStepsAside) {
   // the corner of a patio ends 12 px from the party wall of two eaves
   const auto eaves = [](int i) { return i < kRidgeAt ? 0.0 : 0.8; };
-  EXPECT_THAT(begins(cut_at_junctions({edge(eaves), stem(kRidgeAt - 12), stem(kRidgeAt)}, {})),
-              ElementsAre(0.0, kRidgeAt));
-  EXPECT_THAT(begins(cut_at_junctions({edge(eaves), stem(kRidgeAt), stem(kRidgeAt + 12)}, {})),
-              ElementsAre(0.0, kRidgeAt));
+  EXPECT_THAT(
+      begins(cut_at_junctions({trace_across(eaves), stem(kRidgeAt - 12), stem(kRidgeAt)}, {})),
+      ElementsAre(0.0, kRidgeAt));
+  EXPECT_THAT(
+      begins(cut_at_junctions({trace_across(eaves), stem(kRidgeAt), stem(kRidgeAt + 12)}, {})),
+      ElementsAre(0.0, kRidgeAt));
 }
 
 TEST(CutAtJunctions, NotAtAnEdgeThatRunsAlong) {
-  EdgeTrace beside = edge([](int) { return 2.0; });
+  EdgeTrace beside = trace_across([](int) { return 2.0; });
   beside.erase(beside.begin(), beside.begin() + kRidgeAt);
-  const auto cut = cut_at_junctions({edge(gable), beside}, {});
+  const auto cut = cut_at_junctions({trace_across(gable_px), beside}, {});
   EXPECT_EQ(cut.size(), 2U);
 }
 
 TEST(CutAtJunctions, PartsKeepTheLeastLengthAndEverySample) {
   const auto step = [](int i) { return i < 5 ? 2.0 : 0.0; };
-  const auto cut = cut_at_junctions({edge(step), stem(5), stem(kLength - 4)}, {});
+  const auto cut = cut_at_junctions({trace_across(step), stem(5), stem(kLength - 4)}, {});
   EXPECT_THAT(begins(cut), ElementsAre(0.0));
   std::size_t n = 0;
-  for (const EdgeTrace& e : cut_at_junctions({edge(gable), stem(kRidgeAt)}, {})) {
+  for (const EdgeTrace& e : cut_at_junctions({trace_across(gable_px), stem(kRidgeAt)}, {})) {
     n += e.size();
   }
   EXPECT_EQ(n, static_cast<std::size_t>(kLength) + 30U);

@@ -8,8 +8,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kExact_px = 1e-7;  // rounding of thousands of pixels
-constexpr double kExact_m = 1e-7;   // rounding of hundreds of metres
+constexpr double kRectified_px = 1e-7;  // rounding of thousands of pixels
+constexpr double kExact_m = 1e-7;       // rounding of hundreds of metres
 const cv::Size kSize(7680, 13824);
 const std::array kPoints{Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(60.0, -80.0, 12.0),
                          Eigen::Vector3d(-40.0, 30.0, -5.0)};
@@ -31,10 +31,10 @@ TEST(Rectification, BringsWhatCorrespondsIntoOneRowForAnyTurnOfTheViews) {
     for (const Eigen::Vector3d& x : kPoints) {
       const Eigen::Vector2d left = r->rectified(0, project(cameras[0], x));
       const Eigen::Vector2d right = r->rectified(1, project(cameras[1], x));
-      EXPECT_NEAR(left.y(), right.y(), kExact_px) << angle_deg;
-      EXPECT_NEAR(left.x() - right.x(), r->disparity_px(x), kExact_px) << angle_deg;
+      EXPECT_NEAR(left.y(), right.y(), kRectified_px) << angle_deg;
+      EXPECT_NEAR(left.x() - right.x(), r->disparity_px(x), kRectified_px) << angle_deg;
       EXPECT_LT((r->point_in_local(left, r->disparity_px(x)) - x).norm(), kExact_m) << angle_deg;
-      EXPECT_NEAR(r->disparity_at_height_px(left, x.z()), r->disparity_px(x), kExact_px);
+      EXPECT_NEAR(r->disparity_at_height_px(left, x.z()), r->disparity_px(x), kRectified_px);
     }
   }
 }
@@ -47,7 +47,7 @@ TEST(Rectification, DoesNotDependOnTheSignOfTheMatrices) {
   const auto of_others = rectification(cameras, kSize);
   ASSERT_TRUE(r && of_others);
   for (const Eigen::Vector3d& x : kPoints)
-    EXPECT_NEAR(r->disparity_px(x), of_others->disparity_px(x), kExact_px);
+    EXPECT_NEAR(r->disparity_px(x), of_others->disparity_px(x), kRectified_px);
 }
 
 TEST(Rectification, KeepsTheSizeOfThePixelsAndTheWholeLeftImage) {
@@ -59,8 +59,9 @@ TEST(Rectification, KeepsTheSizeOfThePixelsAndTheWholeLeftImage) {
   for (const double x : {0.0, kSize.width - 1.0}) {
     for (const double y : {0.0, kSize.height - 1.0}) {
       const Eigen::Vector2d seen = r->rectified(0, {x, y});
-      EXPECT_TRUE(seen.minCoeff() > -kExact_px && seen.x() <= r->size.width - 1 + kExact_px &&
-                  seen.y() <= r->size.height - 1 + kExact_px);
+      EXPECT_TRUE(seen.minCoeff() > -kRectified_px &&
+                  seen.x() <= r->size.width - 1 + kRectified_px &&
+                  seen.y() <= r->size.height - 1 + kRectified_px);
     }
   }
 }

@@ -11,8 +11,8 @@ namespace ridgeline::reconstruct {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr double kExact_px = 1e-5;  // disparities are float
-const Segment2 kLine{{50.0, 60.0}, {110.0, 80.0}};
+constexpr double kPlane_px = 1e-5;  // disparities are float
+const Segment2 kPlaneLine{{50.0, 60.0}, {110.0, 80.0}};
 
 /// A surface of the given disparities.
 template <typename DisparityAt>
@@ -29,25 +29,25 @@ Surface surface_of(const DisparityAt& disparity_at) {
 }
 
 /// Pixels beside the line, positive towards its normal.
-double beside(const Eigen::Vector2d& x) { return normal(kLine).dot(x - kLine.start); }
+double beside(const Eigen::Vector2d& x) { return normal(kPlaneLine).dot(x - kPlaneLine.start); }
 
 TEST(SidePlane, OfAStepIsThatOfEitherSide) {
   const Surface surface =
       surface_of([](const Eigen::Vector2d& x) { return beside(x) > 0.0 ? 40.0 : 25.0; });
-  const auto towards = side_plane(surface, kLine, 1);
-  const auto away = side_plane(surface, kLine, -1);
+  const auto towards = side_plane(surface, kPlaneLine, 1);
+  const auto away = side_plane(surface, kPlaneLine, -1);
   ASSERT_TRUE(towards && away);
-  EXPECT_NEAR(towards->on_line(0.0), 40.0, kExact_px);
-  EXPECT_NEAR(away->on_line(10.0), 25.0, kExact_px);
+  EXPECT_NEAR(towards->on_line(0.0), 40.0, kPlane_px);
+  EXPECT_NEAR(away->on_line(10.0), 25.0, kPlane_px);
   EXPECT_EQ(towards->share, 1.0);
 }
 
 TEST(SidePlane, IsExtendedToTheLineAlongItsSlope) {
   constexpr double kPriorOfSlope_px = 0.05;  // slopes are expected to be small
   const Surface surface = surface_of([](const Eigen::Vector2d& x) {
-    return 30.0 + 0.1 * along(kLine).dot(x - midpoint(kLine)) + 0.2 * beside(x);
+    return 30.0 + 0.1 * along(kPlaneLine).dot(x - midpoint(kPlaneLine)) + 0.2 * beside(x);
   });
-  const auto plane = side_plane(surface, kLine, 1);
+  const auto plane = side_plane(surface, kPlaneLine, 1);
   ASSERT_TRUE(plane);
   EXPECT_NEAR(plane->on_line(0.0), 30.0, kPriorOfSlope_px);
   EXPECT_NEAR(plane->on_line(20.0), 32.0, kPriorOfSlope_px);
@@ -58,7 +58,7 @@ TEST(SidePlane, IsThatOfMostPixels) {
   const Surface surface = surface_of([&](const Eigen::Vector2d&) {
     return random.uniform(0.0, 1.0) < 0.3 ? random.uniform(0.0, 60.0) : 33.0 + random.normal(0.1);
   });
-  const auto plane = side_plane(surface, kLine, -1);
+  const auto plane = side_plane(surface, kPlaneLine, -1);
   ASSERT_TRUE(plane);
   EXPECT_NEAR(plane->on_line(0.0), 33.0, 0.1);
   EXPECT_LT(plane->share, 0.8);
@@ -72,36 +72,36 @@ TEST(SidePlane, IsKnownBetterBesideALongLineAndWorseWhereItScatters) {
         surface_of([&](const Eigen::Vector2d&) { return 30.0 + random.normal(scatter_px); });
     return side_plane(surface, line, 1)->cov(0, 0);
   };
-  const Segment2 half{point_at(kLine, 0.25), point_at(kLine, 0.75)};
-  const double expected_px2 = variance_px2(0.1, kLine);
+  const Segment2 half{point_at(kPlaneLine, 0.25), point_at(kPlaneLine, 0.75)};
+  const double expected_px2 = variance_px2(0.1, kPlaneLine);
   EXPECT_NEAR(variance_px2(0.1, half) / expected_px2, 2.0, 2.0 * kDrawn);
-  EXPECT_NEAR(variance_px2(0.2, kLine) / expected_px2, 4.0, 4.0 * kDrawn);
+  EXPECT_NEAR(variance_px2(0.2, kPlaneLine) / expected_px2, 4.0, 4.0 * kDrawn);
 }
 
 TEST(SidePlane, OfAHiddenSideIsNone) {
   const Surface surface =
       surface_of([](const Eigen::Vector2d& x) { return beside(x) > 0.0 ? 40.0F : kNaN; });
-  EXPECT_TRUE(side_plane(surface, kLine, 1));
-  EXPECT_FALSE(side_plane(surface, kLine, -1));
+  EXPECT_TRUE(side_plane(surface, kPlaneLine, 1));
+  EXPECT_FALSE(side_plane(surface, kPlaneLine, -1));
 }
 
 TEST(SidePlane, OutsideOfTheImageIsNone) {
   const Surface surface = surface_of([](const Eigen::Vector2d&) { return 40.0; });
   const Eigen::Vector2d aside(0.0, 500.0);
-  EXPECT_FALSE(side_plane(surface, {kLine.start + aside, kLine.end + aside}, 1));
+  EXPECT_FALSE(side_plane(surface, {kPlaneLine.start + aside, kPlaneLine.end + aside}, 1));
 }
 
 TEST(SidesAlong, AreThoseOfPiecesOf30px) {
   const Surface surface =
       surface_of([](const Eigen::Vector2d& x) { return beside(x) > 0.0 ? 40.0 : 25.0; });
-  const std::vector<SidesOfPiece> pieces = sides_along(surface, kLine);
+  const std::vector<SidesOfPiece> pieces = sides_along(surface, kPlaneLine);
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_EQ(pieces[0].parameters[1], pieces[1].parameters[0]);
-  EXPECT_NEAR(pieces[1].length_px, 0.5 * length(kLine), kExact_px);
+  EXPECT_NEAR(pieces[1].length_px, 0.5 * length(kPlaneLine), kPlane_px);
   for (const SidesOfPiece& piece : pieces) {
     ASSERT_TRUE(piece.planes[0] && piece.planes[1]);
-    EXPECT_NEAR(piece.planes[0]->on_line(0.0), 40.0, kExact_px);
-    EXPECT_NEAR(piece.planes[1]->on_line(0.0), 25.0, kExact_px);
+    EXPECT_NEAR(piece.planes[0]->on_line(0.0), 40.0, kPlane_px);
+    EXPECT_NEAR(piece.planes[1]->on_line(0.0), 25.0, kPlane_px);
   }
 }
 

@@ -13,9 +13,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kSize_px = 400;
+constexpr int kCandidateSize_px = 400;
 constexpr double kRoof_m = 6.0, kGround_m = 0.0;
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknownHeight = std::numeric_limits<double>::quiet_NaN();
 const double kContradicted = std::log(0.1);
 const double kAgreed = std::log(2.0);  // log-odds are at most 2.8
 constexpr double kSteep = 0.05;        // tolerance of log-odds, far beyond one sigma
@@ -27,9 +27,10 @@ class SurfaceCandidates : public testing::Test {
     test::StereoScene scene(5.0);
     for (ProjectionMatrix& camera : scene.cameras) {
       const Eigen::Vector2d middle = project(camera, Eigen::Vector3d(0.0, 0.0, 0.0));
-      camera = window_from_world(camera, middle - Eigen::Vector2d::Constant(0.5 * kSize_px));
+      camera =
+          window_from_world(camera, middle - Eigen::Vector2d::Constant(0.5 * kCandidateSize_px));
     }
-    surface.rectification = *rectification(scene.cameras, {kSize_px, kSize_px});
+    surface.rectification = *rectification(scene.cameras, {kCandidateSize_px, kCandidateSize_px});
     lay({{180.0, 140.0}, {200.0, 240.0}});
   }
 
@@ -80,7 +81,7 @@ TEST_F(SurfaceCandidates, OnNeitherSideAreContradicted) {
 }
 
 TEST_F(SurfaceCandidates, MayLieOnASideThatIsNotTrusted) {
-  surfaces_of(kRoof_m, kNotKnown);
+  surfaces_of(kRoof_m, kUnknownHeight);
   EXPECT_EQ(log_odds(kGround_m), 0.0);
   EXPECT_GT(log_odds(kRoof_m), kAgreed);
 }

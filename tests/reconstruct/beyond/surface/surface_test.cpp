@@ -15,10 +15,12 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-const Eigen::AlignedBox2d kHouse(Eigen::Vector2d(-6.0, -5.0), Eigen::Vector2d(6.0, 5.0));
+const Eigen::AlignedBox2d kSurfaceHouse(Eigen::Vector2d(-6.0, -5.0), Eigen::Vector2d(6.0, 5.0));
 
 /// A sloping roof over flat ground.
-test::PaintedRoofs scene() { return {.faces = {{.plan = kHouse, .height_m = 6.0, .slope = 0.3}}}; }
+test::PaintedRoofs scene() {
+  return {.faces = {{.plan = kSurfaceHouse, .height_m = 6.0, .slope = 0.3}}};
+}
 
 struct Errors {
   double known = 0.0, median_px = 0.0, beyond_half_px = 0.0;

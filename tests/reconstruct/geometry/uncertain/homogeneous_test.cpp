@@ -15,15 +15,15 @@ namespace {
 using test::random_covariance;
 using test::random_vector;
 
-constexpr double kTol = 1e-12;         // roundings of quantities of size 1
-constexpr double kJacobianTol = 1e-6;  // relative error of central differences
+constexpr double kHomogeneousTol = 1e-12;  // roundings of quantities of size 1
+constexpr double kJacobianTol = 1e-6;      // relative error of central differences
 
 TEST(Skew, IsTheCrossProduct) {
   test::Random random(41);
   for (int trial = 0; trial < 100; ++trial) {
     const Eigen::Vector3d a = random.vector(-1, 1);
     const Eigen::Vector3d b = random.vector(-1, 1);
-    EXPECT_NEAR((skew(a) * b - a.cross(b)).norm(), 0.0, kTol);
+    EXPECT_NEAR((skew(a) * b - a.cross(b)).norm(), 0.0, kHomogeneousTol);
   }
 }
 
@@ -37,8 +37,8 @@ TEST(NullVector, IsTheUnitVectorThatTheRowsMapToZero) {
       rows.row(i) = row - row.dot(x) * x;
     }
     const Eigen::Matrix<double, 6, 1> found = null_vector<6>(rows);
-    EXPECT_NEAR(found.norm(), 1.0, kTol);
-    EXPECT_NEAR(std::abs(found.dot(x)), 1.0, kTol);
+    EXPECT_NEAR(found.norm(), 1.0, kHomogeneousTol);
+    EXPECT_NEAR(std::abs(found.dot(x)), 1.0, kHomogeneousTol);
   }
 }
 
@@ -50,7 +50,7 @@ TEST(Propagated, IsTheCovarianceOfALinearFunction) {
   const Eigen::Matrix2d expected =
       (Eigen::Matrix2d() << cov(0, 0), 2.0 * cov(0, 2), 2.0 * cov(2, 0), 4.0 * cov(2, 2))
           .finished();
-  EXPECT_NEAR((propagated(jacobian, cov) - expected).norm(), 0.0, kTol);
+  EXPECT_NEAR((propagated(jacobian, cov) - expected).norm(), 0.0, kHomogeneousTol);
 }
 
 TEST(TangentBasis, IsOrthonormalAndOrthogonalToTheVector) {
@@ -58,8 +58,9 @@ TEST(TangentBasis, IsOrthonormalAndOrthogonalToTheVector) {
   for (int trial = 0; trial < 1000; ++trial) {
     const Eigen::Vector4d x = random_vector<4>(random);
     const Eigen::Matrix<double, 4, 3> basis = tangent_basis<4>(x);
-    EXPECT_NEAR((basis.transpose() * x).norm(), 0.0, kTol);
-    EXPECT_NEAR((basis.transpose() * basis - Eigen::Matrix3d::Identity()).norm(), 0.0, kTol);
+    EXPECT_NEAR((basis.transpose() * x).norm(), 0.0, kHomogeneousTol);
+    EXPECT_NEAR((basis.transpose() * basis - Eigen::Matrix3d::Identity()).norm(), 0.0,
+                kHomogeneousTol);
   }
 }
 
@@ -70,10 +71,10 @@ TEST(SphericallyNormalised, HasItsDifferentialAsJacobian) {
     const auto normalise = [](const Eigen::Vector4d& v) { return Eigen::Vector4d(v.normalized()); };
     const Eigen::Matrix4d jacobian = test::central_differences<4, 4>(normalise, x.mean);
     const Uncertain<4> unit = spherically_normalised(x);
-    EXPECT_NEAR(unit.mean.norm(), 1.0, kTol);
+    EXPECT_NEAR(unit.mean.norm(), 1.0, kHomogeneousTol);
     const Eigen::Matrix4d expected = jacobian * x.cov * jacobian.transpose();
     EXPECT_LT((unit.cov - expected).norm(), kJacobianTol * expected.norm());
-    EXPECT_NEAR((unit.cov * unit.mean).norm(), 0.0, kTol * x.cov.norm() * 100);
+    EXPECT_NEAR((unit.cov * unit.mean).norm(), 0.0, kHomogeneousTol * x.cov.norm() * 100);
   }
 }
 
@@ -82,8 +83,8 @@ TEST(SphericallyNormalised, ChangesNothingTwice) {
   const Uncertain<6> x =
       spherically_normalised(Uncertain<6>{random_vector<6>(random), random_covariance<6>(random)});
   const Uncertain<6> again = spherically_normalised(x);
-  EXPECT_TRUE(again.mean.isApprox(x.mean, kTol));
-  EXPECT_TRUE(again.cov.isApprox(x.cov, kTol));
+  EXPECT_TRUE(again.mean.isApprox(x.mean, kHomogeneousTol));
+  EXPECT_TRUE(again.cov.isApprox(x.cov, kHomogeneousTol));
 }
 
 TEST(Cross, PropagatesBothCovariances) {
@@ -104,8 +105,8 @@ TEST(Cross, JoinsPointsAndIntersectsLines) {
   const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
   const Uncertain<3> x_axis = cross({{0, 0, 1}, none}, {{5, 0, 1}, none});
   const Uncertain<3> y_is_x = cross({{0, 0, 1}, none}, {{2, 2, 1}, none});
-  EXPECT_NEAR(x_axis.mean.dot(Eigen::Vector3d(-3, 0, 1)), 0.0, kTol);
-  EXPECT_NEAR(cross(x_axis, y_is_x).mean.hnormalized().norm(), 0.0, kTol);
+  EXPECT_NEAR(x_axis.mean.dot(Eigen::Vector3d(-3, 0, 1)), 0.0, kHomogeneousTol);
+  EXPECT_NEAR(cross(x_axis, y_is_x).mean.hnormalized().norm(), 0.0, kHomogeneousTol);
 }
 
 TEST(EuclideanJacobian, AgreesWithCentralDifferences) {

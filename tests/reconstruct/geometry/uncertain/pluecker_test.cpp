@@ -16,8 +16,8 @@ namespace {
 using test::random_covariance;
 using test::random_vector;
 
-constexpr double kTol = 1e-12;   // the identities, on input of size 1
-constexpr double kWrong = 1e-3;  // what the exchanged form must exceed
+constexpr double kPlueckerTol = 1e-12;  // the identities, on input of size 1
+constexpr double kWrong = 1e-3;         // what the exchanged form must exceed
 constexpr int kTrials = 1000;
 
 Vector6d join(const Eigen::Vector4d& x, const Eigen::Vector4d& y) { return pi_matrix(x) * y; }
@@ -55,9 +55,9 @@ TEST(PiBarMatrix, IntersectsPlanesInALineWithinBoth) {
     const Eigen::Vector4d a = random_vector<4>(random);
     const Eigen::Vector4d b = random_vector<4>(random);
     const Vector6d line = pi_bar_matrix(a) * b;
-    EXPECT_NEAR(line.head<3>().dot(line.tail<3>()), 0.0, kTol);
-    EXPECT_NEAR((pi_matrix(a).transpose() * line).norm(), 0.0, kTol);
-    EXPECT_NEAR((pi_matrix(b).transpose() * line).norm(), 0.0, kTol);
+    EXPECT_NEAR(line.head<3>().dot(line.tail<3>()), 0.0, kPlueckerTol);
+    EXPECT_NEAR((pi_matrix(a).transpose() * line).norm(), 0.0, kPlueckerTol);
+    EXPECT_NEAR((pi_matrix(b).transpose() * line).norm(), 0.0, kPlueckerTol);
   }
 }
 
@@ -66,8 +66,8 @@ TEST(Incidence, TellsAPointOnTheLineAndALineInThePlane) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const Eigen::Vector4d x = random_vector<4>(random);
     const Vector6d line = join(x, random_vector<4>(random));
-    EXPECT_NEAR((pi_bar_matrix(x).transpose() * line).norm(), 0.0, kTol);
-    EXPECT_NEAR((gamma_bar_matrix(line) * x).norm(), 0.0, kTol);
+    EXPECT_NEAR((pi_bar_matrix(x).transpose() * line).norm(), 0.0, kPlueckerTol);
+    EXPECT_NEAR((gamma_bar_matrix(line) * x).norm(), 0.0, kPlueckerTol);
   }
 }
 
@@ -76,9 +76,10 @@ TEST(Incidence, HasTheSameResidualFromEitherEntity) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const Eigen::Vector4d x = random_vector<4>(random);
     const Vector6d line = random_line(random);
-    EXPECT_NEAR((pi_matrix(x).transpose() * line + gamma_matrix(line) * x).norm(), 0.0, kTol);
+    EXPECT_NEAR((pi_matrix(x).transpose() * line + gamma_matrix(line) * x).norm(), 0.0,
+                kPlueckerTol);
     EXPECT_NEAR((pi_bar_matrix(x).transpose() * line + gamma_bar_matrix(line) * x).norm(), 0.0,
-                kTol);
+                kPlueckerTol);
   }
 }
 
@@ -99,11 +100,11 @@ TEST(GammaMatrices, IntersectWithAPlaneAndJoinWithAPoint) {
     const Vector6d line = random_line(random);
     const Eigen::Vector4d entity = random_vector<4>(random);
     const Eigen::Vector4d point = gamma_matrix(line) * entity;
-    EXPECT_NEAR(point.dot(entity), 0.0, kTol);
-    EXPECT_NEAR((pi_bar_matrix(point).transpose() * line).norm(), 0.0, kTol);
+    EXPECT_NEAR(point.dot(entity), 0.0, kPlueckerTol);
+    EXPECT_NEAR((pi_bar_matrix(point).transpose() * line).norm(), 0.0, kPlueckerTol);
     const Eigen::Vector4d plane = gamma_bar_matrix(line) * entity;
-    EXPECT_NEAR(plane.dot(entity), 0.0, kTol);
-    EXPECT_NEAR((pi_matrix(plane).transpose() * line).norm(), 0.0, kTol);
+    EXPECT_NEAR(plane.dot(entity), 0.0, kPlueckerTol);
+    EXPECT_NEAR((pi_matrix(plane).transpose() * line).norm(), 0.0, kPlueckerTol);
   }
 }
 
@@ -115,7 +116,8 @@ TEST(LineProjection, IsTheJoinOfTheImagesOfTwoPoints) {
     const Eigen::Vector4d y = random_vector<4>(random);
     const Eigen::Vector3d image_x = p * x;
     const Eigen::Vector3d image_y = p * y;
-    EXPECT_NEAR((line_projection(p) * join(x, y) - image_x.cross(image_y)).norm(), 0.0, kTol);
+    EXPECT_NEAR((line_projection(p) * join(x, y) - image_x.cross(image_y)).norm(), 0.0,
+                kPlueckerTol);
   }
 }
 
@@ -149,8 +151,8 @@ TEST(ProjectToPlueckerQuadric, GivesTheNearestLine) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const Vector6d free = random_vector<6>(random);
     const Vector6d line = project_to_pluecker_quadric(free);
-    EXPECT_NEAR(line.norm(), 1.0, kTol);
-    EXPECT_NEAR(line.head<3>().dot(line.tail<3>()), 0.0, kTol);
+    EXPECT_NEAR(line.norm(), 1.0, kPlueckerTol);
+    EXPECT_NEAR(line.head<3>().dot(line.tail<3>()), 0.0, kPlueckerTol);
     // no line close to it is closer to the ray of the free vector
     const double cosine = line.dot(free.normalized());
     for (int i = 0; i < 4; ++i) {
@@ -166,7 +168,7 @@ TEST(ProjectToPlueckerQuadric, GivesTheNearestLine) {
 TEST(ProjectToPlueckerQuadric, KeepsALineAndHasNoAnswerForEqualParts) {
   test::Random random(58);
   const Vector6d line = random_line(random);
-  EXPECT_NEAR((project_to_pluecker_quadric(5.0 * line) - line).norm(), 0.0, kTol);
+  EXPECT_NEAR((project_to_pluecker_quadric(5.0 * line) - line).norm(), 0.0, kPlueckerTol);
   Vector6d equal;
   equal << 1, 2, 3, 1, 2, 3;
   EXPECT_FALSE(project_to_pluecker_quadric(equal).allFinite());
@@ -177,17 +179,19 @@ TEST(LineTangentBasis, HoldsTheDirectionsThatKeepLengthAndQuadric) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const Vector6d line = random_line(random);
     const Eigen::Matrix<double, 6, 4> basis = line_tangent_basis(line);
-    EXPECT_NEAR((basis.transpose() * basis - Eigen::Matrix4d::Identity()).norm(), 0.0, kTol);
-    EXPECT_NEAR((basis.transpose() * line).norm(), 0.0, kTol);
-    EXPECT_NEAR((basis.transpose() * dual(line)).norm(), 0.0, kTol);
+    EXPECT_NEAR((basis.transpose() * basis - Eigen::Matrix4d::Identity()).norm(), 0.0,
+                kPlueckerTol);
+    EXPECT_NEAR((basis.transpose() * line).norm(), 0.0, kPlueckerTol);
+    EXPECT_NEAR((basis.transpose() * dual(line)).norm(), 0.0, kPlueckerTol);
   }
 }
 
 TEST(SignedDistance, HandCheckedCase) {
   const Vector6d x_axis = join({0, 0, 0, 1}, {1, 0, 0, 1});
   const Vector6d above = join({5, 0, 3, 1}, {5, 1, 3, 1});
-  EXPECT_NEAR(std::abs(signed_distance(x_axis, above)), 3.0, kTol);
-  EXPECT_NEAR(signed_distance(-2.0 * x_axis, 7.0 * above), -signed_distance(x_axis, above), kTol);
+  EXPECT_NEAR(std::abs(signed_distance(x_axis, above)), 3.0, kPlueckerTol);
+  EXPECT_NEAR(signed_distance(-2.0 * x_axis, 7.0 * above), -signed_distance(x_axis, above),
+              kPlueckerTol);
   EXPECT_FALSE(std::isfinite(signed_distance(x_axis, join({0, 1, 0, 1}, {1, 1, 0, 1}))));
 }
 
@@ -212,8 +216,8 @@ TEST(ProjectionPlane, HoldsEveryPointImagedOnTheLine) {
   const Eigen::Vector3d image = p * x;
   const UncertainLine2 line{image.cross(random_vector<3>(random)), random_covariance<3>(random)};
   const UncertainPlane3 plane = projection_plane(p, line);
-  EXPECT_NEAR(plane.mean.dot(x), 0.0, kTol);
-  EXPECT_TRUE(plane.cov.isApprox(p.transpose() * line.cov * p, kTol));
+  EXPECT_NEAR(plane.mean.dot(x), 0.0, kPlueckerTol);
+  EXPECT_TRUE(plane.cov.isApprox(p.transpose() * line.cov * p, kPlueckerTol));
 }
 
 TEST(ProjectionPlane, AddsTheCovarianceOfTheCamera) {
@@ -250,7 +254,7 @@ TEST(Intersection, PropagatesBothCovariances) {
     const auto line = intersection(a, b);
     ASSERT_TRUE(line);
     EXPECT_LT((line->cov - expected).norm(), 1e-6 * expected.norm());
-    EXPECT_LT(difference_up_to_scale(line->mean, by_a(a.mean)), kTol);
+    EXPECT_LT(difference_up_to_scale(line->mean, by_a(a.mean)), kPlueckerTol);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace ridgeline {
 namespace {
 
-constexpr double kTol = 1e-12;
+constexpr double kUncertainTol = 1e-12;
 
 UncertainSegment2 horizontal() {
   return {.segment = {{-50, 0}, {50, 0}},
@@ -41,23 +41,23 @@ TEST(UncertainLine, IsTheJoinOfTheEndpoints) {
     const UncertainLine2 line = uncertain_line({{{1, 2}, {4, 6}}, {2.5, 4}, 0.1, 0.01, 1.0}, form);
     const Eigen::Vector3d expected =
         Eigen::Vector3d(1, 2, 1).cross(Eigen::Vector3d(4, 6, 1)).normalized();
-    EXPECT_NEAR((line.mean - expected).norm(), 0.0, kTol);
+    EXPECT_NEAR((line.mean - expected).norm(), 0.0, kUncertainTol);
   }
 }
 
 TEST(UncertainLine, CentroidFormStatesItsParametersExactly) {
   const UncertainLine2 line = uncertain_line(horizontal(), LineCovariance::kCentroid);
-  EXPECT_NEAR(variance_across(line, {0, 0}), 0.04, kTol);
-  EXPECT_NEAR(variance_of_direction(line), 9e-6, kTol);
-  EXPECT_NEAR(variance_across(line, {100, 0}), 0.04 + 100 * 100 * 9e-6, kTol);
+  EXPECT_NEAR(variance_across(line, {0, 0}), 0.04, kUncertainTol);
+  EXPECT_NEAR(variance_of_direction(line), 9e-6, kUncertainTol);
+  EXPECT_NEAR(variance_across(line, {100, 0}), 0.04 + 100 * 100 * 9e-6, kUncertainTol);
 }
 
 TEST(UncertainLine, Eq1FormHasIndependentEndpoints) {
   const UncertainLine2 line = uncertain_line(horizontal(), LineCovariance::kEq1);
   const double endpoint_variance = 0.04 + 50 * 50 * 9e-6;
-  EXPECT_NEAR(variance_across(line, {0, 0}), endpoint_variance / 2, kTol);
-  EXPECT_NEAR(variance_of_direction(line), 2 * endpoint_variance / 1e4, kTol);
-  EXPECT_NEAR(variance_across(line, {50, 0}), endpoint_variance, kTol);
+  EXPECT_NEAR(variance_across(line, {0, 0}), endpoint_variance / 2, kUncertainTol);
+  EXPECT_NEAR(variance_of_direction(line), 2 * endpoint_variance / 1e4, kUncertainTol);
+  EXPECT_NEAR(variance_across(line, {50, 0}), endpoint_variance, kUncertainTol);
 }
 
 TEST(UncertainLine, Eq1DoublesTheVarianceAcrossARegressionLine) {
@@ -98,8 +98,8 @@ TEST(UncertainLine, CentroidFormIsEq1WithTheCorrelationOfTheEndpoints) {
     const UncertainLine2 exact = spherically_normalised(
         UncertainLine2{independent.mean, independent.cov - mixed - mixed.transpose()});
     const UncertainLine2 centroid = uncertain_line(s, LineCovariance::kCentroid);
-    EXPECT_NEAR((exact.mean - centroid.mean).norm(), 0.0, kTol);
-    EXPECT_NEAR((exact.cov - centroid.cov).norm(), 0.0, kTol);
+    EXPECT_NEAR((exact.mean - centroid.mean).norm(), 0.0, kUncertainTol);
+    EXPECT_NEAR((exact.cov - centroid.cov).norm(), 0.0, kUncertainTol);
   }
 }
 

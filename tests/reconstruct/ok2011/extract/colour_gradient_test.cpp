@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr float kRounding = 1e-5F;  // float kernels of nine taps on values up to 10
+constexpr float kGradientRounding = 1e-5F;  // float kernels of nine taps on values up to 10
 
 /// A ramp of slope `slopes[band]` along (c, s).
 cv::Mat ramps(const std::vector<double>& slopes, double c, double s) {
@@ -28,20 +28,20 @@ TEST(ColourGradient, IsTheSlopeOfARampInEveryDirection) {
     const double c = std::cos(angle_rad);
     const double s = std::sin(angle_rad);
     const auto g = colour_gradient(ramps({0.1}, c, s), 0.8).at<cv::Vec2f>(15, 15);
-    EXPECT_NEAR(g[0], 0.1 * c, kRounding) << angle_rad;
-    EXPECT_NEAR(g[1], 0.1 * s, kRounding) << angle_rad;
+    EXPECT_NEAR(g[0], 0.1 * c, kGradientRounding) << angle_rad;
+    EXPECT_NEAR(g[1], 0.1 * s, kGradientRounding) << angle_rad;
   }
 }
 
 TEST(ColourGradient, AddsTheSquaresOfTheBands) {
   const auto g = colour_gradient(ramps({0.03, 0.04}, 0.0, 1.0), 0.8).at<cv::Vec2f>(15, 15);
-  EXPECT_NEAR(g[0], 0.0, kRounding);
-  EXPECT_NEAR(g[1], 0.05, kRounding);
+  EXPECT_NEAR(g[0], 0.0, kGradientRounding);
+  EXPECT_NEAR(g[1], 0.05, kGradientRounding);
 }
 
 TEST(ColourGradient, SeesAnEdgeOfColourWithoutBrightness) {
   const auto g = colour_gradient(ramps({0.1, -0.1}, 1.0, 0.0), 0.8).at<cv::Vec2f>(15, 15);
-  EXPECT_NEAR(std::abs(g[0]), 0.1 * M_SQRT2, kRounding);
+  EXPECT_NEAR(std::abs(g[0]), 0.1 * M_SQRT2, kGradientRounding);
 }
 
 TEST(ColourGradient, PointsToTheBrighterSide) {
@@ -55,12 +55,13 @@ TEST(ColourGradient, OfAPartOfAnImageIsThePartOfItsGradient) {
   random.fill(image, cv::RNG::UNIFORM, 0.0, 1.0);
   const cv::Rect part(7, 11, 16, 9);
   const cv::Mat whole = colour_gradient(image, 0.8);
-  EXPECT_LT(cv::norm(colour_gradient(image(part), 0.8), whole(part), cv::NORM_INF), kRounding);
+  EXPECT_LT(cv::norm(colour_gradient(image(part), 0.8), whole(part), cv::NORM_INF),
+            kGradientRounding);
 }
 
 TEST(ColourGradient, IsZeroInAFlatImage) {
   const cv::Mat gradient = colour_gradient(cv::Mat(1, 1, CV_32FC3, cv::Scalar::all(0.3)), 0.8);
-  EXPECT_LT(cv::norm(gradient), kRounding);
+  EXPECT_LT(cv::norm(gradient), kGradientRounding);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr float kRounding = 1e-4F;  // logarithms of float
+constexpr float kLogRounding = 1e-4F;  // logarithms of float
 
 TEST(PeakOffset, IsExactForAGaussianAtAnyPosition) {
   for (const float sigma : {0.8F, 1.2F, 3.0F}) {
@@ -15,7 +15,7 @@ TEST(PeakOffset, IsExactForAGaussianAtAnyPosition) {
       const auto profile = [&](float x) {
         return 0.2F * std::exp(-0.5F * (x - peak) * (x - peak) / (sigma * sigma));
       };
-      EXPECT_NEAR(peak_offset_px(profile(-1), profile(0), profile(1)), peak, kRounding);
+      EXPECT_NEAR(peak_offset_px(profile(-1), profile(0), profile(1)), peak, kLogRounding);
     }
   }
 }
@@ -42,7 +42,7 @@ cv::Mat vertical_edge() {
 TEST(EdgePixelAt, FindsThePositionBelowAPixel) {
   const auto pixel = edge_pixel_at(vertical_edge(), 10, 7, 0.01F);
   ASSERT_TRUE(pixel);
-  EXPECT_NEAR(pixel->position_px.x(), 10.3F, kRounding);
+  EXPECT_NEAR(pixel->position_px.x(), 10.3F, kLogRounding);
   EXPECT_EQ(pixel->position_px.y(), 7.0F);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr double kRounding = 1e-10;
+constexpr double kFitRounding = 1e-10;
 
 /// Points one pixel apart on the line y = 0.5 x + 3, moved across it by noise that is correlated
 /// like the gradient of a smoothed image.
@@ -56,9 +56,9 @@ TEST(RegressionLine, OfExactPointsIsTheirLine) {
   Points points;
   for (int i = 0; i < 20; ++i) points.emplace_back(10.0 - 0.6 * i, 4.0 + 0.8 * i);
   const RegressionLine line = regression_line(points);
-  EXPECT_NEAR((line.along - Eigen::Vector2d(-0.6, 0.8)).norm(), 0.0, kRounding);
-  EXPECT_NEAR(line.last - line.first, 19.0, kRounding);
-  EXPECT_NEAR(line.rms_px, 0.0, kRounding);
+  EXPECT_NEAR((line.along - Eigen::Vector2d(-0.6, 0.8)).norm(), 0.0, kFitRounding);
+  EXPECT_NEAR(line.last - line.first, 19.0, kFitRounding);
+  EXPECT_NEAR(line.rms_px, 0.0, kFitRounding);
 }
 
 TEST(RegressionLine, HardlyFollowsAnOutlier) {
@@ -78,8 +78,8 @@ TEST(RegressionLine, DoesNotFollowTheBendNextToACorner) {
   points[0].y() = points[39].y() = 0.8;
   points[1].y() = points[38].y() = 0.3;
   const RegressionLine line = regression_line(points);
-  EXPECT_NEAR(line.centroid.y(), 0.0, kRounding);
-  EXPECT_NEAR(line.last - line.first, 39.0, kRounding);
+  EXPECT_NEAR(line.centroid.y(), 0.0, kFitRounding);
+  EXPECT_NEAR(line.last - line.first, 39.0, kFitRounding);
 }
 
 TEST(RegressionLine, NeedsThreePoints) {
@@ -155,8 +155,8 @@ TEST(UncertainSegment, AddsTheSystematicParts) {
   const RegressionLine line = regression_line(points);
   const UncertainSegment2 plain = uncertain_segment(line, {}, {});
   const UncertainSegment2 more = uncertain_segment(line, {}, {.across_px = 0.3, .ends_px = 0.2});
-  EXPECT_NEAR(more.sigma_q_px, std::hypot(plain.sigma_q_px, 0.3), kRounding);
-  EXPECT_NEAR(more.sigma_phi_rad, std::hypot(plain.sigma_phi_rad, 0.2 / 20.0), kRounding);
+  EXPECT_NEAR(more.sigma_q_px, std::hypot(plain.sigma_q_px, 0.3), kFitRounding);
+  EXPECT_NEAR(more.sigma_phi_rad, std::hypot(plain.sigma_phi_rad, 0.2 / 20.0), kFitRounding);
 }
 
 }  // namespace

@@ -8,14 +8,14 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr double kRounding = 1e-12;
+constexpr double kPieceRounding = 1e-12;
 
 TEST(PrincipalAxes, OfPointsOnALineAreTheLine) {
   Points points;
   for (int i = 0; i < 20; ++i) points.emplace_back(3.0 + 0.6 * i, 5.0 + 0.8 * i);
   const PrincipalAxes axes = principal_axes(points);
-  EXPECT_NEAR((axes.along - Eigen::Vector2d(0.6, 0.8)).norm(), 0.0, kRounding);
-  EXPECT_NEAR(axes.lambda_min, 0.0, kRounding);
+  EXPECT_NEAR((axes.along - Eigen::Vector2d(0.6, 0.8)).norm(), 0.0, kPieceRounding);
+  EXPECT_NEAR(axes.lambda_min, 0.0, kPieceRounding);
   EXPECT_NEAR(axes.max_distance, 0.0, 1e-9);
 }
 
