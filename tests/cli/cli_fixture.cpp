@@ -16,10 +16,31 @@ namespace {
 
 fs::path scene_of_suite;
 
+/// The patch of `SmallPatch`, in a folder `1`, as long as the program runs.
+class Village {
+ public:
+  Village();
+  Village(const Village&) = delete;
+  Village& operator=(const Village&) = delete;
+  ~Village() { fs::remove_all(folder_); }
+  [[nodiscard]] fs::path patch() const { return folder_ / "1"; }
+
+ private:
+  fs::path folder_;
+};
+
 fs::path temporary_folder() {
   std::string pattern = (fs::temp_directory_path() / "ridgeline-cli-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
   return pattern;
+}
+
+Village::Village() : folder_(temporary_folder()) {
+  const ProgramResult made = test::run_program(
+      test::program(),
+      {"simulate", "--out", "1", "--seed", "2", "--extent-m", "48,48", "--samples-per-side", "1"},
+      folder_);
+  EXPECT_EQ(made.exit_code, 0) << made.err;
 }
 
 }  // namespace
@@ -73,6 +94,18 @@ void Cli::SetUpTestSuite() {
 }
 
 void Cli::TearDownTestSuite() { fs::remove_all(scene_of_suite); }
+
+SmallPatch::SmallPatch() {
+  static const Village village;
+  fs::copy(village.patch(), path("patch"));
+}
+
+void SmallPatch::edit_patch(std::string_view from, std::string_view to) const {
+  std::string text = read(path("patch/patch.yaml"));
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from << " is not in " << text;
+  write(path("patch/patch.yaml"), text.replace(at, from.size(), to));
+}
 
 ProgramResult Cli::run(const std::vector<std::string>& arguments,
                        const std::vector<std::string>& environment) const {

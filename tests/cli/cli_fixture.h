@@ -59,6 +59,16 @@ class Cli : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// A fixture with a patch of the id 1 in `patch/`: a small village, since many of its tests run it several times.
+/// The program makes it once for all tests.
+class SmallPatch : public Cli {
+ protected:
+  SmallPatch();
+
+  /// Replaces what stands in the patch file; a failure if it does not stand there.
+  void edit_patch(std::string_view from, std::string_view to) const;
+};
+
 /// A fixture with a small rendered pair in `pair/`, made in each test that needs it.
 class SmallPair : public Cli {
  protected:

@@ -2,7 +2,6 @@
 // The file surface.las that a run keeps in the folder of a patch.
 #include "io/cloud/read_cloud.h"
 #include "tests/cli/cli_fixture.h"
-#include "tests/support/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +15,9 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Sample patch 1 in `patch/`, run into `out/`.
-class KeptSurface : public Cli {
+/// The small patch, run into `out/`.
+class KeptSurface : public SmallPatch {
  protected:
-  KeptSurface() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
-
   [[nodiscard]] ProgramResult run_patch(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words{"run",       "patch/patch.yaml", "--out",      "out",
                                    "--methods", "direct",           "--no-report"};

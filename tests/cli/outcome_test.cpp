@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs whose lines are not judged.
 #include "tests/cli/cli_fixture.h"
-#include "tests/support/paths.h"
 
 namespace ridgeline::cli {
 namespace {
@@ -12,11 +11,8 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// The first sample patch, in patch/.
-class Outcome : public Cli {
+class Outcome : public SmallPatch {
  protected:
-  void SetUp() override { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
-
   void remove_lidar() const {
     std::string text = read(path("patch/patch.yaml"));
     const std::size_t at = text.find("lidar:");

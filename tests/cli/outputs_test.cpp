@@ -120,11 +120,9 @@ TEST_F(Outputs, SimulateWritesOverItsOwnFilesAlone) {
   EXPECT_REFUSED(simulate(), HasSubstr("village/lidar.las"));
 }
 
-/// Copies of sample patch 1 under other ids.
-class PatchIds : public Cli {
+/// Copies of the small patch under other ids.
+class PatchIds : public SmallPatch {
  protected:
-  PatchIds() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
-
   [[nodiscard]] ProgramResult run_with_id(const std::string& id) const {
     std::string text = read(path("patch/patch.yaml"));
     write(path("patch/other.yaml"), "id: " + id + text.substr(text.find('\n')));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files named by an option: those that the program wrote before are replaced, others are refused.
 #include "tests/cli/cli_fixture.h"
-#include "tests/support/paths.h"
 
 #include <utility>
 
@@ -12,10 +11,8 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class OwnFiles : public Cli {
+class OwnFiles : public SmallPatch {
  protected:
-  OwnFiles() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
-
   /// Expects that the command writes its output `file` a second time, but not over what a user has there.
   void expect_only_own_is_replaced(const std::vector<std::string>& arguments,
                                    const std::string& file,

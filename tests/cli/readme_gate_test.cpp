@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the README says of gates holds as printed: its gates file on the demonstration and on a
 // worsened copy of it. tests/action runs its CI job.
-#include "tests/cli/cli_fixture.h"
+#include "tests/cli/run_fixture.h"
 #include "tests/support/paths.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <regex>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace ridgeline::cli {
 namespace {
@@ -101,28 +104,51 @@ std::vector<std::string> listed_metrics(const std::string& message) {
   return metrics;
 }
 
-TEST_F(ReadmeGate, EveryMetricThatIsListedWorksOnTheDemonstrationOrSaysWhyNot) {
-  run_demo();
-  write(path("gates.yaml"), "gates: [{metric: none, max: 1}]");
-  const std::vector<std::string> metrics = listed_metrics(gate("demo").err);
-  ASSERT_THAT(metrics, testing::IsSupersetOf({"rms_m", "evaluated_share_by_length", "quality"}));
-  ASSERT_EQ(evaluate("scene/lines.good.geojson", "judged").exit_code, 0);
+/// A gates file with one gate a metric, whose limits depend on its unit.
+std::string gates_of(const std::vector<std::string>& metrics,
+                     const char* limits_of_metres,
+                     const char* limits_of_shares) {
+  std::string gates = "gates:\n";
   for (const std::string& metric : metrics) {
-    const bool is_share = !metric.ends_with("_m");
-    const bool of_matches =
-        metric == "correctness" || metric == "completeness" || metric == "quality";
-    const char* limits = is_share ? "min: 0, max: 1" : "min: -10, max: 10";
-    write(path("gates.yaml"), fmt::format("gates: [{{metric: {}, {}}}]", metric, limits));
-    EXPECT_EQ(gate("demo").exit_code, 0) << metric << gate("demo").out;
-    const ProgramResult judged = gate("judged");
-    EXPECT_EQ(judged.exit_code, of_matches ? 3 : 0) << metric << judged.out;
-    if (of_matches) {
-      EXPECT_THAT(judged.out, HasSubstr("evaluate judges lines"));
-    }
-    write(path("gates.yaml"), fmt::format("gates: [{{metric: {}, {}}}]", metric,
-                                          metric.ends_with("_m") ? "min: 50" : "min: 1, max: 0"));
-    EXPECT_EQ(gate("demo").exit_code, 3) << metric << " passes whatever it is";
+    gates += fmt::format("  - {{metric: {}, {}}}\n", metric,
+                         metric.ends_with("_m") ? limits_of_metres : limits_of_shares);
   }
+  return gates;
+}
+
+class ListedMetrics : public RunSample {
+ protected:
+  /// Metrics of the gates that fail.
+  [[nodiscard]] std::set<std::string> failed(const std::string& results,
+                                             const std::string& gates) const {
+    write(path("gates.yaml"), gates);
+    const ProgramResult result =
+        run({"gate", results, "--gates", "gates.yaml", "--json", "verdicts.json"});
+    std::set<std::string> metrics;
+    const nlohmann::json verdicts = read_json(path("verdicts.json"));
+    for (const auto& gate : verdicts["gates"]) {
+      if (gate["verdict"] != "passed") metrics.insert(gate["metric"]);
+    }
+    EXPECT_EQ(result.exit_code, metrics.empty() ? 0 : 3) << result.out << result.err;
+    return metrics;
+  }
+};
+
+TEST_F(ListedMetrics, WorkOnARunOrSayWhyNot) {
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  write(path("gates.yaml"), "gates: [{metric: none, max: 1}]");
+  const std::vector<std::string> metrics =
+      listed_metrics(run({"gate", "out", "--gates", "gates.yaml"}).err);
+  ASSERT_THAT(metrics, testing::IsSupersetOf({"rms_m", "evaluated_share_by_length", "quality"}));
+  const std::string wide = gates_of(metrics, "min: -10, max: 10", "min: 0, max: 1");
+  EXPECT_THAT(failed("out", wide), testing::IsEmpty());
+  EXPECT_EQ(failed("out", gates_of(metrics, "min: 50", "min: 1, max: 0")),
+            std::set<std::string>(metrics.begin(), metrics.end()));
+
+  ASSERT_EQ(evaluate("scene/lines.good.geojson", "judged").exit_code, 0);
+  EXPECT_THAT(failed("judged", wide),
+              testing::UnorderedElementsAre("correctness", "completeness", "quality"));
+  EXPECT_THAT(read(path("verdicts.json")), HasSubstr("evaluate judges lines"));
 }
 
 /// The template with the gates that it proposes in comments in force.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/cloud/read_cloud.h"
 #include "tests/cli/cli_fixture.h"
-#include "tests/support/paths.h"
 
 namespace ridgeline::cli {
 namespace {
@@ -13,11 +12,9 @@ using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
-/// Sample patch 1 in `patch/`, run into `out/`.
-class Report : public Cli {
+/// The small patch, run into `out/`.
+class Report : public SmallPatch {
  protected:
-  Report() { fs::copy(fs::path(test::source_dir()) / "sample_data/1", path("patch")); }
-
   void run_patch(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());

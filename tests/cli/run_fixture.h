@@ -11,14 +11,9 @@
 
 namespace ridgeline::cli {
 
-/// A copy of sample patch 1 in `patch/`.
-class RunPatch : public Cli {
+/// Runs the small patch.
+class RunPatch : public SmallPatch {
  protected:
-  RunPatch() {
-    std::filesystem::copy(std::filesystem::path(test::source_dir()) / "sample_data/1",
-                          path("patch"));
-  }
-
   [[nodiscard]] ProgramResult run_patch(const std::string& out,
                                         const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", out};
@@ -26,13 +21,6 @@ class RunPatch : public Cli {
     return run(arguments);
   }
 
-  /// Replaces what stands in the patch file; a failure if it does not stand there.
-  void edit_patch(std::string_view from, std::string_view to) const {
-    std::string text = read(path("patch/patch.yaml"));
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from << " is not in " << text;
-    write(path("patch/patch.yaml"), text.replace(at, from.size(), to));
-  }
   /// Takes a key and what hangs on it out of the patch file.
   void remove_line(std::string_view key) const {
     const std::string text = read(path("patch/patch.yaml"));
@@ -41,6 +29,16 @@ class RunPatch : public Cli {
     std::string rest = text.substr(text.find('\n', begin) + 1);
     while (rest.starts_with(" ") || rest.starts_with("-")) rest.erase(0, rest.find('\n') + 1);
     write(path("patch/patch.yaml"), text.substr(0, begin) + rest);
+  }
+};
+
+/// Runs sample patch 1, whose lines are of every kind.
+class RunSample : public RunPatch {
+ protected:
+  RunSample() {
+    std::filesystem::remove_all(path("patch"));
+    std::filesystem::copy(std::filesystem::path(test::source_dir()) / "sample_data/1",
+                          path("patch"));
   }
 };
 

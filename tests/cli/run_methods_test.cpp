@@ -75,7 +75,7 @@ TEST_F(RunPatch, TwoMatchersGiveTheirListsAndOneOfBoth) {
   }
 }
 
-TEST_F(RunPatch, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
+TEST_F(RunSample, RunsWithDifferentMatchersAreComparedByWhatTheyFind) {
   for (const char* matcher : {"pairwise", "chio", "pairwise,chio"}) {
     const std::string out =
         std::string("m/") + (std::string(matcher).size() > 8 ? "both" : matcher);
@@ -112,7 +112,7 @@ TEST_F(RunPatch, WithoutPropagationPairwiseIsAlone) {
   EXPECT_REFUSED(run_patch("out", {"--matcher", "other"}), HasSubstr("other"));
 }
 
-TEST_F(RunPatch, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
+TEST_F(RunSample, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
   ASSERT_EQ(run_patch("one", {"--no-report"}).exit_code, 0);
   ASSERT_EQ(run_patch("both", {"--no-report", "--matcher", "pairwise,chio"}).exit_code, 0);
   const auto count = [&](const char* file) {
@@ -128,7 +128,7 @@ TEST_F(RunPatch, TheListOfBothMatchersTellsWhichMatchesCameByHeight) {
   EXPECT_EQ(count("both/1/matches.csv"), count("one/1/matches.csv"));
 }
 
-TEST_F(RunPatch, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {
+TEST_F(RunSample, MethodsDifferOnAlignedLinesOnlyUnlessFacesAdjustThem) {
   write(path("no_faces.yaml"), "reconstruct: {faces_beside: false}\n");
   ASSERT_EQ(run_patch("out", {"--config", "no_faces.yaml"}).exit_code, 0);
   const auto direct = read_json(path("out/1/lines.direct.geojson"));
@@ -183,7 +183,7 @@ TEST_F(RunPatch, DirectAndJointAreHeldToBeEqualOnlyWithoutFacesBeside) {
   EXPECT_THAT(read(path("published/table2.md")), Not(HasSubstr("faces_beside")));
 }
 
-TEST_F(RunPatch, LinesOfPlanesAreCountedByThemselves) {
+TEST_F(RunSample, LinesOfPlanesAreCountedByThemselves) {
   // few edges are left, so that planes give lines where no edge does
   write(path("few.yaml"),
         "extract: {min_length_px: 60, faint_edges: false}\nmatch: {guided: false}\n");

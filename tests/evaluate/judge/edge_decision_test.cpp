@@ -163,7 +163,8 @@ TEST(DecideEdge, TakesASurfaceThatAccompaniesHalfOfTheLineIfTheImagesShowTheLine
   const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
                                            candidate(ground, -1.5, 0, 0.0, 6.0)};
   const auto decide = [&](double seen_at_m) {
-    return decide_edge(planes, kLine, {}, evidence_of({{0, 0, seen_at_m}, {10, 0, seen_at_m}})).planes;
+    return decide_edge(planes, kLine, {}, evidence_of({{0, 0, seen_at_m}, {10, 0, seen_at_m}}))
+        .planes;
   };
   EXPECT_EQ(decide(0.0), (std::vector<std::size_t>{1}));
   EXPECT_EQ(decide(9.0), (std::vector<std::size_t>{0}));
