@@ -36,10 +36,11 @@ fs::path temporary_folder() {
 }
 
 Village::Village() : folder_(temporary_folder()) {
-  const ProgramResult made = test::run_program(
-      test::program(),
-      {"simulate", "--out", "1", "--seed", "2", "--extent-m", "48,48", "--samples-per-side", "1"},
-      folder_);
+  const ProgramResult made =
+      test::run_program(test::program(),
+                        {"simulate", "--out", "1", "--seed", "2", "--extent-m", "48,48",
+                         "--samples-per-side", "1", "--focal-length-px", "7000"},
+                        folder_);
   EXPECT_EQ(made.exit_code, 0) << made.err;
 }
 

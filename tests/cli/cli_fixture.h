@@ -73,8 +73,9 @@ class SmallPatch : public Cli {
 class SmallPair : public Cli {
  protected:
   void SetUp() override {
-    const ProgramResult made = run({"simulate", "--out", "pair", "--seed", "3", "--extent-m",
-                                    "45,45", "--samples-per-side", "1"});
+    const ProgramResult made =
+        run({"simulate", "--out", "pair", "--seed", "3", "--extent-m", "45,45",
+             "--samples-per-side", "1", "--focal-length-px", "7000"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
   }
 };

@@ -49,8 +49,8 @@ TEST_F(KeptSurface, IsAPartOfThePointsThatReconstructWrites) {
             0);
   const auto kept = points(kFile);
   const auto all = points("all.las");
-  EXPECT_GT(kept.size(), 50000U);
-  EXPECT_LE(kept.size(), 150000U);
+  EXPECT_GT(kept.size(), 30000U);  // one of four: every second row and column
+  EXPECT_LT(kept.size(), all.size());
   EXPECT_TRUE(std::includes(all.begin(), all.end(), kept.begin(), kept.end()));
 }
 

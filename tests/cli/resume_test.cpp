@@ -19,8 +19,9 @@ constexpr int kKilled = 128 + 9;
 class Resume : public Cli {
  protected:
   void SetUp() override {
-    const ProgramResult made = run({"simulate", "--out", "patch", "--seed", "3", "--extent-m",
-                                    "40,40", "--samples-per-side", "1"});
+    const ProgramResult made =
+        run({"simulate", "--out", "patch", "--seed", "3", "--extent-m", "40,40",
+             "--samples-per-side", "1", "--focal-length-px", "7000"});
     ASSERT_EQ(made.exit_code, 0) << made.err;
   }
 
