@@ -3,6 +3,7 @@
 
 #include "tests/other_scenes/random_stream.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ridgeline::other {
@@ -28,14 +29,42 @@ void crop(AerialCamera& camera, const Scene& scene) {
   camera.rows = static_cast<int>(std::ceil(high.y() - first.y())) + 1;
 }
 
-Eigen::Matrix3d random_attitude(RandomStream& random) {
+/// Of a camera whose x axis is at `kappa_rad` from that of the scene, but for its errors.
+Eigen::Matrix3d random_attitude(double kappa_rad, RandomStream& random) {
   const double degree = M_PI / 180.0;
   const Eigen::Matrix3d axes = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
   return (Eigen::AngleAxisd(random.normal(degree), Eigen::Vector3d::UnitX()) *
           Eigen::AngleAxisd(random.normal(degree), Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(random.normal(degree), Eigen::Vector3d::UnitZ()))
+          Eigen::AngleAxisd(kappa_rad + random.normal(degree), Eigen::Vector3d::UnitZ()))
              .toRotationMatrix() *
          axes;
+}
+
+/// From one projection centre to the next of a strip, unit of the base.
+Eigen::Vector3d random_step(double azimuth_rad, RandomStream& random) {
+  const double heading = azimuth_rad + random.uniform(-2.0, 2.0) * M_PI / 180.0;
+  return {std::cos(heading), std::sin(heading), random.normal(0.01)};
+}
+
+struct Strip {
+  std::string name;
+  int n_views = 0;
+  double azimuth_rad = 0.0;
+  Eigen::Vector3d middle, step;
+};
+
+void fly(const Strip& strip,
+         const Scene& scene,
+         RandomStream& random,
+         std::vector<AerialCamera>& cameras) {
+  for (int i = 0; i < strip.n_views; ++i) {
+    AerialCamera camera;
+    camera.id = strip.name + std::to_string(i + 1);
+    camera.centre = strip.middle + (i - 0.5 * (strip.n_views - 1)) * kBase_m * strip.step;
+    camera.camera_from_local_axes = random_attitude(strip.azimuth_rad, random).transpose();
+    crop(camera, scene);
+    cameras.push_back(std::move(camera));
+  }
 }
 
 }  // namespace
@@ -64,17 +93,27 @@ Eigen::Matrix<double, 3, 4> AerialCamera::image_from_world(const Eigen::Vector3d
   return calibration * camera_from_world;
 }
 
-std::array<AerialCamera, 2> cameras_for(const Scene& scene, std::uint64_t seed) {
+std::vector<AerialCamera> cameras_for(const Scene& scene,
+                                      std::uint64_t seed,
+                                      const FlightPlan& plan) {
+  constexpr double kRightAngle_rad = 0.5 * M_PI;
   RandomStream random(seed + 1000U);
-  const double heading = random.uniform(-2.0, 2.0) * M_PI / 180.0;
-  const Eigen::Vector3d base(std::cos(heading), std::sin(heading), random.normal(0.01));
+  const Eigen::Vector3d step = random_step(0.0, random);
   const Eigen::Vector3d middle(random.normal(40.0), random.normal(40.0), kHeight_m);
-  std::array<AerialCamera, 2> cameras;
-  for (int i = 0; i < 2; ++i) {
-    cameras[i].centre = middle + (i - 0.5) * kBase_m * base;
-    cameras[i].camera_from_local_axes = random_attitude(random).transpose();
-    crop(cameras[i], scene);
+  std::vector<AerialCamera> cameras;
+  fly({"strip", plan.strip, 0.0, middle, step}, scene, random, cameras);
+  if (plan.cross > 0) {
+    // A quarter of a base along its own way: strips of any numbers of views have no centre in common.
+    const Eigen::Vector3d across = random_step(kRightAngle_rad, random);
+    const Eigen::Vector3d shifted = middle + 0.25 * kBase_m * across;
+    fly({"cross", plan.cross, kRightAngle_rad, shifted, across}, scene, random, cameras);
   }
+  if (is_pair(plan)) {
+    cameras[0].id = "left";
+    cameras[1].id = "right";
+  }
+  const auto base = cameras.begin() + (plan.strip - 1) / 2;
+  std::rotate(cameras.begin(), base, base + 2);
   return cameras;
 }
 

@@ -11,7 +11,7 @@
 
 namespace ridgeline::other {
 
-/// What makes one photograph unlike the other one of the same scene.
+/// What makes one photograph unlike the others of the same scene.
 struct Film {
   double gain = 1.0, offset = 0.0;
   double gamma = 0.45;          ///< exponent of the tone curve

@@ -5,11 +5,13 @@
 #include "io/lines/write_lines.h"
 #include "io/project/matches_file.h"
 #include "io/project/write_patch.h"
+#include "reconstruct/geometry/epipolar.h"
 #include "tests/other_scenes/photograph.h"
 #include "tests/other_scenes/random_stream.h"
 #include "tests/other_scenes/settlement.h"
 #include "tests/other_scenes/true_edges.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -21,6 +23,8 @@ namespace {
 const Eigen::Vector3d kOrigin_m(438000.0, 5612000.0, 212.0);
 const char* const kCrs = "EPSG:25832";
 
+std::string image_file(const AerialCamera& camera) { return camera.id + ".tif"; }
+
 bool is_roof_kind(const std::string& kind) {
   return kind == "ridge" || kind == "hip" || kind == "valley" || kind == "eave" || kind == "verge";
 }
@@ -31,23 +35,42 @@ std::string reference_kind(const Edge& edge) {
   return is_roof_kind(edge.kind) && length(edge.segment) < kShortest_m ? "fitting" : edge.kind;
 }
 
-/// Whether both images show enough of an edge to tell where it is.
-bool is_shown(const TrueEdge& edge) {
-  constexpr double kShortest_px = 6.0, kLeastShare = 0.25;
-  return length(edge.visible_px[0]) >= kShortest_px && length(edge.visible_px[1]) >= kShortest_px &&
-         edge.visible[0] >= kLeastShare && edge.visible[1] >= kLeastShare;
-}
-
+/// What the first two images show; an edge has the number of its true line.
 void write_matches(const std::string& path, const std::vector<TrueEdge>& edges) {
   std::vector<io::ReferenceEdge> rows;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto& [left, right] = edges[i].visible_px;
+    if (!edges[i].base_px) continue;
+    const auto& [left, right] = *edges[i].base_px;
     rows.push_back({std::to_string(i), edges[i].edge.kind, left, right, false});
   }
   io::write_reference_edges(path, rows);
 }
 
-void write_truth(const std::string& path, const std::vector<TrueEdge>& edges) {
+/// Shares of an edge that the two images show that show most of it, in the order of the images.
+std::array<double, 2> largest_shares(const TrueEdge& edge) {
+  std::vector<double> shares = edge.visible;
+  while (shares.size() > 2) shares.erase(std::min_element(shares.begin(), shares.end()));
+  return {shares[0], shares[1]};
+}
+
+double largest_epipolar_angle_deg(const TrueEdge& edge, const std::vector<AerialCamera>& cameras) {
+  std::vector<ProjectionMatrix> image_from_local;
+  for (const std::size_t view : edge.views) {
+    image_from_local.push_back(cameras[view].image_from_world(Eigen::Vector3d::Zero()));
+  }
+  return epipolar_angle_rad(image_from_local, edge.edge.segment) * 180.0 / M_PI;
+}
+
+/// What depends on which images show a line: for a pair all are the same.
+void add_views(const TrueEdge& edge, const std::vector<AerialCamera>& cameras, io::Line& line) {
+  const double angle_deg = largest_epipolar_angle_deg(edge, cameras);
+  line.line_class = angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
+  line.n_images = static_cast<int>(edge.views.size());
+}
+
+void write_truth(const std::string& path,
+                 const std::vector<TrueEdge>& edges,
+                 const std::vector<AerialCamera>& cameras) {
   io::LineSet set;
   set.crs = {kCrs};
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -56,8 +79,10 @@ void write_truth(const std::string& path, const std::vector<TrueEdge>& edges) {
     line.id = std::to_string(i);
     line.segment_in_world = {segment.start + kOrigin_m, segment.end + kOrigin_m};
     line.kind = reference_kind(edges[i].edge);
-    line.visible_left = edges[i].visible[0];
-    line.visible_right = edges[i].visible[1];
+    const auto [left, right] = largest_shares(edges[i]);
+    line.visible_left = left;
+    line.visible_right = right;
+    if (cameras.size() > 2) add_views(edges[i], cameras, line);
     set.lines.push_back(std::move(line));
   }
   io::write_lines(path, set, io::LineFormat::kGeoJson);
@@ -65,17 +90,16 @@ void write_truth(const std::string& path, const std::vector<TrueEdge>& edges) {
 
 void write_patch_file(const std::string& folder,
                       std::uint64_t seed,
-                      const std::array<AerialCamera, 2>& cameras) {
+                      const std::vector<AerialCamera>& cameras) {
   constexpr double kBelow_m = 12.0, kAbove_m = 28.0;
   io::PatchFile patch;
   patch.id = "other" + std::to_string(seed);
   patch.crs = {kCrs};
   patch.height_range_m = {kOrigin_m.z() - kBelow_m, kOrigin_m.z() + kAbove_m};
-  for (std::size_t c = 0; c < 2; ++c) {
-    const std::string id = c == 0 ? "left" : "right";
-    patch.images.push_back({.id = id,
-                            .path = id + ".tif",
-                            .image_from_world = cameras[c].image_from_world(kOrigin_m),
+  for (const AerialCamera& camera : cameras) {
+    patch.images.push_back({.id = camera.id,
+                            .path = image_file(camera),
+                            .image_from_world = camera.image_from_world(kOrigin_m),
                             .window_px = Eigen::Vector2d::Zero(),
                             .interior = std::nullopt});
   }
@@ -84,7 +108,7 @@ void write_patch_file(const std::string& folder,
   io::write_patch(folder + "/patch.yaml", patch);
 }
 
-/// Two exposures of one flight: brightness, contrast and sharpness differ a little.
+/// Exposures of one flight: brightness, contrast and sharpness differ a little.
 Film random_film(RandomStream& random) {
   return {.gain = random.uniform(0.85, 1.15),
           .offset = random.uniform(0.0, 0.012),
@@ -97,21 +121,20 @@ Film random_film(RandomStream& random) {
 
 }  // namespace
 
-void write_scene(const std::string& folder, std::uint64_t seed) {
+void write_scene(const std::string& folder, std::uint64_t seed, const FlightPlan& plan) {
   const Scene scene = make_settlement(seed);
   const RayTracer tracer(scene);
-  const std::array<AerialCamera, 2> cameras = cameras_for(scene, seed);
+  const std::vector<AerialCamera> cameras = cameras_for(scene, seed, plan);
   RandomStream random(seed + 2000U);
-  for (std::size_t c = 0; c < 2; ++c) {
-    const cv::Mat image = expose(light(scene, tracer, cameras[c]), random_film(random));
-    io::write_tiff(folder + (c == 0 ? "/left.tif" : "/right.tif"), image);
+  for (const AerialCamera& camera : cameras) {
+    const cv::Mat image = expose(light(scene, tracer, camera), random_film(random));
+    io::write_tiff(folder + "/" + image_file(camera), image);
   }
   std::vector<Edge> edges = scene.edges;
   for (Edge& edge : shadow_edges(scene, tracer)) edges.push_back(std::move(edge));
-  std::vector<TrueEdge> truth = true_edges(scene, tracer, cameras, edges);
-  std::erase_if(truth, [](const TrueEdge& edge) { return !is_shown(edge); });
+  const std::vector<TrueEdge> truth = true_edges(scene, tracer, cameras, edges);
   write_matches(folder + "/matches.csv", truth);
-  write_truth(folder + "/truth.geojson", truth);
+  write_truth(folder + "/truth.geojson", truth, cameras);
   write_patch_file(folder, seed, cameras);
 }
 

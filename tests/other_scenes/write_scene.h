@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "tests/other_scenes/flight_plan.h"
+
 #include <cstdint>
 #include <string>
 
 namespace ridgeline::other {
 
-/// Makes the settlement of a seed and its stereo pair in `folder`, which must be there: patch.yaml
-/// (id: the seed), left.tif, right.tif, matches.csv (all straight edges that both show) and
-/// truth.geojson (the same as 3D lines). No LIDAR. Throws io::IoError.
-void write_scene(const std::string& folder, std::uint64_t seed);
+/// Makes the settlement of a seed and its photographs in `folder`, which must be there: patch.yaml
+/// (id: the seed), ID.tif of each view (cameras_for()), matches.csv (all straight edges that the first
+/// two show) and truth.geojson (all that any two show, as 3D lines). visible_left, visible_right of a
+/// line are of the two views that show most of it. More than two views: its class by the largest
+/// epipolar angle of all pairs of views that show it, and their number as n_images. No LIDAR.
+/// Throws io::IoError.
+void write_scene(const std::string& folder, std::uint64_t seed, const FlightPlan& plan = {});
 
 }  // namespace ridgeline::other
