@@ -12,7 +12,7 @@ function(install_libraries export)
 endfunction()
 install_libraries(ridgelineLazTargets ridgeline_geometry ridgeline_laz)
 install_libraries(ridgelineTargets ridgeline_views ridgeline_extract ridgeline_match ridgeline_chio ridgeline_estimate
-  ridgeline_beyond ridgeline_reconstruct ridgeline_io ridgeline_evaluate ridgeline_results)
+  ridgeline_beyond ridgeline_tracks ridgeline_reconstruct ridgeline_io ridgeline_evaluate ridgeline_results)
 install(TARGETS ridgeline DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY sample_data DESTINATION ${CMAKE_INSTALL_DATADIR}/ridgeline COMPONENT program PATTERN make.sh EXCLUDE)
 

@@ -13,11 +13,14 @@
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
+#include "reconstruct/tracks/tracks.h"
+#include "reconstruct/tracks/view_pairs.h"
 
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace ridgeline::reconstruct {
@@ -29,6 +32,16 @@ constexpr const char* kGuided = "guided";
 
 const Surface* address(const std::optional<Surface>& surface) {
   return surface ? &*surface : nullptr;
+}
+
+SurfaceOf surfaces_of(std::span<const UsedPair> pairs) {
+  return [pairs](std::size_t base, std::size_t search) -> const Surface* {
+    const auto is_asked = [&](const UsedPair& pair) {
+      return pair.views.base == base && pair.views.search == search;
+    };
+    const auto found = std::ranges::find_if(pairs, is_asked);
+    return found == pairs.end() ? nullptr : found->surface;
+  };
 }
 
 template <typename Outcome>
@@ -84,21 +97,85 @@ MatchList combined(const std::vector<EdgeSegment>& left,
   return both;
 }
 
-/// The registration of each match by the profiles across its edges, as the options say; empty if they ask for
-/// none.
-std::vector<Registration> registrations_of(const StereoPair& pair,
-                                           std::span<const LineMatch> matches,
-                                           const EstimationOptions& options) {
+/// How the profiles across the base edge of each track and across its other edges compare, by sighting. The first
+/// one is compared with nothing.
+std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
+                                                       std::span<const Track> tracks,
+                                                       double max_angle_deg) {
+  struct Place {
+    std::size_t track, sighting;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Place>> places;  // by pair of views
+  std::vector<std::vector<ComparedProfiles>> profiles;
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    const std::vector<Sighting>& seen = tracks[t].seen;
+    profiles.emplace_back(seen.size());
+    for (std::size_t s = 1; s < seen.size(); ++s) {
+      if (seen[s].view != seen[0].view) places[{seen[0].view, seen[s].view}].push_back({t, s});
+    }
+  }
+  for (const auto& [views, of_pair] : places) {
+    const auto matches = transformed(of_pair, [&](const Place& p) {
+      return LineMatch{tracks[p.track].seen[0].segment, tracks[p.track].seen[p.sighting].segment};
+    });
+    const std::vector<ComparedProfiles> compared =
+        compare_profiles(stereo_pair(scene, {views.first, views.second}), matches, max_angle_deg);
+    for (std::size_t i = 0; i < of_pair.size(); ++i)
+      profiles[of_pair[i].track][of_pair[i].sighting] = compared[i];
+  }
+  return profiles;
+}
+
+/// The registrations of each track by the profiles across its edges, as the options say; empty if they ask for
+/// none. The base edge is as certain as the one that is most like it.
+std::vector<Registrations> registrations_of(const Scene& scene,
+                                            std::span<const Track> tracks,
+                                            const EstimationOptions& options) {
   const EstimateExtensionOptions& beyond = options.beyond;
   if (!beyond.register_profiles && !beyond.shared_errors) return {};
-  return transformed(compare_profiles(pair, matches, options.lines.max_aligned_angle_deg),
-                     [&](const ComparedProfiles& both) {
-                       Registration r;
-                       if (beyond.register_profiles) r.right_shift_px = both.right_shift_px;
-                       if (beyond.shared_errors && both.similarity)
-                         r.sigma_scale = own_sigma_scale(*both.similarity);
-                       return r;
+  return transformed(profiles_of(scene, tracks, options.lines.max_aligned_angle_deg),
+                     [&](const std::vector<ComparedProfiles>& by_sighting) {
+                       Registrations all(by_sighting.size());
+                       std::optional<double> best;
+                       for (std::size_t s = 1; s < all.size(); ++s) {
+                         if (beyond.register_profiles)
+                           all[s].shift_px = by_sighting[s].right_shift_px;
+                         const std::optional<double>& similarity = by_sighting[s].similarity;
+                         if (!beyond.shared_errors || !similarity) continue;
+                         all[s].sigma_scale = own_sigma_scale(*similarity);
+                         best = std::min(best.value_or(all[s].sigma_scale), all[s].sigma_scale);
+                       }
+                       all[0].sigma_scale = best.value_or(1.0);
+                       return all;
                      });
+}
+
+/// The connections of tracks that two views of a pair show beside each other.
+std::vector<PairConnection> connections_of(const Scene& scene,
+                                           std::span<const Track> tracks,
+                                           std::span<const UsedPair> pairs,
+                                           const MatchOptions& options) {
+  std::vector<PairConnection> all;
+  for (const UsedPair& pair : pairs) {
+    std::vector<LineMatch> matches;
+    std::vector<int> track_of_match;
+    for (std::size_t t = 0; t < tracks.size(); ++t) {
+      const auto in_view = [&](std::size_t view) {
+        return std::ranges::find(tracks[t].seen, view, &Sighting::view);
+      };
+      const auto base = in_view(pair.views.base);
+      const auto search = in_view(pair.views.search);
+      if (base == tracks[t].seen.end() || search == tracks[t].seen.end()) continue;
+      matches.push_back({base->segment, search->segment});
+      track_of_match.push_back(static_cast<int>(t));
+    }
+    for (const PairConnection& c :
+         connect_matches(stereo_pair(scene, pair.views), matches, options)) {
+      all.push_back({track_of_match[static_cast<std::size_t>(c.i)],
+                     track_of_match[static_cast<std::size_t>(c.k)]});
+    }
+  }
+  return all;
 }
 
 /// Beyond the papers: looks for the mates of segments without one where the surface predicts them.
@@ -119,30 +196,40 @@ void guide(const StereoPair& pair, const Options& options, PairMatches& matches)
   matches.guided = std::move(found.mates);
 }
 
+/// Adjusts each line to the faces beside it that the pair of its first two sightings shows.
+void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedLine>& lines) {
+  std::map<const Surface*, PlaneFaces> faces;
+  for (const UsedPair& pair : pairs) {
+    if (pair.surface != nullptr) faces[pair.surface] = plane_faces(*pair.surface);
+  }
+  const SurfaceOf surface_of = surfaces_of(pairs);
+  for (ReconstructedLine& line : lines) {
+    const Surface* surface = surface_of(line.seen[0].sighting.view, line.seen[1].sighting.view);
+    if (surface != nullptr) adjust_to_faces_beside(surface->rectification, faces.at(surface), line);
+  }
+}
+
 /// The lines of matched edges, by every method but Method::kPlanes.
-std::vector<ReconstructedLine> lines_of_edges(const StereoPair& pair,
-                                              std::span<const LineMatch> matches,
-                                              const Options& options,
-                                              const Surface* surface) {
+std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
+                                              std::span<const Track> tracks,
+                                              std::span<const UsedPair> pairs,
+                                              const Options& options) {
   const EstimationOptions& estimation = options.estimation;
-  const std::array cameras = pair.cameras();
-  const std::array segments{transformed(pair.views[0]->segments, &EdgeSegment::line),
-                            transformed(pair.views[1]->segments, &EdgeSegment::line)};
+  const auto cameras = transformed(scene.views, &View::image_from_local);
+  const auto segments = transformed(
+      scene.views, [](const View& view) { return transformed(view.segments, &EdgeSegment::line); });
   const std::vector<PairConnection> connections =
-      connect_matches(pair, matches, options.matching.pairwise);
-  const std::vector<Registration> registrations = registrations_of(pair, matches, estimation);
+      connections_of(scene, tracks, pairs, options.matching.pairwise);
+  const std::vector<Registrations> registrations = registrations_of(scene, tracks, estimation);
   std::vector<ReconstructedLine> lines = reconstruct_lines(
-      {cameras, segments, matches, connections, registrations, pair.height_range_in_local_m},
-      estimation.lines, estimate_extensions(estimation, surface));
+      {cameras, segments, tracks, connections, registrations, scene.height_range_in_local_m},
+      estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
   if (estimation.beyond.shared_errors) {
-    for (ReconstructedLine& line : lines) add_shared_error(cameras[0], line);
-  }
-  if (surface != nullptr && estimation.beyond.adjusts_to_faces() &&
-      estimation.lines.method != Method::kDirect) {
-    const PlaneFaces faces = plane_faces(*surface);
     for (ReconstructedLine& line : lines)
-      adjust_to_faces_beside(surface->rectification, faces, line);
+      add_shared_error(cameras[line.seen[0].sighting.view], line);
   }
+  if (estimation.beyond.adjusts_to_faces() && estimation.lines.method != Method::kDirect)
+    adjust_to_faces(pairs, lines);
   return lines;
 }
 
@@ -184,25 +271,21 @@ void extract(Scene& scene, const ExtractionOptions& options) {
 }
 
 Reconstruction reconstruct(Scene scene, const Options& options, std::span<const ViewPair> pairs) {
-  constexpr std::array kFirstTwo{ViewPair{0, 1}};
-  if (pairs.empty()) pairs = kFirstTwo;
   check_scene(scene, pairs);
   validate(options);
-  Reconstruction result{in_local_frame(std::move(scene)), {}};
+  Reconstruction result{in_local_frame(std::move(scene)), {}, {}, {}};
   extract(result.scene, options.extraction);
-  for (const ViewPair& views_of_pair : pairs) {
-    const StereoPair pair = stereo_pair(result.scene, views_of_pair);
-    PairMatches matches = match(pair, options);
-    check(matches.surface || options.estimation.lines.method != Method::kPlanes,
-          "method planes: there is no surface to find planes in; the images cannot be rectified to "
-          "each other, or every option that needs it is off");
-    const std::array<View, 2> matched = matched_views(pair, matches);
-    std::vector<ReconstructedLine> lines =
-        estimate({{matched.data(), matched.data() + 1}, pair.height_range_in_local_m},
-                 line_matches(matches.used()), options, matches.surface);
-    matches.surface.reset();
-    result.pairs.push_back({views_of_pair, std::move(matches), std::move(lines)});
-  }
+  const std::vector<ViewPair> used =
+      pairs.empty() ? choose_pairs(result.scene) : std::vector(pairs.begin(), pairs.end());
+  for (const ViewPair& views : used) result.pairs.push_back(match(result.scene, views, options));
+  check(options.estimation.lines.method != Method::kPlanes ||
+            std::ranges::any_of(result.pairs, [](const auto& p) { return p.surface.has_value(); }),
+        "method planes: there is no surface to find planes in; the images cannot be rectified to "
+        "each other, or every option that needs it is off");
+  add_guided(result.scene, result.pairs);
+  result.tracks = tracks_of(result.scene, result.pairs, options);
+  result.lines = estimate(result.scene, result.tracks, used_pairs(result.pairs), options);
+  for (PairMatches& pair : result.pairs) pair.surface.reset();
   return result;
 }
 
@@ -214,9 +297,11 @@ std::optional<Surface> surface_of(const StereoPair& pair, const Options& options
   return is_taken ? dense_surface(pair) : std::nullopt;
 }
 
-PairMatches match(const StereoPair& pair, const Options& options) {
+PairMatches match(const Scene& scene, const ViewPair& views, const Options& options) {
   const MatchingOptions& matching = options.matching;
+  const StereoPair pair = stereo_pair(scene, views);
   PairMatches result;
+  result.views = views;
   result.surface = surface_of(pair, options);
   for (const Matcher matcher : matching.matchers) {
     if (matcher == Matcher::kPairwise) {
@@ -233,25 +318,65 @@ PairMatches match(const StereoPair& pair, const Options& options) {
   return result;
 }
 
-std::array<View, 2> matched_views(const StereoPair& pair, const PairMatches& matches) {
-  std::array<View, 2> views{*pair.views[0], *pair.views[1]};
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    std::ranges::copy(matches.guided[v], std::back_inserter(views[v].segments));
+void add_guided(Scene& scene, std::span<PairMatches> pairs) {
+  const std::vector<std::size_t> n_extracted =
+      transformed(scene.views, [](const View& view) { return view.segments.size(); });
+  for (PairMatches& pair : pairs) {
+    const std::array of_pair{pair.views.base, pair.views.search};
+    const auto renumber = [&](std::size_t side, int& id) {
+      const std::size_t n = n_extracted[of_pair[side]];
+      if (static_cast<std::size_t>(id) >= n)
+        id += static_cast<int>(scene.views[of_pair[side]].segments.size() - n);
+    };
+    for (MatchList& list : pair.lists) {
+      for (FoundMatch& found : list.matches) {
+        renumber(0, found.scored.match.left);
+        renumber(1, found.scored.match.right);
+      }
+    }
+    for (const std::size_t side : {0U, 1U})
+      std::ranges::copy(pair.guided[side], std::back_inserter(scene.views[of_pair[side]].segments));
   }
-  return views;
 }
 
-std::vector<ReconstructedLine> estimate(const StereoPair& pair,
-                                        std::span<const LineMatch> matches,
-                                        const Options& options,
-                                        const std::optional<Surface>& surface) {
+std::vector<Track> tracks_of(const Scene& scene,
+                             std::span<const PairMatches> pairs,
+                             const Options& options) {
+  if (pairs.size() == 1) return tracks_of_pair(pairs[0].views, line_matches(pairs[0].used()));
+  const auto matched = transformed(pairs, [](const PairMatches& pair) {
+    return MatchedPair{pair.views, line_matches(pair.used())};
+  });
+  return tracks_of(scene, matched, options.matching.candidates, options.matching.tracks);
+}
+
+std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs) {
+  return transformed(pairs, [](const PairMatches& pair) {
+    return UsedPair{pair.views, address(pair.surface)};
+  });
+}
+
+std::vector<ReconstructedLine> estimate(const Scene& scene,
+                                        std::span<const Track> tracks,
+                                        std::span<const UsedPair> pairs,
+                                        const Options& options) {
   if (options.estimation.lines.method != Method::kPlanes)
-    return lines_of_edges(pair, matches, options, address(surface));
-  if (!surface) return {};
+    return lines_of_edges(scene, tracks, pairs, options);
   Options from_edges = options;
   from_edges.estimation.lines.method = Method::kJoint;
-  return plane_lines(pair, *surface, lines_of_edges(pair, matches, from_edges, &*surface),
-                     options.estimation.lines.max_aligned_angle_deg);
+  std::vector<ReconstructedLine> known;
+  std::vector<ReconstructedLine> found;
+  for (const UsedPair& pair : pairs) {
+    if (pair.surface == nullptr) continue;
+    if (known.empty()) known = lines_of_edges(scene, tracks, pairs, from_edges);
+    for (ReconstructedLine& line : plane_lines(stereo_pair(scene, pair.views), *pair.surface, known,
+                                               options.estimation.lines.max_aligned_angle_deg)) {
+      line.seen[0].sighting.view = pair.views.base;
+      line.seen[1].sighting.view = pair.views.search;
+      known.push_back(line);
+      found.push_back(std::move(line));
+    }
+  }
+  return found;
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {
@@ -272,7 +397,7 @@ void validate(const Options& options) {
   const auto each = [](const auto&... parts) { (ridgeline::validate(parts), ...); };
   each(options.extraction.edges, options.extraction.beyond, options.matching.candidates,
        options.matching.pairwise, options.matching.chio, options.matching.beyond,
-       options.matching.beyond_chio, options.estimation.lines, options.estimation.beyond,
+       options.matching.beyond_chio, options.matching.tracks, options.estimation.lines, options.estimation.beyond,
        options.estimation.building, options.estimation.consensus);
 }
 

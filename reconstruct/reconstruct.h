@@ -7,6 +7,7 @@
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
 #include "reconstruct/ok2011/extract/extract_segments.h"
 #include "reconstruct/ok2011/match/options.h"
+#include "reconstruct/tracks/options.h"
 #include "reconstruct/views/scene.h"
 
 #include <array>
@@ -31,6 +32,7 @@ struct MatchingOptions {
   ChioOptions chio;
   MatchExtensionOptions beyond;
   ChioExtensionOptions beyond_chio;
+  TrackOptions tracks;
 };
 
 /// The options of all stages. The defaults are the best we know.
@@ -54,6 +56,7 @@ struct MatchList {
 
 /// The results of matching a pair.
 struct PairMatches {
+  ViewPair views;
   std::vector<MatchList> lists;  ///< one per matcher, then the combined list if there are two
   std::optional<ChioResult> chio;
   /// Segments found while matching, in the base and the search view. Their ids go on from those of the view's
@@ -65,23 +68,20 @@ struct PairMatches {
   [[nodiscard]] const MatchList& used() const { return lists.back(); }
 };
 
-struct PairReconstruction {
-  ViewPair views;
-  PairMatches matches;  ///< without the surface
+struct Reconstruction {
+  /// In the local frame that all lines are in, with images and segments, those found while matching too.
+  Scene scene;
+  std::vector<PairMatches> pairs;  ///< without their surfaces
+  std::vector<Track> tracks;
   std::vector<ReconstructedLine> lines;
 };
 
-struct Reconstruction {
-  Scene scene;  ///< in the local frame that all lines are in, with images and segments
-  std::vector<PairReconstruction> pairs;
-};
-
-/// 3D lines of oriented images. The steps are: segments of each view, matches of each pair, lines of each
-/// pair with covariance and status (Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000). What goes
-/// beyond the papers is done as the options say. Programs that keep files in between call extract(), match()
-/// and estimate() in this order.
+/// 3D lines of oriented images. The steps are: segments of each view, matches of pairs, tracks of all views,
+/// lines of the tracks with covariance and status (Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000). What
+/// goes beyond the papers is done as the options say. Programs that keep files in between call extract(),
+/// match(), tracks_of() and estimate() in this order.
 /// @param scene  its views have images and no segments
-/// @param pairs  default: the first two views
+/// @param pairs  default: choose_pairs()
 /// The result is the same for any number of threads. Throws std::invalid_argument for fewer than two views, a
 /// pair that does not name two different views, options or heights out of range, images of other types or
 /// different numbers of bands, and Method::kPlanes for a pair without a surface.
@@ -95,24 +95,37 @@ std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& opti
 /// Normalises the images of all views and finds their segments.
 void extract(Scene& scene, const ExtractionOptions& options = {});
 
-/// The matches of a pair with segments. The result has its surface, the matches of each matcher, those of
-/// both together (all of `pairwise`, and those of `chio` for the segments that it left unmatched), and guided
+/// The matches of a pair of views with segments. The result has its surface, the matches of each matcher, those
+/// of both together (all of `pairwise`, and those of `chio` for the segments that it left unmatched), and guided
 /// ones (guided_matches()).
-PairMatches match(const StereoPair& pair, const Options& options = {});
+PairMatches match(const Scene& scene, const ViewPair& views, const Options& options = {});
 
 /// The surface of a pair that match() uses; nothing if no option asks for it or the pair has none.
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options = {});
 
-/// The views of a pair. The segments that were found while matching are appended to those of each view.
-std::array<View, 2> matched_views(const StereoPair& pair, const PairMatches& matches);
+/// Appends the segments that were found while matching to those of the views. Their ids in the matches go on from
+/// those of the pairs before.
+void add_guided(Scene& scene, std::span<PairMatches> pairs);
 
-/// The lines of matched segments.
-/// @param pair     its views have the segments that the matches refer to; see matched_views()
-/// @param surface  see surface_of()
-std::vector<ReconstructedLine> estimate(const StereoPair& pair,
-                                        std::span<const LineMatch> matches,
-                                        const Options& options = {},
-                                        const std::optional<Surface>& surface = {});
+/// What several views show of one edge each. Of a single pair, track i is match i.
+/// @param scene  has the segments that the matches refer to; see add_guided()
+std::vector<Track> tracks_of(const Scene& scene,
+                             std::span<const PairMatches> pairs,
+                             const Options& options = {});
+
+/// A pair whose matches the tracks are made of.
+struct UsedPair {
+  ViewPair views;
+  const Surface* surface = nullptr;  ///< see surface_of()
+};
+std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs);
+
+/// The lines of tracks.
+/// @param scene  has the segments that the tracks refer to
+std::vector<ReconstructedLine> estimate(const Scene& scene,
+                                        std::span<const Track> tracks,
+                                        std::span<const UsedPair> pairs,
+                                        const Options& options = {});
 
 /// The matches of a list, without scores and matchers.
 std::vector<LineMatch> line_matches(const MatchList& list);

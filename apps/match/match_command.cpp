@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
 
 namespace ridgeline::apps {
 namespace {
@@ -35,7 +36,7 @@ struct MatchArguments {
   reconstruct::Options options;  ///< made from `parameters` and `matchers`
 };
 
-void print_summary(const std::array<reconstruct::View, 2>& views,
+void print_summary(std::span<const reconstruct::View> views,
                    const reconstruct::PairMatches& result) {
   say("{} segments in the left, {} in the right image\n", views[0].segments.size(),
       views[1].segments.size());
@@ -103,9 +104,9 @@ int run_match(MatchArguments a) {
   const LocalFrame frame = check_patch(file);
   reconstruct::Scene scene = load_scene(file, frame, a.max_y_parallax_px);
   reconstruct::extract(scene, a.options.extraction);
-  const reconstruct::StereoPair pair = stereo_pair(scene, kPairOfPatch);
-  const reconstruct::PairMatches result = reconstruct::match(pair, a.options);
-  const std::array<reconstruct::View, 2> views = matched_views(pair, result);
+  reconstruct::PairMatches result = reconstruct::match(scene, kPairOfPatch, a.options);
+  add_guided(scene, {&result, 1});
+  const std::vector<reconstruct::View>& views = scene.views;
   const std::vector<std::string> files = segment_files(a, file);
   for (std::size_t i = 0; i < files.size(); ++i) io::write_segments(files[i], views[i].segments);
   io::write_matches(a.out, result.used().matches);

@@ -13,7 +13,7 @@
 namespace ridgeline::apps {
 
 /// Lines are reconstructed from the first two images of a patch.
-inline constexpr reconstruct::ViewPair kPairOfPatch{0, 1};
+inline constexpr ViewPair kPairOfPatch{0, 1};
 
 /// The first (base) or second image of the patch, normalised.
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i);

@@ -20,7 +20,9 @@ Segment3 in_world(const std::optional<Segment3>& segment_in_local, const LocalFr
 }
 
 /// Whether the line comes from a match of two edges, and not from the intersection of two planes.
-bool is_of_match(const reconstruct::ReconstructedLine& line) { return line.match.left >= 0; }
+bool is_of_match(const reconstruct::ReconstructedLine& line) {
+  return line.seen[0].sighting.segment >= 0;
+}
 
 /// The number of the match, "17"; with that of the part, "17.2", if the match shows several lines. An intersection of planes
 /// has `p` and a number.
@@ -49,11 +51,11 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.status = reconstruct::name(line.status);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
     if (is_of_match(line)) {
-      out.left_id = std::to_string(line.match.left);
-      out.right_id = std::to_string(line.match.right);
+      out.left_id = std::to_string(line.seen[0].sighting.segment);
+      out.right_id = std::to_string(line.seen[1].sighting.segment);
     }
-    out.left_px = line.seen_px[0];
-    out.right_px = line.seen_px[1];
+    out.left_px = line.seen[0].px;
+    out.right_px = line.seen[1].px;
     out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;
     out.n_images = 2;
     out.covariance_m2 = line.covariance_m2;

@@ -55,7 +55,7 @@ py::dict lines_of(const io::PatchFile& patch,
     const std::optional<std::string> doubt =
         apps::check_pair(patch, scene, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
-    io::LineSet set = apps::line_set_of(found.pairs.front().lines, found.scene.frame, patch.crs,
+    io::LineSet set = apps::line_set_of(found.lines, found.scene.frame, patch.crs,
                                         options.estimation.lines.method);
     if (doubt) set.warnings.push_back(*doubt);
     return set;

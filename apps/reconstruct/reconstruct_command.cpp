@@ -55,22 +55,21 @@ void find_segments(const io::PatchFile& patch,
   }
 }
 
-/// A pair of views with the segments that its matches name.
+/// The matches of a pair and its surface.
 struct Matched {
-  std::array<reconstruct::View, 2> views;
   std::vector<LineMatch> matches;
   std::optional<reconstruct::Surface> surface;
 };
 
-/// The matches of the file, or those made now.
-Matched matched(const reconstruct::StereoPair& pair, const ReconstructArguments& a) {
+/// The matches of the file, or those made now, whose segments are added to the scene.
+Matched matched(reconstruct::Scene& scene, const ReconstructArguments& a) {
   if (!a.matches.empty()) {
-    const std::array<reconstruct::View, 2> views{*pair.views[0], *pair.views[1]};
-    return {views, read_line_matches(a.matches, {views[0].segments, views[1].segments}),
-            reconstruct::surface_of(pair, a.options)};
+    return {read_line_matches(a.matches, {scene.views[0].segments, scene.views[1].segments}),
+            reconstruct::surface_of(stereo_pair(scene, kPairOfPatch), a.options)};
   }
-  reconstruct::PairMatches matches = reconstruct::match(pair, a.options);
-  return {matched_views(pair, matches), line_matches(matches.used()), std::move(matches.surface)};
+  reconstruct::PairMatches matches = reconstruct::match(scene, kPairOfPatch, a.options);
+  add_guided(scene, {&matches, 1});
+  return {line_matches(matches.used()), std::move(matches.surface)};
 }
 
 /// Writes all points of the surface. Throws IoError for a pair without a surface.
@@ -89,19 +88,22 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                                      const ReconstructArguments& a) {
   reconstruct::Scene scene = load_scene(patch, frame, a.max_y_parallax_px);
   find_segments(patch, a, scene);
-  const Matched found = matched(stereo_pair(scene, kPairOfPatch), a);
+  const Matched found = matched(scene, a);
   if (!found.surface && a.options.estimation.lines.method == reconstruct::Method::kPlanes) {
     throw io::IoError(
         patch.path,
         "--method planes: there is no surface to find planes in; the images cannot be "
         "rectified to each other, or --config turns every key off that needs it");
   }
-  const reconstruct::StereoPair pair{{found.views.data(), found.views.data() + 1},
-                                     scene.height_range_in_local_m};
-  if (!a.surface.empty())
+  if (!a.surface.empty()) {
     write_whole_surface(a.surface, patch, frame,
-                        found.surface ? found.surface : dense_surface(pair));
-  return reconstruct::estimate(pair, found.matches, a.options, found.surface);
+                        found.surface
+                            ? found.surface
+                            : reconstruct::dense_surface(stereo_pair(scene, kPairOfPatch)));
+  }
+  const reconstruct::UsedPair pair{kPairOfPatch, found.surface ? &*found.surface : nullptr};
+  return reconstruct::estimate(scene, tracks_of_pair(kPairOfPatch, found.matches), {&pair, 1},
+                               a.options);
 }
 
 /// The beginning of files of the format that this program writes itself; nothing for a format that GDAL writes.

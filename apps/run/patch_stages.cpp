@@ -138,17 +138,18 @@ std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
   return {io::read_segments(path(files[0])), io::read_segments(path(files[1]))};
 }
 
-reconstruct::StereoPair PatchStages::pair(const std::vector<std::string>& files) {
+void PatchStages::read_views(const std::vector<std::string>& files) {
   read_images();
   for (std::size_t i = 0; i < files.size(); ++i)
     scene_.views[i].segments = io::read_segments(path(files[i]));
-  return stereo_pair(scene_, kPairOfPatch);
 }
 
 /// The stages share the surface, so that it is computed only once.
-const std::optional<reconstruct::Surface>& PatchStages::surface(
-    const reconstruct::StereoPair& pair) {
-  if (!surface_) surface_ = reconstruct::surface_of(pair, options_.parameters.method);
+const std::optional<reconstruct::Surface>& PatchStages::surface() {
+  if (!surface_) {
+    surface_ =
+        reconstruct::surface_of(stereo_pair(scene_, kPairOfPatch), options_.parameters.method);
+  }
   return *surface_;
 }
 
@@ -169,7 +170,8 @@ void PatchStages::extract(std::span<const std::size_t> images) {
 }
 
 std::vector<std::string> PatchStages::keep_surface() {
-  const std::optional<reconstruct::Surface>& kept = surface(pair(segment_files()));
+  read_views(segment_files());
+  const std::optional<reconstruct::Surface>& kept = surface();
   if (!kept) {
     out_.remove(patch_.id + "/" + kSurfaceFile);
     return {};
@@ -194,12 +196,13 @@ void PatchStages::remove_match_lists() const {
 
 void PatchStages::match() {
   remove_match_lists();
-  const reconstruct::StereoPair views = pair(edge_files());
-  reconstruct::PairMatches result = reconstruct::match(views, options_.parameters.method);
+  read_views(edge_files());
+  reconstruct::PairMatches result =
+      reconstruct::match(scene_, kPairOfPatch, options_.parameters.method);
+  add_guided(scene_, {&result, 1});
   const std::vector<std::string> files = segment_files();
-  const std::array<reconstruct::View, 2> matched = matched_views(views, result);
   for (std::size_t i = 0; i < files.size(); ++i)
-    io::write_segments(path(files[i]), matched[i].segments);
+    io::write_segments(path(files[i]), scene_.views[i].segments);
   io::write_matches(path(kMatches), result.used().matches);
   io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
   if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, scene_.frame));
@@ -215,10 +218,12 @@ void PatchStages::reconstruct(reconstruct::Method method) {
   const std::vector<LineMatch> matches = read_line_matches(path(kMatches), segments());
   reconstruct::Options options = options_.parameters.method;
   options.estimation.lines.method = method;
-  const reconstruct::StereoPair views = pair(segment_files());
-  const io::LineSet lines =
-      line_set_of(reconstruct::estimate(views, matches, options, surface(views)), scene_.frame,
-                  patch_.crs, method);
+  read_views(segment_files());
+  const std::optional<reconstruct::Surface>& of_pair = surface();
+  const reconstruct::UsedPair pair{kPairOfPatch, of_pair ? &*of_pair : nullptr};
+  const io::LineSet lines = line_set_of(
+      reconstruct::estimate(scene_, tracks_of_pair(kPairOfPatch, matches), {&pair, 1}, options),
+      scene_.frame, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {
     const std::string file = line_file(method, info.extension);

@@ -60,9 +60,9 @@ class PatchStages {
   [[nodiscard]] std::string path(const std::string& file) const;
   void read_images();
   [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
-  /// The pair with segments that are read from these files, one per image.
-  reconstruct::StereoPair pair(const std::vector<std::string>& files);
-  const std::optional<reconstruct::Surface>& surface(const reconstruct::StereoPair& pair);
+  /// Reads the images and, from these files, the segments of each.
+  void read_views(const std::vector<std::string>& files);
+  const std::optional<reconstruct::Surface>& surface();
 
   const io::PatchFile& patch_;
   const RunOptions& options_;

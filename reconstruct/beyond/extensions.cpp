@@ -57,19 +57,20 @@ ChioExtensions chio_extensions(const ChioExtensionOptions& options,
   return beyond;
 }
 
-EstimateExtensions estimate_extensions(const EstimationOptions& options, const Surface* surface) {
+EstimateExtensions estimate_extensions(const EstimationOptions& options,
+                                       const SurfaceOf& surface_of) {
   EstimateExtensions beyond;
   beyond.max_end_sigma_m = options.beyond.max_end_sigma_m;
-  if (!options.beyond.surface) surface = nullptr;
   if (options.beyond.consensus) {
-    beyond.support = [options, surface](const StereoLines& lines,
-                                        std::span<const ReconstructedLine> direct) {
-      return consensus_support(lines, direct, surface, options);
+    const SurfaceOf used = options.beyond.surface ? surface_of : no_surface;
+    beyond.support = [options, used](const TrackedLines& lines,
+                                     std::span<const ReconstructedLine> direct) {
+      return consensus_support(lines, direct, used, options);
     };
   }
-  beyond.network = [options](const StereoLines& lines, std::span<const PairConnection> connections,
-                             std::vector<std::vector<JointLine>>& by_match) {
-    adjust_together(lines, connections, options, by_match);
+  beyond.network = [options](const TrackedLines& lines, std::span<const PairConnection> connections,
+                             std::vector<std::vector<JointLine>>& by_track) {
+    adjust_together(lines, connections, options, by_track);
   };
   return beyond;
 }

@@ -32,8 +32,8 @@ ChioExtensions chio_extensions(const ChioExtensionOptions& options,
 
 /// The extensions of the estimation that the options switch on: other ends for uncertain lines, depth_consensus
 /// and network.
-/// @param surface  the surface of the pair, or null; must live as long as the result
+/// @param surface_of  the surfaces of the pairs; they must live as long as the result
 EstimateExtensions estimate_extensions(const EstimationOptions& options,
-                                       const Surface* surface = nullptr);
+                                       const SurfaceOf& surface_of = no_surface);
 
 }  // namespace ridgeline::reconstruct

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -49,10 +50,18 @@ bool in_front(const ConditionedView& view, const Eigen::Vector4d& point) {
   return depth * point.w() * view.image_from_object.leftCols<3>().determinant() > 0.0;
 }
 
-ObservedLine observe(const ConditionedView& view,
+Eigen::Matrix3d ConditionedViews::fundamental(std::size_t from, std::size_t to) const {
+  if (from > to) return fundamental(to, from).transpose();  // the same numbers both ways
+  return fundamental_matrix(views[from].image_from_object, views[to].image_from_object);
+}
+
+ObservedLine observe(const ConditionedViews& frames,
+                     std::size_t number,
                      const UncertainSegment2& segment,
                      LineCovariance form) {
+  const ConditionedView& view = frames.views[number];
   ObservedLine observed;
+  observed.view = number;
   observed.segment = {view.image.conditioned_from_image(segment.segment.start),
                       view.image.conditioned_from_image(segment.segment.end)};
   observed.sigma_e = segment.sigma_e_px / view.image.scale_px;
@@ -61,30 +70,39 @@ ObservedLine observe(const ConditionedView& view,
   return observed;
 }
 
-StereoViews condition(std::span<const ProjectionMatrix, 2> cameras,
-                      const std::array<std::span<const Segment2>, 2>& patch) {
-  std::array<ImageConditioning, 2> images;
-  for (std::size_t j = 0; j < 2; ++j) {
-    check(!patch[j].empty(), "condition: segments in image ", j, " = 0, must be at least 1");
+ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
+                           std::span<const std::vector<Segment2>> patch) {
+  check(cameras.size() >= 2 && patch.size() == cameras.size(),
+        "condition: cameras = ", cameras.size(), ", images = ", patch.size(),
+        ", must be two or more, as many of each");
+  std::vector<ImageConditioning> images(cameras.size());
+  std::vector<std::size_t> used;  // views with segments
+  for (std::size_t j = 0; j < images.size(); ++j) {
+    if (patch[j].empty()) continue;
+    used.push_back(j);
     images[j] = image_conditioning(patch[j]);
     check(images[j].scale_px > 0.0 && std::isfinite(images[j].scale_px),
           "condition: size of the patch in image ", j, " = ", images[j].scale_px,
           " px, must be positive");
   }
-  const Ray left = ray(cameras[0], images[0].centre_px);
-  StereoViews stereo;
-  stereo.object.centre_m = closest_point(left, ray(cameras[1], images[1].centre_px));
-  check(stereo.object.centre_m.allFinite(),
+  check(used.size() >= 2, "condition: images with segments = ", used.size(), ", must be 2 or more");
+  const auto& [first, second] = std::pair(used[0], used[1]);
+  const Ray of_first = ray(cameras[first], images[first].centre_px);
+  ConditionedViews frames;
+  frames.object.centre_m =
+      closest_point(of_first, ray(cameras[second], images[second].centre_px));
+  check(frames.object.centre_m.allFinite(),
         "condition: the rays of the patch's centres are parallel", ", must intersect");
 
-  // The scale is what one radius of the patch in the left image spans at the distance of the centre.
-  const Eigen::Vector2d beside = images[0].centre_px + Eigen::Vector2d(images[0].scale_px, 0.0);
-  const double sine = left.direction.cross(ray(cameras[0], beside).direction).norm();
-  stereo.object.scale_m = sine * (stereo.object.centre_m - left.origin).norm();
-  for (std::size_t j = 0; j < 2; ++j) {
-    stereo.views[j] = {conditioned_camera(cameras[j], images[j], stereo.object), images[j]};
+  // The scale is what one radius of the patch in the first image spans at the distance of the centre.
+  const Eigen::Vector2d beside =
+      images[first].centre_px + Eigen::Vector2d(images[first].scale_px, 0.0);
+  const double sine = of_first.direction.cross(ray(cameras[first], beside).direction).norm();
+  frames.object.scale_m = sine * (frames.object.centre_m - of_first.origin).norm();
+  for (std::size_t j = 0; j < images.size(); ++j) {
+    frames.views.push_back({conditioned_camera(cameras[j], images[j], frames.object), images[j]});
   }
-  return stereo;
+  return frames;
 }
 
 }  // namespace ridgeline::reconstruct

@@ -34,32 +34,42 @@ inline Eigen::Vector4d plane_across(const ProjectionMatrix& image_from_object,
 
 /// An image segment as the estimation uses it; all members in the conditioned frames.
 struct ObservedLine {
+  std::size_t view = 0;  ///< number of the view that shows it
   Segment2 segment;
   double sigma_e = 0.0;  ///< standard deviation of the endpoints along the line
   UncertainLine2 line;
   UncertainPlane3 plane;  ///< projection plane, spherically normalised
 };
 
-/// The two images of a match: left (base), right.
-using ObservedPair = std::array<ObservedLine, 2>;
+/// What the views show of one line, in the order of Track::seen: the base and its partner come first.
+using ObservedTrack = std::vector<ObservedLine>;
 
-/// The segment as the estimation uses it. Throws std::invalid_argument for a segment that uncertain_line()
-/// rejects.
-ObservedLine observe(const ConditionedView& view,
+/// The views of a scene and the conditioning they share.
+struct ConditionedViews {
+  ObjectConditioning object;
+  std::vector<ConditionedView> views;
+
+  /// The view that shows a line.
+  [[nodiscard]] const ConditionedView& of(const ObservedLine& seen) const {
+    return views[seen.view];
+  }
+  /// F of two of the conditioned images, with x_to' F x_from = 0.
+  [[nodiscard]] Eigen::Matrix3d fundamental(std::size_t from, std::size_t to) const;
+};
+
+/// A segment of a view as the estimation uses it. Throws std::invalid_argument for a segment that
+/// uncertain_line() rejects.
+ObservedLine observe(const ConditionedViews& frames,
+                     std::size_t view,
                      const UncertainSegment2& segment,
                      LineCovariance form);
 
-/// The two views of a stereo pair and the conditioning they share.
-struct StereoViews {
-  ObjectConditioning object;
-  std::array<ConditionedView, 2> views;  ///< left (base), right
-};
-
-/// The conditioning of a patch, which is given by segments of both images that show about the same area. The
-/// patch gets unit size in each image and in object space. Its centre in object space is where the rays of
-/// the two patch centres come closest.
-/// Throws std::invalid_argument for an empty patch, or for cameras whose rays are parallel there.
-StereoViews condition(std::span<const ProjectionMatrix, 2> cameras,
-                      const std::array<std::span<const Segment2>, 2>& patch);
+/// The conditioning of a patch, which is given by segments of all images that show about the same area. The
+/// patch gets unit size in each image and in object space. Images without segments keep their pixels. Its centre in object space is where the rays of
+/// the patch centres of the first two images with segments come closest.
+/// Throws std::invalid_argument for fewer than two images with segments, and for cameras whose rays are parallel
+/// there.
+ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
+                           std::span<const std::vector<Segment2>> patch);
 
 }  // namespace ridgeline::reconstruct

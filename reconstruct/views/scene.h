@@ -4,6 +4,7 @@
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/local_frame.h"
+#include "reconstruct/geometry/track.h"
 #include "reconstruct/views/epipolar_transfer.h"
 
 #include <opencv2/core/mat.hpp>
@@ -29,11 +30,6 @@ struct Scene {
   std::vector<View> views;
   std::array<double, 2> height_range_in_local_m{};  ///< lowest and highest height of objects
   LocalFrame frame{};  ///< by default, local coordinates are those of the world
-};
-
-/// Two of several views, by their numbers.
-struct ViewPair {
-  std::size_t base = 0, search = 1;
 };
 
 /// A pair of views ready to be matched. Their images are as normalised() makes them. It borrows the views.

@@ -35,6 +35,7 @@ const std::map<std::string, Folders>& allowed() {
   static const std::map<std::string, Folders> folders{
       {"reconstruct/geometry", {}},
       {"reconstruct/views", {"reconstruct/geometry"}},
+      {"reconstruct/tracks", {"reconstruct/geometry", "reconstruct/views"}},
       {"reconstruct/ok2011", {"reconstruct/geometry", "reconstruct/views"}},
       {"reconstruct/chio_wang2000", {"reconstruct/geometry", "reconstruct/views"}},
       {"reconstruct/beyond",

@@ -95,7 +95,7 @@ int main() {
         {{photograph("left", -15.0), photograph("right", 15.0)}, {-2.0, 12.0}});
     std::vector<JudgedLine> lines;
     ridgeline::io::LineSet file;
-    for (const ReconstructedLine& line : found.pairs[0].lines) {
+    for (const ReconstructedLine& line : found.lines) {
       if (!line.segment_in_local) continue;
       JudgedLine& judged = lines.emplace_back();
       judged.id = std::to_string(lines.size());

@@ -51,7 +51,7 @@ class TwoViews : public testing::Test {
   /// Largest distance of the ends of the true line from the nearest of the lines, extended.
   static double distance_m(const Segment3& truth, const Reconstruction& found) {
     double nearest_m = std::numeric_limits<double>::infinity();
-    for (const ReconstructedLine& line : found.pairs.at(0).lines) {
+    for (const ReconstructedLine& line : found.lines) {
       if (!line.segment_in_local) continue;
       const auto through = Eigen::ParametrizedLine<double, 3>::Through(
           found.scene.frame.world_from_local(line.segment_in_local->start),
@@ -68,9 +68,9 @@ class TwoViews : public testing::Test {
 simulate::Scene* TwoViews::scene_ = nullptr;
 Scene* TwoViews::oriented_ = nullptr;
 
-std::vector<double> coordinates(const PairReconstruction& pair) {
+std::vector<double> coordinates(std::span<const ReconstructedLine> lines) {
   std::vector<double> all;
-  for (const ReconstructedLine& line : pair.lines) {
+  for (const ReconstructedLine& line : lines) {
     if (!line.segment_in_local) continue;
     for (const Eigen::Vector3d& x : {line.segment_in_local->start, line.segment_in_local->end}) {
       all.insert(all.end(), x.begin(), x.end());
@@ -97,21 +97,14 @@ TEST_F(TwoViews, GiveWhatTheStagesGiveOneByOne) {
   const Reconstruction found = reconstruct(oriented());
   Scene scene = in_local_frame(oriented());
   extract(scene);
-  const StereoPair pair = stereo_pair(scene, {0, 1});
-  const PairMatches matches = match(pair);
-  const std::array<View, 2> matched = matched_views(pair, matches);
-  for (std::size_t v = 0; v < 2; ++v) {
+  std::vector<PairMatches> pairs{match(scene, {0, 1})};
+  add_guided(scene, pairs);
+  for (std::size_t v = 0; v < 2; ++v)
     EXPECT_EQ(scene.views[v].segments.size(), found.scene.views[v].segments.size());
-    EXPECT_EQ(matched[v].segments.size() - scene.views[v].segments.size(),
-              found.pairs[0].matches.guided[v].size());
-  }
-  EXPECT_EQ(matches.used().matches.size(), found.pairs[0].matches.used().matches.size());
-  EXPECT_EQ(
-      coordinates({{},
-                   {},
-                   estimate({{matched.data(), matched.data() + 1}, pair.height_range_in_local_m},
-                            line_matches(matches.used()), {}, matches.surface)}),
-      coordinates(found.pairs[0]));
+  EXPECT_EQ(pairs[0].used().matches.size(), found.pairs[0].used().matches.size());
+  const std::vector<Track> tracks = tracks_of(scene, pairs);
+  EXPECT_EQ(tracks.size(), pairs[0].used().matches.size());
+  EXPECT_EQ(coordinates(estimate(scene, tracks, used_pairs(pairs))), coordinates(found.lines));
 }
 
 TEST_F(TwoViews, GiveTheSameFromAnyFrame) {
@@ -125,31 +118,27 @@ TEST_F(TwoViews, GiveTheSameFromAnyFrame) {
   const Reconstruction found = reconstruct(moved);
   const Reconstruction expected = reconstruct(oriented());
   EXPECT_EQ(found.scene.frame.origin_m, expected.scene.frame.origin_m);
-  EXPECT_THAT(coordinates(found.pairs[0]),
-              Pointwise(DoubleNear(kRounding_m), coordinates(expected.pairs[0])));
+  EXPECT_THAT(coordinates(found.lines),
+              Pointwise(DoubleNear(kRounding_m), coordinates(expected.lines)));
 }
 
-TEST_F(TwoViews, OfMoreAreTheFirstTwoUnlessPairsAreNamed) {
+TEST_F(TwoViews, OfMoreAreThoseOfThePairThatIsNamed) {
   Scene three = oriented();
-  three.views.push_back(three.views[0]);
-  three.views[2].id = "again";
-  const auto two = coordinates(reconstruct(oriented()).pairs[0]);
-  const Reconstruction first = reconstruct(three);
-  ASSERT_EQ(first.pairs.size(), 1U);
-  EXPECT_EQ(first.scene.views.size(), 3U);
-  EXPECT_EQ(coordinates(first.pairs[0]), two);
-  const std::vector<ViewPair> named{{2, 1}, {0, 1}};
-  const Reconstruction both = reconstruct(three, {}, named);
-  ASSERT_EQ(both.pairs.size(), 2U);
-  EXPECT_EQ(coordinates(both.pairs[0]), two);
-  EXPECT_EQ(coordinates(both.pairs[1]), two);
+  three.views.insert(three.views.begin() + 1, three.views[0]);
+  three.views[1].id = "again";
+  const auto two = coordinates(reconstruct(oriented()).lines);
+  for (const ViewPair& named : {ViewPair{0, 2}, ViewPair{1, 2}}) {
+    const Reconstruction found = reconstruct(three, {}, {&named, 1});
+    ASSERT_EQ(found.pairs.size(), 1U);
+    EXPECT_EQ(found.scene.views.size(), 3U);
+    EXPECT_EQ(coordinates(found.lines), two);
+  }
 }
 
 TEST_F(TwoViews, MayBeNormalisedAlready) {
   Scene normal = oriented();
   for (View& view : normal.views) view.image = normalised(view);
-  EXPECT_EQ(coordinates(reconstruct(normal).pairs[0]),
-            coordinates(reconstruct(oriented()).pairs[0]));
+  EXPECT_EQ(coordinates(reconstruct(normal).lines), coordinates(reconstruct(oriented()).lines));
 }
 
 TEST_F(TwoViews, AreTheFewestAndPairsAreOfThem) {
@@ -199,7 +188,7 @@ TEST_F(TwoViews, AreLeftWhenInterrupted) {
   Interruption::request();
   EXPECT_THROW((void)reconstruct(oriented()), Interrupted);
   Interruption::clear();
-  EXPECT_FALSE(reconstruct(oriented()).pairs[0].lines.empty());
+  EXPECT_FALSE(reconstruct(oriented()).lines.empty());
 }
 
 }  // namespace

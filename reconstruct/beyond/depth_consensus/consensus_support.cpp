@@ -15,8 +15,8 @@ namespace {
 constexpr double kShortestWithEnds_px = 15.0;
 
 /// Whether a segment is long enough for its ends to tell a depth.
-bool has_telling_ends(const AlignedMatch& match) {
-  return match.lines.stereo.views[0].image.scale_px * length(match.line[0].segment) >=
+bool has_telling_ends(const AlignedTrack& track) {
+  return track.lines.frames.of(track.line[0]).image.scale_px * length(track.line[0].segment) >=
          kShortestWithEnds_px;
 }
 
@@ -28,14 +28,14 @@ bool fix_direction(std::span<const CandidatePoint> points) {
   return high - low >= kSmallestBase;
 }
 
-/// The part of the match between the cuts.
-ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
-  const AlignedMatch& match = evidence.match;
-  ObservedPair seen = match.line;
+/// The part of the track between the cuts.
+ObservedTrack seen_part(const TrackEvidence& evidence, const DepthPart& part) {
+  const AlignedTrack& track = evidence.track;
+  ObservedTrack seen = track.line;
   const auto cut = [&](std::size_t point, bool at_start) {
-    const auto x = match.crossing_with(evidence.points[point].ranked.neighbour);
+    const auto x = track.places_of(evidence.points[point]);
     for (std::size_t j = 0; j < 2; ++j) {
-      const bool starts = at_start != (match.runs_back && j == 1);
+      const bool starts = at_start != (track.runs_back && j == 1);
       (starts ? seen[j].segment.start : seen[j].segment.end) = x[j];
     }
   };
@@ -45,14 +45,14 @@ ObservedPair seen_part(const MatchEvidence& evidence, const DepthPart& part) {
 }
 
 /// Adds points of the line that lie on the surface beside it. Returns false if the surface does not give any.
-bool add_surface_points(const AlignedMatch& match,
+bool add_surface_points(const AlignedTrack& track,
                         const Surface& surface,
                         const DepthPart& part,
                         LineSupport& support) {
-  const auto found = SurfaceDepth(surface, match.lines, support.seen).homologous(part.line);
+  const auto found = SurfaceDepth(surface, track.lines, support.seen).homologous(part.line);
   if (!found) return false;
   for (const SurfaceDepth::Homologous& h : *found) {
-    if (const auto point = point_in_object(match, h.x, h.sigma_px)) {
+    if (const auto point = point_in_object(track, h.x, h.sigma_px)) {
       support.ends.push_back(*point);
       support.ends_in_images.push_back(h.x);
       support.sigma_ends_px = std::max(support.sigma_ends_px, h.sigma_px);
@@ -69,7 +69,7 @@ UncertainPoint3 scattered(UncertainPoint3 point, double sigma) {
   return spherically_normalised(point);
 }
 
-LineSupport support_of(const MatchEvidence& evidence,
+LineSupport support_of(const TrackEvidence& evidence,
                        const DepthPart& part,
                        const Surface* surface,
                        const EstimationOptions& options) {
@@ -81,15 +81,15 @@ LineSupport support_of(const MatchEvidence& evidence,
     agreeing.push_back(evidence.points[i]);
     UncertainPoint3& point = agreeing.back().estimated.point;
     point = scattered(
-        point, options.building.sigma_meeting_m / evidence.match.lines.stereo.object.scale_m);
+        point, options.building.sigma_meeting_m / evidence.track.lines.frames.object.scale_m);
     RankedPoint& ranked = agreeing.back().ranked;
-    const auto x = evidence.match.crossing_with(ranked.neighbour);
+    const auto x = evidence.track.places_of(evidence.points[i]);
     ranked.parameter = parameter_along(support.seen[0].segment, x[0]);
   }
   support.points = best_of_regions(agreeing, options.lines);
   if (part.horizontal) support.sigma_slope = options.building.sigma_slope;
   support.points_fix_direction = fix_direction(support.points);
-  if (surface != nullptr && add_surface_points(evidence.match, *surface, part, support))
+  if (surface != nullptr && add_surface_points(evidence.track, *surface, part, support))
     return support;
   if (support.points_fix_direction) return support;
   for (const std::size_t i : part.supports) {
@@ -97,29 +97,29 @@ LineSupport support_of(const MatchEvidence& evidence,
     const std::size_t end = i - evidence.points.size();
     support.ends.push_back(evidence.ends[end]);
     support.sigma_ends_px = options.consensus.sigma_end_px;
-    support.ends_in_images.push_back(evidence.match.ends(evidence.which_ends[end]));
+    support.ends_in_images.push_back(evidence.track.ends(evidence.which_ends[end]));
   }
   const bool is_cut = part.from || part.to;
   if (support.points.empty()) {
-    support.ambiguous = is_cut || support.ends.empty() || !has_telling_ends(evidence.match);
+    support.ambiguous = is_cut || support.ends.empty() || !has_telling_ends(evidence.track);
   } else {
     support.ambiguous = is_cut && !part.horizontal && support.ends.empty();
   }
   return support;
 }
 
-std::vector<LineSupport> lines_by_consensus(const AlignedMatch& match,
+std::vector<LineSupport> lines_by_consensus(const AlignedTrack& track,
                                             std::span<const int> neighbours,
                                             std::span<const double> heights_nearby,
                                             const Surface* surface,
                                             const EstimationOptions& options) {
-  const MatchEvidence evidence = evidence_of(match, neighbours, options);
+  const TrackEvidence evidence = evidence_of(track, neighbours, options);
   std::optional<SurfaceDepth> depth;
-  if (surface != nullptr) depth.emplace(*surface, match.lines, match.line);
+  if (surface != nullptr) depth.emplace(*surface, track.lines, track.line);
   const auto consensus =
-      agree_on_depth({match.lines, match.line, evidence.on_depth, heights_nearby, options.consensus,
+      agree_on_depth({track.lines, track.line, evidence.on_depth, heights_nearby, options.consensus,
                       options.building, depth ? &*depth : nullptr});
-  if (!consensus) return {LineSupport{.seen = match.line}};
+  if (!consensus) return {LineSupport{.seen = track.line}};
   std::vector<LineSupport> all;
   for (const DepthPart& part : consensus->parts) {
     all.push_back(support_of(evidence, part, surface, options));
@@ -130,17 +130,17 @@ std::vector<LineSupport> lines_by_consensus(const AlignedMatch& match,
 
 }  // namespace
 
-SupportOfMatch consensus_support(const StereoLines& lines,
+SupportOfTrack consensus_support(const TrackedLines& lines,
                                  std::span<const ReconstructedLine> direct,
-                                 const Surface* surface,
+                                 const SurfaceOf& surface_of,
                                  const EstimationOptions& options) {
-  return [&lines, surface, options, ends = KnownEnds(lines, direct)](
-             const ObservedPair& line, std::span<const int> neighbours) {
-    const ImageConditioning& image = lines.stereo.views[0].image;
+  return [&lines, surface_of, options, ends = KnownEnds(lines, direct)](
+             const ObservedTrack& line, std::span<const int> neighbours) {
+    const ImageConditioning& image = lines.frames.of(line[0]).image;
     const Segment2 seen_px{image.image_from_conditioned(line[0].segment.start),
                            image.image_from_conditioned(line[0].segment.end)};
-    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(seen_px), surface,
-                              options);
+    return lines_by_consensus({lines, line}, neighbours, ends.heights_near(line[0].view, seen_px),
+                              surface_of(line[0].view, line[1].view), options);
   };
 }
 

@@ -9,9 +9,9 @@
 
 namespace ridgeline::reconstruct {
 
-/// One of the lines that an aligned match shows.
+/// One of the lines that an aligned track shows.
 struct DepthPart {
-  /// Indices of the evidence where the match is cut; empty at the ends of the match.
+  /// Indices of the evidence where the track is cut; empty at the ends of the track.
   std::optional<std::size_t> from, to;
   DepthLine line;
   std::vector<std::size_t> supports;  ///< its evidence that the line supports within chance
@@ -19,9 +19,9 @@ struct DepthPart {
   bool horizontal = false;
 };
 
-/// The depths along a match on which its evidence agrees.
+/// The depths along a track on which its evidence agrees.
 struct DepthConsensus {
-  std::vector<DepthPart> parts;  ///< from the start of the match to its end; mostly one
+  std::vector<DepthPart> parts;  ///< from the start of the track to its end; mostly one
   /// The difference of the scores of the best profile and of the best one that is over a metre away from it
   /// somewhere; infinity if there is no such profile.
   double margin = std::numeric_limits<double>::infinity();

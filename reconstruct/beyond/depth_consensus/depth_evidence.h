@@ -27,7 +27,7 @@ struct DepthEvidence {
   double prior = 0.5;      ///< probability that it is on the line, without other evidence
   /// Weight of a point where another line seems to meet this one; 0 for the ends of the line's own segments.
   double meeting = 0.0;
-  bool may_cut = false;  ///< whether the match may be cut here into several lines
+  bool may_cut = false;  ///< whether the track may be cut here into several lines
 };
 
 }  // namespace ridgeline::reconstruct

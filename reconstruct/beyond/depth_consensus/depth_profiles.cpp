@@ -39,7 +39,7 @@ double log_rise_prior(double rise_m) {
   return -0.5 * squared(rise_m / kRise_m);
 }
 
-/// Indices of the evidence at which the match may be cut, in the order along it; one for evidence at the same
+/// Indices of the evidence at which the track may be cut, in the order along it; one for evidence at the same
 /// place.
 std::vector<std::size_t> places_to_cut(const DepthQuestion& question, const DepthScorer& scorer) {
   std::vector<std::size_t> places;
@@ -61,7 +61,7 @@ struct Step {
 };
 
 /// The best horizontal line between two cuts.
-/// @param from, to  cuts; none at the ends of the match
+/// @param from, to  cuts; none at the ends of the track
 Step best_step(const DepthQuestion& question,
                const DepthScorer& scorer,
                std::optional<std::size_t> from,
@@ -98,7 +98,7 @@ bool is_long_step(const DepthQuestion& question,
   const double start = from ? question.evidence[*from].parameter : 0.0;
   const double end = to ? question.evidence[*to].parameter : 1.0;
   const double px =
-      question.lines.stereo.views[0].image.scale_px * length(question.line[0].segment);
+      question.lines.frames.of(question.line[0]).image.scale_px * length(question.line[0].segment);
   return (end - start) * px >= kShortestStepPx;
 }
 
@@ -113,7 +113,7 @@ double score_of_cut_once(const DepthQuestion& question,
          scorer.score_near_cut(e, after);
 }
 
-/// The best row from the start of the match to a place.
+/// The best row from the start of the track to a place.
 struct Way {
   double score = kUnreached;
   double log_prior = 0.0;  ///< share of the prior in the score

@@ -28,10 +28,11 @@ double slope(const Eigen::Vector3d& direction) {
 
 DepthScorer::DepthScorer(const DepthQuestion& question)
     : question_(question),
-      unit_m_(question.lines.stereo.object.scale_m),
-      reach_(kCutReachPx / question.lines.stereo.views[0].image.scale_px /
+      unit_m_(question.lines.frames.object.scale_m),
+      reach_(kCutReachPx / question.lines.frames.of(question.line[0]).image.scale_px /
              length(question.line[0].segment)),
-      other_from_object_(line_projection(question.lines.stereo.views[1].image_from_object)),
+      other_from_object_(
+          line_projection(question.lines.frames.of(question.line[1]).image_from_object)),
       normal_(question.line[0].plane.mean.head<3>().normalized()) {}
 
 Eigen::Vector3d DepthScorer::horizontal() const {
@@ -75,8 +76,9 @@ std::size_t DepthScorer::line_at(const DepthProfile& profile, double parameter) 
 double DepthScorer::height(const DepthLine& line, double parameter) const {
   const Segment2& base = question_.line[0].segment;
   const Eigen::Vector2d along = base.end - base.start;
-  const Eigen::Vector4d plane = plane_across(question_.lines.stereo.views[0].image_from_object,
-                                             base.start + parameter * along, along);
+  const Eigen::Vector4d plane =
+      plane_across(question_.lines.frames.of(question_.line[0]).image_from_object,
+                   base.start + parameter * along, along);
   const double s = -plane.dot(line.through.homogeneous()) / plane.head<3>().dot(line.direction);
   return line.through.z() + s * line.direction.z();
 }
@@ -135,7 +137,7 @@ double DepthScorer::score_of_end(int which, const DepthLine& line) const {
 
 /// Squared misclosure of the line's image with the segment of the other image, chi-square with 2 degrees of
 /// freedom, on the scale of Student's distribution. What adjoins an edge, a shadow or a gutter, displaces it
-/// by more than its covariance tells, so that no single match may decide against all points.
+/// by more than its covariance tells, so that no single track may decide against all points.
 double DepthScorer::other_misclosure(const DepthLine& h) const {
   constexpr double kFreedoms = 3.0;
   const UncertainLine2& other = question_.line[1].line;

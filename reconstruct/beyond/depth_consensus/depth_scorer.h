@@ -13,10 +13,10 @@
 
 namespace ridgeline::reconstruct {
 
-/// Everything that tells the depth of an aligned match.
+/// Everything that tells the depth of an aligned track.
 struct DepthQuestion {
-  const StereoLines& lines;
-  const ObservedPair& line;
+  const TrackedLines& lines;
+  const ObservedTrack& line;
   std::span<const DepthEvidence> evidence;
   /// Heights of the ends of other lines, conditioned frame.
   std::span<const double> heights_nearby;
@@ -25,14 +25,14 @@ struct DepthQuestion {
   const SurfaceDepth* surface = nullptr;  ///< null if the surface is not known
 };
 
-/// What an aligned match may show, from its start to its end: one line or several.
+/// What an aligned track may show, from its start to its end: one line or several.
 struct DepthProfile {
   std::vector<DepthLine> lines;
-  std::vector<std::size_t> cuts;  ///< index of the evidence at each cut, ascending along the match
+  std::vector<std::size_t> cuts;  ///< index of the evidence at each cut, ascending along the track
   double log_prior = 0.0;
 };
 
-/// How well profiles explain an aligned match; see agree_on_depth().
+/// How well profiles explain an aligned track; see agree_on_depth().
 class DepthScorer {
  public:
   explicit DepthScorer(const DepthQuestion& question);
@@ -67,7 +67,7 @@ class DepthScorer {
   [[nodiscard]] double score(const DepthEvidence& evidence, const DepthLine& line) const;
   /// Score of evidence so near to a cut that it speaks for a line beside it but not against one.
   [[nodiscard]] double score_near_cut(const DepthEvidence& evidence, const DepthLine& line) const;
-  /// Score of the height at an end of the match: 0 its start, 1 its end.
+  /// Score of the height at an end of the track: 0 its start, 1 its end.
   [[nodiscard]] double score_of_end(int which, const DepthLine& line) const;
   /// Score of the evidence at the cut itself, which belongs to either line.
   [[nodiscard]] double score_of_cut(std::size_t cut,

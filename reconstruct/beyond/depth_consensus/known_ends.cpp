@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/depth_consensus/known_ends.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 namespace ridgeline::reconstruct {
 namespace {
 
@@ -9,32 +11,36 @@ constexpr double kLargestSigma_m = 0.4;  // largest sigma of the height of a kno
 
 }  // namespace
 
-KnownEnds::KnownEnds(const StereoLines& lines, std::span<const ReconstructedLine> direct) {
+KnownEnds::KnownEnds(const TrackedLines& lines, std::span<const ReconstructedLine> direct) {
+  std::vector<Eigen::Vector3d> ends;  // conditioned
   for (const ReconstructedLine& line : direct) {
     if (line.line_class == LineClass::kAligned || !line.segment_in_local) continue;
     if (*line.direct_sigma_z_m > kLargestSigma_m) continue;
-    add(lines.stereo, line.segment_in_local->start);
-    add(lines.stereo, line.segment_in_local->end);
+    for (const Eigen::Vector3d& end : {line.segment_in_local->start, line.segment_in_local->end})
+      ends.push_back(lines.frames.object.conditioned_from_local(end));
   }
-  index_ = SegmentIndex(ends_px_);
+  heights_ = transformed(ends, [](const Eigen::Vector3d& end) { return end.z(); });
+  // The line may end where another segment does. So the place of an end is computed by projection.
+  for (const ConditionedView& view : lines.frames.views) {
+    InImage& in_image = by_view_.emplace_back();
+    in_image.ends_px = transformed(ends, [&](const Eigen::Vector3d& end) {
+      const Eigen::Vector2d x_px =
+          view.image.image_from_conditioned(project(view.image_from_object, end));
+      return Segment2{x_px, x_px};
+    });
+    in_image.index = SegmentIndex(in_image.ends_px);
+  }
 }
 
-std::vector<double> KnownEnds::heights_near(const Segment2& seen_px) const {
+std::vector<double> KnownEnds::heights_near(std::size_t view, const Segment2& seen_px) const {
+  const InImage& in_image = by_view_[view];
   std::vector<double> heights;
-  for (const int i : index_.near(seen_px, kNearby_px)) {
+  for (const int i : in_image.index.near(seen_px, kNearby_px)) {
     const auto end = static_cast<std::size_t>(i);
-    if (distance(seen_px, ends_px_[end].start) <= kNearby_px) heights.push_back(heights_[end]);
+    if (distance(seen_px, in_image.ends_px[end].start) <= kNearby_px)
+      heights.push_back(heights_[end]);
   }
   return heights;
-}
-
-/// The line may end where the right segment does. So the end's place in the left image is computed by projection.
-void KnownEnds::add(const StereoViews& stereo, const Eigen::Vector3d& end_in_local) {
-  const Eigen::Vector3d x = stereo.object.conditioned_from_local(end_in_local);
-  const Eigen::Vector2d x_px =
-      stereo.views[0].image.image_from_conditioned(project(stereo.views[0].image_from_object, x));
-  ends_px_.push_back({x_px, x_px});
-  heights_.push_back(x.z());
 }
 
 }  // namespace ridgeline::reconstruct

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostPointPrior = 0.7;
 /// The probability that the ends of both segments show the same point.
 constexpr double kEndPrior = 0.75;
-constexpr double kLeastCutWeight = 0.3;  // least weight W of a point where a match may be cut
+constexpr double kLeastCutWeight = 0.3;  // least weight W of a point where a track may be cut
 
 /// The end of a segment as an uncertain point. Its sigma along the line is sigma_end; across the line it is that of the line.
 UncertainPoint2 end_in_image(const ObservedLine& observed,
@@ -29,19 +29,24 @@ UncertainPoint2 end_in_image(const ObservedLine& observed,
   return spherically_normalised(point);
 }
 
-/// The place in the right image of the point that the left image shows at a pixel, if the point is as high as the patch's centre.
-Eigen::Vector2d on_level(const StereoViews& stereo, const Eigen::Vector2d& x_in_left) {
-  const ProjectionMatrix& left = stereo.views[0].image_from_object;
-  Eigen::Matrix3d image_from_level;  // maps (X, Y, 1) to the left image
-  image_from_level << left.col(0), left.col(1), left.col(3);
-  const Eigen::Vector3d x = image_from_level.inverse() * x_in_left.homogeneous();
-  return (stereo.views[1].image_from_object * Eigen::Vector4d(x.x(), x.y(), 0.0, x.z()))
-      .hnormalized();
+/// The place in another view of the point that the base view shows at a pixel, if the point is as high as the
+/// patch's centre.
+Eigen::Vector2d on_level(const ConditionedView& base,
+                         const ConditionedView& other,
+                         const Eigen::Vector2d& x_in_base) {
+  const ProjectionMatrix& camera = base.image_from_object;
+  Eigen::Matrix3d image_from_level;  // maps (X, Y, 1) to the base view
+  image_from_level << camera.col(0), camera.col(1), camera.col(3);
+  const Eigen::Vector3d x = image_from_level.inverse() * x_in_base.homogeneous();
+  return (other.image_from_object * Eigen::Vector4d(x.x(), x.y(), 0.0, x.z())).hnormalized();
 }
 
-bool is_reversed(const StereoViews& stereo, const ObservedPair& line) {
-  const Segment2& left = line[0].segment;
-  const Eigen::Vector2d expected = on_level(stereo, left.end) - on_level(stereo, left.start);
+bool is_reversed(const ConditionedViews& frames, const ObservedTrack& line) {
+  const Segment2& segment = line[0].segment;
+  const auto in_partner = [&](const Eigen::Vector2d& x) {
+    return on_level(frames.of(line[0]), frames.of(line[1]), x);
+  };
+  const Eigen::Vector2d expected = in_partner(segment.end) - in_partner(segment.start);
   return expected.dot(line[1].segment.end - line[1].segment.start) < 0.0;
 }
 
@@ -50,14 +55,15 @@ DepthEvidence evidence_of(const UncertainPoint3& point, double parameter, double
   return {point.mean.hnormalized(), propagated(jacobian, point.cov), parameter, prior};
 }
 
-/// Whether the match may be cut where it meets another one. The meeting must have enough weight, and both parts must be long
+/// Whether the track may be cut where it meets another one. The meeting must have enough weight, and both parts must be long
 /// enough in both images.
-bool may_cut(const AlignedMatch& match, const CandidatePoint& at, const ConsensusOptions& options) {
+bool may_cut(const AlignedTrack& track, const CandidatePoint& at, const ConsensusOptions& options) {
   if (at.ranked.weight < kLeastCutWeight) return false;
-  const auto x = match.crossing_with(at.ranked.neighbour);
+  const auto x = track.places_of(at);
   for (std::size_t j = 0; j < 2; ++j) {
-    const double shortest = options.min_cut_length_px / match.lines.stereo.views[j].image.scale_px;
-    const Segment2& segment = match.line[j].segment;
+    const double shortest =
+        options.min_cut_length_px / track.lines.frames.of(track.line[j]).image.scale_px;
+    const Segment2& segment = track.line[j].segment;
     const double to_end = std::min((x[j] - segment.start).norm(), (x[j] - segment.end).norm());
     if (!(distance(segment, x[j]) < 1e-9 && to_end >= shortest)) return false;
   }
@@ -66,49 +72,49 @@ bool may_cut(const AlignedMatch& match, const CandidatePoint& at, const Consensu
 
 }  // namespace
 
-AlignedMatch::AlignedMatch(const StereoLines& all, const ObservedPair& observed)
-    : lines(all), line(observed), runs_back(is_reversed(all.stereo, observed)) {}
+AlignedTrack::AlignedTrack(const TrackedLines& all, const ObservedTrack& observed)
+    : lines(all), line(observed), runs_back(is_reversed(all.frames, observed)) {}
 
-std::array<Eigen::Vector2d, 2> AlignedMatch::ends(int which) const {
+std::array<Eigen::Vector2d, 2> AlignedTrack::ends(int which) const {
   const auto end = [](const Segment2& s, bool at_start) { return at_start ? s.start : s.end; };
   return {end(line[0].segment, which == 0), end(line[1].segment, (which == 0) != runs_back)};
 }
 
-std::array<Eigen::Vector2d, 2> AlignedMatch::crossing_with(int other) const {
-  return crossing(line, lines.lines[static_cast<std::size_t>(other)]);
+std::array<Eigen::Vector2d, 2> AlignedTrack::places_of(const CandidatePoint& point) const {
+  return {crossing_in_view(lines, line[0], point), crossing_in_view(lines, line[1], point)};
 }
 
-std::optional<UncertainPoint3> point_in_object(const AlignedMatch& match,
+std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
                                                const std::array<Eigen::Vector2d, 2>& x,
                                                double sigma_px) {
   std::vector<PointObservation> observations;
   for (std::size_t j = 0; j < 2; ++j) {
-    const ConditionedView& view = match.lines.stereo.views[j];
+    const ConditionedView& view = track.lines.frames.of(track.line[j]);
     observations.push_back({view.image_from_object,
-                            end_in_image(match.line[j], x[j], sigma_px / view.image.scale_px)});
+                            end_in_image(track.line[j], x[j], sigma_px / view.image.scale_px)});
   }
   const auto estimated = estimate_point(observations);
-  if (!estimated || !plausible(match.lines, estimated->point.mean)) return std::nullopt;
+  if (!estimated || !plausible(track.lines, track.line, estimated->point.mean)) return std::nullopt;
   return estimated->point;
 }
 
-MatchEvidence evidence_of(const AlignedMatch& match,
+TrackEvidence evidence_of(const AlignedTrack& track,
                           std::span<const int> neighbours,
                           const EstimationOptions& options) {
-  MatchEvidence evidence{match, {}, {}, {}, {}};
+  TrackEvidence evidence{track, {}, {}, {}, {}};
   for (const CandidatePoint& c :
-       candidate_points(match.lines, match.line, neighbours, options.lines)) {
+       candidate_points(track.lines, track.line, neighbours, options.lines)) {
     if (!(c.ranked.weight > options.lines.min_weight)) continue;
     evidence.points.push_back(c);
     DepthEvidence e =
         evidence_of(c.estimated.point, c.ranked.parameter, kMostPointPrior * c.ranked.weight);
     e.meeting = c.ranked.weight;
-    e.may_cut = may_cut(match, c, options.consensus);
+    e.may_cut = may_cut(track, c, options.consensus);
     evidence.on_depth.push_back(e);
   }
   for (const int which : {0, 1}) {
     if (const auto end =
-            point_in_object(match, match.ends(which), options.consensus.sigma_end_px)) {
+            point_in_object(track, track.ends(which), options.consensus.sigma_end_px)) {
       evidence.ends.push_back(*end);
       evidence.which_ends.push_back(which);
       evidence.on_depth.push_back(evidence_of(*end, which, kEndPrior));

@@ -12,40 +12,40 @@
 
 namespace ridgeline::reconstruct {
 
-/// An aligned match in the frames of the estimation. It borrows what it is made of.
-struct AlignedMatch {
-  AlignedMatch(const StereoLines& all, const ObservedPair& observed);
+/// An aligned track in the frames of the estimation. Base and partner tell its depth. It borrows what it is made of.
+struct AlignedTrack {
+  AlignedTrack(const TrackedLines& all, const ObservedTrack& observed);
 
-  const StereoLines& lines;
-  const ObservedPair& line;
-  /// Whether the right segment runs the other way than the left one. The rule by which the segments were
+  const TrackedLines& lines;
+  const ObservedTrack& line;
+  /// Whether the partner segment runs the other way than the base segment. The rule by which the segments were
   /// directed does not matter.
   bool runs_back;
 
-  /// The starts (0) or the ends (1) of both segments, in the direction of the left one.
+  /// The starts (0) or the ends (1) of both segments, in the direction of the base segment.
   [[nodiscard]] std::array<Eigen::Vector2d, 2> ends(int which) const;
-  /// Where the match crosses another one in both images.
-  [[nodiscard]] std::array<Eigen::Vector2d, 2> crossing_with(int other) const;
+  /// Where both views show an artificial point of the line.
+  [[nodiscard]] std::array<Eigen::Vector2d, 2> places_of(const CandidatePoint& point) const;
 };
 
-/// What tells the depth of a match: the artificial points of sufficient weight, and the points that its ends show.
-struct MatchEvidence {
-  AlignedMatch match;
+/// What tells the depth of a track: the artificial points of sufficient weight, and the points that its ends show.
+struct TrackEvidence {
+  AlignedTrack track;
   std::vector<CandidatePoint> points;
   std::vector<UncertainPoint3> ends;
   std::vector<int> which_ends;          ///< for each of `ends`: 0 starts, 1 ends of the segments
   std::vector<DepthEvidence> on_depth;  ///< the evidence of the points, then that of the ends
 };
 
-MatchEvidence evidence_of(const AlignedMatch& match,
+TrackEvidence evidence_of(const AlignedTrack& track,
                           std::span<const int> neighbours,
                           const EstimationOptions& options);
 
-/// The point in object space that both images show, by its place on the segment of each image. The result is empty if there is
-/// no such point in front of the cameras and within the range of heights.
-/// @param x         the places in the left and the right image, conditioned
+/// The point in object space that both views show, by its place on the segment of each. The result is empty if
+/// there is no such point in front of the cameras and within the range of heights.
+/// @param x         the places in the base view and that of the partner, conditioned
 /// @param sigma_px  sigma of both places along the line
-std::optional<UncertainPoint3> point_in_object(const AlignedMatch& match,
+std::optional<UncertainPoint3> point_in_object(const AlignedTrack& track,
                                                const std::array<Eigen::Vector2d, 2>& x,
                                                double sigma_px);
 

@@ -16,8 +16,8 @@ constexpr double kLeastSigma_px = 0.3;  // least sigma of a homologous point alo
 }  // namespace
 
 SurfaceDepth::SurfaceDepth(const Surface& surface,
-                           const StereoLines& lines,
-                           const ObservedPair& line)
+                           const TrackedLines& lines,
+                           const ObservedTrack& line)
     : surface_(surface), lines_(lines), line_(line) {
   const Segment2 whole{rectified(line[0].segment.start), rectified(line[0].segment.end)};
   for (const SidesOfPiece& piece : sides_along(surface, whole)) add_stations(piece);
@@ -25,7 +25,7 @@ SurfaceDepth::SurfaceDepth(const Surface& surface,
 
 Eigen::Vector2d SurfaceDepth::rectified(const Eigen::Vector2d& x_in_left) const {
   return surface_.rectification.rectified(
-      0, lines_.stereo.views[0].image.image_from_conditioned(x_in_left));
+      0, lines_.frames.of(line_[0]).image.image_from_conditioned(x_in_left));
 }
 
 /// Adds the stations of a piece; none unless the nearer surface is to be trusted.
@@ -49,8 +49,8 @@ void SurfaceDepth::add_station(double parameter, double d_px, double sigma_px) {
   const Eigen::Vector3d on_surface = surface_.rectification.point_in_local(rectified(x), d_px);
   stations_.push_back(
       {parameter, d_px, sigma_px,
-       plane_across(lines_.stereo.views[0].image_from_object, x, segment.end - segment.start),
-       lines_.stereo.object.conditioned_from_local(on_surface)});
+       plane_across(lines_.frames.of(line_[0]).image_from_object, x, segment.end - segment.start),
+       lines_.frames.object.conditioned_from_local(on_surface)});
 }
 
 double SurfaceDepth::misfit(const Station& station, const DepthLine& line) const {
@@ -58,7 +58,7 @@ double SurfaceDepth::misfit(const Station& station, const DepthLine& line) const
                    station.across.head<3>().dot(line.direction);
   const Eigen::Vector3d x = line.through + s * line.direction;
   const double d =
-      surface_.rectification.disparity_px(lines_.stereo.object.local_from_conditioned(x));
+      surface_.rectification.disparity_px(lines_.frames.object.local_from_conditioned(x));
   return (d - station.d_px) / station.sigma_px;
 }
 
@@ -94,7 +94,7 @@ std::array<Eigen::Vector2d, 2> SurfaceDepth::seen(double parameter, double d_px)
       r.rectified_from_ideal[1].inverse() * Eigen::Vector3d(x.x() - d_px, x.y(), 1.0);
   const Segment2& axis = line_[1].segment;
   const Eigen::Vector2d in_right =
-      lines_.stereo.views[1].image.conditioned_from_image(right.hnormalized());
+      lines_.frames.of(line_[1]).image.conditioned_from_image(right.hnormalized());
   return {left, point_at(axis, parameter_along(axis, in_right))};
 }
 

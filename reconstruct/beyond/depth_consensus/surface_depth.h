@@ -3,7 +3,7 @@
 
 #include "reconstruct/beyond/depth_consensus/depth_evidence.h"
 #include "reconstruct/beyond/surface/side_planes.h"
-#include "reconstruct/views/stereo_lines.h"
+#include "reconstruct/views/tracked_lines.h"
 
 #include <array>
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace ridgeline::reconstruct {
 
-/// The depth of a match by the surfaces beside it. Along an epipolar line the line itself looks the same
+/// The depth of a track by the surfaces beside it. Along an epipolar line the line itself looks the same
 /// everywhere. Dense matching tells how deep the surfaces on both sides of it are (side_plane()), and a line
 /// bounds the nearer one.
 ///
@@ -26,9 +26,9 @@ namespace ridgeline::reconstruct {
 /// that is wrong, as in deep shadow, costs a profile no more than that.
 class SurfaceDepth {
  public:
-  /// @param line  the match, or the part of it that its mate shows
+  /// @param line  the track, or the part of it that its mate shows
   /// All arguments must live as long as the result.
-  SurfaceDepth(const Surface& surface, const StereoLines& lines, const ObservedPair& line);
+  SurfaceDepth(const Surface& surface, const TrackedLines& lines, const ObservedTrack& line);
 
   /// The line of a profile at a parameter of the left segment.
   using LineAt = std::function<const DepthLine&(double parameter)>;
@@ -64,8 +64,8 @@ class SurfaceDepth {
   [[nodiscard]] std::array<Eigen::Vector2d, 2> seen(double parameter, double d_px) const;
 
   const Surface& surface_;
-  const StereoLines& lines_;
-  const ObservedPair& line_;
+  const TrackedLines& lines_;
+  const ObservedTrack& line_;
   std::vector<Station> stations_;
 };
 

@@ -15,19 +15,19 @@ constexpr NetworkAdjustment::Prediction kUncontrolled{0.0, std::numeric_limits<d
 
 }  // namespace
 
-NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
+NetworkAdjustment::NetworkAdjustment(const ConditionedViews& frames,
                                      std::vector<const NetworkLine*> lines,
                                      std::vector<Meeting> meetings,
                                      const std::array<double, 2>& heights_m,
                                      double sigma_slope)
     : weights(meetings.size(), 1.0),
-      stereo_(stereo),
+      frames_(frames),
       lines_(std::move(lines)),
       meetings_(std::move(meetings)),
       sigma_slope_(sigma_slope),
-      height_((0.5 * (heights_m[0] + heights_m[1]) - stereo.object.centre_m.z()) /
-              stereo.object.scale_m),
-      sigma_height_((heights_m[1] - heights_m[0]) / (std::sqrt(12.0) * stereo.object.scale_m)) {
+      height_((0.5 * (heights_m[0] + heights_m[1]) - frames.object.centre_m.z()) /
+              frames.object.scale_m),
+      sigma_height_((heights_m[1] - heights_m[0]) / (std::sqrt(12.0) * frames.object.scale_m)) {
   for (const NetworkLine* line : lines_) {
     conditions_.push_back(conditions_of(*line));
     estimates_.push_back(line->start);
@@ -36,16 +36,14 @@ NetworkAdjustment::NetworkAdjustment(const StereoViews& stereo,
 }
 
 NetworkAdjustment::LineConditions NetworkAdjustment::conditions_of(const NetworkLine& line) const {
-  const ConditionedView& left = stereo_.views[0];
+  const ConditionedView& base = frames_.of(line.seen[0]);
   const Segment2& segment = line.seen[0].segment;
   LineConditions conditions{
-      {ImageCondition(left.image_from_object, line.seen[0].line),
-       ImageCondition(stereo_.views[1].image_from_object, line.seen[1].line)},
-      {end_plane(left, segment, segment.start), end_plane(left, segment, segment.end)},
-      {}};
-  for (const auto& end : line.ends) {
-    conditions.left_ends.push_back(end_plane(left, segment, end[0]));
-  }
+      {}, {end_plane(base, segment, segment.start), end_plane(base, segment, segment.end)}, {}};
+  for (const ObservedLine& seen : line.seen)
+    conditions.images.emplace_back(frames_.of(seen).image_from_object, seen.line);
+  for (const auto& end : line.ends)
+    conditions.base_ends.push_back(end_plane(base, segment, end[0]));
   return conditions;
 }
 
@@ -65,11 +63,11 @@ void NetworkAdjustment::for_each_condition(std::size_t line,
   }
   if (lines_[line]->is_horizontal) add(rise(at), sigma_slope_);
   // The point is uncertain along both segments.
-  const double sigma_end =
-      std::numbers::sqrt2 * lines_[line]->sigma_ends_px / stereo_.views[1].image.scale_px;
-  for (std::size_t e = 0; e < c.left_ends.size(); ++e) {
-    add(end_parallax(at, c.left_ends[e], stereo_.views[1], lines_[line]->seen[1].segment,
-                     lines_[line]->ends[e][1]),
+  const ObservedLine& partner = lines_[line]->seen[1];
+  const ConditionedView& view = frames_.of(partner);
+  const double sigma_end = std::numbers::sqrt2 * lines_[line]->sigma_ends_px / view.image.scale_px;
+  for (std::size_t e = 0; e < c.base_ends.size(); ++e) {
+    add(end_parallax(at, c.base_ends[e], view, partner.segment, lines_[line]->ends[e][1]),
         sigma_end);
   }
 }

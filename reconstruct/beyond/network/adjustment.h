@@ -17,7 +17,7 @@ class NetworkAdjustment {
  public:
   /// @param meetings   by indices into `lines`
   /// @param heights_m  lowest and highest height of objects, local frame
-  NetworkAdjustment(const StereoViews& stereo,
+  NetworkAdjustment(const ConditionedViews& frames,
                     std::vector<const NetworkLine*> lines,
                     std::vector<Meeting> meetings,
                     const std::array<double, 2>& heights_m,
@@ -54,12 +54,12 @@ class NetworkAdjustment {
 
  private:
   struct LineConditions {
-    std::array<ImageCondition, 2> images;
-    std::array<Eigen::Vector4d, 2> end_planes;  ///< planes of the left segment's start and end
-    std::vector<Eigen::Vector4d> left_ends;     ///< planes of NetworkLine::ends in the left image
+    std::vector<ImageCondition> images;         ///< one per sighting
+    std::array<Eigen::Vector4d, 2> end_planes;  ///< planes of the base segment's start and end
+    std::vector<Eigen::Vector4d> base_ends;     ///< planes of NetworkLine::ends in the base view
   };
   [[nodiscard]] double sigma_of(std::size_t meeting) const {
-    return meetings_[meeting].junction.sigma_m / stereo_.object.scale_m;
+    return meetings_[meeting].junction.sigma_m / frames_.object.scale_m;
   }
   using Basis = Eigen::Matrix<double, 6, 4>;
   [[nodiscard]] LineConditions conditions_of(const NetworkLine& line) const;
@@ -71,7 +71,7 @@ class NetworkAdjustment {
   [[nodiscard]] std::vector<Vector6d> moved(const Eigen::VectorXd& step, double factor) const;
   [[nodiscard]] Eigen::Matrix4d covariance_block(std::size_t row, std::size_t column) const;
 
-  const StereoViews& stereo_;
+  const ConditionedViews& frames_;
   std::vector<const NetworkLine*> lines_;
   std::vector<Meeting> meetings_;
   double sigma_slope_, height_, sigma_height_;  // in the conditioned frame

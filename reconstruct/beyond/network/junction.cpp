@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/network/junction.h"
 
-#include "reconstruct/views/stereo_lines.h"
+#include "reconstruct/views/tracked_lines.h"
 
 #include <algorithm>
 
@@ -10,15 +10,18 @@ namespace {
 
 enum class Place { kEnd, kWithin, kBeyond };
 
-/// Where the crossings with another line lie on the segments of a line, mean of both images.
-Place place_of(const StereoViews& stereo, const ObservedPair& line, const ObservedPair& other) {
+/// Where the crossings with another line lie on the segments of a line, mean of the images that show both.
+Place place_of(const ConditionedViews& frames,
+               const ObservedTrack& line,
+               const ObservedTrack& other) {
   constexpr double kAtEnd_px = 4.0;
-  double to_end_px = 0.0;  // mean of both images: positive beyond the end, negative within
-  const std::array<Eigen::Vector2d, 2> x = crossing(line, other);
-  for (std::size_t j = 0; j < 2; ++j) {
-    const Segment2& s = line[j].segment;
-    const double t = parameter_along(s, x[j]);
-    to_end_px += 0.5 * stereo.views[j].image.scale_px * length(s) * std::max(-t, t - 1.0);
+  double to_end_px = 0.0;  // mean of the images: positive beyond the end, negative within
+  const std::vector<SeenTogether> views = seen_together(line, other);
+  const double share = 1.0 / static_cast<double>(views.size());
+  for (const SeenTogether& view : views) {
+    const Segment2& s = view.line.segment;
+    const double t = parameter_along(s, view.crossing());
+    to_end_px += share * frames.of(view.line).image.scale_px * length(s) * std::max(-t, t - 1.0);
   }
   if (to_end_px > kAtEnd_px) return Place::kBeyond;
   return to_end_px < -kAtEnd_px ? Place::kWithin : Place::kEnd;
@@ -26,13 +29,13 @@ Place place_of(const StereoViews& stereo, const ObservedPair& line, const Observ
 
 }  // namespace
 
-Junction junction(const StereoViews& stereo,
-                  const ObservedPair& a,
-                  const ObservedPair& b,
+Junction junction(const ConditionedViews& frames,
+                  const ObservedTrack& a,
+                  const ObservedTrack& b,
                   double sigma_meeting_m) {
   constexpr double kCorner = 0.87, kEndOnLine = 0.7, kCrossing = 0.35, kBeyondEnds = 0.45;
-  const Place of_a = place_of(stereo, a, b);
-  const Place of_b = place_of(stereo, b, a);
+  const Place of_a = place_of(frames, a, b);
+  const Place of_b = place_of(frames, b, a);
   if (of_a == Place::kBeyond || of_b == Place::kBeyond) return {kBeyondEnds, sigma_meeting_m};
   if (of_a == Place::kEnd && of_b == Place::kEnd) return {kCorner, 0.5 * sigma_meeting_m};
   const bool cross = of_a == Place::kWithin && of_b == Place::kWithin;

@@ -96,14 +96,14 @@ bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& optio
   return adjustment.minimise(kConverged, kMostPasses);
 }
 
-void adjust_group(const StereoViews& stereo,
+void adjust_group(const ConditionedViews& frames,
                   std::span<const NetworkLine> lines,
                   const Group& group,
                   const std::array<double, 2>& heights_m,
                   const BuildingOptions& options,
                   std::vector<AdjustedInNetwork>& results) {
   const auto members = transformed(group.lines, [&](int line) { return &lines[line]; });
-  NetworkAdjustment adjustment(stereo, members, group.meetings, heights_m, options.sigma_slope);
+  NetworkAdjustment adjustment(frames, members, group.meetings, heights_m, options.sigma_slope);
   if (!decide_meetings(adjustment, options) || !adjustment.converged() || !adjustment.invert()) {
     return;
   }
@@ -122,7 +122,7 @@ void adjust_group(const StereoViews& stereo,
 
 }  // namespace
 
-std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
+std::vector<AdjustedInNetwork> adjust_network(const ConditionedViews& frames,
                                               std::span<const NetworkLine> lines,
                                               std::span<const Meeting> meetings,
                                               const std::array<double, 2>& heights_m,
@@ -131,7 +131,7 @@ std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
   const std::vector<Group> groups = connected_groups(lines.size(), meetings);
   tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
     Interruption::check();
-    adjust_group(stereo, lines, groups[g], heights_m, options, results);
+    adjust_group(frames, lines, groups[g], heights_m, options, results);
   });
   return results;
 }

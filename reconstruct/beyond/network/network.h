@@ -15,21 +15,21 @@
 
 namespace ridgeline::reconstruct {
 
-/// A matched line as it enters the common adjustment, in the conditioned frames.
+/// A line of a track as it enters the common adjustment, in the conditioned frames.
 struct NetworkLine {
-  ObservedPair seen;
+  ObservedTrack seen;
   Vector6d start = Vector6d::Zero();  ///< unit vector
   /// Covariance of `start`, by which likely meetings are found at the beginning; none if nothing is known of
   /// it.
   std::optional<Matrix6d> start_cov;
   /// Whether the line is taken as horizontal, within options.sigma_slope.
   bool is_horizontal = false;
-  /// Ends of the left and the right segment that are taken to show the same point.
+  /// Ends of the base segment and its partner that are taken to show the same point.
   std::vector<std::array<Eigen::Vector2d, 2>> ends;
   double sigma_ends_px = 1.0;  ///< standard deviation of each of `ends` along the line
 };
 
-/// Two lines that meet in both images.
+/// Two lines that meet in the images that show both.
 struct Meeting {
   int first = 0, second = 0;
   Junction junction;
@@ -57,7 +57,7 @@ struct AdjustedInNetwork {
 /// Lines without a chain of meetings between them are independent, so each group is one sparse system, and
 /// the groups run in parallel. Results do not depend on the number of threads.
 /// @param heights_m  lowest and highest height of objects, local frame
-std::vector<AdjustedInNetwork> adjust_network(const StereoViews& stereo,
+std::vector<AdjustedInNetwork> adjust_network(const ConditionedViews& frames,
                                               std::span<const NetworkLine> lines,
                                               std::span<const Meeting> meetings,
                                               const std::array<double, 2>& heights_m,

@@ -34,48 +34,54 @@ void start_from(const ReconstructedLine& joint,
   line.start = project_to_pluecker_quadric(joined.mean.normalized());
 }
 
-NetworkLine network_line(const StereoLines& lines, std::size_t match, const JointLine& joint) {
+NetworkLine network_line(const TrackedLines& lines, std::size_t track, const JointLine& joint) {
   NetworkLine line;
-  line.seen = lines.lines[match];
-  for (std::size_t j = 0; j < 2; ++j) line.seen[j].segment = joint.support.seen[j].segment;
-  start_from(joint.line, lines.stereo.object, line);
+  line.seen = lines.lines[track];
+  for (std::size_t j = 0; j < line.seen.size(); ++j)
+    line.seen[j].segment = joint.support.seen[j].segment;
+  start_from(joint.line, lines.frames.object, line);
   line.is_horizontal = joint.support.sigma_slope.has_value();
   line.ends = joint.support.ends_in_images;
   line.sigma_ends_px = joint.support.sigma_ends_px;
   return line;
 }
 
-/// The lines with a geometry, and the matches that they come from.
+/// The lines with a geometry, and the tracks that they come from.
 struct Members {
   std::vector<NetworkLine> lines;
   std::vector<JointLine*> results;
-  std::vector<std::vector<int>> of_match;
+  std::vector<std::vector<int>> of_track;
 };
 
-Members members_of(const StereoLines& lines, std::vector<std::vector<JointLine>>& by_match) {
+Members members_of(const TrackedLines& lines, std::vector<std::vector<JointLine>>& by_track) {
   Members members;
-  members.of_match.resize(by_match.size());
-  for (std::size_t match = 0; match < by_match.size(); ++match) {
-    for (JointLine& joint : by_match[match]) {
+  members.of_track.resize(by_track.size());
+  for (std::size_t track = 0; track < by_track.size(); ++track) {
+    for (JointLine& joint : by_track[track]) {
       if (!joint.line.segment_in_local) continue;
-      members.of_match[match].push_back(static_cast<int>(members.lines.size()));
-      members.lines.push_back(network_line(lines, match, joint));
+      members.of_track[track].push_back(static_cast<int>(members.lines.size()));
+      members.lines.push_back(network_line(lines, track, joint));
       members.results.push_back(&joint);
     }
   }
   return members;
 }
 
-/// The part of a match that is closest to a segment of the left image; nothing for a match without parts.
-std::optional<int> closest_part(const Members& members, std::size_t match, const Segment2& to) {
-  const std::vector<int>& parts = members.of_match[match];
+/// The part of a track that is closest to another line in the first view that shows both; nothing for a track without
+/// parts.
+std::optional<int> closest_part(const Members& members,
+                                std::size_t track,
+                                const ObservedTrack& other) {
+  const std::vector<int>& parts = members.of_track[track];
   const auto closest = std::ranges::min_element(parts, {}, [&](int part) {
-    return distance(members.lines[static_cast<std::size_t>(part)].seen[0].segment, to);
+    const SeenTogether both =
+        seen_together(members.lines[static_cast<std::size_t>(part)].seen, other).front();
+    return distance(both.line.segment, both.other.segment);
   });
   return closest == parts.end() ? std::nullopt : std::optional(*closest);
 }
 
-std::vector<Meeting> meetings_of(const StereoLines& lines,
+std::vector<Meeting> meetings_of(const TrackedLines& lines,
                                  std::span<const PairConnection> connections,
                                  const Members& members,
                                  const ReconstructOptions& options,
@@ -87,11 +93,11 @@ std::vector<Meeting> meetings_of(const StereoLines& lines,
     const auto a = static_cast<std::size_t>(i);
     const auto b = static_cast<std::size_t>(k);
     if (!(pair_weight(lines, lines.lines[a], k, options) > options.min_weight)) continue;
-    const auto first = closest_part(members, a, lines.lines[b][0].segment);
-    const auto second = closest_part(members, b, lines.lines[a][0].segment);
+    const auto first = closest_part(members, a, lines.lines[b]);
+    const auto second = closest_part(members, b, lines.lines[a]);
     if (!first || !second) continue;
     meetings.push_back({*first, *second,
-                        junction(lines.stereo, members.lines[*first].seen,
+                        junction(lines.frames, members.lines[*first].seen,
                                  members.lines[*second].seen, sigma_meeting_m)});
   }
   return meetings;
@@ -120,20 +126,20 @@ bool is_better_known(const ReconstructedLine& by_network, int n_meetings, const 
 
 }  // namespace
 
-void adjust_together(const StereoLines& lines,
+void adjust_together(const TrackedLines& lines,
                      std::span<const PairConnection> connections,
                      const EstimationOptions& options,
-                     std::vector<std::vector<JointLine>>& by_match) {
-  const Members members = members_of(lines, by_match);
+                     std::vector<std::vector<JointLine>>& by_track) {
+  const Members members = members_of(lines, by_track);
   const std::vector<Meeting> meetings =
       meetings_of(lines, connections, members, options.lines, options.building.sigma_meeting_m);
   const std::vector<AdjustedInNetwork> adjusted = adjust_network(
-      lines.stereo, members.lines, meetings, lines.height_range_in_local_m, options.building);
+      lines.frames, members.lines, meetings, lines.height_range_in_local_m, options.building);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     ReconstructedLine& joint = members.results[i]->line;
     if (!adjusted[i].adjusted) continue;
     ReconstructedLine line = joint;
-    if (!assign_geometry(lines.stereo, members.lines[i].seen, adjusted[i].line,
+    if (!assign_geometry(lines.frames, members.lines[i].seen, adjusted[i].line,
                          options.beyond.max_end_sigma_m, line) ||
         !is_determined(line, lines.height_range_in_local_m) ||
         !is_better_known(line, adjusted[i].n_meetings, *members.results[i])) {

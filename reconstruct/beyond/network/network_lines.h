@@ -14,10 +14,10 @@ namespace ridgeline::reconstruct {
 /// determines it, if it has no more accepted meetings than `joint` has points, or if `joint` knows its height
 /// better.
 /// @param lines     have covariances of the centroid form, whatever `joint` has used
-/// @param by_match  the line of each match, or its parts
-void adjust_together(const StereoLines& lines,
+/// @param by_track  the line of each track, or its parts
+void adjust_together(const TrackedLines& lines,
                      std::span<const PairConnection> connections,
                      const EstimationOptions& options,
-                     std::vector<std::vector<JointLine>>& by_match);
+                     std::vector<std::vector<JointLine>>& by_track);
 
 }  // namespace ridgeline::reconstruct

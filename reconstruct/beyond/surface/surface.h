@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -28,6 +29,10 @@ struct Surface {
   /// Disparity of the nearest pixel; nothing outside of the view and if the disparity is not known.
   [[nodiscard]] std::optional<double> at(const Eigen::Vector2d& x_px) const;
 };
+
+/// The surface of a pair of views, by their numbers, or null.
+using SurfaceOf = std::function<const Surface*(std::size_t base, std::size_t search)>;
+inline const Surface* no_surface(std::size_t /*base*/, std::size_t /*search*/) { return nullptr; }
 
 /// The points that the pixels of known disparity show, row by row. If the view has more than `most` pixels,
 /// only every k-th row and column is used, with the smallest k that leaves no more. Throws

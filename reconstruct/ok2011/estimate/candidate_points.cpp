@@ -10,77 +10,92 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-using ImagePoints = std::array<UncertainPoint2, 2>;
-
 double distance_to_line(const Eigen::Vector3d& point, const Eigen::Vector3d& line) {
   return std::abs(line.dot(point)) / (line.head<2>().norm() * std::abs(point.z()));
 }
 
-PairMeasures measures(const StereoLines& lines,
-                      const ObservedPair& line,
-                      int neighbour,
-                      const ImagePoints& x) {
-  const std::array<Eigen::Vector3d, 2> epipolar_line{lines.right_from_left.transpose() * x[1].mean,
-                                                     lines.right_from_left * x[0].mean};
-  const auto in_image = [&](std::size_t j) {
-    const Segment2& a = line[j].segment;
-    const Segment2& b = lines.lines[static_cast<std::size_t>(neighbour)][j].segment;
-    const double scale_px = lines.stereo.views[j].image.scale_px;
-    return PairMeasures{scale_px * distance(a, b),
-                        scale_px * distance_to_line(x[j].mean, epipolar_line[j]),
-                        acute_angle_rad(a, b)};
-  };
-  return smaller_of_each({in_image(0), in_image(1)});
+/// Two lines in the views that show both, and where they cross in each (Eq. 2).
+struct Crossings {
+  std::vector<SeenTogether> seen;
+  std::vector<UncertainPoint2> x;
+};
+
+Crossings crossings(const ObservedTrack& line, const ObservedTrack& mate) {
+  Crossings all{seen_together(line, mate), {}};
+  for (const SeenTogether& view : all.seen)
+    all.x.push_back(spherically_normalised(cross(view.line.line, view.other.line)));
+  return all;
 }
 
-/// Where the lines cross in each image (Eq. 2).
-ImagePoints crossings(const ObservedPair& line, const ObservedPair& mate) {
-  ImagePoints x;
-  for (std::size_t j = 0; j < 2; ++j) {
-    x[j] = spherically_normalised(cross(line[j].line, mate[j].line));
+/// The epipolar lines of the first view are those of the second one; of all others, those of the first one.
+PairMeasures measures(const ConditionedViews& frames, const Crossings& crossings) {
+  std::vector<PairMeasures> images;
+  for (std::size_t j = 0; j < crossings.seen.size(); ++j) {
+    const auto& [line, other] = crossings.seen[j];
+    const std::size_t mate = j == 0 ? 1 : 0;
+    const Eigen::Vector3d epipolar_line =
+        frames.fundamental(crossings.seen[mate].line.view, line.view) * crossings.x[mate].mean;
+    const double scale_px = frames.of(line).image.scale_px;
+    images.push_back({scale_px * distance(line.segment, other.segment),
+                      scale_px * distance_to_line(crossings.x[j].mean, epipolar_line),
+                      acute_angle_rad(line.segment, other.segment)});
   }
-  return x;
+  return smallest_of_each(images);
 }
 
-std::optional<CandidatePoint> candidate_point(const StereoLines& lines,
-                                              const ObservedPair& line,
+std::optional<CandidatePoint> candidate_point(const TrackedLines& lines,
+                                              const ObservedTrack& line,
                                               int neighbour,
                                               const ReconstructOptions& options) {
-  const ObservedPair& mate = lines.lines[static_cast<std::size_t>(neighbour)];
-  const ImagePoints x = crossings(line, mate);
-  const double weight = point_weight(measures(lines, line, neighbour, x), options);
+  const ObservedTrack& mate = lines.lines[static_cast<std::size_t>(neighbour)];
+  const Crossings both = crossings(line, mate);
+  if (both.seen.size() < 2) return std::nullopt;
+  const double weight = point_weight(measures(lines.frames, both), options);
   if (weight <= 0.0) return std::nullopt;
 
-  const std::array<PointObservation, 2> observations{
-      PointObservation{lines.stereo.views[0].image_from_object, x[0]},
-      PointObservation{lines.stereo.views[1].image_from_object, x[1]}};
+  std::vector<PointObservation> observations;
+  for (std::size_t j = 0; j < both.seen.size(); ++j)
+    observations.push_back({lines.frames.of(both.seen[j].line).image_from_object, both.x[j]});
   const std::optional<EstimatedPoint> estimated = estimate_point(observations);
-  if (!estimated || !plausible(lines, estimated->point.mean)) return std::nullopt;
-  const double parameter = parameter_along(line[0].segment, x[0].mean.hnormalized());
-  return CandidatePoint{*estimated, {parameter, weight, estimated->omega, neighbour}};
+  if (!estimated || !plausible(lines, line, estimated->point.mean)) return std::nullopt;
+  CandidatePoint candidate{*estimated, {0.0, weight, estimated->omega, neighbour}};
+  const bool base_shows_both = both.seen[0].line.view == line[0].view;
+  candidate.ranked.parameter = parameter_along(
+      line[0].segment, base_shows_both ? Eigen::Vector2d(both.x[0].mean.hnormalized())
+                                       : crossing_in_view(lines, line[0], candidate));
+  return candidate;
 }
 
 }  // namespace
 
-double pair_weight(const StereoLines& lines,
-                   const ObservedPair& line,
-                   int neighbour,
-                   const ReconstructOptions& options) {
-  const ImagePoints x = crossings(line, lines.lines[static_cast<std::size_t>(neighbour)]);
-  return point_weight(measures(lines, line, neighbour, x), options);
+Eigen::Vector2d crossing_in_view(const TrackedLines& lines,
+                                 const ObservedLine& seen,
+                                 const CandidatePoint& point) {
+  for (const ObservedLine& other : lines.lines[static_cast<std::size_t>(point.ranked.neighbour)]) {
+    if (other.view == seen.view) return SeenTogether{seen, other}.crossing();
+  }
+  return (lines.frames.of(seen).image_from_object * point.estimated.point.mean).hnormalized();
 }
 
-bool plausible(const StereoLines& lines, const Eigen::Vector4d& x) {
-  for (const ConditionedView& view : lines.stereo.views) {
-    if (!in_front(view, x)) return false;
+double pair_weight(const TrackedLines& lines,
+                   const ObservedTrack& line,
+                   int neighbour,
+                   const ReconstructOptions& options) {
+  const Crossings both = crossings(line, lines.lines[static_cast<std::size_t>(neighbour)]);
+  return both.seen.size() < 2 ? 0.0 : point_weight(measures(lines.frames, both), options);
+}
+
+bool plausible(const TrackedLines& lines, const ObservedTrack& line, const Eigen::Vector4d& x) {
+  for (const ObservedLine& seen : line) {
+    if (!in_front(lines.frames.of(seen), x)) return false;
   }
-  const double height_m = lines.stereo.object.local_from_conditioned(x.hnormalized()).z();
+  const double height_m = lines.frames.object.local_from_conditioned(x.hnormalized()).z();
   const auto& [lowest_m, highest_m] = lines.height_range_in_local_m;
   return height_m >= lowest_m && height_m <= highest_m;
 }
 
-std::vector<CandidatePoint> candidate_points(const StereoLines& lines,
-                                             const ObservedPair& line,
+std::vector<CandidatePoint> candidate_points(const TrackedLines& lines,
+                                             const ObservedTrack& line,
                                              std::span<const int> neighbours,
                                              const ReconstructOptions& options) {
   std::vector<CandidatePoint> points;

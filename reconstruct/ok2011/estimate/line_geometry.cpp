@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/ok2011/estimate/line_geometry.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -39,14 +43,76 @@ Segment3 local_from_conditioned(const ObjectConditioning& object, const Segment3
   return {object.local_from_conditioned(s.start), object.local_from_conditioned(s.end)};
 }
 
-/// Whether the ends of the left segment lie so far beyond a short right one that the line is no longer known
-/// there, while it is better known between the right ends.
-bool is_extrapolated(const UncertainSegment3& left,
-                     const UncertainSegment3& right,
+/// Whether the ends of the base segment lie so far beyond a short partner that the line is no longer known
+/// there, while it is better known between the partner's ends.
+bool is_extrapolated(const UncertainSegment3& base,
+                     const UncertainSegment3& partner,
                      double scale_m,
                      double max_end_sigma_m) {
-  const double sigma_m = scale_m * largest_sigma_z_m(left.cov);
-  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(right.cov) < sigma_m;
+  const double sigma_m = scale_m * largest_sigma_z_m(base.cov);
+  return sigma_m > max_end_sigma_m && scale_m * largest_sigma_z_m(partner.cov) < sigma_m;
+}
+
+UncertainSegment3 joined(const UncertainLine3& line, const Endpoint& start, const Endpoint& end) {
+  Matrix6d jacobian;
+  jacobian << start.jacobian, end.jacobian;
+  Matrix6d cov = propagated(jacobian, line.cov);
+  cov.topLeftCorner<3, 3>() += start.cov_along;
+  cov.bottomRightCorner<3, 3>() += end.cov_along;
+  return {{start.point.hnormalized(), end.point.hnormalized()}, cov};
+}
+
+/// How far along a line a view shows it, at one end.
+struct Reach {
+  Endpoint end;
+  double parameter = 0.0;  ///< along the line, in the direction of the end looked for
+  double sigma = 0.0;      ///< of the parameter
+};
+
+/// The farthest end that two views show: of the views that agree with the second farthest one, the middle one.
+Endpoint end_of_two_views(std::vector<Reach> by_view) {
+  constexpr double kAgreeing_sigma = 3.0;
+  std::ranges::sort(by_view, std::greater{}, &Reach::parameter);
+  const Reach second = by_view[1];
+  std::erase_if(by_view, [&](const Reach& r) {
+    return std::abs(r.parameter - second.parameter) >
+           kAgreeing_sigma * std::hypot(r.sigma, second.sigma);
+  });
+  return by_view[by_view.size() / 2].end;
+}
+
+/// The part of a line with three sightings or more that two views show; nothing if no part is shown by two.
+std::optional<UncertainSegment3> part_of_two_views(const ConditionedViews& frames,
+                                                   const ObservedTrack& seen,
+                                                   const UncertainLine3& line,
+                                                   const Segment3& base) {
+  std::map<std::size_t, std::array<Reach, 2>> by_view;  // towards the start, towards the end
+  for (const ObservedLine& observed : seen) {
+    std::array<Reach, 2> ends;
+    for (const auto& [i, x] :
+         {std::pair(0, observed.segment.start), std::pair(1, observed.segment.end)})
+      ends[i].end = endpoint(line, end_plane(frames.of(observed), observed, x));
+    for (Reach& r : ends) r.parameter = parameter_along(base, r.end.point.hnormalized());
+    if (ends[0].parameter > ends[1].parameter) std::swap(ends[0], ends[1]);
+    const double sigma =
+        observed.sigma_e * (ends[1].parameter - ends[0].parameter) / length(observed.segment);
+    ends[0].parameter *= -1.0;
+    for (Reach& r : ends) r.sigma = sigma;
+    const auto [known, is_first] = by_view.try_emplace(observed.view, ends);
+    if (is_first) continue;
+    for (const std::size_t i : {0U, 1U}) {
+      if (ends[i].parameter > known->second[i].parameter) known->second[i] = ends[i];
+    }
+  }
+  std::array<std::vector<Reach>, 2> reaches;
+  for (const auto& [view, ends] : by_view) {
+    for (const std::size_t i : {0U, 1U}) reaches[i].push_back(ends[i]);
+  }
+  const Endpoint start = end_of_two_views(reaches[0]);
+  const Endpoint end = end_of_two_views(reaches[1]);
+  const UncertainSegment3 part = joined(line, start, end);
+  const bool runs_along = (part.segment.end - part.segment.start).dot(base.end - base.start) > 0.0;
+  return runs_along ? std::optional(part) : std::nullopt;
 }
 
 }  // namespace
@@ -61,37 +127,34 @@ std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
     return in_front(v, start.point) && in_front(v, end.point);
   });
   if (!visible) return std::nullopt;  // a point at infinity is not in front either
-
-  Matrix6d jacobian;
-  jacobian << start.jacobian, end.jacobian;
-  Matrix6d cov = propagated(jacobian, line.cov);
-  cov.topLeftCorner<3, 3>() += start.cov_along;
-  cov.bottomRightCorner<3, 3>() += end.cov_along;
-  return UncertainSegment3{{start.point.hnormalized(), end.point.hnormalized()}, cov};
+  return joined(line, start, end);
 }
 
 double largest_sigma_z_m(const Matrix6d& cov_m2) {
   return std::sqrt(std::max(cov_m2(2, 2), cov_m2(5, 5)));
 }
 
-bool assign_geometry(const StereoViews& stereo,
-                     const ObservedPair& seen,
+bool assign_geometry(const ConditionedViews& frames,
+                     const ObservedTrack& seen,
                      const UncertainLine3& estimate,
                      double max_end_sigma_m,
                      ReconstructedLine& result) {
-  const std::array<ConditionedView, 2>& views = stereo.views;
-  const auto left = endpoints(estimate, views[0], seen[0], views);
-  if (!left) return false;
-  const auto right = endpoints(estimate, views[1], seen[1], views);
-  const ObjectConditioning& object = stereo.object;
-  result.between_right_ends = right && result.line_class == LineClass::kNotAligned &&
-                              (result.between_right_ends ||
-                               is_extrapolated(*left, *right, object.scale_m, max_end_sigma_m));
-  const UncertainSegment3& used = result.between_right_ends ? *right : *left;
+  const auto views = transformed(seen, [&](const ObservedLine& s) { return frames.of(s); });
+  const auto base = endpoints(estimate, views[0], seen[0], views);
+  if (!base) return false;
+  const auto partner = endpoints(estimate, views[1], seen[1], views);
+  const ObjectConditioning& object = frames.object;
+  const bool is_pair = seen.size() == 2;
+  result.between_partner_ends = is_pair && partner && result.line_class == LineClass::kNotAligned &&
+                                (result.between_partner_ends ||
+                                 is_extrapolated(*base, *partner, object.scale_m, max_end_sigma_m));
+  const UncertainSegment3 of_two = result.between_partner_ends ? *partner : *base;
+  const UncertainSegment3 used =
+      is_pair ? of_two : part_of_two_views(frames, seen, estimate, base->segment).value_or(of_two);
   result.segment_in_local = local_from_conditioned(object, used.segment);
   result.covariance_m2 = object.scale_m * object.scale_m * used.cov;
-  result.right_segment_in_local.reset();
-  if (right) result.right_segment_in_local = local_from_conditioned(object, right->segment);
+  result.partner_segment_in_local.reset();
+  if (partner) result.partner_segment_in_local = local_from_conditioned(object, partner->segment);
   return true;
 }
 

@@ -26,12 +26,14 @@ std::optional<UncertainSegment3> endpoints(const UncertainLine3& line,
 /// The larger height sigma of the two ends of a segment.
 double largest_sigma_z_m(const Matrix6d& cov_m2);
 
-/// Sets the geometry of the result to the part of the line that is seen between the ends of its left segment.
-/// A not_aligned line whose height at an end is less certain than `max_end_sigma_m` gets the part between the
-/// ends of its right segment if these are more certain; it keeps them from then on. Returns false and changes
-/// nothing if a camera does not see the line.
-bool assign_geometry(const StereoViews& stereo,
-                     const ObservedPair& seen,
+/// Sets the geometry of the result to the part of the line that its views show.
+/// - Two segments: between the ends of the base segment. A not_aligned line whose height at an end is less
+///   certain than `max_end_sigma_m` gets the part between the ends of the partner segment if these are more
+///   certain; it keeps them from then on.
+/// - More: to the farthest ends that two views show. Each is the median of the views that agree within 3 sigma.
+/// Returns false and changes nothing if a camera does not see the line between its base ends.
+bool assign_geometry(const ConditionedViews& frames,
+                     const ObservedTrack& seen,
                      const UncertainLine3& estimate,
                      double max_end_sigma_m,
                      ReconstructedLine& result);

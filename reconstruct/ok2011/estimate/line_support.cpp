@@ -11,8 +11,8 @@ std::vector<CandidatePoint> best_of_regions(std::span<const CandidatePoint> cand
   return transformed(select_points(ranked, options), [&](std::size_t i) { return candidates[i]; });
 }
 
-LineSupport published_support(const StereoLines& lines,
-                              const ObservedPair& line,
+LineSupport published_support(const TrackedLines& lines,
+                              const ObservedTrack& line,
                               std::span<const int> neighbours,
                               const ReconstructOptions& options) {
   LineSupport support;

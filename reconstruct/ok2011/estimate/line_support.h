@@ -12,14 +12,14 @@
 
 namespace ridgeline::reconstruct {
 
-/// A line of an aligned match and what supports it beside its two projection planes.
+/// A line of an aligned track and what supports it beside its projection planes.
 struct LineSupport {
-  ObservedPair seen;                     ///< the match, or the part of it that shows the line
+  ObservedTrack seen;                    ///< the track, or the part of it that shows the line
   std::vector<CandidatePoint> points{};  ///< artificial points, one per region at most
-  /// Points in space that both images show on their segments. They lie on the surface beside the line if it
+  /// Points in space that the base and its partner show on their segments. They lie on the surface beside the line if it
   /// is known. Otherwise they are the ends of the segments, used if the artificial points fix no direction.
   std::vector<UncertainPoint3> ends{};
-  /// The points of `ends` as seen in the left and the right image, conditioned.
+  /// The points of `ends` as seen in the base view and that of its partner, conditioned.
   std::vector<std::array<Eigen::Vector2d, 2>> ends_in_images{};
   double sigma_ends_px = 0.0;           ///< standard deviation of `ends` along the line
   bool on_surface = false;              ///< whether `ends` lie on the surface beside the line
@@ -33,8 +33,8 @@ std::vector<CandidatePoint> best_of_regions(std::span<const CandidatePoint> cand
                                             const ReconstructOptions& options);
 
 /// The line of a match and the points of highest weight in each region (Ok et al. 2011, section 3.1).
-LineSupport published_support(const StereoLines& lines,
-                              const ObservedPair& line,
+LineSupport published_support(const TrackedLines& lines,
+                              const ObservedTrack& line,
                               std::span<const int> neighbours,
                               const ReconstructOptions& options);
 

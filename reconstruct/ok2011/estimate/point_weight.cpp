@@ -16,10 +16,14 @@ bool better(const RankedPoint& a, const RankedPoint& b) {
 
 }  // namespace
 
-PairMeasures smaller_of_each(const std::array<PairMeasures, 2>& images) {
-  return {std::min(images[0].distance_px, images[1].distance_px),
-          std::min(images[0].epipolar_distance_px, images[1].epipolar_distance_px),
-          std::min(images[0].angle_rad, images[1].angle_rad)};
+PairMeasures smallest_of_each(std::span<const PairMeasures> images) {
+  PairMeasures smallest = images.front();
+  for (const PairMeasures& image : images.subspan(1)) {
+    smallest = {std::min(smallest.distance_px, image.distance_px),
+                std::min(smallest.epipolar_distance_px, image.epipolar_distance_px),
+                std::min(smallest.angle_rad, image.angle_rad)};
+  }
+  return smallest;
 }
 
 double point_weight(const PairMeasures& measures, const ReconstructOptions& options) {

@@ -18,8 +18,8 @@ struct PairMeasures {
   double angle_rad;  ///< acute angle enclosed by the segments
 };
 
-/// The smaller one of both images for each measure ("minimum" in Ok et al. 2011).
-PairMeasures smaller_of_each(const std::array<PairMeasures, 2>& images);
+/// The smallest one of all images for each measure ("minimum" in Ok et al. 2011).
+PairMeasures smallest_of_each(std::span<const PairMeasures> images);
 
 /// W = t exp(-d / (2 sigma_1) - d_e / (2 sigma_2)), t = 0 for angles up to min_pair_angle_deg, else
 /// 1 (Ok et al. 2011, Eq. 6, rearranged). In [0, 1].
@@ -37,7 +37,7 @@ struct RankedPoint {
   double parameter = 0.0;  ///< along the base segment
   double weight = 0.0;     ///< W
   double omega = 0.0;      ///< omega of the point's estimation
-  int neighbour = 0;       ///< index of the other match that the point was made with
+  int neighbour = 0;       ///< index of the other track that the point was made with
 };
 
 /// Indices of the points to use, the one of highest weight in each region (Ok et al. 2011, Fig. 6),

@@ -3,10 +3,11 @@
 
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/estimate/adjust_line.h"
 #include "reconstruct/ok2011/estimate/line_geometry.h"
 #include "reconstruct/ok2011/estimate/line_support.h"
-#include "reconstruct/views/stereo_lines.h"
+#include "reconstruct/views/tracked_lines.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,17 +19,26 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-void classify(const StereoLines& lines,
+/// The largest epipolar angle of all pairs of views, of each pair the smaller one of both images.
+double epipolar_angle_rad(const ConditionedViews& frames, const ObservedTrack& line) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    for (std::size_t k = i + 1; k < line.size(); ++k) {
+      if (line[i].view == line[k].view) continue;
+      const std::array cameras{frames.of(line[i]).image_from_object,
+                               frames.of(line[k]).image_from_object};
+      largest = std::max(largest,
+                         ridgeline::epipolar_angle_rad(cameras, line[i].segment, line[k].segment));
+    }
+  }
+  return largest;
+}
+
+void classify(const TrackedLines& lines,
               std::size_t line,
               const ReconstructOptions& options,
               ReconstructedLine& result) {
-  const std::array<ConditionedView, 2>& views = lines.stereo.views;
-  for (std::size_t j = 0; j < 2; ++j) {
-    result.epipolar_angles_rad[j] = epipolar_angle_rad(
-        views[j].image_from_object, views[1 - j].image_from_object, lines.lines[line][j].segment);
-  }
-  result.epipolar_angle_rad =
-      std::min(result.epipolar_angles_rad[0], result.epipolar_angles_rad[1]);
+  result.epipolar_angle_rad = epipolar_angle_rad(lines.frames, lines.lines[line]);
   const bool aligned =
       result.epipolar_angle_rad * 180.0 / std::numbers::pi <= options.max_aligned_angle_deg;
   result.line_class = aligned ? LineClass::kAligned : LineClass::kNotAligned;
@@ -39,15 +49,26 @@ Segment2 in_image(const ConditionedView& view, const ObservedLine& observed) {
           view.image.image_from_conditioned(observed.segment.end)};
 }
 
-void reconstruct_direct(const StereoLines& lines,
-                        const ObservedPair& line,
+std::vector<UncertainPlane3> planes_of(const ObservedTrack& line) {
+  return transformed(line, &ObservedLine::plane);
+}
+
+/// The line in the projection planes. Two planes are intersected; more are adjusted.
+std::optional<UncertainLine3> line_of_planes(const ObservedTrack& line) {
+  if (line.size() == 2) return intersection(line[0].plane, line[1].plane);
+  const auto adjusted = adjust_line(planes_of(line), {});
+  if (!adjusted || !adjusted->full_rank) return std::nullopt;
+  return adjusted->line;
+}
+
+void reconstruct_direct(const TrackedLines& lines,
+                        const ObservedTrack& line,
                         double max_end_sigma_m,
                         ReconstructedLine& result) {
-  for (std::size_t j = 0; j < 2; ++j) {
-    result.seen_px[j] = in_image(lines.stereo.views[j], line[j]);
-  }
-  const auto estimate = intersection(line[0].plane, line[1].plane);
-  if (!estimate || !assign_geometry(lines.stereo, line, *estimate, max_end_sigma_m, result)) return;
+  for (std::size_t j = 0; j < line.size(); ++j)
+    result.seen[j].px = in_image(lines.frames.of(line[j]), line[j]);
+  const auto estimate = line_of_planes(line);
+  if (!estimate || !assign_geometry(lines.frames, line, *estimate, max_end_sigma_m, result)) return;
   result.status = Status::kDirect;
   result.direct_sigma_z_m = largest_sigma_z_m(*result.covariance_m2);
 }
@@ -77,12 +98,12 @@ void give_up(Status why, ReconstructedLine& result) {
   result.status = why;
   result.segment_in_local.reset();
   result.covariance_m2.reset();
-  result.right_segment_in_local.reset();
+  result.partner_segment_in_local.reset();
 }
 
 /// `result` comes with the line by the method `direct`. The line is replaced if there are points or ends to
 /// adjust it to. It loses its geometry if its depth is ambiguous or the adjustment fails.
-void reconstruct_joint(const StereoLines& lines,
+void reconstruct_joint(const TrackedLines& lines,
                        const LineSupport& support,
                        double max_end_sigma_m,
                        ReconstructedLine& result) {
@@ -94,12 +115,11 @@ void reconstruct_joint(const StereoLines& lines,
   std::vector<UncertainPoint3> points = support.ends;
   for (const CandidatePoint& p : support.points) {
     points.push_back(p.estimated.point);
-    result.points.push_back(used_point(p, lines.stereo.object));
+    result.points.push_back(used_point(p, lines.frames.object));
   }
-  const std::array<UncertainPlane3, 2> planes{support.seen[0].plane, support.seen[1].plane};
-  const auto adjusted = adjust_line(planes, points, support.sigma_slope);
+  const auto adjusted = adjust_line(planes_of(support.seen), points, support.sigma_slope);
   if (!adjusted ||
-      !assign_geometry(lines.stereo, support.seen, adjusted->line, max_end_sigma_m, result)) {
+      !assign_geometry(lines.frames, support.seen, adjusted->line, max_end_sigma_m, result)) {
     return give_up(Status::kNoIntersection, result);
   }
   result.status = joint_status(*adjusted, support);
@@ -107,8 +127,8 @@ void reconstruct_joint(const StereoLines& lines,
   if (!adjusted->full_rank) result.covariance_m2.reset();
 }
 
-/// The lines of an aligned match by the method `joint`. `direct` is its one line by the method `direct`.
-std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
+/// The lines of an aligned track by the method `joint`. `direct` is its one line by the method `direct`.
+std::vector<JointLine> reconstruct_aligned(const TrackedLines& lines,
                                            const std::vector<LineSupport>& parts,
                                            double max_end_sigma_m,
                                            const ReconstructedLine& direct) {
@@ -124,72 +144,78 @@ std::vector<JointLine> reconstruct_aligned(const StereoLines& lines,
   return results;
 }
 
-std::vector<ReconstructedLine> direct_lines(const StereoLines& lines,
-                                            std::span<const ObservedPair> observed,
-                                            std::span<const LineMatch> matches,
+std::vector<ReconstructedLine> direct_lines(const TrackedLines& lines,
+                                            std::span<const ObservedTrack> observed,
+                                            std::span<const Track> tracks,
                                             const ReconstructOptions& options,
                                             double max_end_sigma_m) {
-  std::vector<ReconstructedLine> results(matches.size());
-  tbb::parallel_for(std::size_t{0}, matches.size(), [&](std::size_t i) {
+  std::vector<ReconstructedLine> results(tracks.size());
+  tbb::parallel_for(std::size_t{0}, tracks.size(), [&](std::size_t i) {
     ReconstructedLine& result = results[i];
-    result.match = matches[i];
+    result.seen = transformed(tracks[i].seen, [](const Sighting& s) { return SeenSegment{s, {}}; });
     classify(lines, i, options, result);
     reconstruct_direct(lines, observed[i], max_end_sigma_m, result);
   });
   return results;
 }
 
-/// The lines of each match by the method `joint`.
+/// The lines of each track by the method `joint`.
 /// @param support  gives the support of aligned lines
-/// @param direct   the lines of the matches by the method `direct`
-std::vector<std::vector<JointLine>> joint_lines(const StereoLines& lines,
-                                                std::span<const ObservedPair> observed,
+/// @param direct   the lines of the tracks by the method `direct`
+std::vector<std::vector<JointLine>> joint_lines(const TrackedLines& lines,
+                                                std::span<const ObservedTrack> observed,
                                                 const Neighbours& neighbours,
-                                                const SupportOfMatch& support,
+                                                const SupportOfTrack& support,
                                                 std::span<const ReconstructedLine> direct,
                                                 double max_end_sigma_m) {
-  std::vector<std::vector<JointLine>> by_match(observed.size());
+  std::vector<std::vector<JointLine>> by_track(observed.size());
   tbb::parallel_for(std::size_t{0}, observed.size(), [&](std::size_t i) {
     Interruption::check();
     if (direct[i].line_class != LineClass::kAligned) {
       // A line that is not aligned rests on the images alone.
-      by_match[i] = {{direct[i], LineSupport{.seen = observed[i]}}};
+      by_track[i] = {{direct[i], LineSupport{.seen = observed[i]}}};
       return;
     }
     const std::vector<LineSupport> parts = support(observed[i], neighbours[i]);
-    by_match[i] = reconstruct_aligned(lines, parts, max_end_sigma_m, direct[i]);
+    by_track[i] = reconstruct_aligned(lines, parts, max_end_sigma_m, direct[i]);
   });
-  return by_match;
+  return by_track;
 }
 
-std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_match) {
+std::vector<ReconstructedLine> flattened(const std::vector<std::vector<JointLine>>& by_track) {
   std::vector<ReconstructedLine> all;
-  for (const std::vector<JointLine>& lines : by_match) {
+  for (const std::vector<JointLine>& lines : by_track) {
     for (const JointLine& joint : lines) all.push_back(joint.line);
   }
   return all;
 }
 
-void check_input(const MatchedSegments& matched,
+void check_input(const TrackedSegments& tracked,
                  const ReconstructOptions& options,
                  const EstimateExtensions& beyond) {
-  check(matched.cameras.size() == 2, "reconstruct_lines: cameras = ", matched.cameras.size(),
-        ", must be 2");
-  check(matched.segments.size() == 2, "reconstruct_lines: images = ", matched.segments.size(),
-        ", must be 2");
-  const std::size_t n_registrations = matched.registrations.size();
-  check(n_registrations == 0 || n_registrations == matched.matches.size(),
-        "reconstruct_lines: registrations = ", n_registrations, ", must be one per match, ",
-        matched.matches.size(), ", or none");
-  for (const Registration& r : matched.registrations) {
-    check(std::isfinite(r.right_shift_px), "reconstruct_lines: right_shift_px = ", r.right_shift_px,
-          ", must be finite");
-    check(r.sigma_scale > 0.0 && std::isfinite(r.sigma_scale),
-          "reconstruct_lines: sigma_scale = ", r.sigma_scale, ", must be positive");
+  check(tracked.cameras.size() >= 2, "reconstruct_lines: cameras = ", tracked.cameras.size(),
+        ", must be 2 or more");
+  check(tracked.segments.size() == tracked.cameras.size(),
+        "reconstruct_lines: images = ", tracked.segments.size(), ", must be one per camera, ",
+        tracked.cameras.size());
+  const std::size_t n_registrations = tracked.registrations.size();
+  check(n_registrations == 0 || n_registrations == tracked.tracks.size(),
+        "reconstruct_lines: registrations = ", n_registrations, ", must be one per track, ",
+        tracked.tracks.size(), ", or none");
+  for (std::size_t i = 0; i < n_registrations; ++i) {
+    check(tracked.registrations[i].size() == tracked.tracks[i].seen.size(),
+          "reconstruct_lines: registrations of a track = ", tracked.registrations[i].size(),
+          ", must be one per sighting, ", tracked.tracks[i].seen.size());
+    for (const Registration& r : tracked.registrations[i]) {
+      check(std::isfinite(r.shift_px), "reconstruct_lines: shift_px = ", r.shift_px,
+            ", must be finite");
+      check(r.sigma_scale > 0.0 && std::isfinite(r.sigma_scale),
+            "reconstruct_lines: sigma_scale = ", r.sigma_scale, ", must be positive");
+    }
   }
   validate(options);
   check(options.method != Method::kPlanes,
-        "reconstruct_lines: method = planes, which takes no matches; see plane_lines()");
+        "reconstruct_lines: method = planes, which takes no tracks; see plane_lines()");
   check(options.method != Method::kNetwork || beyond.network,
         "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
 }
@@ -213,38 +239,37 @@ const char* name(Status status) {
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-std::vector<ReconstructedLine> reconstruct_lines(const MatchedSegments& matched,
+std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
                                                  const ReconstructOptions& options,
                                                  const EstimateExtensions& beyond) {
-  check_input(matched, options, beyond);
-  const std::span<const LineMatch> matches = matched.matches;
-  const Neighbours neighbours = neighbours_of(matched.connections, matches.size());
-  if (matches.empty()) return {};
+  check_input(tracked, options, beyond);
+  const std::span<const Track> tracks = tracked.tracks;
+  const Neighbours neighbours = neighbours_of(tracked.connections, tracks.size());
+  if (tracks.empty()) return {};
   // The consensus on the depth of aligned lines uses the lines that these meet as they were extracted, not as registered.
-  const StereoLines lines =
-      stereo_lines(matched, extracted_mates(matched), options.line_covariance);
-  const std::vector<Mates> registered = registered_mates(matched);
-  const std::vector<ObservedPair> observed =
-      stereo_lines(matched, registered, options.line_covariance).lines;
+  const TrackedLines lines = tracked_lines(tracked, extracted(tracked), options.line_covariance);
+  const std::vector<Sightings> corrected = registered(tracked);
+  const std::vector<ObservedTrack> observed =
+      tracked_lines(tracked, corrected, options.line_covariance).lines;
 
   std::vector<ReconstructedLine> direct =
-      direct_lines(lines, observed, matches, options, beyond.max_end_sigma_m);
+      direct_lines(lines, observed, tracks, options, beyond.max_end_sigma_m);
   if (options.method == Method::kDirect) return direct;
 
-  SupportOfMatch support = [&](const ObservedPair& line, std::span<const int> mates) {
+  SupportOfTrack support = [&](const ObservedTrack& line, std::span<const int> mates) {
     return std::vector{published_support(lines, line, mates, options)};
   };
   if (beyond.support) {
     support = beyond.support(
-        lines, direct_lines(lines, lines.lines, matches, options, beyond.max_end_sigma_m));
+        lines, direct_lines(lines, lines.lines, tracks, options, beyond.max_end_sigma_m));
   }
-  std::vector<std::vector<JointLine>> by_match =
+  std::vector<std::vector<JointLine>> by_track =
       joint_lines(lines, observed, neighbours, support, direct, beyond.max_end_sigma_m);
   if (options.method == Method::kNetwork) {
-    beyond.network(stereo_lines(matched, registered, LineCovariance::kCentroid),
-                   matched.connections, by_match);
+    beyond.network(tracked_lines(tracked, corrected, LineCovariance::kCentroid),
+                   tracked.connections, by_track);
   }
-  return flattened(by_match);
+  return flattened(by_track);
 }
 
 }  // namespace ridgeline::reconstruct

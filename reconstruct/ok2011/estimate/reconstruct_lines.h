@@ -9,7 +9,7 @@
 #include "reconstruct/ok2011/estimate/line_support.h"
 #include "reconstruct/ok2011/estimate/options.h"
 #include "reconstruct/ok2011/estimate/point_weight.h"
-#include "reconstruct/views/stereo_lines.h"
+#include "reconstruct/views/tracked_lines.h"
 
 #include <Eigen/Core>
 
@@ -23,8 +23,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// Whether a line is aligned with the epipolar line. This is a property of the match, the same for all
-/// methods.
+/// Whether a line is aligned with the epipolar lines of all pairs of its views. This is a property of the track, the
+/// same for all methods.
 enum class LineClass : std::uint8_t { kNotAligned, kAligned };
 const char* name(LineClass line_class);  ///< "not_aligned" | "aligned"
 
@@ -51,30 +51,36 @@ const char* name(Status status);  ///< "direct", "one_point", ... as in the file
 struct UsedPoint {
   Eigen::Vector3d x_in_local;  ///< m
   Eigen::Matrix3d cov_m2;      ///< world axes
-  int neighbour = 0;           ///< index of the other match that the point was made with
+  int neighbour = 0;           ///< index of the other track that the point was made with
   double weight = 0.0;         ///< W of Eq. 6
   /// Omega of the point's estimation, chi-square with 1 degree of freedom.
   double omega = 0.0;
   Region region = Region::kLeft;
 };
 
+/// A sighting of a line and its segment, or the part of it that shows the line.
+struct SeenSegment {
+  Sighting sighting;
+  Segment2 px;
+};
+
 struct ReconstructedLine {
-  LineMatch match;
-  /// Number of the part, counted from the start of the left segment, if the match was cut into several lines
-  /// (agree_on_depth()); 0 for a whole match.
+  /// The sightings in the order of the track. An intersection of surfaces has segment -1.
+  std::vector<SeenSegment> seen;
+  /// Number of the part, counted from the start of the base segment, if the track was cut into several lines
+  /// (agree_on_depth()); 0 for a whole track.
   int part = 0;
   int n_meetings = 0;  ///< number of other lines that it meets, accepted by `network`
   LineClass line_class = LineClass::kNotAligned;
   Status status = Status::kNoIntersection;
-  bool between_right_ends = false;              ///< whether segment_in_local has the right ends
-  std::array<Segment2, 2> seen_px;              ///< the line in the left and the right image
-  double epipolar_angle_rad = 0.0;              ///< the smaller angle of both images
-  std::array<double, 2> epipolar_angles_rad{};  ///< angles in the left and the right image
-  /// The line in m. Its ends are seen at the ends of the left segment, or of the right one
-  /// (EstimateExtensions).
+  bool between_partner_ends =
+      false;  ///< whether segment_in_local has the ends of the partner segment
+  /// The largest angle of all pairs of its sightings, of each pair the smaller one of both images.
+  double epipolar_angle_rad = 0.0;
+  /// The line in m, as assign_geometry() chooses its ends.
   std::optional<Segment3> segment_in_local;
-  std::optional<Matrix6d> covariance_m2;           ///< of (start, end), world axes
-  std::optional<Segment3> right_segment_in_local;  ///< the same line between the right ends
+  std::optional<Matrix6d> covariance_m2;             ///< of (start, end), world axes
+  std::optional<Segment3> partner_segment_in_local;  ///< the same line between the partner's ends
   /// The larger height sigma of the two endpoints by `direct`, whatever the method. It tells weak lines apart
   /// by precision, as the class does by angle. Empty without an intersection.
   std::optional<double> direct_sigma_z_m;
@@ -90,8 +96,8 @@ struct JointLine {
   LineSupport support;
 };
 
-/// Gives the lines of an aligned match, mostly one, with the support of each.
-using SupportOfMatch = std::function<std::vector<LineSupport>(const ObservedPair& line,
+/// Gives the lines of an aligned track, mostly one, with the support of each.
+using SupportOfTrack = std::function<std::vector<LineSupport>(const ObservedTrack& line,
                                                               std::span<const int> neighbours)>;
 
 /// The places where extensions beyond the paper enter the estimation. Each may be empty.
@@ -100,30 +106,31 @@ struct EstimateExtensions {
   double max_end_sigma_m = std::numeric_limits<double>::infinity();
   /// Gives the support of aligned lines in place of published_support(), from all lines and the lines by
   /// `direct`.
-  std::function<SupportOfMatch(const StereoLines& lines, std::span<const ReconstructedLine> direct)>
+  std::function<SupportOfTrack(const TrackedLines& lines,
+                               std::span<const ReconstructedLine> direct)>
       support;
-  /// For Method::kNetwork: adjusts the lines of `joint`, by match, together. `lines` have covariances of the
+  /// For Method::kNetwork: adjusts the lines of `joint`, by track, together. `lines` have covariances of the
   /// centroid form.
-  std::function<void(const StereoLines& lines,
+  std::function<void(const TrackedLines& lines,
                      std::span<const PairConnection> connections,
-                     std::vector<std::vector<JointLine>>& by_match)>
+                     std::vector<std::vector<JointLine>>& by_track)>
       network;
 };
 
-/// The 3D lines of matched image segments of a stereo pair (Ok et al. 2011, section 3), in the order of the
-/// matches. A not_aligned line is the intersection of the projection planes. With Method::kJoint, an aligned
+/// The 3D lines of tracks of image segments (Ok et al. 2011, section 3), in the order of the tracks. A
+/// not_aligned line is the intersection of the projection planes, or adjusted to those of three sightings and more. With Method::kJoint, an aligned
 /// line is adjusted to these planes and to the best artificial points made with the lines that it has a pair
 /// connection with. With Method::kNetwork, all these lines are then adjusted together (adjust_network()). If
-/// a left segment has several mates, each line gets the part that its mate shows. There is one line per
-/// match, or several for an aligned match that shows several lines by agree_on_depth().
+/// a base segment belongs to several tracks, each line gets the part that its partner shows. There is one line per
+/// track, or several for an aligned track that shows several lines by agree_on_depth().
 ///
-/// @param matched  its cameras count as free of error. Its registrations correct the places of the segments
+/// @param tracked  its cameras count as free of error. Its registrations correct the places of the segments
 ///                 (compare_profiles()); the points of other lines are made with the segments as they are.
 /// Results do not depend on the number of threads or the order of the connections.
-/// Throws std::invalid_argument for other than two images, options out of range, an index out of range, a
-/// connection of a match with itself, a matched segment without length or precision, registrations that are
-/// not finite or not as many as the matches, and Method::kNetwork without its extension.
-std::vector<ReconstructedLine> reconstruct_lines(const MatchedSegments& matched,
+/// Throws std::invalid_argument for fewer than two images, options out of range, an index out of range, a track that
+/// does not begin with two views, a connection of a track with itself, a segment without length or precision,
+/// registrations that are not finite or not as many as the sightings, and Method::kNetwork without its extension.
+std::vector<ReconstructedLine> reconstruct_lines(const TrackedSegments& tracked,
                                                  const ReconstructOptions& options = {},
                                                  const EstimateExtensions& beyond = {});
 

@@ -14,19 +14,19 @@ namespace ridgeline::test {
 /// The stereo scene in the conditioned frames of a patch of about 40 m about the origin.
 struct ConditionedScene {
   StereoScene scene;
-  reconstruct::StereoViews stereo;
+  reconstruct::ConditionedViews frames;
 
   ConditionedScene() {
-    std::array<std::vector<Segment2>, 2> patch;
+    std::vector<std::vector<Segment2>> patch(2);
     for (const double y : {-20.0, 20.0}) {
       const auto images = scene.images({{-20, y, 0}, {20, y, 5}});
       for (std::size_t j = 0; j < 2; ++j) patch[j].push_back(images[j]);
     }
-    stereo = reconstruct::condition(scene.cameras, {patch[0], patch[1]});
+    frames = reconstruct::condition(scene.cameras, patch);
   }
 
   [[nodiscard]] Eigen::Vector3d conditioned(const Eigen::Vector3d& x) const {
-    return stereo.object.conditioned_from_local(x);
+    return frames.object.conditioned_from_local(x);
   }
 
   /// The unit line of a segment, from start to end.
@@ -36,11 +36,11 @@ struct ConditionedScene {
         .normalized();
   }
 
-  [[nodiscard]] std::array<reconstruct::ObservedLine, 2> observe(
+  [[nodiscard]] reconstruct::ObservedTrack observe(
       const std::array<UncertainSegment2, 2>& segments,
       LineCovariance form = LineCovariance::kCentroid) const {
-    return {reconstruct::observe(stereo.views[0], segments[0], form),
-            reconstruct::observe(stereo.views[1], segments[1], form)};
+    return {reconstruct::observe(frames, 0, segments[0], form),
+            reconstruct::observe(frames, 1, segments[1], form)};
   }
 };
 

@@ -27,11 +27,13 @@ struct LineGroup {
 
   [[nodiscard]] std::vector<reconstruct::ReconstructedLine> reconstruct(
       const reconstruct::EstimationOptions& options = published(),
-      std::span<const reconstruct::Registration> registrations = {},
+      std::span<const reconstruct::Registrations> registrations = {},
       const reconstruct::Surface* surface = nullptr) const {
+    const std::vector<Track> tracks = tracks_of_pair({0, 1}, matches);
     return reconstruct::reconstruct_lines(
-        {scene.cameras, segments, matches, connections, registrations, height_range_in_local_m},
-        options.lines, reconstruct::estimate_extensions(options, surface));
+        {scene.cameras, segments, tracks, connections, registrations, height_range_in_local_m},
+        options.lines,
+        reconstruct::estimate_extensions(options, [=](auto, auto) { return surface; }));
   }
 };
 

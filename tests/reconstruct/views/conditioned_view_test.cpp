@@ -15,18 +15,18 @@ namespace {
 
 TEST(Condition, BringsThePatchToUnitSizeInBothFrames) {
   const test::ConditionedScene scene;
-  EXPECT_LT((scene.stereo.object.centre_m - Eigen::Vector3d(0, 0, 2.5)).norm(), 1.0);
+  EXPECT_LT((scene.frames.object.centre_m - Eigen::Vector3d(0, 0, 2.5)).norm(), 1.0);
   for (const Eigen::Vector3d& corner :
        {Eigen::Vector3d(-20, -20, 0), Eigen::Vector3d(20, 20, 5), Eigen::Vector3d(20, -20, 5)}) {
     EXPECT_LT(scene.conditioned(corner).norm(), 1.2);
     EXPECT_GT(scene.conditioned(corner).norm(), 0.8);
     for (std::size_t j = 0; j < 2; ++j) {
-      const Eigen::Vector2d x = scene.stereo.views[j].image.conditioned_from_image(
+      const Eigen::Vector2d x = scene.frames.views[j].image.conditioned_from_image(
           project(scene.scene.cameras[j], corner));
       EXPECT_LT(x.norm(), 1.01);
       EXPECT_GT(x.norm(), 0.9);
       EXPECT_LT(
-          (project(scene.stereo.views[j].image_from_object, scene.conditioned(corner)) - x).norm(),
+          (project(scene.frames.views[j].image_from_object, scene.conditioned(corner)) - x).norm(),
           1e-9);
     }
   }
@@ -36,18 +36,29 @@ TEST(Condition, RejectsAnEmptyPatchAndParallelRays) {
   const test::StereoScene scene;
   const std::vector<Segment2> patch{{{0, 0}, {10, 10}}};
   const std::vector<Segment2> empty;
-  EXPECT_THROW(condition(scene.cameras, {patch, empty}), std::invalid_argument);
+  EXPECT_THROW(condition(scene.cameras, std::array{patch, empty}), std::invalid_argument);
   const std::vector<Segment2> point{{{5, 5}, {5, 5}}};
-  EXPECT_THROW(condition(scene.cameras, {patch, point}), std::invalid_argument);
+  EXPECT_THROW(condition(scene.cameras, std::array{patch, point}), std::invalid_argument);
   const std::array same{scene.cameras[0], scene.cameras[0]};
-  EXPECT_THROW(condition(same, {patch, patch}), std::invalid_argument);
+  EXPECT_THROW(condition(same, std::array{patch, patch}), std::invalid_argument);
+  EXPECT_THROW(condition(scene.cameras, std::array{patch}), std::invalid_argument);
+}
+
+TEST(Condition, LetsAThirdImageWithoutSegmentsKeepItsPixels) {
+  const test::StereoScene scene;
+  const std::vector<Segment2> patch{{{0, 0}, {10, 10}}};
+  const std::array cameras{scene.cameras[0], scene.cameras[1], scene.cameras[0]};
+  const ConditionedViews frames =
+      condition(cameras, std::array{patch, patch, std::vector<Segment2>{}});
+  EXPECT_EQ(frames.views[2].image.scale_px, 1.0);
+  EXPECT_LT((frames.fundamental(0, 1) - frames.fundamental(1, 0).transpose()).norm(), 1e-15);
 }
 
 TEST(InFront, IgnoresTheSignOfPointAndCamera) {
   const test::ConditionedScene scene;
   const Eigen::Vector4d below = scene.conditioned({3, 4, 5}).homogeneous();
   const Eigen::Vector4d above_the_camera = scene.conditioned({3, 4, 1600}).homogeneous();
-  for (ConditionedView view : scene.stereo.views) {
+  for (ConditionedView view : scene.frames.views) {
     for (const double sign : {1.0, -1.0}) {
       view.image_from_object *= sign;
       EXPECT_TRUE(in_front(view, below));
@@ -66,7 +77,7 @@ TEST(Observe, HoldsTheConditionedSegmentItsLineAndPlane) {
     EXPECT_NEAR(observed[j].line.mean.dot(observed[j].segment.start.homogeneous()), 0.0, 1e-12);
     EXPECT_NEAR(observed[j].plane.mean.norm(), 1.0, 1e-12);
     EXPECT_NEAR(observed[j].plane.mean.dot(scene.conditioned(truth.end).homogeneous()), 0.0, 1e-12);
-    EXPECT_NEAR(observed[j].sigma_e * scene.stereo.views[j].image.scale_px, 1.0, 1e-12);
+    EXPECT_NEAR(observed[j].sigma_e * scene.frames.views[j].image.scale_px, 1.0, 1e-12);
   }
 }
 

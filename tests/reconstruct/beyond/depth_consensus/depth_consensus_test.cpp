@@ -109,7 +109,7 @@ TEST(DepthConsensus, GivesNoLineWhereAnotherDepthExplainsItAboutAsWell) {
   EXPECT_EQ(line.status, Status::kAmbiguousDepth);
   EXPECT_FALSE(line.segment_in_local);
   EXPECT_FALSE(line.covariance_m2);
-  EXPECT_FALSE(line.right_segment_in_local);
+  EXPECT_FALSE(line.partner_segment_in_local);
 }
 
 TEST(DepthConsensus, TakesALineWithOnePointAsHorizontalIfItsEndsAgree) {
@@ -182,15 +182,15 @@ TEST(DepthConsensus, EndsOfAShortSegmentProveNothing) {
 
 /// One line alone, and evidence on it.
 struct LoneLine {
-  StereoLines lines;
+  TrackedLines lines;
   std::array<Segment2, 2> images;
 
   LoneLine() : images(kScene.images(make_segment(kScene, eave(0.5)))) {
-    lines.stereo = condition(kScene.cameras, {std::span(&images[0], 1), std::span(&images[1], 1)});
-    ObservedPair& observed = lines.lines.emplace_back();
+    lines.frames = condition(kScene.cameras, std::array{std::vector{images[0]}, std::vector{images[1]}});
+    ObservedTrack& observed = lines.lines.emplace_back();
     for (std::size_t j = 0; j < 2; ++j) {
-      observed[j] =
-          observe(lines.stereo.views[j], test::exact(images[j], {}), LineCovariance::kEq1);
+      observed.push_back(
+          observe(lines.frames, j, test::exact(images[j], {}), LineCovariance::kEq1));
     }
   }
 
@@ -202,7 +202,7 @@ struct LoneLine {
 
   /// A point seen at a parameter of the left segment, at this height.
   [[nodiscard]] DepthEvidence evidence_at(double parameter, double z_m) const {
-    const ObjectConditioning& object = lines.stereo.object;
+    const ObjectConditioning& object = lines.frames.object;
     const Eigen::Vector2d x = images[0].start + parameter * (images[0].end - images[0].start);
     const double sigma = 0.05 / object.scale_m;
     return {object.conditioned_from_local(kScene.at_height(x, z_m)),
@@ -306,7 +306,7 @@ std::array<double, 2> heights_beside(Stretch left, Stretch right, double height_
   EstimationOptions options;
   options.consensus.min_depth_margin = 0.0;  // a weak reason alone
   const std::vector<ReconstructedLine> lines = group.reconstruct(options);
-  EXPECT_TRUE(lines[1].between_right_ends);
+  EXPECT_TRUE(lines[1].between_partner_ends);
   EXPECT_LT(*lines[1].direct_sigma_z_m, 0.4);  // m; the height is known well enough to compare
   return {segment_of(lines[0]).start.z(), segment_of(lines[0]).end.z()};
 }

@@ -123,14 +123,14 @@ TEST(SurfaceDepth, LikelihoodIsThatOfTheNearerSurface) {
   constexpr double kClose = 0.01;  // the planes beside the line take its slope to be small
   const test::LineGroup group = group_of(6.0, {});
   const Surface surface = surface_beside(group, 6.0, 0.0);
-  const MatchedSegments matched{group.scene.cameras, group.segments, group.matches, {}};
-  const StereoLines lines =
-      stereo_lines(matched, extracted_mates(matched), LineCovariance::kCentroid);
+  const std::vector<Track> tracks = tracks_of_pair({0, 1}, group.matches);
+  const TrackedSegments tracked{group.scene.cameras, group.segments, tracks, {}};
+  const TrackedLines lines = tracked_lines(tracked, extracted(tracked), LineCovariance::kCentroid);
   const SurfaceDepth depth(surface, lines, lines.lines[0]);
   const Segment2 seen = group.scene.images(group.truth[0])[0];
   const auto likelihood_at = [&](double z_m) {
     const auto point = [&](const Eigen::Vector2d& x) {
-      return lines.stereo.object.conditioned_from_local(group.scene.at_height(x, z_m));
+      return lines.frames.object.conditioned_from_local(group.scene.at_height(x, z_m));
     };
     const DepthLine line{point(seen.start), (point(seen.end) - point(seen.start)).normalized()};
     return std::exp(depth.log_likelihood([&](double) -> const DepthLine& { return line; }));

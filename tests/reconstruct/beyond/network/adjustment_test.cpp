@@ -47,7 +47,7 @@ TEST(NetworkAdjustment, OfImagesAloneIsTheIntersectionOfThePlanesWithItsCovarian
     Vector6d away = direct.mean;  // the start must not decide
     away(5) += 1e-3;
     lines[0].start = project_to_pluecker_quadric(away);
-    NetworkAdjustment adjustment(scene.stereo, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
+    NetworkAdjustment adjustment(scene.frames, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
     ASSERT_TRUE(adjustment.minimise(1e-9, 50));
     ASSERT_TRUE(adjustment.invert());
     const double sign = adjustment.estimate(0).dot(direct.mean) < 0.0 ? -1.0 : 1.0;
@@ -78,15 +78,15 @@ class MeetingLines : public testing::Test {
 
 TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
   constexpr double kSecondOrder = 0.02;  // the heights of lines move by 2 standard deviations
-  NetworkAdjustment all(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
+  NetworkAdjustment all(scene.frames, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   ASSERT_TRUE(all.minimise(1e-9, 50) && all.invert());
   for (std::size_t m = 0; m < meetings.size(); ++m) {
-    NetworkAdjustment without(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
+    NetworkAdjustment without(scene.frames, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
     without.weights[m] = 0.0;
     ASSERT_TRUE(without.minimise(1e-9, 50) && without.invert());
     const double miss =
         signed_distance(without.estimate(meetings[m].first), without.estimate(meetings[m].second)) *
-        scene.stereo.object.scale_m / meetings[m].junction.sigma_m;
+        scene.frames.object.scale_m / meetings[m].junction.sigma_m;
     EXPECT_NEAR(all.predicted(m).miss, miss, kSecondOrder * (1 + std::abs(miss)));
     EXPECT_NEAR(without.predicted(m).miss, miss, 1e-9);
     EXPECT_NEAR(all.predicted(m).sigma, without.predicted(m).sigma,
@@ -96,13 +96,13 @@ TEST_F(MeetingLines, PredictionOfAMeetingIsThatOfTheAdjustmentWithoutIt) {
 
 TEST_F(MeetingLines, NothingPredictsAMeetingOfALineOfUnknownPrecision) {
   lines[0].start_cov.reset();
-  const NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, kAnyHeight_m,
+  const NetworkAdjustment adjustment(scene.frames, pointers(lines), meetings, kAnyHeight_m,
                                      kSigmaSlope);
   EXPECT_TRUE(std::isinf(adjustment.predicted_at_start(0).sigma));
 }
 
 TEST_F(MeetingLines, HaveConvergedOnceAPassMovesNoLineByMoreThanTheTolerance) {
-  NetworkAdjustment adjustment(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
+  NetworkAdjustment adjustment(scene.frames, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   EXPECT_FALSE(adjustment.converged());
   ASSERT_TRUE(adjustment.minimise(1e-6, 1));
   EXPECT_FALSE(adjustment.converged());
@@ -114,8 +114,8 @@ TEST_F(MeetingLines, HaveConvergedOnceAPassMovesNoLineByMoreThanTheTolerance) {
 }
 
 TEST_F(MeetingLines, AreMoreCertainThanAlone) {
-  NetworkAdjustment alone(scene.stereo, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
-  NetworkAdjustment together(scene.stereo, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
+  NetworkAdjustment alone(scene.frames, pointers(lines), {}, kAnyHeight_m, kSigmaSlope);
+  NetworkAdjustment together(scene.frames, pointers(lines), meetings, kAnyHeight_m, kSigmaSlope);
   ASSERT_TRUE(alone.minimise(1e-6, 50) && alone.invert());
   ASSERT_TRUE(together.minimise(1e-6, 50) && together.invert());
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -15,7 +15,7 @@ Junction junction_at(double parameter, double gap_px) {
   const Segment3 line = test::make_segment(scene.scene, test::line_at(45));
   const Segment3 other = test::make_neighbour(
       scene.scene, line, {.parameter = parameter, .angle_deg = 135, .rise_m = 0, .gap_px = gap_px});
-  return junction(scene.stereo, scene.observe(test::exact_pair(scene.scene, line)),
+  return junction(scene.frames, scene.observe(test::exact_pair(scene.scene, line)),
                   scene.observe(test::exact_pair(scene.scene, other)),
                   BuildingOptions().sigma_meeting_m);
 }

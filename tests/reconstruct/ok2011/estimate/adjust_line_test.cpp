@@ -25,7 +25,7 @@ using Points = std::vector<UncertainPoint3>;
 /// Standard deviations of an independent 3D point, m. That of the height is larger, as from a stereo pair.
 const Eigen::Vector3d kPointSigmaM(0.05, 0.05, 0.2);
 
-Planes planes_of(const std::array<ObservedLine, 2>& observed) {
+Planes planes_of(const ObservedTrack& observed) {
   return {observed[0].plane, observed[1].plane};
 }
 
@@ -39,7 +39,7 @@ UncertainPoint3 point_of(const ConditionedScene& scene,
     for (int i = 0; i < 3; ++i) x(i) += random->normal(kPointSigmaM(i));
   }
   UncertainPoint3 point{scene.conditioned(x).homogeneous(), Eigen::Matrix4d::Zero()};
-  const Eigen::Vector3d sigma = kPointSigmaM / scene.stereo.object.scale_m;
+  const Eigen::Vector3d sigma = kPointSigmaM / scene.frames.object.scale_m;
   point.cov.topLeftCorner<3, 3>() = sigma.cwiseAbs2().asDiagonal();
   return spherically_normalised(point);
 }
@@ -201,9 +201,10 @@ TEST(AdjustLine, OfThreePlanesHasTwoRedundantConditions) {
   const ConditionedScene scene;
   ProjectionMatrix third = scene.scene.cameras[0];
   third.col(3) -= third.leftCols<3>() * Eigen::Vector3d(100, 150, 10);
-  const ConditionedView& left = scene.stereo.views[0];
+  const ConditionedView& left = scene.frames.views[0];
   const ImageConditioning image{project(third, Eigen::Vector3d(0, 0, 2)), left.image.scale_px};
-  const ConditionedView view{conditioned_camera(third, image, scene.stereo.object), image};
+  ConditionedViews frames = scene.frames;
+  frames.views.push_back({conditioned_camera(third, image, scene.frames.object), image});
   const Segment3 truth = segment_at(scene, 60.0);
   const Vector6d line = scene.line(truth);
   test::Random random(125);
@@ -212,7 +213,7 @@ TEST(AdjustLine, OfThreePlanesHasTwoRedundantConditions) {
   for (int trial = 0; trial < kTrials; ++trial) {
     Planes planes = planes_of(scene.observe(test::noisy_pair(scene.scene, truth, {}, random)));
     const UncertainSegment2 segment = test::noisy(project(third, truth), {}, random);
-    planes.push_back(observe(view, segment, LineCovariance::kCentroid).plane);
+    planes.push_back(observe(frames, 2, segment, LineCovariance::kCentroid).plane);
     const auto adjusted = adjust_line(planes, {});
     ASSERT_TRUE(adjusted && adjusted->converged);
     sum_nees += test::nees(adjusted->line, line, line_tangent_basis(line));

@@ -21,15 +21,15 @@ constexpr double kSigmaPx = 0.3;
 
 /// Both cameras of the scene and a third one between them, off the base.
 std::array<ConditionedView, 3> three_views(const ConditionedScene& scene) {
-  const ConditionedView& left = scene.stereo.views[0];
+  const ConditionedView& left = scene.frames.views[0];
   const ProjectionMatrix& p = scene.scene.cameras[0];
   const Eigen::Vector3d shift(100, 90, 20);
   ProjectionMatrix moved = p;
   moved.col(3) -= p.leftCols<3>() * shift;
   ImageConditioning image = left.image;
   image.centre_px = project(moved, Eigen::Vector3d(0, 0, 2));
-  return {left, scene.stereo.views[1],
-          ConditionedView{conditioned_camera(moved, image, scene.stereo.object), image}};
+  return {left, scene.frames.views[1],
+          ConditionedView{conditioned_camera(moved, image, scene.frames.object), image}};
 }
 
 /// The point's image in each view, with independent errors of kSigmaPx, or none without `random`.
@@ -58,14 +58,14 @@ TEST(EstimatePoint, RecoversAPointWithoutNoise) {
   test::Random random(111);
   for (int trial = 0; trial < 1000; ++trial) {
     const Eigen::Vector3d truth = random.vector(-20, 20);
-    const auto observations = observe_point(scene.stereo.views, scene.conditioned(truth), nullptr);
+    const auto observations = observe_point(scene.frames.views, scene.conditioned(truth), nullptr);
     const auto estimated = estimate_point(observations);
     ASSERT_TRUE(estimated);
     const Eigen::Vector3d x = estimated->point.mean.hnormalized();
-    EXPECT_LT((scene.stereo.object.local_from_conditioned(x) - truth).norm(), kTolM);
+    EXPECT_LT((scene.frames.object.local_from_conditioned(x) - truth).norm(), kTolM);
     EXPECT_LT(estimated->omega, 1e-12);
     for (std::size_t j = 0; j < 2; ++j) {
-      const ConditionedView& view = scene.stereo.views[j];
+      const ConditionedView& view = scene.frames.views[j];
       const Eigen::Vector2d residual =
           project(view.image_from_object, x) - observations[j].point.mean.hnormalized();
       EXPECT_LT(view.image.scale_px * residual.norm(), kTolPx);
@@ -76,7 +76,7 @@ TEST(EstimatePoint, RecoversAPointWithoutNoise) {
 TEST(EstimatePoint, HasTheCovarianceOfItsDifferentialByTheObservations) {
   const ConditionedScene scene;
   const Eigen::Vector3d truth = scene.conditioned({5, -7, 3});
-  auto observations = observe_point(scene.stereo.views, truth, nullptr);
+  auto observations = observe_point(scene.frames.views, truth, nullptr);
   const auto estimated = estimate_point(observations);
   ASSERT_TRUE(estimated);
   Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
@@ -122,7 +122,7 @@ TEST(EstimatePoint, CovarianceHasThePointAsNullVector) {
   const ConditionedScene scene;
   test::Random random(113);
   const auto estimated =
-      estimate_point(observe_point(scene.stereo.views, scene.conditioned({5, -7, 3}), &random));
+      estimate_point(observe_point(scene.frames.views, scene.conditioned({5, -7, 3}), &random));
   ASSERT_TRUE(estimated);
   const UncertainPoint3& x = estimated->point;
   EXPECT_NEAR(x.mean.norm(), 1.0, 1e-12);
@@ -131,8 +131,8 @@ TEST(EstimatePoint, CovarianceHasThePointAsNullVector) {
 
 TEST(EstimatePoint, OmegaGrowsWithTheDistanceFromTheEpipolarLine) {
   const ConditionedScene scene;
-  auto observations = observe_point(scene.stereo.views, scene.conditioned({5, -7, 3}), nullptr);
-  const ConditionedView& right = scene.stereo.views[1];
+  auto observations = observe_point(scene.frames.views, scene.conditioned({5, -7, 3}), nullptr);
+  const ConditionedView& right = scene.frames.views[1];
   const double offset = 3.0 * kSigmaPx / right.image.scale_px;
   const Eigen::Vector2d x = observations[1].point.mean.hnormalized();
   // the epipolar lines run along x within a few degrees
@@ -145,13 +145,13 @@ TEST(EstimatePoint, OmegaGrowsWithTheDistanceFromTheEpipolarLine) {
 
 TEST(EstimatePoint, IsEmptyWithoutABase) {
   const ConditionedScene scene;
-  const std::array same{scene.stereo.views[0], scene.stereo.views[0]};
+  const std::array same{scene.frames.views[0], scene.frames.views[0]};
   EXPECT_FALSE(estimate_point(observe_point(same, scene.conditioned({5, -7, 3}), nullptr)));
 }
 
 TEST(EstimatePoint, RejectsASingleImage) {
   const ConditionedScene scene;
-  const std::array one{scene.stereo.views[0]};
+  const std::array one{scene.frames.views[0]};
   EXPECT_THROW(estimate_point(observe_point(one, scene.conditioned({5, -7, 3}), nullptr)),
                std::invalid_argument);
 }

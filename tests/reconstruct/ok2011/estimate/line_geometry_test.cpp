@@ -24,8 +24,8 @@ TEST(Endpoints, AreThoseOfTheSegmentThatWasSeen) {
     const Segment3 truth{random.vector(-15, 15), random.vector(-15, 15)};
     const auto observed = scene.observe(test::exact_pair(scene.scene, truth));
     for (std::size_t j = 0; j < 2; ++j) {
-      const auto ends = endpoints({scene.line(truth), kNoCovariance}, scene.stereo.views[j],
-                                  observed[j], scene.stereo.views);
+      const auto ends = endpoints({scene.line(truth), kNoCovariance}, scene.frames.views[j],
+                                  observed[j], scene.frames.views);
       ASSERT_TRUE(ends);
       EXPECT_LT((ends->segment.start - scene.conditioned(truth.start)).norm(), kTol);
       EXPECT_LT((ends->segment.end - scene.conditioned(truth.end)).norm(), kTol);
@@ -35,14 +35,14 @@ TEST(Endpoints, AreThoseOfTheSegmentThatWasSeen) {
 
 TEST(Endpoints, PropagateTheLineLikeCentralDifferences) {
   const ConditionedScene scene;
-  const ConditionedView& view = scene.stereo.views[0];
+  const ConditionedView& view = scene.frames.views[0];
   test::Random random(102);
   for (int trial = 0; trial < 50; ++trial) {
     const Segment3 truth{random.vector(-15, 15), random.vector(-15, 15)};
     ObservedLine observed = scene.observe(test::exact_pair(scene.scene, truth))[0];
     observed.sigma_e = 0.0;
     const auto ends = [&](const Vector6d& line) {
-      const auto both = endpoints({line, kNoCovariance}, view, observed, scene.stereo.views);
+      const auto both = endpoints({line, kNoCovariance}, view, observed, scene.frames.views);
       Vector6d stacked;
       stacked << both->segment.start, both->segment.end;
       return stacked;
@@ -50,7 +50,7 @@ TEST(Endpoints, PropagateTheLineLikeCentralDifferences) {
     const Matrix6d jacobian = test::central_differences<6, 6>(ends, scene.line(truth));
     const Matrix6d cov = test::random_covariance<6>(random);
     const Matrix6d expected = jacobian * cov * jacobian.transpose();
-    const auto actual = endpoints({scene.line(truth), cov}, view, observed, scene.stereo.views);
+    const auto actual = endpoints({scene.line(truth), cov}, view, observed, scene.frames.views);
     EXPECT_LT((actual->cov - expected).norm(), 1e-6 * expected.norm());
   }
 }
@@ -59,13 +59,13 @@ TEST(Endpoints, MoveAlongTheLineWithTheImageEndpoint) {
   const ConditionedScene scene;
   const Segment3 truth{{-3, 1, 2}, {4, 6, 7}};
   const ObservedLine observed = scene.observe(test::exact_pair(scene.scene, truth))[0];
-  const auto ends = endpoints({scene.line(truth), kNoCovariance}, scene.stereo.views[0], observed,
-                              scene.stereo.views);
+  const auto ends = endpoints({scene.line(truth), kNoCovariance}, scene.frames.views[0], observed,
+                              scene.frames.views);
   ASSERT_TRUE(ends);
   const Eigen::Vector3d along = (truth.end - truth.start).normalized();
   const Eigen::Matrix3d cov = ends->cov.topLeftCorner<3, 3>();
   // 1 px is 8 cm on the ground, a little more along a climbing line
-  const double sigma_m = scene.stereo.object.scale_m * std::sqrt(along.dot(cov * along));
+  const double sigma_m = scene.frames.object.scale_m * std::sqrt(along.dot(cov * along));
   EXPECT_GT(sigma_m, 0.07);
   EXPECT_LT(sigma_m, 0.12);
   EXPECT_NEAR(cov.trace(), along.dot(cov * along), 1e-9 * cov.trace());
@@ -83,7 +83,7 @@ TEST(Endpoints, HaveTheStatedCovarianceUnderNoise) {
     const auto observed =
         scene.observe(test::noisy_pair(scene.scene, truth, test::scaled({}, 0.5), random));
     const auto line = intersection(observed[0].plane, observed[1].plane);
-    const auto ends = endpoints(*line, scene.stereo.views[0], observed[0], scene.stereo.views);
+    const auto ends = endpoints(*line, scene.frames.views[0], observed[0], scene.frames.views);
     Vector6d error;
     error << ends->segment.start - scene.conditioned(truth.start),
         ends->segment.end - scene.conditioned(truth.end);
@@ -96,12 +96,12 @@ TEST(Endpoints, AreEmptyBehindACameraAndAtInfinity) {
   const ConditionedScene scene;
   const auto observed = scene.observe(test::exact_pair(scene.scene, {{-3, 1, 2}, {4, 6, 7}}))[0];
   const Segment3 above{{-3, 1, 1700}, {4, 6, 1700}};
-  EXPECT_FALSE(endpoints({scene.line(above), kNoCovariance}, scene.stereo.views[0], observed,
-                         scene.stereo.views));
+  EXPECT_FALSE(endpoints({scene.line(above), kNoCovariance}, scene.frames.views[0], observed,
+                         scene.frames.views));
   Vector6d at_infinity = Vector6d::Zero();
   at_infinity.tail<3>() = Eigen::Vector3d(0.6, 0.0, 0.8);
   EXPECT_FALSE(
-      endpoints({at_infinity, kNoCovariance}, scene.stereo.views[0], observed, scene.stereo.views));
+      endpoints({at_infinity, kNoCovariance}, scene.frames.views[0], observed, scene.frames.views));
 }
 
 }  // namespace

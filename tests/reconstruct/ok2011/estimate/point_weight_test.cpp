@@ -36,7 +36,8 @@ TEST(PointWeight, IsZeroForANarrowIntersection) {
 }
 
 TEST(SmallerOfEach, TakesEachMeasureFromTheImageWhereItIsSmaller) {
-  const PairMeasures smaller = smaller_of_each({PairMeasures{3, 1, 0.5}, PairMeasures{2, 4, 0.7}});
+  const PairMeasures smaller =
+      smallest_of_each(std::array{PairMeasures{3, 1, 0.5}, PairMeasures{2, 4, 0.7}});
   EXPECT_EQ(smaller.distance_px, 2);
   EXPECT_EQ(smaller.epipolar_distance_px, 1);
   EXPECT_EQ(smaller.angle_rad, 0.5);

@@ -73,9 +73,7 @@ TEST(ReconstructLines, LabelsTheClassByTheSmallerAngle) {
         std::pair(14.0, LineClass::kNotAligned), std::pair(-40.0, LineClass::kNotAligned)}) {
     const ReconstructedLine line = make_group(line_at(theta_deg), {}).reconstruct()[0];
     EXPECT_EQ(line.line_class, expected) << theta_deg;
-    EXPECT_NEAR(line.epipolar_angles_rad[0], std::abs(theta_deg) * kDegree, 1e-8);
-    EXPECT_EQ(line.epipolar_angle_rad,
-              std::min(line.epipolar_angles_rad[0], line.epipolar_angles_rad[1]));
+    EXPECT_LE(line.epipolar_angle_rad, std::abs(theta_deg) * kDegree + 1e-8);
   }
 }
 
@@ -124,7 +122,7 @@ TEST(ReconstructLines, OfALineWithTwoMatesEachGivesThePartThatItsMateShows) {
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_LT(error_m(lines[i], parts[i]), kRecoveredM) << i;
     const Segment2 seen = group.scene.images(parts[i])[0];
-    EXPECT_LT((lines[i].seen_px[0].start - seen.start).norm(), 1e-6) << i;
+    EXPECT_LT((lines[i].seen[0].px.start - seen.start).norm(), 1e-6) << i;
   }
 }
 
@@ -234,19 +232,19 @@ TEST(ReconstructLines, DiscardsPointsOutsideTheRangeOfHeights) {
   EXPECT_EQ(group.reconstruct()[0].points.size(), 1);
 }
 
-TEST(ReconstructLines, AnswersInOrderOfTheMatchesAndForNoneWithNone) {
+TEST(ReconstructLines, AnswersInOrderOfTheTracksAndForNoneWithNone) {
   LineGroup group = make_group(line_at(4.0), kThreeNeighbours);
   const auto lines = group.reconstruct();
   ASSERT_EQ(lines.size(), group.matches.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    EXPECT_EQ(lines[i].match.left, static_cast<int>(i));
+    EXPECT_EQ(lines[i].seen[0].sighting.segment, static_cast<int>(i));
   }
   group.matches.clear();
   group.connections.clear();
   EXPECT_TRUE(group.reconstruct().empty());
 }
 
-TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
+TEST(ReconstructLines, MovesSegmentsAsAsked) {
   constexpr double kShiftPx = 1.5;
   for (const Method method : {Method::kDirect, Method::kJoint, Method::kNetwork}) {
     EstimationOptions options = direct_options();
@@ -258,13 +256,13 @@ TEST(ReconstructLines, MovesRightSegmentsAsAsked) {
     const Eigen::Vector2d by = -kShiftPx * Eigen::Vector2d(-u.y(), u.x());
     for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
       *x += by;
-    std::vector<Registration> registrations(4);
-    registrations[0].right_shift_px = kShiftPx;
+    std::vector<Registrations> registrations(4, Registrations(2));
+    registrations[0][1].shift_px = kShiftPx;
     const ReconstructedLine truth = good.reconstruct(options)[0];
     EXPECT_GT(error_m(group.reconstruct(options)[0], segment_of(truth)), 0.1);
     const ReconstructedLine line = group.reconstruct(options, registrations)[0];
     EXPECT_LT(error_m(line, segment_of(truth)), kRecoveredM) << name(method);
-    EXPECT_LT((line.seen_px[1].start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
+    EXPECT_LT((line.seen[1].px.start - good.segments[1][0].segment.start).norm(), kRecoveredPx);
     EXPECT_LT((covariance_of(line) - covariance_of(truth)).norm(),
               kRecoveredM * covariance_of(truth).norm());
   }
@@ -278,7 +276,7 @@ TEST(ReconstructLines, SigmaScaleMultipliesTheErrorsAcrossTheLine) {
     LineGroup group = make_group(line_at(40.0), kThreeNeighbours);
     group.connections.clear();
     const ReconstructedLine plain = group.reconstruct(options)[0];
-    const std::vector<Registration> registrations(4, Registration{0.0, kScale});
+    const std::vector<Registrations> registrations(4, Registrations(2, {0.0, kScale}));
     const ReconstructedLine scaled = group.reconstruct(options, registrations)[0];
     EXPECT_EQ(segment_of(scaled).start, segment_of(plain).start);
     const Eigen::Vector3d along = (segment_of(plain).end - segment_of(plain).start).normalized();
@@ -292,7 +290,8 @@ TEST(ReconstructLines, SigmaScaleMultipliesTheErrorsAcrossTheLine) {
 
 TEST(ReconstructLines, AlignedLinesTakeWhatTheyMeetAsItWasExtracted) {
   const LineGroup group = make_group(line_at(4.0), kThreeNeighbours);
-  const std::vector<Registration> registrations{{}, {1.5, 2.0}, {-1.5, 0.5}, {1.5, 2.0}};
+  const std::vector<Registrations> registrations{
+      {{}, {}}, {{0.0, 2.0}, {1.5, 2.0}}, {{0.0, 0.5}, {-1.5, 0.5}}, {{0.0, 2.0}, {1.5, 2.0}}};
   for (const EstimationOptions& options : {test::published(), EstimationOptions{}}) {
     const std::vector<ReconstructedLine> plain = group.reconstruct(options);
     const std::vector<ReconstructedLine> moved = group.reconstruct(options, registrations);
@@ -310,7 +309,7 @@ TEST(ReconstructLines, RejectsWrongInput) {
   const LineGroup good = make_group(line_at(4.0), kThreeNeighbours);
   const auto rejected = [](const LineGroup& group,
                            const EstimationOptions& options = test::published(),
-                           const std::vector<Registration>& registrations = {}) {
+                           const std::vector<Registrations>& registrations = {}) {
     try {
       static_cast<void>(group.reconstruct(options, registrations));
     } catch (const std::invalid_argument& error) {
@@ -320,19 +319,19 @@ TEST(ReconstructLines, RejectsWrongInput) {
   };
   LineGroup group = good;
   group.matches[1].right = 4;
-  EXPECT_EQ(rejected(group), "match: right segment = 4, must be in [0, 4)");
+  EXPECT_EQ(rejected(group), "track: segment = 4, must be in [0, 4)");
   group = good;
   group.connections[0].k = -1;
   EXPECT_EQ(rejected(group), "connection: k = -1, must be in [0, 4)");
   group = good;
   group.connections[0] = {2, 2};
-  EXPECT_EQ(rejected(group), "connection: i = k = 2, must be two matches");
+  EXPECT_EQ(rejected(group), "connection: i = k = 2, must be two tracks");
   group = good;
   group.segments[0][3].sigma_q_px = 0.0;
   EXPECT_EQ(rejected(group), "uncertain_line: sigma_q_px = 0, must be positive");
   group = good;
   group.segments.pop_back();
-  EXPECT_EQ(rejected(group), "reconstruct_lines: images = 1, must be 2");
+  EXPECT_EQ(rejected(group), "reconstruct_lines: images = 1, must be one per camera, 2");
   EstimationOptions options = test::published();
   options.lines.min_weight = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
@@ -340,20 +339,26 @@ TEST(ReconstructLines, RejectsWrongInput) {
   options = test::published();
   options.lines.method = Method::kPlanes;
   EXPECT_EQ(rejected(good, options),
-            "reconstruct_lines: method = planes, which takes no matches; see plane_lines()");
+            "reconstruct_lines: method = planes, which takes no tracks; see plane_lines()");
   const auto rejected_registration = [&](const Registration& of_first) {
-    std::vector<Registration> registrations(good.matches.size());
-    registrations[0] = of_first;
+    std::vector<Registrations> registrations(good.matches.size(), Registrations(2));
+    registrations[0][1] = of_first;
     return rejected(good, test::published(), registrations);
   };
-  EXPECT_EQ(rejected(good, test::published(), {{}}),
-            "reconstruct_lines: registrations = 1, must be one per match, 4, or none");
+  EXPECT_EQ(rejected(good, test::published(), {{{}, {}}}),
+            "reconstruct_lines: registrations = 1, must be one per track, 4, or none");
+  EXPECT_EQ(rejected(good, test::published(), std::vector<Registrations>(4, Registrations(1))),
+            "reconstruct_lines: registrations of a track = 1, must be one per sighting, 2");
   EXPECT_EQ(rejected_registration({HUGE_VAL, 1.0}),
-            "reconstruct_lines: right_shift_px = inf, must be finite");
+            "reconstruct_lines: shift_px = inf, must be finite");
   EXPECT_EQ(rejected_registration({0.0, 0.0}),
             "reconstruct_lines: sigma_scale = 0, must be positive");
-  EXPECT_THROW(reconstruct_lines({std::span(good.scene.cameras).first(1), good.segments,
-                                  good.matches, good.connections}),
+  const std::vector<Track> tracks = tracks_of_pair({0, 1}, good.matches);
+  EXPECT_THROW(reconstruct_lines({std::span(good.scene.cameras).first(1), good.segments, tracks,
+                                  good.connections}),
+               std::invalid_argument);
+  const std::vector<Track> of_one_view{{{{0, 0}, {0, 1}}}};
+  EXPECT_THROW(reconstruct_lines({good.scene.cameras, good.segments, of_one_view, {}}),
                std::invalid_argument);
 }
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/track.h"
+#include "reconstruct/views/epipolar_transfer.h"
+#include "reconstruct/views/scene.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// Where a view shows the ends of a segment of another view, by their heights.
+using EndStretches = std::array<Stretch, 2>;
+
+/// The views of a scene whose segments are searched: each view's segments by place, the transfers between the
+/// views, and the matches by their look. It borrows the scene.
+class SearchedViews {
+ public:
+  SearchedViews(const Scene& scene, std::span<const MatchedPair> pairs);
+
+  [[nodiscard]] std::size_t size() const { return views_.size(); }
+  [[nodiscard]] const std::array<double, 2>& heights_m() const {
+    return scene_.height_range_in_local_m;
+  }
+  [[nodiscard]] std::size_t n_segments(std::size_t view) const { return views_[view].lines.size(); }
+  [[nodiscard]] const UncertainSegment2& line(const Sighting& s) const {
+    return views_[s.view].lines[static_cast<std::size_t>(s.segment)];
+  }
+  [[nodiscard]] const SegmentIndex& by_place(std::size_t view) const { return views_[view].index; }
+  [[nodiscard]] bool shows(std::size_t view, const Eigen::Vector2d& x_px) const;
+
+  /// The other views, the nearest one first.
+  [[nodiscard]] std::span<const std::size_t> others(std::size_t view) const {
+    return views_[view].others;
+  }
+  [[nodiscard]] EndStretches stretches(const Sighting& from, std::size_t to) const;
+  /// The points that a view shows at the ends of a segment, at these heights.
+  [[nodiscard]] Segment3 object_segment(const Sighting& s, const Eigen::Vector2d& heights_m) const;
+
+  enum class Look { kUnknown, kMatched, kMatchedElsewhere };
+  /// Whether two segments were matched by their look, or one of them with another segment of that view.
+  [[nodiscard]] Look look(const Sighting& a, const Sighting& b) const;
+
+ private:
+  struct SearchedView {
+    std::vector<UncertainSegment2> lines;
+    SegmentIndex index{{}};
+    std::vector<std::size_t> others;
+    std::vector<EpipolarTransfer> to;    ///< by view
+    std::vector<std::vector<int>> mate;  ///< by view and segment; -1: none
+  };
+
+  const Scene& scene_;
+  std::vector<SearchedView> views_;
+};
+
+}  // namespace ridgeline::reconstruct

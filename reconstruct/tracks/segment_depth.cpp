@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/tracks/segment_depth.h"
+
+#include "reconstruct/geometry/degrees.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+constexpr double kLargestTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
+constexpr double kShortestOverlap_px = 3.0;
+constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
+
+double square(double x) { return x * x; }
+
+/// Where a view shows the line of a hypothesis.
+struct Prediction {
+  Segment2 segment;
+  std::array<Eigen::Vector2d, 2> per_height;  ///< shift of the ends by height, px/m
+};
+
+Prediction predict(const EndStretches& ends, const Eigen::Vector2d& heights_m) {
+  return {{ends[0].at(heights_m[0]), ends[1].at(heights_m[1])},
+          {ends[0].derivative(heights_m[0]), ends[1].derivative(heights_m[1])}};
+}
+
+/// The interval of a segment's line that another segment covers, as parameters from its start (0) to its end (1).
+std::array<double, 2> span_on(const Segment2& line, const Segment2& other) {
+  const double a = parameter_along(line, other.start);
+  const double b = parameter_along(line, other.end);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Covariance across a regression line of two of its points, given along it from the centroid.
+Eigen::Matrix2d across(const UncertainSegment2& s, const Eigen::Vector2d& from_centroid_px) {
+  return square(s.sigma_q_px) * Eigen::Matrix2d::Ones() +
+         square(s.sigma_phi_rad) * from_centroid_px * from_centroid_px.transpose();
+}
+
+/// How far a prediction is from a segment across it, at two places of the prediction.
+struct Observation {
+  Eigen::Vector2d residual_px;
+  Eigen::Matrix2d by_heights;
+  Eigen::Matrix2d cov_px2;  ///< of both segments, without that of the heights
+
+  [[nodiscard]] Eigen::Matrix2d cov_with(const SegmentDepth& depth) const {
+    return cov_px2 + by_heights * depth.cov_m2 * by_heights.transpose();
+  }
+};
+
+double chi_square(const Observation& o, const Eigen::Matrix2d& cov) {
+  return o.residual_px.dot(cov.inverse() * o.residual_px);
+}
+
+/// @param own  the segment whose line is predicted
+/// @param at   two places as parameters of the prediction
+Observation observe(const UncertainSegment2& own,
+                    const Prediction& p,
+                    const UncertainSegment2& seen,
+                    const std::array<double, 2>& at,
+                    double sigma_edge_px) {
+  const Eigen::Vector2d n = normal(seen.segment);
+  const Eigen::Vector2d u = along(seen.segment);
+  const double own_length_px = length(own.segment);
+  const double own_centroid = parameter_along(own.segment, own.centroid_px);
+  Observation o;
+  Eigen::Vector2d on_seen;
+  Eigen::Vector2d on_own;
+  for (const int i : {0, 1}) {
+    const double t = at[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d x = point_at(p.segment, t);
+    o.residual_px[i] = n.dot(x - seen.segment.start);
+    o.by_heights(i, 0) = (1.0 - t) * n.dot(p.per_height[0]);
+    o.by_heights(i, 1) = t * n.dot(p.per_height[1]);
+    on_seen[i] = u.dot(x - seen.centroid_px);
+    on_own[i] = (t - own_centroid) * own_length_px;
+  }
+  o.cov_px2 = across(seen, on_seen) + across(own, on_own) +
+              square(sigma_edge_px) * Eigen::Matrix2d::Identity();
+  return o;
+}
+
+void update(const Observation& o, SegmentDepth& depth) {
+  const Eigen::Matrix2d gain =
+      depth.cov_m2 * o.by_heights.transpose() * o.cov_with(depth).inverse();
+  depth.heights_m -= gain * o.residual_px;
+  const Eigen::Matrix2d kept = Eigen::Matrix2d::Identity() - gain * o.by_heights;
+  depth.cov_m2 =
+      (kept * depth.cov_m2 * kept.transpose() + gain * o.cov_px2 * gain.transpose()).eval();
+}
+
+/// The search for the line of one segment.
+class Search {
+ public:
+  Search(const SearchedViews& views,
+         const Sighting& reference,
+         const CandidateOptions& candidates,
+         const TrackOptions& options,
+         const IsFree& is_free)
+      : views_(views),
+        reference_(reference),
+        own_(views.line(reference)),
+        candidates_(candidates),
+        options_(options),
+        is_free_(is_free) {
+    for (std::size_t w = 0; w < views.size(); ++w) ends_.push_back(views.stretches(reference, w));
+  }
+
+  [[nodiscard]] std::optional<ProposedTrack> best() const {
+    std::vector<ProposedTrack> all;
+    for (const std::size_t view : views_.others(reference_.view)) {
+      std::vector<ProposedTrack> of_view = hypotheses(view);
+      const double start =
+          std::log(options_.seen_share / (static_cast<double>(of_view.size()) + 1.0));
+      for (ProposedTrack& track : of_view) {
+        track.log_odds = start + log_look(track.seen[1]);
+        follow(track);
+        all.push_back(std::move(track));
+      }
+    }
+    return decided(all);
+  }
+
+ private:
+  [[nodiscard]] double log_look(const Sighting& s) const {
+    switch (views_.look(reference_, s)) {
+      case SearchedViews::Look::kMatched:
+        return std::log(options_.look_odds);
+      case SearchedViews::Look::kMatchedElsewhere:
+        return -std::log(options_.look_odds);
+      default:
+        return 0.0;
+    }
+  }
+
+  /// The interval of the prediction that a segment shares with it; nothing if it is too short or the segment turns
+  /// away.
+  [[nodiscard]] std::optional<std::array<double, 2>> overlap(const Prediction& p,
+                                                             const Segment2& seen) const {
+    if (acute_angle_rad(seen, p.segment) > kLargestTurn_rad) return std::nullopt;
+    const auto [low, high] = span_on(p.segment, seen);
+    const double from = std::max(0.0, low);
+    const double to = std::min(1.0, high);
+    if (to - from < candidates_.min_overlap * std::min(1.0, high - low) ||
+        (to - from) * length(p.segment) < kShortestOverlap_px) {
+      return std::nullopt;
+    }
+    return std::array{from, to};
+  }
+
+  [[nodiscard]] bool is_possible(const Eigen::Vector2d& heights_m) const {
+    const auto& [lowest_m, highest_m] = views_.heights_m();
+    if (!heights_m.allFinite() || heights_m.minCoeff() < lowest_m ||
+        heights_m.maxCoeff() > highest_m)
+      return false;
+    const Segment3 x = views_.object_segment(reference_, heights_m);
+    const Eigen::Vector3d d = x.end - x.start;
+    return std::abs(d.z()) <= std::tan(candidates_.max_slope_deg * kRadPerDeg) * d.head<2>().norm();
+  }
+
+  /// The lines of the segment with each of a view's segments.
+  [[nodiscard]] std::vector<ProposedTrack> hypotheses(std::size_t view) const {
+    const auto& [lowest_m, highest_m] = views_.heights_m();
+    const EndStretches& ends = ends_[view];
+    Eigen::AlignedBox2d band;
+    for (const Stretch& end : ends) band.extend(end.at(lowest_m)).extend(end.at(highest_m));
+    std::vector<ProposedTrack> all;
+    for (const int segment : views_.by_place(view).in_box(band)) {
+      const Sighting seen{view, segment};
+      if (!is_free_(seen)) continue;
+      if (const auto depth = intersection_with(seen))
+        all.push_back({{reference_, seen}, *depth, 0.0});
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::optional<SegmentDepth> intersection_with(const Sighting& seen) const {
+    const EndStretches& ends = ends_[seen.view];
+    const UncertainSegment2& line = views_.line(seen);
+    const Eigen::Vector2d n = normal(line.segment);
+    const double offset = n.dot(line.segment.start);
+    const Eigen::Vector2d heights_m(ends[0].height_on(n, offset), ends[1].height_on(n, offset));
+    if (!is_possible(heights_m)) return std::nullopt;
+    const Prediction p = predict(ends, heights_m);
+    const double least_sine = std::sin(candidates_.min_epipolar_angle_deg * kRadPerDeg);
+    for (const Eigen::Vector2d& by : p.per_height) {
+      if (!(std::abs(n.dot(by)) >= least_sine * by.norm())) return std::nullopt;
+    }
+    if (!overlap(p, line.segment)) return std::nullopt;
+    const Observation o = observe(own_, p, line, {0.0, 1.0}, options_.sigma_edge_px);
+    const Eigen::Matrix2d heights_from_px = o.by_heights.inverse();
+    return SegmentDepth{heights_m, heights_from_px * o.cov_px2 * heights_from_px.transpose()};
+  }
+
+  /// Asks all other views for the line of a hypothesis.
+  void follow(ProposedTrack& track) const {
+    const std::size_t first = track.seen[1].view;
+    for (const std::size_t view : views_.others(reference_.view)) {
+      if (view != first) ask(view, track);
+    }
+  }
+
+  /// Adds what a view shows of the line to the track and to its odds.
+  void ask(std::size_t view, ProposedTrack& track) const {
+    constexpr double kWindow_px = 12.0;  // to each side of the prediction, for the density
+    constexpr double kWidest_px = 40.0;
+    constexpr double kReach_sigma = 3.5;
+    const Prediction p = predict(ends_[view], track.depth.heights_m);
+    if (!views_.shows(view, midpoint(p.segment))) return;
+    double reach_px = kWindow_px;
+    for (const int i : {0, 1}) {
+      reach_px =
+          std::max(reach_px, kReach_sigma * p.per_height[static_cast<std::size_t>(i)].norm() *
+                                 std::sqrt(track.depth.cov_m2(i, i)));
+    }
+    reach_px = std::min(reach_px, kWidest_px);
+    int n_parallel = 0;
+    double best_ratio = 0.0;
+    std::optional<std::pair<int, Observation>> best;
+    for (const int segment : views_.by_place(view).near(p.segment, reach_px)) {
+      const UncertainSegment2& line = views_.line({view, segment});
+      const auto at = overlap(p, line.segment);
+      if (!at) continue;
+      const Observation o = observe(own_, p, line, *at, options_.sigma_edge_px);
+      if (o.residual_px.cwiseAbs().maxCoeff() < reach_px) ++n_parallel;
+      if (!is_free_({view, segment})) continue;
+      const Eigen::Matrix2d cov = o.cov_with(track.depth);
+      const double chi2 = chi_square(o, cov);
+      if (chi2 > kChiSquare2) continue;
+      const double overlap_px = ((*at)[1] - (*at)[0]) * length(p.segment);
+      const double area_px2 =
+          4.0 * reach_px * std::min(reach_px, std::tan(kLargestTurn_rad) * overlap_px);
+      const double ratio = std::exp(-0.5 * chi2 + log_look({view, segment})) * area_px2 /
+                           (2.0 * std::numbers::pi * std::sqrt(cov.determinant()));
+      if (ratio <= best_ratio) continue;
+      best_ratio = ratio;
+      best = {segment, o};
+    }
+    // One more than are seen, so that a lonely segment is not certain either.
+    const double p_seen = options_.seen_share;
+    track.log_odds += std::log(1.0 - p_seen + p_seen * best_ratio / (n_parallel + 0.5));
+    if (!best) return;
+    track.seen.push_back({view, best->first});
+    update(best->second, track.depth);
+  }
+
+  /// The track of the largest odds, if it wins over those of other heights.
+  [[nodiscard]] std::optional<ProposedTrack> decided(std::vector<ProposedTrack>& all) const {
+    constexpr double kSame_m = 0.3;
+    const auto of_same_height = [&](const ProposedTrack& a, const ProposedTrack& b) {
+      return (a.depth.heights_m - b.depth.heights_m).cwiseAbs().maxCoeff() < kSame_m;
+    };
+    std::ranges::stable_sort(all, std::greater{}, &ProposedTrack::log_odds);
+    const auto best = std::ranges::find_if(
+        all, [](const ProposedTrack& track) { return track.seen.size() >= 3; });
+    if (best == all.end() || best->log_odds < options_.min_log_odds) return std::nullopt;
+    double odds_of_others = 0.0;
+    std::vector<const ProposedTrack*> distinct{&*best};
+    for (const ProposedTrack& track : all) {
+      if (std::ranges::any_of(distinct, [&](const auto* d) { return of_same_height(*d, track); }))
+        continue;
+      distinct.push_back(&track);
+      odds_of_others += std::exp(track.log_odds - best->log_odds);
+    }
+    if (std::log(odds_of_others) > -options_.min_margin) return std::nullopt;
+    return *best;
+  }
+
+  const SearchedViews& views_;
+  Sighting reference_;
+  const UncertainSegment2& own_;
+  const CandidateOptions& candidates_;
+  const TrackOptions& options_;
+  const IsFree& is_free_;
+  std::vector<EndStretches> ends_;  ///< by view
+};
+
+}  // namespace
+
+std::optional<ProposedTrack> propose_track(const SearchedViews& views,
+                                           const Sighting& reference,
+                                           const CandidateOptions& candidates,
+                                           const TrackOptions& options,
+                                           const IsFree& is_free) {
+  return Search(views, reference, candidates, options, is_free).best();
+}
+
+void add_pieces(const SearchedViews& views,
+                const TrackOptions& options,
+                const IsFree& is_free,
+                ProposedTrack& track) {
+  constexpr double kBeside_px = 1.5;
+  constexpr double kLeastWithin = 0.7;  // share of a piece within the part that a view shows
+  const UncertainSegment2& own = views.line(track.seen[0]);
+  std::vector<Prediction> predictions;
+  std::array<double, 2> part{0.0, 1.0};
+  for (std::size_t v = 0; v < views.size(); ++v)
+    predictions.push_back(predict(views.stretches(track.seen[0], v), track.depth.heights_m));
+  for (const Sighting& s : track.seen) {
+    const auto [from, to] = span_on(predictions[s.view].segment, views.line(s).segment);
+    part = {std::min(part[0], from), std::max(part[1], to)};
+  }
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const Prediction& p = predictions[v];
+    const Segment2 whole{point_at(p.segment, part[0]), point_at(p.segment, part[1])};
+    std::vector<std::array<double, 2>> known;
+    for (const Sighting& s : track.seen) {
+      if (s.view == v) known.push_back(span_on(p.segment, views.line(s).segment));
+    }
+    for (const int segment : views.by_place(v).near(whole, kBeside_px)) {
+      const UncertainSegment2& line = views.line({v, segment});
+      if (!is_free({v, segment}) || acute_angle_rad(line.segment, p.segment) > kLargestTurn_rad)
+        continue;
+      const std::array<double, 2> span = span_on(p.segment, line.segment);
+      const double within = std::min(span[1], part[1]) - std::max(span[0], part[0]);
+      if (within < kLeastWithin * (span[1] - span[0])) continue;
+      const double shortest = kShortestOverlap_px / length(p.segment);
+      if (std::ranges::any_of(known, [&](const auto& k) {
+            return std::min(k[1], span[1]) - std::max(k[0], span[0]) > shortest;
+          })) {
+        continue;
+      }
+      const Observation o = observe(own, p, line, span, options.sigma_edge_px);
+      if (o.residual_px.cwiseAbs().maxCoeff() > kBeside_px ||
+          chi_square(o, o.cov_with(track.depth)) > kChiSquare2) {
+        continue;
+      }
+      track.seen.push_back({v, segment});
+      known.push_back(span);
+    }
+  }
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/tracks/tracks.h"
+
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/interruption.h"
+#include "reconstruct/tracks/segment_depth.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <tuple>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Which segments are in a track already.
+class TakenSegments {
+ public:
+  explicit TakenSegments(const SearchedViews& views) {
+    for (std::size_t v = 0; v < views.size(); ++v) is_taken_.emplace_back(views.n_segments(v), 0);
+  }
+  [[nodiscard]] bool is_free(const Sighting& s) const {
+    return is_taken_[s.view][static_cast<std::size_t>(s.segment)] == 0;
+  }
+  void take(const Track& track) {
+    for (const Sighting& s : track.seen) is_taken_[s.view][static_cast<std::size_t>(s.segment)] = 1;
+  }
+
+ private:
+  std::vector<std::vector<char>> is_taken_;
+};
+
+/// The tracks of three views and more.
+std::vector<Track> tracks_by_geometry(const SearchedViews& views,
+                                      const CandidateOptions& candidates,
+                                      const TrackOptions& options,
+                                      TakenSegments& taken) {
+  const IsFree is_free = [&](const Sighting& s) { return taken.is_free(s); };
+  std::vector<Sighting> references;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    for (std::size_t s = 0; s < views.n_segments(v); ++s)
+      references.push_back({v, static_cast<int>(s)});
+  }
+  std::vector<std::optional<ProposedTrack>> proposed(references.size());
+  tbb::parallel_for(std::size_t{0}, references.size(), [&](std::size_t i) {
+    Interruption::check();
+    proposed[i] = propose_track(views, references[i], candidates, options, is_free);
+  });
+  const auto is_after = [&](std::size_t a, std::size_t b) {
+    return std::tuple(-proposed[a]->log_odds, a) > std::tuple(-proposed[b]->log_odds, b);
+  };
+  std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(is_after)> queue(is_after);
+  for (std::size_t i = 0; i < proposed.size(); ++i) {
+    if (proposed[i]) queue.push(i);
+  }
+  std::vector<Track> tracks;
+  while (!queue.empty()) {
+    const std::size_t i = queue.top();
+    queue.pop();
+    if (!is_free(references[i])) continue;
+    if (!std::ranges::all_of(proposed[i]->seen, is_free)) {
+      proposed[i] = propose_track(views, references[i], candidates, options, is_free);
+      if (proposed[i]) queue.push(i);
+      continue;
+    }
+    add_pieces(views, options, is_free, *proposed[i]);
+    tracks.push_back({proposed[i]->seen});
+    taken.take(tracks.back());
+  }
+  return tracks;
+}
+
+bool is_near_aligned(const Scene& scene,
+                     const Sighting& a,
+                     const Sighting& b,
+                     double max_angle_deg) {
+  const std::array cameras{scene.views[a.view].image_from_local,
+                           scene.views[b.view].image_from_local};
+  const auto segment = [&](const Sighting& s) -> const Segment2& {
+    return scene.views[s.view].segments[static_cast<std::size_t>(s.segment)].line.segment;
+  };
+  return epipolar_angle_rad(cameras, segment(a), segment(b)) <= max_angle_deg * kRadPerDeg;
+}
+
+/// Adds the tracks of two views: matches whose segments are in no track.
+void add_tracks_by_look(const Scene& scene,
+                        std::span<const MatchedPair> pairs,
+                        TakenSegments& taken,
+                        std::vector<Track>& tracks) {
+  std::map<Sighting, std::size_t> aligned;  // track by base segment
+  for (const auto& [views, matches] : pairs) {
+    for (const LineMatch& match : matches) {
+      const Sighting base{views.base, match.left};
+      const Sighting mate{views.search, match.right};
+      if (!taken.is_free(mate)) continue;
+      const bool is_aligned = is_near_aligned(scene, base, mate, kMaxAlignedAngle_deg);
+      if (taken.is_free(base)) {
+        if (is_aligned) aligned[base] = tracks.size();
+        tracks.push_back({{base, mate}});
+        taken.take(tracks.back());
+      } else if (const auto known = aligned.find(base); is_aligned && known != aligned.end()) {
+        tracks[known->second].seen.push_back(mate);
+        taken.take({{mate}});
+      }
+    }
+  }
+}
+
+/// Puts two sightings of a matched pair first, base before search, and the others in ascending order.
+void order_sightings(std::span<const MatchedPair> pairs, Track& track) {
+  std::ranges::sort(track.seen);
+  for (const MatchedPair& pair : pairs) {
+    const auto base = std::ranges::find(track.seen, pair.views.base, &Sighting::view);
+    const auto search = std::ranges::find(track.seen, pair.views.search, &Sighting::view);
+    if (base == track.seen.end() || search == track.seen.end()) continue;
+    const std::array first{*base, *search};
+    std::erase_if(track.seen, [&](const Sighting& s) { return s == first[0] || s == first[1]; });
+    track.seen.insert(track.seen.begin(), first.begin(), first.end());
+    return;
+  }
+  const auto other = std::ranges::find_if(
+      track.seen, [&](const Sighting& s) { return s.view != track.seen[0].view; });
+  std::rotate(track.seen.begin() + 1, other, other + 1);
+}
+
+}  // namespace
+
+std::vector<Track> tracks_of(const Scene& scene,
+                             std::span<const MatchedPair> pairs,
+                             const CandidateOptions& candidates,
+                             const TrackOptions& options) {
+  validate(options);
+  const SearchedViews views(scene, pairs);
+  TakenSegments taken(views);
+  std::vector<Track> tracks = tracks_by_geometry(views, candidates, options, taken);
+  add_tracks_by_look(scene, pairs, taken, tracks);
+  for (Track& track : tracks) order_sightings(pairs, track);
+  std::ranges::sort(tracks, {}, &Track::seen);
+  return tracks;
+}
+
+}  // namespace ridgeline::reconstruct

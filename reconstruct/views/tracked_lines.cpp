@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/views/tracked_lines.h"
+
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+std::size_t checked_index(const char* what, int index, std::size_t size) {
+  check(index >= 0 && static_cast<std::size_t>(index) < size, what, " = ", index,
+        ", must be in [0, ", size, ")");
+  return static_cast<std::size_t>(index);
+}
+
+UncertainSegment2 registered(const UncertainSegment2& segment, const Registration& r) {
+  const Eigen::Vector2d by = r.shift_px * normal(segment.segment);
+  UncertainSegment2 moved = segment;
+  for (Eigen::Vector2d* x : {&moved.segment.start, &moved.segment.end, &moved.centroid_px})
+    *x += by;
+  moved.sigma_q_px *= r.sigma_scale;
+  moved.sigma_phi_rad *= r.sigma_scale;
+  return moved;
+}
+
+/// Parameter at which the epipolar line of a point of the partner's image crosses the line of a base segment.
+double epipolar_crossing(const Segment2& base,
+                         const Eigen::Vector2d& in_partner,
+                         const Eigen::Matrix3d& partner_from_base) {
+  const Eigen::Vector3d epipolar_line = partner_from_base.transpose() * in_partner.homogeneous();
+  const double at_start = epipolar_line.dot(base.start.homogeneous());
+  const double at_end = epipolar_line.dot(base.end.homogeneous());
+  return at_start / (at_start - at_end);
+}
+
+/// Keeps the part of the base segment that shows what its partner shows. Otherwise a segment with several
+/// fragments as partners would give each of their lines its whole length.
+void clip_to_partner(ObservedTrack& track, const Eigen::Matrix3d& partner_from_base) {
+  // Share of the segment; the epipolar lines run along it if the part is shorter.
+  constexpr double kShortest = 0.02;
+  const Segment2 base = track[0].segment;
+  const auto [low, high] =
+      std::minmax({epipolar_crossing(base, track[1].segment.start, partner_from_base),
+                   epipolar_crossing(base, track[1].segment.end, partner_from_base)});
+  const double from = std::max(0.0, low);
+  const double to = std::min(1.0, high);
+  if (!(to - from > kShortest)) return;
+  track[0].segment = {base.start + from * (base.end - base.start),
+                      base.start + to * (base.end - base.start)};
+}
+
+}  // namespace
+
+std::vector<Sightings> extracted(const TrackedSegments& tracked) {
+  return transformed(tracked.tracks, [&](const Track& track) {
+    check(track.seen.size() >= 2 && track.seen[0].view != track.seen[1].view,
+          "track: must begin with sightings of two views");
+    return transformed(track.seen, [&](const Sighting& s) {
+      check(s.view < tracked.segments.size(), "track: view = ", s.view, ", must be in [0, ",
+            tracked.segments.size(), ")");
+      const std::vector<UncertainSegment2>& of_view = tracked.segments[s.view];
+      return of_view[checked_index("track: segment", s.segment, of_view.size())];
+    });
+  });
+}
+
+std::vector<Sightings> registered(const TrackedSegments& tracked) {
+  std::vector<Sightings> all = extracted(tracked);
+  for (std::size_t i = 0; i < tracked.registrations.size(); ++i) {
+    for (std::size_t s = 0; s < all[i].size(); ++s)
+      all[i][s] = registered(all[i][s], tracked.registrations[i][s]);
+  }
+  return all;
+}
+
+TrackedLines tracked_lines(const TrackedSegments& tracked,
+                           const std::vector<Sightings>& observed,
+                           LineCovariance form) {
+  std::vector<std::vector<Segment2>> patch(tracked.cameras.size());
+  std::map<Sighting, int> num_tracks;  // by base segment
+  const std::vector<Sightings> seen = extracted(tracked);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::vector<Sighting>& sightings = tracked.tracks[i].seen;
+    for (std::size_t s = 0; s < seen[i].size(); ++s)
+      patch[sightings[s].view].push_back(seen[i][s].segment);
+    ++num_tracks[sightings[0]];
+  }
+  TrackedLines lines{condition(tracked.cameras, patch), {}, tracked.height_range_in_local_m};
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    const std::vector<Sighting>& sightings = tracked.tracks[i].seen;
+    ObservedTrack& line = lines.lines.emplace_back();
+    for (std::size_t s = 0; s < sightings.size(); ++s)
+      line.push_back(observe(lines.frames, sightings[s].view, observed[i][s], form));
+    if (num_tracks[sightings[0]] > 1)
+      clip_to_partner(line, lines.frames.fundamental(line[0].view, line[1].view));
+  }
+  return lines;
+}
+
+std::vector<SeenTogether> seen_together(const ObservedTrack& line, const ObservedTrack& other) {
+  std::vector<SeenTogether> views;
+  for (const ObservedLine& own : line) {
+    const auto is_of_view = [&](const ObservedLine& seen) { return seen.view == own.view; };
+    if (std::ranges::any_of(views, [&](const SeenTogether& v) { return is_of_view(v.line); }))
+      continue;
+    const auto found = std::ranges::find_if(other, is_of_view);
+    if (found != other.end()) views.push_back({own, *found});
+  }
+  return views;
+}
+
+Neighbours neighbours_of(std::span<const PairConnection> connections, std::size_t num_tracks) {
+  Neighbours neighbours(num_tracks);
+  for (const PairConnection& c : connections) {
+    check(c.i != c.k, "connection: i = k = ", c.i, ", must be two tracks");
+    neighbours[checked_index("connection: i", c.i, num_tracks)].push_back(c.k);
+    neighbours[checked_index("connection: k", c.k, num_tracks)].push_back(c.i);
+  }
+  for (std::vector<int>& list : neighbours) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return neighbours;
+}
+
+}  // namespace ridgeline::reconstruct
