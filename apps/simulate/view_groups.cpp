@@ -63,8 +63,8 @@ void check_view_groups(std::span<const ViewGroup> groups) {
           " is there more than once; each group must be named once");
     num_views += group.num_views;
   }
-  check(num_views >= kFewest && num_views <= kMost, num_views, " views in all, must be ", kFewest,
-        " to ", kMost);
+  check(num_views >= kFewest && num_views <= kMost, "views in all = ", num_views, ", must be ",
+        kFewest, " to ", kMost);
 }
 
 }  // namespace ridgeline::simulate

@@ -41,8 +41,8 @@ TEST(CheckViewGroups, RefusesNumbersThatCannotBeWithTheRule) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr(rule)))
         << text;
   };
-  refusal("strip:1", "1 views in all, must be 2 to 30");
-  refusal("strip:20,cross:11", "31 views in all, must be 2 to 30");
+  refusal("strip:1", "views in all = 1, must be 2 to 30");
+  refusal("strip:20,cross:11", "views in all = 31, must be 2 to 30");
   refusal("strip:2,cross:0", "cross:0, must have 1 to 30 views");
   refusal("strip:-2", "strip:-2, must have 1 to 30 views");
   refusal("strip:2,cross:2,strip:2", "strip is there more than once");
