@@ -49,8 +49,9 @@ TEST_F(SimulateViews, ThreeAndMoreHaveIdsByGroupAndTrueTracks) {
     images.insert(image);
   }
   EXPECT_EQ(images, std::set<std::string>(ids.begin(), ids.end()));
+  const nlohmann::json truth = read_json(path("s/truth.geojson"));
   int most_images = 0;
-  for (const nlohmann::json& line : read_json(path("s/truth.geojson"))["features"]) {
+  for (const nlohmann::json& line : truth["features"]) {
     most_images = std::max(most_images, line["properties"]["n_images"].get<int>());
   }
   EXPECT_EQ(most_images, 3);
