@@ -160,7 +160,7 @@ std::vector<std::string> file_names(const SimulateArguments& a) {
   return names;
 }
 
-/// A geometry with image sizes has them for its own views.
+/// A geometry that sets the sizes of the images has as many views as sizes.
 void check_image_sizes(const simulate::FlightOptions& flight) {
   const std::size_t num_views = simulate::planned_views(flight).size();
   check(flight.size_px.empty() || flight.size_px.size() == num_views, "--views has ", num_views,
@@ -212,10 +212,8 @@ Run add_simulate(CLI::App& subcommand) {
   subcommand
       .add_option("--out", a->out,
                   "folder for patch.yaml, left.tif, right.tif (more views: ID.tif), matches.csv, "
-                  "lidar.las, "
-                  "truth.geojson and lines.{good,fair,poor}.geojson; files there are kept unless "
-                  "an earlier "
-                  "scene wrote them")
+                  "lidar.las, truth.geojson and lines.{good,fair,poor}.geojson; files there are "
+                  "kept unless an earlier scene wrote them")
       ->required();
   subcommand
       .add_option_function<std::string>(
