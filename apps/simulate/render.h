@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/simulate/aerial_pair.h"
 #include "apps/simulate/appearance.h"
+#include "apps/simulate/flight.h"
 #include "apps/simulate/ray_scene.h"
 #include "reconstruct/geometry/field.h"
 

@@ -2,12 +2,13 @@
 #include "apps/common/command.h"
 #include "apps/common/option_flags.h"
 #include "apps/common/say.h"
-#include "apps/simulate/aerial_pair.h"
 #include "apps/simulate/als.h"
 #include "apps/simulate/degrade.h"
+#include "apps/simulate/flight.h"
+#include "apps/simulate/planned_views.h"
 #include "apps/simulate/scene_record.h"
 #include "apps/simulate/village.h"
-#include "apps/simulate/write_stereo.h"
+#include "apps/simulate/write_views.h"
 #include "io/cloud/las_writer.h"
 #include "io/crs/crs.h"
 #include "io/lines/write_lines.h"
@@ -15,8 +16,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <stdexcept>
 
 namespace ridgeline::apps {
 namespace {
@@ -28,14 +32,14 @@ struct SimulateArguments {
   std::vector<double> origin_m{513000.0, 5403000.0, 250.0};
   simulate::VillageOptions village;
   simulate::AlsOptions als;
-  StereoOptions stereo;
+  ViewOptions views;
   bool no_images = false;
 };
 
 /// Sets the options to the test of Chio and Wang 2000: their flight over houses on every lot, with few trees. The plan
 /// is larger than the images.
 void set_chio_wang_geometry(SimulateArguments& a) {
-  a.stereo.flight = simulate::chio_wang_flight();
+  a.views.flight = simulate::chio_wang_flight();
   a.extent_m = {80.0, 80.0};
   a.village.built_share = 1.0;
   a.village.trees_per_lot = 0.2;
@@ -109,17 +113,31 @@ void add_scanner_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
+void set_view_groups(SimulateArguments& a, const std::string& text) {
+  try {
+    a.views.flight.groups = simulate::parse_view_groups(text);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--views", error.what());
+  }
+}
+
 void add_image_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Images";
   app.add_flag("--no-images", a.no_images, "only LIDAR and lines")->group(group);
-  app.add_option("--bands", a.stereo.sensor.bands, "of the images")
+  app.add_option_function<std::string>(
+         "--views", [&a](const std::string& text) { set_view_groups(a, text); },
+         "groups of images: strip:N along x, cross:N of a strip along y, oblique:N from all sides; "
+         "2 to 30 in all, e.g. strip:3,cross:2")
+      ->default_str("strip:2")
+      ->group(group);
+  app.add_option("--bands", a.views.sensor.bands, "of the images")
       ->check(CLI::IsMember({"rgb", "cir", "rgbn"}))
       ->capture_default_str()
       ->group(group);
-  add_flags(app, a.stereo.sensor, group);
+  add_flags(app, a.views.sensor, group);
   app.get_option("--bits")->check(CLI::IsMember({8, 16}));
-  add_flags(app, a.stereo.render, group);
-  add_flags(app, a.stereo.flight, group);
+  add_flags(app, a.views.render, group);
+  add_flags(app, a.views.flight, group);
 }
 
 void write_lines_of(const results::OutputFolder& out,
@@ -138,18 +156,27 @@ std::vector<std::string> file_names(const SimulateArguments& a) {
   std::vector<std::string> names{"lidar.las", "lines.good.geojson", "lines.fair.geojson",
                                  "lines.poor.geojson", "truth.geojson"};
   if (a.no_images) return names;
-  names.insert(names.end(), {"left.tif", "right.tif", "matches.csv", "patch.yaml"});
+  std::ranges::move(view_file_names(a.views.flight), std::back_inserter(names));
   return names;
+}
+
+/// A geometry that sets the sizes of the images has as many views as sizes.
+void check_image_sizes(const simulate::FlightOptions& flight) {
+  const std::size_t num_views = simulate::planned_views(flight).size();
+  check(flight.size_px.empty() || flight.size_px.size() == num_views, "--views has ", num_views,
+        " views; must have ", flight.size_px.size(),
+        " with --geometry, which sets the size of each image");
 }
 
 int run_simulate(SimulateArguments a) {
   a.village.seed = a.seed;
   a.als.seed = a.seed;
-  a.stereo.flight.seed = a.seed;
-  a.stereo.render.seed = a.seed;
-  a.stereo.sensor.seed = a.seed;
+  a.views.flight.seed = a.seed;
+  a.views.render.seed = a.seed;
+  a.views.sensor.seed = a.seed;
   a.village.extent_m = {a.extent_m[0], a.extent_m[1]};
   a.village.origin_m = {a.origin_m[0], a.origin_m[1], a.origin_m[2]};
+  check_image_sizes(a.views.flight);
   const io::CrsFacts crs = io::describe({a.village.crs});
   check(!crs.is_geographic, "--crs = ", a.village.crs, " (", crs.name,
         "), its coordinates are degrees; must be a projected one");
@@ -157,12 +184,12 @@ int run_simulate(SimulateArguments a) {
   const std::vector<std::string> names = file_names(a);
   check_scene_files(out, names);
   const simulate::Scene scene = simulate::make_village(a.village);
-  if (!a.no_images) (void)simulate::aerial_pair(scene, a.stereo.flight);  // throws before the work
+  if (!a.no_images) (void)simulate::aerial_views(scene, a.views.flight);  // throws before the work
   const io::PointCloud cloud = simulate::scan_als(scene, a.als);
 
   io::write_las(out.path("lidar.las"), cloud.points, cloud.frame, scene.crs);
   const io::LineSet truth =
-      simulate::classed_by_pair(simulate::true_lines(scene), simulate::nominal_pair(scene));
+      simulate::classed_by_views(simulate::true_lines(scene), simulate::nominal_pair(scene));
   for (const auto& [name, grade] :
        {std::pair("good", simulate::Grade::kGood), std::pair("fair", simulate::Grade::kFair),
         std::pair("poor", simulate::Grade::kPoor)}) {
@@ -171,7 +198,7 @@ int run_simulate(SimulateArguments a) {
   }
   write_lines_of(
       out, "truth.geojson",
-      a.no_images ? truth : write_stereo(scene, name_of_folder(a.out), a.stereo, truth, out));
+      a.no_images ? truth : write_views(scene, name_of_folder(a.out), a.views, truth, out));
   record_scene_files(out, names);
   say("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
       truth.lines.size(), cloud.points.size());
@@ -183,11 +210,10 @@ int run_simulate(SimulateArguments a) {
 Run add_simulate(CLI::App& subcommand) {
   auto a = std::make_shared<SimulateArguments>();
   subcommand
-      .add_option(
-          "--out", a->out,
-          "folder for patch.yaml, left.tif, right.tif, matches.csv, lidar.las, truth.geojson "
-          "and lines.{good,fair,poor}.geojson; files there are kept unless an earlier scene "
-          "wrote them")
+      .add_option("--out", a->out,
+                  "folder for patch.yaml, left.tif, right.tif (more views: ID.tif), matches.csv, "
+                  "lidar.las, truth.geojson and lines.{good,fair,poor}.geojson; files there are "
+                  "kept unless an earlier scene wrote them")
       ->required();
   subcommand
       .add_option_function<std::string>(

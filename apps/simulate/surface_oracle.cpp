@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace ridgeline::simulate {
@@ -20,10 +21,10 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-SurfaceOracle::SurfaceOracle(const Scene& scene, const std::array<AerialView, 2>& views)
-    : scene_(&scene), views_(views), rays_(scene.mesh) {}
+SurfaceOracle::SurfaceOracle(const Scene& scene, std::vector<AerialView> views)
+    : scene_(&scene), views_(std::move(views)), rays_(scene.mesh) {}
 
-std::optional<SurfaceOracle::Sight> SurfaceOracle::seen_at(View view,
+std::optional<SurfaceOracle::Sight> SurfaceOracle::seen_at(std::size_t view,
                                                            const Eigen::Vector2d& x_px) const {
   const Eigen::Vector3d& origin = views_[view].centre_in_local;
   const Eigen::Vector3d direction = views_[view].ray(x_px);
@@ -38,7 +39,7 @@ std::optional<SurfaceOracle::Sight> SurfaceOracle::seen_at(View view,
   return Sight{origin + distance_m * direction, ground.normal(), kNone};
 }
 
-bool SurfaceOracle::visible(View view, const Eigen::Vector3d& x, double tolerance_m) const {
+bool SurfaceOracle::visible(std::size_t view, const Eigen::Vector3d& x, double tolerance_m) const {
   const Eigen::Vector2d x_px = pixel_of(view, x);
   const Eigen::Vector2i& size = views_[view].size_px;
   if ((x_px.array() < -0.5).any() || (x_px.array() > size.cast<double>().array() - 0.5).any()) {
@@ -48,14 +49,16 @@ bool SurfaceOracle::visible(View view, const Eigen::Vector3d& x, double toleranc
   return !rays_.occluded(x, to_camera, tolerance_m);
 }
 
-Eigen::Vector2d SurfaceOracle::pixel_of(View view, const Eigen::Vector3d& x) const {
+Eigen::Vector2d SurfaceOracle::pixel_of(std::size_t view, const Eigen::Vector3d& x) const {
   return project(views_[view].image_from_local, x);
 }
 
-std::optional<Eigen::Vector2d> SurfaceOracle::right_of(const Eigen::Vector2d& left_px) const {
-  const auto sight = seen_at(kLeft, left_px);
-  if (!sight || !visible(kRight, sight->x)) return std::nullopt;
-  return pixel_of(kRight, sight->x);
+std::optional<Eigen::Vector2d> SurfaceOracle::mate_of(std::size_t from,
+                                                      std::size_t to,
+                                                      const Eigen::Vector2d& x_px) const {
+  const auto sight = seen_at(from, x_px);
+  if (!sight || !visible(to, sight->x)) return std::nullopt;
+  return pixel_of(to, sight->x);
 }
 
 bool SurfaceOracle::same_surface(const Sight& a, const Sight& b) const {
@@ -77,13 +80,9 @@ MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, cons
   constexpr double kNearPx = 0.4;  // two distances from the edge, both within a fence of 0.1 m
   constexpr double kFarPx = 0.8;
   constexpr double kBeyondPx = 3.0;  // ends of segments are not exact
-  const auto side_of = [](const Segment2& s) {
-    const Eigen::Vector2d u = (s.end - s.start).normalized();
-    return Eigen::Vector2d(-u.y(), u.x());
-  };
-  const Eigen::Vector2d left_normal = side_of(left);
-  const Eigen::Vector2d right_normal = side_of(right);
-  const Eigen::Vector2d along = (right.end - right.start).normalized();
+  const Eigen::Vector2d left_normal = normal(left);
+  const Eigen::Vector2d right_normal = normal(right);
+  const Eigen::Vector2d right_along = along(right);
   const int samples = 1 + static_cast<int>(length(left) / kStepPx);
   std::array<std::vector<double>, 2> distances_px;
   std::array<int, 2> overlapping{};
@@ -91,12 +90,12 @@ MatchVerdict judge_match(const SurfaceOracle& oracle, const Segment2& left, cons
     const Eigen::Vector2d x = left.start + (i + 0.5) / samples * (left.end - left.start);
     for (const std::size_t side : {0U, 1U}) {
       const Eigen::Vector2d n = side == 0 ? left_normal : Eigen::Vector2d(-left_normal);
-      const auto near = oracle.right_of(x + kNearPx * n);
-      const auto far = oracle.right_of(x + kFarPx * n);
+      const auto near = oracle.mate_of(0, 1, x + kNearPx * n);
+      const auto far = oracle.mate_of(0, 1, x + kFarPx * n);
       if (!near || !far) continue;
       const Eigen::Vector2d on_edge = *near - kNearPx / (kFarPx - kNearPx) * (*far - *near);
       distances_px[side].push_back(std::abs(right_normal.dot(on_edge - right.start)));
-      const double position = along.dot(on_edge - right.start);
+      const double position = right_along.dot(on_edge - right.start);
       overlapping[side] += position >= -kBeyondPx && position <= length(right) + kBeyondPx ? 1 : 0;
     }
   }

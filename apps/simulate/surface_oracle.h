@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/simulate/aerial_pair.h"
+#include "apps/simulate/flight.h"
 #include "apps/simulate/ray_scene.h"
 
 #include <Eigen/Core>
 
-#include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace ridgeline::simulate {
 
-/// Knows what any pixel of two views of a scene shows, so that any match can be judged: edges of
+/// Knows what any pixel of the views of a scene shows, so that any match can be judged: edges of
 /// shadows and textures too.
 class SurfaceOracle {
  public:
-  enum View : std::size_t { kLeft, kRight };
-
   /// Where the line of sight of a pixel ends.
   struct Sight {
     Eigen::Vector3d x;       ///< local
@@ -24,32 +23,38 @@ class SurfaceOracle {
     int triangle = kNone;    ///< index in the mesh; kNone on the ground beyond it
   };
 
-  /// Keeps a reference to the scene; `views` are copied.
-  SurfaceOracle(const Scene& scene, const std::array<AerialView, 2>& views);
+  /// Keeps a reference to the scene. A view is named by its place in `views`.
+  SurfaceOracle(const Scene& scene, std::vector<AerialView> views);
+
+  [[nodiscard]] std::size_t num_views() const { return views_.size(); }
 
   /// What a pixel shows. Beyond the mesh it shows the mean terrain; above the horizon the result is empty.
-  [[nodiscard]] std::optional<Sight> seen_at(View view, const Eigen::Vector2d& x_px) const;
+  [[nodiscard]] std::optional<Sight> seen_at(std::size_t view, const Eigen::Vector2d& x_px) const;
 
   /// Whether nothing lies between a point and the camera, but for the last `tolerance_m` before
   /// the point, and the point falls in the image.
-  [[nodiscard]] bool visible(View view, const Eigen::Vector3d& x, double tolerance_m = 0.05) const;
+  [[nodiscard]] bool visible(std::size_t view,
+                             const Eigen::Vector3d& x,
+                             double tolerance_m = 0.05) const;
 
-  [[nodiscard]] Eigen::Vector2d pixel_of(View view, const Eigen::Vector3d& x) const;
+  [[nodiscard]] Eigen::Vector2d pixel_of(std::size_t view, const Eigen::Vector3d& x) const;
 
-  /// The right pixel that shows the same surface point as a left pixel; nothing where the point
-  /// cannot be seen in the right view.
-  [[nodiscard]] std::optional<Eigen::Vector2d> right_of(const Eigen::Vector2d& left_px) const;
+  /// The pixel of view `to` that shows the same surface point as a pixel of view `from`; nothing where `to` cannot see
+  /// the point.
+  [[nodiscard]] std::optional<Eigen::Vector2d> mate_of(std::size_t from,
+                                                       std::size_t to,
+                                                       const Eigen::Vector2d& x_px) const;
 
   /// Whether two pixels show one smooth surface: the same material, object and plane.
   [[nodiscard]] bool same_surface(const Sight& a, const Sight& b) const;
 
  private:
   const Scene* scene_;
-  std::array<AerialView, 2> views_;
+  std::vector<AerialView> views_;
   RayScene rays_;
 };
 
-/// How well a pair of image segments shows the same thing, by the surfaces alone.
+/// How well segments of the first two views show the same thing, by the surfaces alone.
 struct MatchVerdict {
   /// Median distance of the true mates of the left segment to the right line; infinite where none
   /// can be seen.

@@ -33,7 +33,7 @@ class PatchReader {
         map_(path,
              load_yaml(path, Expected::kPatch),
              {"id", "crs", "height_range", "images", "colmap", "colmap_images", "lidar",
-              "reference_matches", "reference_lines"}) {}
+              "reference_matches", "reference_tracks", "reference_lines"}) {}
 
   [[nodiscard]] PatchFile read() const {
     PatchFile patch;
@@ -47,6 +47,7 @@ class PatchReader {
       for (const std::string& file : map_.texts("lidar")) patch.lidar.push_back(resolved(file));
     }
     patch.reference_matches = optional_path("reference_matches");
+    patch.reference_tracks = optional_path("reference_tracks");
     patch.reference_lines = optional_path("reference_lines");
     return patch;
   }

@@ -38,6 +38,7 @@ struct PatchFile {
   std::vector<PatchImage> images;          ///< the first is the base image
   std::vector<std::string> lidar;          ///< files or glob patterns; may be empty
   std::optional<std::string> reference_matches;
+  std::optional<std::string> reference_tracks;
   std::optional<std::string> reference_lines;
   double max_image_mpx = 0.0;  ///< argument of read_image(); the user says it, not the file
 };
@@ -48,7 +49,8 @@ std::array<double, 2> heights_in_local_m(const PatchFile& patch, const LocalFram
 
 /// Reads a patch file (YAML or JSON). Relative paths in it are relative to the file and come out
 /// resolved. Keys:
-///   id, height_range [lowest, highest], crs, lidar, reference_matches, reference_lines;
+///   id, height_range [lowest, highest], crs, lidar, reference_matches, reference_tracks,
+///   reference_lines;
 ///   images: list of {id, path, projection_matrix}, or in place of the matrix
 ///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, k1, k2, k3, p1, p2},
 ///     exterior {position_m, omega_phi_kappa_deg} and optionally window_px;

@@ -24,6 +24,10 @@ void emit(const PatchImage& image, YAML::Emitter& yaml) {
   yaml << YAML::EndSeq << YAML::EndMap;
 }
 
+void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter& yaml) {
+  if (file) yaml << YAML::Key << key << YAML::Value << *file;
+}
+
 }  // namespace
 
 void write_patch(const std::string& path, const PatchFile& patch) {
@@ -37,12 +41,9 @@ void write_patch(const std::string& path, const PatchFile& patch) {
   for (const PatchImage& image : patch.images) emit(image, yaml);
   yaml << YAML::EndSeq;
   if (!patch.lidar.empty()) yaml << YAML::Key << "lidar" << YAML::Value << patch.lidar;
-  if (patch.reference_matches) {
-    yaml << YAML::Key << "reference_matches" << YAML::Value << *patch.reference_matches;
-  }
-  if (patch.reference_lines) {
-    yaml << YAML::Key << "reference_lines" << YAML::Value << *patch.reference_lines;
-  }
+  emit("reference_matches", patch.reference_matches, yaml);
+  emit("reference_tracks", patch.reference_tracks, yaml);
+  emit("reference_lines", patch.reference_lines, yaml);
   yaml << YAML::EndMap;
   write_file(path, std::string(yaml.c_str()) + "\n");
 }

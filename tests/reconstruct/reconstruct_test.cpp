@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/reconstruct.h"
 
-#include "apps/simulate/aerial_pair.h"
+#include "apps/simulate/flight.h"
 #include "apps/simulate/render.h"
 #include "apps/simulate/sensor.h"
 #include "apps/simulate/truth.h"
@@ -34,7 +34,7 @@ class TwoViews : public testing::Test {
     scene_ = new simulate::Scene(test::gabled_house(35.0, 20.0));
     const double ground_m = scene_->frame.origin_m.z();
     oriented_ = new Scene{{}, {ground_m + kHeights_m[0], ground_m + kHeights_m[1]}};
-    const auto cameras = simulate::aerial_pair(*scene_, {});
+    const auto cameras = simulate::aerial_views(*scene_, {});
     const simulate::Renderer renderer(*scene_, {});
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       oriented_->views.push_back({i == 0 ? "left" : "right", cameras[i].image_from_world,

@@ -3,9 +3,9 @@
 
 #include "apps/simulate/fittings.h"
 #include "apps/simulate/mesh_builder.h"
-#include "apps/simulate/render.h"
-#include "apps/simulate/sensor.h"
+#include "apps/simulate/physical_edges.h"
 #include "apps/simulate/village.h"
+#include "tests/apps/simulate/observed_scene.h"
 #include "tests/support/scene.h"
 
 #include <Eigen/Geometry>
@@ -18,23 +18,8 @@
 namespace ridgeline::simulate {
 namespace {
 
-using View = SurfaceOracle::View;
-
-struct Observed {
-  Scene scene;
-  std::array<AerialView, 2> views;
-  std::array<cv::Mat, 2> images;
-};
-
-Observed observed(Scene scene) {
-  Observed o{std::move(scene), {}, {}};
-  o.views = aerial_pair(o.scene, {});
-  RenderOptions options;
-  options.samples_per_side = 1;  // quick; edges are asked for, not measured
-  const Renderer renderer(o.scene, options);
-  for (std::size_t i = 0; i < 2; ++i) o.images[i] = expose(renderer.radiance(o.views[i]), {}, i);
-  return o;
-}
+constexpr std::size_t kLeft = 0;
+constexpr std::size_t kRight = 1;
 
 /// A level square of 4 m at height `z`.
 Scene level_plate(double z) {
@@ -96,10 +81,10 @@ TEST(VisibleRuns, EndAtAnOccludingBody) {
               {kNone, kNone, Material::kRoof}, scene.mesh);
   FlightOptions flight;
   flight.attitude_sigma_deg = flight.position_sigma_m = 0.0;
-  const std::array<AerialView, 2> views = aerial_pair(scene, flight);
+  const std::vector<AerialView> views = aerial_views(scene, flight);
   const SurfaceOracle oracle(scene, views);
   const Segment3 edge{{8, 8, 0.5}, {12, 8, 0.5}};
-  const auto runs = visible_runs(oracle, View::kLeft, edge, {});
+  const auto runs = visible_runs(oracle, kLeft, edge, {});
   ASSERT_EQ(runs.size(), 2U);
   // the camera 94 m to the left and 800 m up looks under the strip from x + 5.5 * 94 / 794
   const double shift_m = (9.0 - views[0].centre_in_local.x()) * 5.5 / 794.0;
@@ -115,16 +100,16 @@ TEST(VisibleRuns, AreEmptyWhereBothSidesAreOneSurface) {
     add_polygon({{x, 5, 0}, {x + 6, 5, 0}, {x + 6, 15, 0}, {x, 15, 0}},
                 {kNone, kNone, Material::kStreet}, scene.mesh);
   }
-  const SurfaceOracle oracle(scene, aerial_pair(scene, {}));
-  EXPECT_TRUE(visible_runs(oracle, View::kLeft, {{10, 5, 0}, {10, 15, 0}}, {}).empty());
-  EXPECT_EQ(visible_runs(oracle, View::kLeft, {{4, 5, 0}, {4, 15, 0}}, {}).size(), 1U);
+  const SurfaceOracle oracle(scene, aerial_views(scene, {}));
+  EXPECT_TRUE(visible_runs(oracle, kLeft, {{10, 5, 0}, {10, 15, 0}}, {}).empty());
+  EXPECT_EQ(visible_runs(oracle, kLeft, {{4, 5, 0}, {4, 15, 0}}, {}).size(), 1U);
 }
 
 TEST(ReferenceMatches, HoldTheRoofOfAHouse) {
-  const Observed o = observed(test::gabled_house(35.0, 20.0));
+  const test::ObservedScene o = test::observed(test::gabled_house(35.0, 20.0));
   const SurfaceOracle oracle(o.scene, o.views);
   std::map<std::string, int> kinds;
-  for (const ReferenceMatch& match : reference_matches(o.scene, oracle, o.images)) {
+  for (const io::ReferenceEdge& match : reference_matches(shown_edges(o.scene, oracle), o.images)) {
     ++kinds[match.kind];
   }
   EXPECT_EQ(kinds["ridge"], 1);
@@ -139,12 +124,12 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
   options.extent_m = {60.0, 60.0};
   Scene village = make_village(options);
   add_fittings(village, 3);
-  const Observed o = observed(std::move(village));
+  const test::ObservedScene o = test::observed(std::move(village));
   const SurfaceOracle oracle(o.scene, o.views);
-  const auto matches = reference_matches(o.scene, oracle, o.images);
+  const auto matches = reference_matches(shown_edges(o.scene, oracle), o.images);
   ASSERT_GT(matches.size(), 50U);
   std::size_t good = 0;
-  for (const ReferenceMatch& match : matches) {
+  for (const io::ReferenceEdge& match : matches) {
     EXPECT_GE(std::min(length(match.left), length(match.right)), 10.0) << match.kind;
     const MatchVerdict verdict = judge_match(oracle, match.left, match.right);
     good += verdict.right_distance_px < kTolPx ? 1 : 0;
@@ -155,50 +140,63 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
 
 TEST(JudgeMatch, TellsAFalsePairAndAShadowEdge) {
   const Scene scene = level_plate(4.0);
-  const std::array<AerialView, 2> views = aerial_pair(scene, {});
+  const std::vector<AerialView> views = aerial_views(scene, {});
   const SurfaceOracle oracle(scene, views);
-  const auto in = [&](View view, const Segment3& s) {
+  const auto in = [&](std::size_t view, const Segment3& s) {
     return project(views[view].image_from_local, s);
   };
   const Segment3 edge{{8, 12, 4}, {12, 12, 4}};
-  const MatchVerdict good = judge_match(oracle, in(View::kLeft, edge), in(View::kRight, edge));
+  const MatchVerdict good = judge_match(oracle, in(kLeft, edge), in(kRight, edge));
   EXPECT_LT(good.right_distance_px, 0.05);
   EXPECT_GT(good.overlap_share, 0.95);
 
   const Segment3 other{{8, 12.5, 4}, {12, 12.5, 4}};
-  EXPECT_GT(judge_match(oracle, in(View::kLeft, edge), in(View::kRight, other)).right_distance_px,
-            5.0);
+  EXPECT_GT(judge_match(oracle, in(kLeft, edge), in(kRight, other)).right_distance_px, 5.0);
   const Segment3 beyond{{14, 12, 4}, {18, 12, 4}};
-  EXPECT_LT(judge_match(oracle, in(View::kLeft, edge), in(View::kRight, beyond)).overlap_share,
-            0.05);
+  EXPECT_LT(judge_match(oracle, in(kLeft, edge), in(kRight, beyond)).overlap_share, 0.05);
   const Segment3 shadow{{3, 5, 0}, {7, 6, 0}};  // any line on the lawn
-  EXPECT_LT(
-      judge_match(oracle, in(View::kLeft, shadow), in(View::kRight, shadow)).right_distance_px,
-      0.05);
+  EXPECT_LT(judge_match(oracle, in(kLeft, shadow), in(kRight, shadow)).right_distance_px, 0.05);
 }
 
 TEST(SurfaceOracle, FindsTheMateOfAPixelUnlessItIsHidden) {
   const Scene scene = level_plate(4.0);
-  const std::array<AerialView, 2> views = aerial_pair(scene, {});
+  const std::vector<AerialView> views = aerial_views(scene, {});
   const SurfaceOracle oracle(scene, views);
   const Eigen::Vector3d on_plate(9.0, 9.5, 4.0);
-  const auto mate = oracle.right_of(oracle.pixel_of(View::kLeft, on_plate));
+  const auto mate = oracle.mate_of(kLeft, kRight, oracle.pixel_of(kLeft, on_plate));
   ASSERT_TRUE(mate);
-  EXPECT_LT((*mate - oracle.pixel_of(View::kRight, on_plate)).norm(), 1e-6);
+  EXPECT_LT((*mate - oracle.pixel_of(kRight, on_plate)).norm(), 1e-6);
   // the plate, 4 m up, hides 0.5 m of the ground beside it from the camera on its other side
   const Eigen::Vector3d beside(7.9, 10.0, 0.0);
-  const auto seen = oracle.seen_at(View::kLeft, oracle.pixel_of(View::kLeft, beside));
+  const auto seen = oracle.seen_at(kLeft, oracle.pixel_of(kLeft, beside));
   ASSERT_TRUE(seen);
   EXPECT_LT((seen->x - beside).norm(), 1e-6);
-  EXPECT_FALSE(oracle.visible(View::kRight, beside));
-  EXPECT_FALSE(oracle.right_of(oracle.pixel_of(View::kLeft, beside)));
-  EXPECT_TRUE(oracle.visible(View::kRight, {7.3, 10.0, 0.0}));
-  EXPECT_FALSE(oracle.visible(View::kLeft, {500.0, 0.0, 0.0}));  // not in the image
+  EXPECT_FALSE(oracle.visible(kRight, beside));
+  EXPECT_FALSE(oracle.mate_of(kLeft, kRight, oracle.pixel_of(kLeft, beside)));
+  EXPECT_TRUE(oracle.visible(kRight, {7.3, 10.0, 0.0}));
+  EXPECT_FALSE(oracle.visible(kLeft, {500.0, 0.0, 0.0}));  // not in the image
+}
+
+TEST(SurfaceOracle, FollowsAPixelBetweenAnyTwoViews) {
+  constexpr double kTolPx = 1e-6;
+  const Scene scene = level_plate(4.0);
+  FlightOptions flight;
+  flight.groups = {{ViewGroupKind::kStrip, 2}, {ViewGroupKind::kOblique, 2}};
+  const SurfaceOracle oracle(scene, aerial_views(scene, flight));
+  ASSERT_EQ(oracle.num_views(), 4U);
+  const Eigen::Vector3d on_plate(9.0, 9.5, 4.0);
+  for (std::size_t from = 0; from < oracle.num_views(); ++from) {
+    for (std::size_t to = 0; to < oracle.num_views(); ++to) {
+      const auto mate = oracle.mate_of(from, to, oracle.pixel_of(from, on_plate));
+      ASSERT_TRUE(mate);
+      EXPECT_LT((*mate - oracle.pixel_of(to, on_plate)).norm(), kTolPx) << from << " " << to;
+    }
+  }
 }
 
 TEST(VisibleShares, AreOneForTheRidgeOfALonelyHouse) {
   const Scene scene = test::gabled_house(35.0);
-  const SurfaceOracle oracle(scene, aerial_pair(scene, {}));
+  const SurfaceOracle oracle(scene, aerial_views(scene, {}));
   const auto shares = visible_shares(scene, oracle);
   ASSERT_EQ(shares.size(), scene.lines.size());
   for (std::size_t i = 0; i < shares.size(); ++i) {

@@ -79,7 +79,7 @@ TEST(Radiance, EdgesAndCornersLieWhereTheCameraProjectsThem) {
   flight.seed = 11;
   const Renderer renderer(scene, options);
   double total_px = 0.0;
-  for (const AerialView& view : aerial_pair(scene, flight)) {
+  for (const AerialView& view : aerial_views(scene, flight)) {
     const cv::Mat image = renderer.radiance(view);
     for (std::size_t i = 0; i < 4; ++i) {
       const Segment2 side{project(view.image_from_local, corners[i]),
@@ -114,7 +114,7 @@ TEST(Radiance, ShadowEndsWhereTheSunSaysAndHoldsTheLightOfTheSkyOnly) {
   const double tip_y =
       11.0 + kHeightM / std::tan(options.sun_elevation_deg * std::numbers::pi / 180);
   const Renderer renderer(scene, options);
-  const AerialView view = aerial_pair(scene, {}).front();
+  const AerialView view = aerial_views(scene, {}).front();
   const cv::Mat image = renderer.radiance(view);
   const auto at = [&](double x, double y) {
     return red(image, project(view.image_from_local, Eigen::Vector3d(x, y, 0.0)));
@@ -142,7 +142,7 @@ TEST(Radiance, BothViewsSeeOneTexture) {
   RenderOptions options;
   options.backscatter = 0.0;
   options.samples_per_side = 2;
-  const std::array<AerialView, 2> views = aerial_pair(scene, {});
+  const std::vector<AerialView> views = aerial_views(scene, {});
   const Renderer renderer(scene, options);
   const std::array<cv::Mat, 2> images{renderer.radiance(views[0]), renderer.radiance(views[1])};
   const SurfaceOracle oracle(scene, views);
@@ -152,7 +152,7 @@ TEST(Radiance, BothViewsSeeOneTexture) {
   for (int trial = 0; trial < 2000; ++trial) {
     const Eigen::Vector2d left_px{random.uniform(4.0, views[0].size_px.x() - 5.0),
                                   random.uniform(4.0, views[0].size_px.y() - 5.0)};
-    const auto right_px = oracle.right_of(left_px);
+    const auto right_px = oracle.mate_of(0, 1, left_px);
     if (!right_px || (right_px->array() < 4.0).any() ||
         (right_px->array() > views[1].size_px.cast<double>().array() - 8.0).any()) {
       continue;
@@ -177,7 +177,7 @@ TEST(Radiance, IsTheSameForAnyNumberOfThreads) {
   RenderOptions options;
   options.samples_per_side = 1;
   const Renderer renderer(scene, options);
-  const AerialView view = aerial_pair(scene, {}).front();
+  const AerialView view = aerial_views(scene, {}).front();
   const cv::Mat parallel = renderer.radiance(view);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const cv::Mat serial = renderer.radiance(view);

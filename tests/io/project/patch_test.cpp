@@ -35,6 +35,7 @@ images:
     window_px: [3000, 6000]
 lidar: [lidar.las, "tiles/*.laz"]
 reference_matches: matches.csv
+reference_tracks: tracks.csv
 reference_lines: /data/truth.geojson
 )";
 
@@ -63,6 +64,7 @@ TEST(ReadPatch, ResolvesPathsAgainstTheFile) {
   EXPECT_EQ(patch.images[0].path, folder.file("images/left.tif"));
   EXPECT_THAT(patch.lidar, ElementsAre(folder.file("lidar.las"), folder.file("tiles/*.laz")));
   EXPECT_EQ(patch.reference_matches, folder.file("matches.csv"));
+  EXPECT_EQ(patch.reference_tracks, folder.file("tracks.csv"));
   EXPECT_EQ(patch.reference_lines, "/data/truth.geojson");
 }
 

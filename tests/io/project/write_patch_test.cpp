@@ -25,6 +25,7 @@ PatchFile sample_patch() {
   }
   patch.lidar = {"lidar.las"};
   patch.reference_matches = "matches.csv";
+  patch.reference_tracks = "tracks.csv";
   patch.reference_lines = "truth.geojson";
   return patch;
 }
@@ -45,8 +46,9 @@ TEST(WritePatch, IsReadBackWithoutLoss) {
   }
   EXPECT_THAT(read.images[1].path, ::testing::EndsWith("right.tif"));
   EXPECT_THAT(read.lidar, ::testing::SizeIs(1));
-  EXPECT_TRUE(read.reference_matches);
-  EXPECT_TRUE(read.reference_lines);
+  EXPECT_EQ(read.reference_matches, folder.file("matches.csv"));
+  EXPECT_EQ(read.reference_tracks, folder.file("tracks.csv"));
+  EXPECT_EQ(read.reference_lines, folder.file("truth.geojson"));
 }
 
 TEST(WritePatch, RefusesAnImageWithDistortion) {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/simulate/aerial_pair.h"
+#include "apps/simulate/flight.h"
 
+#include "apps/simulate/planned_views.h"
 #include "apps/simulate/random.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/orientation.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace ridgeline::simulate {
@@ -22,8 +27,13 @@ Eigen::AlignedBox2d frame_window(const Scene& scene,
   Eigen::AlignedBox2d window;
   for (const double x : {-margin_m, scene.extent_m.x() + margin_m}) {
     for (const double y : {-margin_m, scene.extent_m.y() + margin_m}) {
-      const Eigen::Vector3d corner(x, y, scene.mean_terrain({x, y}));
-      window.extend(project(frame_from_world, scene.frame.world_from_local(corner)));
+      const Eigen::Vector3d corner =
+          scene.frame.world_from_local(Eigen::Vector3d(x, y, scene.mean_terrain({x, y})));
+      const double depth_m = frame_from_world.row(2) * corner.homogeneous();
+      check(depth_m > 0.0,
+            "the plan reaches behind a view; choose a smaller extent, a smaller tilt "
+            "or a greater camera height");
+      window.extend(project(frame_from_world, corner));
     }
   }
   return window;
@@ -37,15 +47,34 @@ void check_num_pixels(const Eigen::Vector2d& size_px) {
         "height or no images");
 }
 
-AerialView view_at(const Scene& scene,
-                   const FlightOptions& options,
-                   const Eigen::Vector2i& size_px,
-                   const ExteriorOrientation& exterior) {
+/// Where a view is in fact, with the errors of the flight.
+ExteriorOrientation flown(const Scene& scene,
+                          const FlightOptions& options,
+                          const PlannedView& planned) {
+  Random random({options.seed, kFlightStream, planned.number});
+  const auto draw = [&](double sigma) { return sigma * random.normal(); };
+  const double s = options.position_sigma_m;
+  const Eigen::Vector3d error_m{draw(s), draw(s), draw(s)};
+  const double a = kRadPerDeg * options.attitude_sigma_deg;
+  const Eigen::Vector3d angles_rad{draw(a), draw(a), draw(a)};
+  const Eigen::Vector2d middle = 0.5 * scene.extent_m;
+  const Eigen::Vector3d on_ground(middle.x(), middle.y(), scene.mean_terrain(middle));
+  return {.position_m = scene.frame.world_from_local(on_ground + planned.from_middle_m + error_m),
+          .world_from_camera_axes =
+              planned.world_from_camera_axes *
+              world_from_camera_axes(angles_rad.x(), angles_rad.y(), angles_rad.z())};
+}
+
+AerialView aerial_view(const Scene& scene,
+                       const FlightOptions& options,
+                       const PlannedView& planned) {
   InteriorOrientation interior;
   interior.focal_length_px.setConstant(options.focal_length_px);
+  const ExteriorOrientation exterior = flown(scene, options, planned);
   const ProjectionMatrix frame_from_world = projection_matrix(interior, exterior);
   Eigen::AlignedBox2d window = frame_window(scene, frame_from_world, options.margin_m);
-  if ((size_px.array() > 0).all()) {
+  if (!options.size_px.empty()) {
+    const Eigen::Vector2i& size_px = options.size_px[planned.number];
     const Eigen::Vector2d corner = (window.center() - 0.5 * size_px.cast<double>()).array().round();
     const Eigen::Vector2i steps = size_px - Eigen::Vector2i::Ones();
     window = {corner, corner + steps.cast<double>()};
@@ -53,6 +82,8 @@ AerialView view_at(const Scene& scene,
   const Eigen::Vector2d corner_px = window.min().array().floor();
 
   AerialView view;
+  view.id = planned.id;
+  view.number = planned.number;
   const Eigen::Vector2d last_px = (window.max() - corner_px).array().ceil();
   check_num_pixels(last_px);
   view.size_px = last_px.cast<int>().array() + 1;
@@ -65,41 +96,16 @@ AerialView view_at(const Scene& scene,
 
 }  // namespace
 
-FlightOptions chio_wang_flight() {
-  constexpr double kFocalMm = 152.0;
-  constexpr double kPixelMm = 0.03;
-  constexpr double kScale = 8000.0;
-  constexpr double kFrameMm = 230.0;
-  constexpr double kOverlap = 0.6;
-  FlightOptions options;
-  options.focal_length_px = kFocalMm / kPixelMm;
-  options.height_above_ground_m = kScale * kFocalMm / 1000.0;
-  options.base_to_height = (1.0 - kOverlap) * kFrameMm / kFocalMm;
-  options.size_px = {Eigen::Vector2i(180, 180), Eigen::Vector2i(225, 180)};
-  return options;
-}
-
-std::array<AerialView, 2> aerial_pair(const Scene& scene, const FlightOptions& options) {
+std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options) {
   validate(options);
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-  const Eigen::Vector2d middle = 0.5 * scene.extent_m;
-  const double half_base_m = 0.5 * options.base_to_height * options.height_above_ground_m;
-  std::array<AerialView, 2> views;
-  for (std::size_t i = 0; i < 2; ++i) {
-    Random random({options.seed, kFlightStream, i});
-    const auto draw = [&](double sigma) { return sigma * random.normal(); };
-    const double side = i == 0 ? -1.0 : 1.0;
-    const double z = scene.mean_terrain(middle) + options.height_above_ground_m;
-    const Eigen::Vector3d nominal(middle.x() + side * half_base_m, middle.y(), z);
-    const double s = options.position_sigma_m;
-    const Eigen::Vector3d error_m{draw(s), draw(s), draw(s)};
-    const double a = kRadPerDeg * options.attitude_sigma_deg;
-    const Eigen::Vector3d angles_rad{draw(a), draw(a), draw(a)};
-    views[i] = view_at(scene, options, options.size_px[i],
-                       {.position_m = scene.frame.world_from_local(nominal + error_m),
-                        .world_from_camera_axes = world_from_camera_axes(
-                            angles_rad.x(), angles_rad.y(), angles_rad.z())});
-  }
+  const std::vector<PlannedView> planned = planned_views(options);
+  check(options.size_px.empty() || options.size_px.size() == planned.size(), "size_px has ",
+        options.size_px.size(), " sizes for ", planned.size(),
+        " views; must have one for each or none");
+  std::vector<AerialView> views;
+  std::ranges::transform(planned, std::back_inserter(views), [&](const PlannedView& view) {
+    return aerial_view(scene, options, view);
+  });
   return views;
 }
 
@@ -119,16 +125,17 @@ std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
   FlightOptions nominal;
   nominal.attitude_sigma_deg = 0.0;
   nominal.position_sigma_m = 0.0;
-  nominal.size_px.fill(
-      {2, 2});  // angles are the same in any window; that of a town has too many pixels
-  const std::array<AerialView, 2> views = aerial_pair(scene, nominal);
+  // angles are the same in any window; that of a town has too many pixels
+  nominal.size_px = {{2, 2}, {2, 2}};
+  const std::vector<AerialView> views = aerial_views(scene, nominal);
   return {views[0].image_from_world, views[1].image_from_world};
 }
 
-io::LineSet classed_by_pair(io::LineSet lines, const std::array<ProjectionMatrix, 2>& pair) {
+io::LineSet classed_by_views(io::LineSet lines,
+                             std::span<const ProjectionMatrix> image_from_world) {
   for (io::Line& line : lines.lines) {
     line.epipolar_angle_deg =
-        epipolar_angle_rad(pair, line.segment_in_world) * 180.0 / std::numbers::pi;
+        epipolar_angle_rad(image_from_world, line.segment_in_world) * 180.0 / std::numbers::pi;
     line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
   }
   return lines;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/flight.h"
+#include "apps/simulate/shown_edge.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// The true tracks: the edges that two views or more show clearly, with their clear sightings and without duplicates.
+/// `images`: of all views, as written.
+std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
+                                   std::span<const cv::Mat> images,
+                                   const ReferenceOptions& options = {});
+
+/// The text of tracks.csv: edge,kind,image,x1_px,y1_px,x2_px,y2_px,visible, one row for each sighting. Edges are numbered
+/// from 1.
+std::string tracks_csv(std::span<const ShownEdge> tracks, std::span<const AerialView> views);
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/flight_options.h"
+#include "apps/simulate/scene.h"
+#include "reconstruct/geometry/epipolar.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// A perspective image of the scene: a window of a full frame, without distortion.
+struct AerialView {
+  std::string id;
+  std::size_t number = 0;  ///< place in the flight, from 0; the key of its random streams
+  ProjectionMatrix image_from_local;
+  ProjectionMatrix image_from_world;
+  Eigen::Vector3d centre_in_local = Eigen::Vector3d::Zero();
+  Eigen::Vector2i size_px = Eigen::Vector2i::Zero();  ///< columns, rows
+
+  /// Unit vector from the projection centre through a pixel, local axes.
+  [[nodiscard]] Eigen::Vector3d ray(const Eigen::Vector2d& x_px) const {
+    return (ray_from_pixel * x_px.homogeneous()).normalized();
+  }
+  /// Angle between the rays of neighbouring pixels at the principal point.
+  [[nodiscard]] double pixel_angle_rad() const { return ray_from_pixel.col(0).norm(); }
+  Eigen::Matrix3d ray_from_pixel = Eigen::Matrix3d::Identity();
+};
+
+/// The views of a flight in the order of planned_views(): the first two are the pair. Each window is the smallest that
+/// shows the plan on the mean terrain with the margin, or has the size asked for. Deterministic by seed. Throws
+/// std::invalid_argument for an option outside its range, for sizes of other than all views, for images of more than 300
+/// megapixels and where the plan reaches behind a tilted view.
+std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options);
+
+/// Two heights (world) between which the whole scene lies: whole metres, 50 m apart or more.
+std::array<double, 2> height_range_m(const Scene& scene);
+
+/// Projection matrices of two exactly vertical frames with the defaults of FlightOptions: the
+/// geometry of Ok et al. 2011, section 4, without errors of the flight.
+std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene);
+
+/// The lines with their epipolar angle in two or more views and the class that follows from it:
+/// `aligned` up to 10 degrees, else `not_aligned`. The pair with the largest angle decides.
+io::LineSet classed_by_views(io::LineSet lines, std::span<const ProjectionMatrix> image_from_world);
+
+}  // namespace ridgeline::simulate

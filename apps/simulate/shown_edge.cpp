@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/shown_edge.h"
+
+#include "apps/simulate/edge_contrast.h"
+#include "apps/simulate/physical_edges.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace ridgeline::simulate {
+namespace {
+
+std::vector<Sighting> sightings(const SurfaceOracle& oracle,
+                                std::size_t view,
+                                const Segment3& edge,
+                                const ReferenceOptions& options) {
+  const std::vector<Interval> runs = visible_runs(oracle, view, edge, options);
+  const double visible_share = total_length(runs);
+  std::vector<Sighting> result;
+  for (const Interval& run : runs) {
+    result.push_back({view, run, image_of(oracle, view, edge, run), visible_share});
+  }
+  return result;
+}
+
+/// Whether most of a segment lies within a pixel of another one.
+bool covered_by(const Segment2& segment, const Segment2& other) {
+  constexpr double kWithinPx = 1.0;
+  constexpr double kMost = 0.7;
+  const int samples = 1 + static_cast<int>(length(segment));
+  int covered = 0;
+  for (int i = 0; i < samples; ++i) {
+    covered += distance(other, point_at(segment, (i + 0.5) / samples)) < kWithinPx ? 1 : 0;
+  }
+  return covered >= kMost * samples;
+}
+
+bool covered_by(const ShownEdge& edge, const ShownEdge& other) {
+  return std::ranges::all_of(edge.sightings, [&](const Sighting& s) {
+    return std::ranges::any_of(other.sightings, [&](const Sighting& t) {
+      return t.view == s.view && covered_by(s.segment_px, t.segment_px);
+    });
+  });
+}
+
+double length_in_first_view_px(const ShownEdge& edge) {
+  double sum_px = 0.0;
+  for (const Sighting& s : edge.in_view(edge.sightings.front().view)) {
+    sum_px += length(s.segment_px);
+  }
+  return sum_px;
+}
+
+}  // namespace
+
+std::vector<Sighting> ShownEdge::in_view(std::size_t view) const {
+  std::vector<Sighting> result;
+  std::ranges::copy_if(sightings, std::back_inserter(result),
+                       [&](const Sighting& s) { return s.view == view; });
+  return result;
+}
+
+std::vector<ShownEdge> shown_edges(const Scene& scene,
+                                   const SurfaceOracle& oracle,
+                                   const ReferenceOptions& options) {
+  const std::vector<PhysicalEdge> edges = physical_edges(scene);
+  std::vector<ShownEdge> result(edges.size());
+  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    ShownEdge& shown = result[i];
+    shown.kind = edges[i].kind;
+    shown.rank = edges[i].rank;
+    for (std::size_t view = 0; view < oracle.num_views(); ++view) {
+      std::ranges::move(sightings(oracle, view, edges[i].segment, options),
+                        std::back_inserter(shown.sightings));
+    }
+  });
+  return result;
+}
+
+bool is_clear(const Sighting& sighting,
+              std::span<const cv::Mat> images,
+              const ReferenceOptions& options) {
+  return length(sighting.segment_px) >= options.shortest_px &&
+         contrast_across(images[sighting.view], sighting.segment_px) >= options.least_contrast;
+}
+
+std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges) {
+  std::ranges::stable_sort(edges, {}, [](const ShownEdge& edge) {
+    return std::pair(edge.rank, -length_in_first_view_px(edge));
+  });
+  std::vector<ShownEdge> kept;
+  for (ShownEdge& edge : edges) {
+    const bool duplicate =
+        std::ranges::any_of(kept, [&](const ShownEdge& other) { return covered_by(edge, other); });
+    if (!duplicate) kept.push_back(std::move(edge));
+  }
+  std::ranges::stable_sort(kept, {}, [](const ShownEdge& edge) {
+    const Sighting& first = edge.sightings.front();
+    return std::tuple(first.view, first.segment_px.start.x(), first.segment_px.start.y());
+  });
+  return kept;
+}
+
+}  // namespace ridgeline::simulate

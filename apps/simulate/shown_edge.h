@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/visible_runs.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// A visible run of an edge in one view.
+struct Sighting {
+  std::size_t view = 0;
+  Interval run;  ///< parameters of the edge's segment
+  Segment2
+      segment_px;  ///< its image, pixels of the file; all sightings of an edge have one direction
+  double visible_share = 0.0;  ///< share of the edge's length that the view sees, all runs together
+};
+
+/// A physical edge as the views show it.
+struct ShownEdge {
+  std::string kind;
+  int rank = 0;                     ///< as PhysicalEdge::rank
+  std::vector<Sighting> sightings;  ///< by view, then along the edge
+
+  [[nodiscard]] std::vector<Sighting> in_view(std::size_t view) const;
+};
+
+/// All physical edges of a scene with all that the views see of them by the surfaces alone, whatever its contrast.
+std::vector<ShownEdge> shown_edges(const Scene& scene,
+                                   const SurfaceOracle& oracle,
+                                   const ReferenceOptions& options = {});
+
+/// Whether a sighting is long enough and has enough contrast in the image of its view; `images`: as written,
+/// CV_8UC(n) or CV_16UC(n).
+bool is_clear(const Sighting& sighting,
+              std::span<const cv::Mat> images,
+              const ReferenceOptions& options);
+
+/// The edges without those that coincide in all their sightings, within a pixel, with an edge of lower rank or a longer
+/// one of equal rank. Ordered by the first view that shows them and there from left to right by their first point.
+std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges);
+
+}  // namespace ridgeline::simulate

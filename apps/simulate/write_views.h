@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/flight.h"
+#include "apps/simulate/render.h"
+#include "apps/simulate/sensor.h"
+#include "io/lines/line_set.h"
+#include "io/results/output_folder.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+struct ViewOptions {
+  simulate::FlightOptions flight;
+  simulate::RenderOptions render;
+  simulate::SensorOptions sensor;
+};
+
+/// Names of the files that write_views() writes.
+std::vector<std::string> view_file_names(const simulate::FlightOptions& flight);
+
+/// Renders all views of a scene, with its fittings, and writes an image ID.tif of each, matches.csv (the true matches of the
+/// first two), of three and more tracks.csv (the true tracks), and patch.yaml, which names lidar.las and truth.geojson
+/// too. Returns `truth`, the true lines in order of Scene::lines, with their class by these cameras, the shares that the
+/// first two views see and, of three and more, how many see half of the line or more.
+io::LineSet write_views(const simulate::Scene& bare_scene,
+                        const std::string& patch_id,
+                        const ViewOptions& options,
+                        io::LineSet truth,
+                        const results::OutputFolder& out);
+
+}  // namespace ridgeline::apps
