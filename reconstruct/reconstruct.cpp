@@ -397,8 +397,8 @@ void validate(const Options& options) {
   const auto each = [](const auto&... parts) { (ridgeline::validate(parts), ...); };
   each(options.extraction.edges, options.extraction.beyond, options.matching.candidates,
        options.matching.pairwise, options.matching.chio, options.matching.beyond,
-       options.matching.beyond_chio, options.matching.tracks, options.estimation.lines, options.estimation.beyond,
-       options.estimation.building, options.estimation.consensus);
+       options.matching.beyond_chio, options.matching.tracks, options.estimation.lines,
+       options.estimation.beyond, options.estimation.building, options.estimation.consensus);
 }
 
 }  // namespace ridgeline::reconstruct
