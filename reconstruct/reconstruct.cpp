@@ -276,7 +276,7 @@ Reconstruction reconstruct(Scene scene, const Options& options, std::span<const 
   Reconstruction result{in_local_frame(std::move(scene)), {}, {}, {}};
   extract(result.scene, options.extraction);
   const std::vector<ViewPair> used =
-      pairs.empty() ? choose_pairs(result.scene) : std::vector(pairs.begin(), pairs.end());
+      pairs.empty() ? pairs_of(result.scene, options) : std::vector(pairs.begin(), pairs.end());
   for (const ViewPair& views : used) result.pairs.push_back(match(result.scene, views, options));
   check(options.estimation.lines.method != Method::kPlanes ||
             std::ranges::any_of(result.pairs, [](const auto& p) { return p.surface.has_value(); }),
@@ -287,6 +287,11 @@ Reconstruction reconstruct(Scene scene, const Options& options, std::span<const 
   result.lines = estimate(result.scene, result.tracks, used_pairs(result.pairs), options);
   for (PairMatches& pair : result.pairs) pair.surface.reset();
   return result;
+}
+
+std::vector<ViewPair> pairs_of(const Scene& scene, const Options& options) {
+  if (!options.matching.tracks.all_views) return {{0, 1}};
+  return choose_pairs(scene);
 }
 
 std::optional<Surface> surface_of(const StereoPair& pair, const Options& options) {
@@ -355,6 +360,13 @@ std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs) {
   });
 }
 
+std::vector<UsedPair> used_pairs(std::span<const ViewPair> pairs,
+                                 std::span<const std::optional<Surface>> surfaces) {
+  std::vector<UsedPair> used;
+  for (std::size_t i = 0; i < pairs.size(); ++i) used.push_back({pairs[i], address(surfaces[i])});
+  return used;
+}
+
 std::vector<ReconstructedLine> estimate(const Scene& scene,
                                         std::span<const Track> tracks,
                                         std::span<const UsedPair> pairs,
@@ -388,6 +400,7 @@ Options published() {
   options.extraction.beyond = EdgeExtensionOptions::none();
   options.matching.beyond = MatchExtensionOptions::none();
   options.matching.beyond_chio = ChioExtensionOptions::none();
+  options.matching.tracks.all_views = false;
   options.estimation.beyond = EstimateExtensionOptions::none();
   return options;
 }

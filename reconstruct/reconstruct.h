@@ -81,7 +81,7 @@ struct Reconstruction {
 /// goes beyond the papers is done as the options say. Programs that keep files in between call extract(),
 /// match(), tracks_of() and estimate() in this order.
 /// @param scene  its views have images and no segments
-/// @param pairs  default: choose_pairs()
+/// @param pairs  default: pairs_of()
 /// The result is the same for any number of threads. Throws std::invalid_argument for fewer than two views, a
 /// pair that does not name two different views, options or heights out of range, images of other types or
 /// different numbers of bands, and Method::kPlanes for a pair without a surface.
@@ -94,6 +94,9 @@ std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& opti
 
 /// Normalises the images of all views and finds their segments.
 void extract(Scene& scene, const ExtractionOptions& options = {});
+
+/// The pairs of views to be matched: choose_pairs(), or the first two views alone if the options say so.
+std::vector<ViewPair> pairs_of(const Scene& scene, const Options& options = {});
 
 /// The matches of a pair of views with segments. The result has its surface, the matches of each matcher, those
 /// of both together (all of `pairwise`, and those of `chio` for the segments that it left unmatched), and guided
@@ -119,6 +122,9 @@ struct UsedPair {
   const Surface* surface = nullptr;  ///< see surface_of()
 };
 std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs);
+/// @param surfaces  one per pair; must live as long as the result
+std::vector<UsedPair> used_pairs(std::span<const ViewPair> pairs,
+                                 std::span<const std::optional<Surface>> surfaces);
 
 /// The lines of tracks.
 /// @param scene  has the segments that the tracks refer to

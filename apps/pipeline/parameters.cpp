@@ -44,6 +44,7 @@ void for_each_parameter(Parameters& p, Visitor&& visit) {
   group("match", p.method.matching.candidates);
   group("match", p.method.matching.pairwise);
   group("match", p.method.matching.beyond);
+  group("tracks", p.method.matching.tracks);
   group("chio", p.method.matching.chio);
   group("chio", p.method.matching.beyond_chio);
   group("reconstruct", p.method.estimation.lines);
@@ -56,6 +57,7 @@ void for_each_parameter(Parameters& p, Visitor&& visit) {
 constexpr std::array kGroups{
     std::pair{"extract", "line segments of an image (Ok et al. 2011, section 2)"},
     std::pair{"match", "pair-wise matching (Ok et al. 2011)"},
+    std::pair{"tracks", "lines in three images and more"},
     std::pair{"chio", "matching and linking in object space (Chio and Wang 2000)"},
     std::pair{"reconstruct", "3D lines (Ok et al. 2011, section 3)"},
     std::pair{"judge", "lines against LIDAR planes"}};

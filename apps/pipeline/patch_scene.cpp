@@ -27,25 +27,30 @@ cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
       io::read_image(patch.images.at(i).path, patch.max_image_mpx));
 }
 
-std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch) {
-  auto right = std::async(std::launch::async, [&patch] { return patch_image(patch, 1); });
-  cv::Mat left = patch_image(patch, 0);
-  return {std::move(left), right.get()};
+std::vector<cv::Mat> patch_images(const io::PatchFile& patch) {
+  std::vector<std::future<cv::Mat>> readers;
+  for (std::size_t i = 0; i < patch.images.size(); ++i)
+    readers.push_back(
+        std::async(std::launch::async, [&patch, i] { return patch_image(patch, i); }));
+  std::vector<cv::Mat> images;
+  for (std::future<cv::Mat>& reader : readers) images.push_back(reader.get());
+  return images;
 }
 
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame) {
-  const std::array<ProjectionMatrix, 2> cameras = io::cameras_in_local(patch, frame);
   reconstruct::Scene scene{{}, io::heights_in_local_m(patch, frame), frame};
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const io::PatchImage& image = patch.images[i];
-    scene.views.push_back({image.id, cameras[i], {}, ideal_from_image(image)});
+  for (const io::PatchImage& image : patch.images) {
+    scene.views.push_back({image.id,
+                           image_from_local(image.image_from_world, frame.origin_m),
+                           {},
+                           ideal_from_image(image)});
   }
   return scene;
 }
 
 reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
-                               const std::array<cv::Mat, 2>& images) {
+                               const std::vector<cv::Mat>& images) {
   reconstruct::Scene scene = patch_scene(patch, frame);
   for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
   return scene;

@@ -6,28 +6,28 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 
-/// Lines are reconstructed from the first two images of a patch.
+/// The first two images of a patch are its base pair, the one that Table 1, the report and the review by eye show.
 inline constexpr ViewPair kPairOfPatch{0, 1};
 
-/// The first (base) or second image of the patch, normalised.
+/// An image of the patch, normalised.
 cv::Mat patch_image(const io::PatchFile& patch, std::size_t i);
 
-/// The first two images of the patch, normalised, read in parallel. If neither can be read, the error names the first.
-std::array<cv::Mat, 2> patch_images(const io::PatchFile& patch);
+/// The images of the patch, normalised, read in parallel. If several cannot be read, the error names the first.
+std::vector<cv::Mat> patch_images(const io::PatchFile& patch);
 
-/// The first two views of a patch in a frame, without images and segments. The patch must outlive it.
+/// The views of a patch in a frame, without images and segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
 
-/// The first two views of a patch in a frame, with images and without segments. The patch must outlive it.
+/// The views of a patch in a frame, with images and without segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
-                               const std::array<cv::Mat, 2>& images);
+                               const std::vector<cv::Mat>& images);
 
 /// The scene of a patch with its images, after check_pair(), whose warning is printed. Throws IoError.
 reconstruct::Scene load_scene(const io::PatchFile& patch,

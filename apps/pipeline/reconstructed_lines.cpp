@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/reconstructed_lines.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <tuple>
 
 namespace ridgeline::apps {
 namespace {
@@ -31,10 +36,29 @@ std::string line_id(const reconstruct::ReconstructedLine& line, std::size_t numb
   return line.part == 0 ? std::to_string(number) : fmt::format("{}.{}", number, line.part);
 }
 
+/// What the first two images of the patch, its pair, show of the line.
+void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
+  for (const auto& [view, id, px] :
+       {std::tuple(0U, &out.left_id, &out.left_px), std::tuple(1U, &out.right_id, &out.right_px)}) {
+    const auto seen = std::ranges::find_if(
+        line.seen,
+        [&, v = view](const reconstruct::SeenSegment& s) { return s.sighting.view == v; });
+    if (seen == line.seen.end()) continue;
+    *px = seen->px;
+    if (is_of_match(line)) *id = std::to_string(seen->sighting.segment);
+  }
+}
+
+int n_images(const reconstruct::ReconstructedLine& line) {
+  std::set<std::size_t> views;
+  for (const reconstruct::SeenSegment& seen : line.seen) views.insert(seen.sighting.view);
+  return static_cast<int>(views.size());
+}
+
 }  // namespace
 
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
-                        const LocalFrame& frame,
+                        const reconstruct::Scene& scene,
                         const io::Crs& crs,
                         reconstruct::Method method) {
   io::LineSet set;
@@ -45,19 +69,19 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     if (line.part <= 1) ++num_matches;
     io::Line& out = set.lines.emplace_back();
     out.id = line_id(line, num_matches - 1);
-    out.segment_in_world = in_world(line.segment_in_local, frame);
+    out.segment_in_world = in_world(line.segment_in_local, scene.frame);
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);
     out.status = reconstruct::name(line.status);
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
-    if (is_of_match(line)) {
-      out.left_id = std::to_string(line.seen[0].sighting.segment);
-      out.right_id = std::to_string(line.seen[1].sighting.segment);
+    set_pair(line, out);
+    if (scene.views.size() > 2) {
+      out.sightings = transformed(line.seen, [&](const reconstruct::SeenSegment& seen) {
+        return io::LineSighting{scene.views[seen.sighting.view].id, seen.px};
+      });
     }
-    out.left_px = line.seen[0].px;
-    out.right_px = line.seen[1].px;
     out.n_points = static_cast<int>(line.points.size()) + line.n_meetings;
-    out.n_images = 2;
+    out.n_images = n_images(line);
     out.covariance_m2 = line.covariance_m2;
   }
   return set;

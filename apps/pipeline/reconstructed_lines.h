@@ -2,18 +2,18 @@
 #pragma once
 
 #include "io/lines/line_set.h"
-#include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "reconstruct/views/scene.h"
 
 #include <span>
 
 namespace ridgeline::apps {
 
-/// The lines of a pair as a file holds them: in the CRS, with class, status, covariance and the image segments that they
-/// were made from. Id = number of the match, the same for all methods; "17.1", "17.2", ... for the parts of match 17
+/// The lines of a scene as a file holds them: in the CRS, with class, status, covariance and the image segments that they
+/// were made from. Id = number of the track, the same for all methods; "17.1", "17.2", ... for the parts of track 17
 /// if it shows several lines. A line without geometry keeps its place with coordinates that are not finite.
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
-                        const LocalFrame& frame,
+                        const reconstruct::Scene& scene,
                         const io::Crs& crs,
                         reconstruct::Method method);
 

@@ -55,22 +55,22 @@ py::dict lines_of(const io::PatchFile& patch,
     const std::optional<std::string> doubt =
         apps::check_pair(patch, scene, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
-    io::LineSet set = apps::line_set_of(found.lines, found.scene.frame, patch.crs,
-                                        options.estimation.lines.method);
+    io::LineSet set =
+        apps::line_set_of(found.lines, found.scene, patch.crs, options.estimation.lines.method);
     if (doubt) set.warnings.push_back(*doubt);
     return set;
   }));
 }
 
-/// The lines of views in memory. `entries`: those of patch_of_views(), and `images`, a list of two contiguous arrays.
+/// The lines of views in memory. `entries`: those of patch_of_views(), and `images`, a list of contiguous arrays.
 py::dict reconstruct_views(const py::dict& entries) {
   const io::PatchFile patch = patch_of_views(entries);
   const auto arrays = entries["images"].cast<std::vector<py::array>>();
-  const std::array raw{image_of(arrays.at(0), patch.images[0].id),
-                       image_of(arrays.at(1), patch.images[1].id)};
-  return lines_of(patch, options_of(entries), [&] {
-    return std::array{reconstruct::normalised_image(raw[0]), reconstruct::normalised_image(raw[1])};
-  });
+  std::vector<cv::Mat> raw;
+  for (std::size_t i = 0; i < patch.images.size(); ++i)
+    raw.push_back(image_of(arrays.at(i), patch.images[i].id));
+  return lines_of(patch, options_of(entries),
+                  [&] { return transformed(raw, reconstruct::normalised_image); });
 }
 
 py::dict reconstruct_patch(const std::string& path, const py::dict& entries) {

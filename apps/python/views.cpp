@@ -35,7 +35,7 @@ io::PatchFile patch_of_views(const py::dict& entries) {
     image.path = id;
     image.image_from_world = Eigen::Map<const RowMajor<3, 4>>{matrix.data()};
   }
-  check(patch.images.size() == 2, "views: ", patch.images.size(), ", must be two");
+  check(patch.images.size() >= 2, "views: ", patch.images.size(), ", must be two or more");
   return patch;
 }
 

@@ -55,21 +55,31 @@ void find_segments(const io::PatchFile& patch,
   }
 }
 
-/// The matches of a pair and its surface.
-struct Matched {
-  std::vector<LineMatch> matches;
-  std::optional<reconstruct::Surface> surface;
+/// The tracks of a patch and the surfaces of its pairs.
+struct Tracked {
+  std::vector<ViewPair> pairs;
+  std::vector<std::optional<reconstruct::Surface>> surfaces;  ///< by pair
+  std::vector<Track> tracks;
 };
 
-/// The matches of the file, or those made now, whose segments are added to the scene.
-Matched matched(reconstruct::Scene& scene, const ReconstructArguments& a) {
+/// The tracks of the matches of the file, which are those of the first two images, or those made now of all images. Segments
+/// that are found then are added to the scene.
+Tracked tracked(reconstruct::Scene& scene, const ReconstructArguments& a) {
   if (!a.matches.empty()) {
-    return {read_line_matches(a.matches, {scene.views[0].segments, scene.views[1].segments}),
-            reconstruct::surface_of(stereo_pair(scene, kPairOfPatch), a.options)};
+    const std::vector<LineMatch> matches =
+        read_line_matches(a.matches, {scene.views[0].segments, scene.views[1].segments});
+    return {{kPairOfPatch},
+            {reconstruct::surface_of(stereo_pair(scene, kPairOfPatch), a.options)},
+            tracks_of_pair(kPairOfPatch, matches)};
   }
-  reconstruct::PairMatches matches = reconstruct::match(scene, kPairOfPatch, a.options);
-  add_guided(scene, {&matches, 1});
-  return {line_matches(matches.used()), std::move(matches.surface)};
+  Tracked result{pairs_of(scene, a.options), {}, {}};
+  auto matches = transformed(result.pairs, [&](const ViewPair& pair) {
+    return reconstruct::match(scene, pair, a.options);
+  });
+  add_guided(scene, matches);
+  result.tracks = tracks_of(scene, matches, a.options);
+  for (reconstruct::PairMatches& pair : matches) result.surfaces.push_back(std::move(pair.surface));
+  return result;
 }
 
 /// Writes all points of the surface. Throws IoError for a pair without a surface.
@@ -88,8 +98,9 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                                      const ReconstructArguments& a) {
   reconstruct::Scene scene = load_scene(patch, frame, a.max_y_parallax_px);
   find_segments(patch, a, scene);
-  const Matched found = matched(scene, a);
-  if (!found.surface && a.options.estimation.lines.method == reconstruct::Method::kPlanes) {
+  const Tracked found = tracked(scene, a);
+  if (a.options.estimation.lines.method == reconstruct::Method::kPlanes &&
+      std::ranges::none_of(found.surfaces, [](const auto& s) { return s.has_value(); })) {
     throw io::IoError(
         patch.path,
         "--method planes: there is no surface to find planes in; the images cannot be "
@@ -97,12 +108,11 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   }
   if (!a.surface.empty()) {
     write_whole_surface(a.surface, patch, frame,
-                        found.surface
-                            ? found.surface
+                        found.surfaces[0]
+                            ? found.surfaces[0]
                             : reconstruct::dense_surface(stereo_pair(scene, kPairOfPatch)));
   }
-  const reconstruct::UsedPair pair{kPairOfPatch, found.surface ? &*found.surface : nullptr};
-  return reconstruct::estimate(scene, tracks_of_pair(kPairOfPatch, found.matches), {&pair, 1},
+  return reconstruct::estimate(scene, found.tracks, used_pairs(found.pairs, found.surfaces),
                                a.options);
 }
 
@@ -150,8 +160,8 @@ int run_reconstruct(ReconstructArguments a) {
   const LocalFrame frame = check_patch(patch);
   check_out(a, results::paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
-  const io::LineSet lines =
-      line_set_of(lines_of(patch, frame, a), frame, patch.crs, a.options.estimation.lines.method);
+  const io::LineSet lines = line_set_of(lines_of(patch, frame, a), patch_scene(patch, frame),
+                                        patch.crs, a.options.estimation.lines.method);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =

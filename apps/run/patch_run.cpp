@@ -55,6 +55,8 @@ class PatchRun {
         record_(record),
         stages_(patch, options, out),
         cache_(out.path(patch.file.id), options.resume) {
+    image_keys_.resize(patch_.images.size());
+    extract_keys_.resize(patch_.images.size());
     if (patch_.reference_lines) references_ = read_references();
   }
 
@@ -129,13 +131,15 @@ class PatchRun {
   }
 
   void match() {
-    std::vector<std::string> parts{views_key(), extract_keys_[0], extract_keys_[1],
-                                   parameters_["match"].dump(), parameters_["chio"].dump()};
+    std::vector<std::string> parts{views_key(), parameters_["match"].dump(),
+                                   parameters_["tracks"].dump(), parameters_["chio"].dump()};
+    parts.insert(parts.end(), extract_keys_.begin(), extract_keys_.end());
     for (const auto matcher : options_.parameters.method.matching.matchers) {
       parts.emplace_back(reconstruct::name(matcher));
     }
     match_key_ = stage_key(parts);
-    stage("match", match_key_, stages_.match_files(), [&] { stages_.match(); });
+    std::vector<std::string> files;
+    stage("match", match_key_, files, [&] { files = stages_.match(); });
   }
 
   /// The options of the groups `match`, `chio` and `reconstruct` are in the key, because any of them may ask for the surface.
@@ -267,7 +271,7 @@ class PatchRun {
   results::RunRecord& record_;
   PatchStages stages_;
   StageCache cache_;
-  std::array<std::string, 2> image_keys_, extract_keys_;  ///< by image
+  std::vector<std::string> image_keys_, extract_keys_;  ///< by image
   std::string match_key_;
   std::vector<std::string> lines_keys_;
   std::optional<std::vector<evaluate::ReferenceLine>> references_;

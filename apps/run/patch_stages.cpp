@@ -12,6 +12,7 @@
 #include "io/files/atomic_file.h"
 #include "io/project/matches_file.h"
 #include "io/project/segments_file.h"
+#include "io/project/tracks_file.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
@@ -28,7 +29,10 @@ static_assert(evaluate::kCombinedMatches == reconstruct::kBothMatchers,
               "gates find the combined matches by it");
 
 /// The list of matches that lines are reconstructed from. With two matchers it is the combined list.
-constexpr const char* kMatches = "matches.csv";
+constexpr const char* kMatchList = "matches.csv";
+constexpr const char* kUnmatchedList = "unmatched.csv";
+/// What three images and more show of each edge.
+constexpr const char* kTrackList = "tracks.csv";
 
 /// The name of the file of one matcher, if there are several.
 std::string list_file(const char* stem, const std::string& matcher) {
@@ -65,7 +69,7 @@ void PatchStages::check_outputs() const {
   };
   check_files(edge_files());
   check_files(match_files());
-  check_files({"verdicts.csv"});
+  check_files({"verdicts.csv", kTrackList});
   // A user may have chosen this name for points of another tool.
   results::check_is_own(path(kSurfaceFile), io::is_own_points_file, "points file");
   for (const std::string& name : list_names()) check_files({list_file("verdicts", name)});
@@ -73,11 +77,11 @@ void PatchStages::check_outputs() const {
 }
 
 std::vector<std::string> PatchStages::edge_files() const {
-  return {edges_file(patch_.images[0]), edges_file(patch_.images[1])};
+  return transformed(patch_.images, edges_file);
 }
 
 std::vector<std::string> PatchStages::segment_files() const {
-  return {segments_file(patch_.images[0]), segments_file(patch_.images[1])};
+  return transformed(patch_.images, segments_file);
 }
 
 /// The names of the lists of matches.
@@ -91,7 +95,7 @@ std::vector<std::string> PatchStages::list_names() const {
 
 std::vector<std::string> PatchStages::match_files() const {
   std::vector<std::string> files = segment_files();
-  files.insert(files.end(), {kMatches, "unmatched.csv"});
+  files.insert(files.end(), {kMatchList, kUnmatchedList});
   const std::vector<reconstruct::Matcher>& matchers = options_.parameters.method.matching.matchers;
   for (const reconstruct::Matcher matcher : matchers) {
     if (matcher == reconstruct::Matcher::kChio) files.emplace_back("chio.csv");
@@ -133,7 +137,7 @@ void PatchStages::read_images() {
   scene_ = patch_scene(patch_, scene_.frame, patch_images(patch_));
 }
 
-std::array<std::vector<EdgeSegment>, 2> PatchStages::segments() const {
+std::array<std::vector<EdgeSegment>, 2> PatchStages::segments_of_pair() const {
   const std::vector<std::string> files = segment_files();
   return {io::read_segments(path(files[0])), io::read_segments(path(files[1]))};
 }
@@ -144,13 +148,24 @@ void PatchStages::read_views(const std::vector<std::string>& files) {
     scene_.views[i].segments = io::read_segments(path(files[i]));
 }
 
-/// The stages share the surface, so that it is computed only once.
-const std::optional<reconstruct::Surface>& PatchStages::surface() {
-  if (!surface_) {
-    surface_ =
-        reconstruct::surface_of(stereo_pair(scene_, kPairOfPatch), options_.parameters.method);
+/// The stages share the surfaces, so that they are computed only once.
+const std::vector<std::optional<reconstruct::Surface>>& PatchStages::surfaces() {
+  if (surfaces_.empty()) {
+    surfaces_ = transformed(pairs(), [&](const ViewPair& pair) {
+      return reconstruct::surface_of(stereo_pair(scene_, pair), options_.parameters.method);
+    });
   }
-  return *surface_;
+  return surfaces_;
+}
+
+std::vector<ViewPair> PatchStages::pairs() const {
+  return pairs_of(scene_, options_.parameters.method);
+}
+
+/// The folder of what is known of a pair; nothing for the base pair, whose files are in the folder of the patch.
+std::string PatchStages::pair_folder(const ViewPair& pair) const {
+  if (pair.base == kPairOfPatch.base && pair.search == kPairOfPatch.search) return "";
+  return fmt::format("pairs/{}-{}/", patch_.images[pair.base].id, patch_.images[pair.search].id);
 }
 
 void PatchStages::check_pair() {
@@ -171,7 +186,7 @@ void PatchStages::extract(std::span<const std::size_t> images) {
 
 std::vector<std::string> PatchStages::keep_surface() {
   read_views(segment_files());
-  const std::optional<reconstruct::Surface>& kept = surface();
+  const std::optional<reconstruct::Surface>& kept = surfaces().front();
   if (!kept) {
     out_.remove(patch_.id + "/" + kSurfaceFile);
     return {};
@@ -184,7 +199,7 @@ std::vector<std::string> PatchStages::keep_surface() {
 
 /// Removes the lists of an earlier run with other matchers, which would look like lists of this run.
 void PatchStages::remove_match_lists() const {
-  std::vector<std::string> files{"chio.csv", "verdicts.csv"};
+  std::vector<std::string> files{"chio.csv", "verdicts.csv", kTrackList};
   for (const char* stem : {"matches", "unmatched", "verdicts"}) {
     for (const reconstruct::Matcher matcher :
          {reconstruct::Matcher::kPairwise, reconstruct::Matcher::kChio}) {
@@ -194,36 +209,63 @@ void PatchStages::remove_match_lists() const {
   for (const std::string& file : files) out_.remove(patch_.id + "/" + file);
 }
 
-void PatchStages::match() {
+std::vector<std::string> PatchStages::match() {
   remove_match_lists();
   read_views(edge_files());
-  reconstruct::PairMatches result =
-      reconstruct::match(scene_, kPairOfPatch, options_.parameters.method);
-  add_guided(scene_, {&result, 1});
-  const std::vector<std::string> files = segment_files();
-  for (std::size_t i = 0; i < files.size(); ++i)
-    io::write_segments(path(files[i]), scene_.views[i].segments);
-  io::write_matches(path(kMatches), result.used().matches);
-  io::write_file(path("unmatched.csv"), unmatched_csv(result.used()));
+  auto results = transformed(pairs(), [&](const ViewPair& pair) {
+    return reconstruct::match(scene_, pair, options_.parameters.method);
+  });
+  add_guided(scene_, results);
+  const std::vector<std::string> segment_names = segment_files();
+  for (std::size_t i = 0; i < segment_names.size(); ++i)
+    io::write_segments(path(segment_names[i]), scene_.views[i].segments);
+  std::vector<std::string> files = match_files();
+  for (const reconstruct::PairMatches& result : results) {
+    const std::string folder = pair_folder(result.views);
+    write_list(result.used(), folder + kMatchList, folder + kUnmatchedList);
+    if (!folder.empty()) files.insert(files.end(), {folder + kMatchList, folder + kUnmatchedList});
+  }
+  write_lists_of_matchers(results.front());
+  if (scene_.views.size() > 2) {
+    io::write_tracks(path(kTrackList), tracks_of(scene_, results, options_.parameters.method),
+                     transformed(patch_.images, &io::PatchImage::id));
+    files.emplace_back(kTrackList);
+  }
+  surfaces_.clear();
+  for (reconstruct::PairMatches& result : results) surfaces_.push_back(std::move(result.surface));
+  return files;
+}
+
+void PatchStages::write_list(const reconstruct::MatchList& list,
+                             const std::string& matches,
+                             const std::string& unmatched) const {
+  io::write_matches(path(matches), list.matches);
+  io::write_file(path(unmatched), unmatched_csv(list));
+}
+
+/// Writes what several matchers found in the base pair, and how `chio` found its lines.
+void PatchStages::write_lists_of_matchers(const reconstruct::PairMatches& result) const {
   if (result.chio) io::write_file(path("chio.csv"), chio_csv(*result.chio, scene_.frame));
   for (std::size_t i = 0; i + 1 < result.lists.size(); ++i) {
     const reconstruct::MatchList& list = result.lists[i];
-    io::write_matches(path(list_file("matches", list.name)), list.matches);
-    io::write_file(path(list_file("unmatched", list.name)), unmatched_csv(list));
+    write_list(list, list_file("matches", list.name), list_file("unmatched", list.name));
   }
-  surface_ = std::move(result.surface);
+}
+
+std::vector<Track> PatchStages::tracks() const {
+  if (patch_.images.size() > 2)
+    return io::read_tracks(path(kTrackList), transformed(patch_.images, &io::PatchImage::id));
+  return tracks_of_pair(kPairOfPatch, read_line_matches(path(kMatchList), segments_of_pair()));
 }
 
 void PatchStages::reconstruct(reconstruct::Method method) {
-  const std::vector<LineMatch> matches = read_line_matches(path(kMatches), segments());
   reconstruct::Options options = options_.parameters.method;
   options.estimation.lines.method = method;
+  const std::vector<Track> of_file = tracks();
   read_views(segment_files());
-  const std::optional<reconstruct::Surface>& of_pair = surface();
-  const reconstruct::UsedPair pair{kPairOfPatch, of_pair ? &*of_pair : nullptr};
-  const io::LineSet lines = line_set_of(
-      reconstruct::estimate(scene_, tracks_of_pair(kPairOfPatch, matches), {&pair, 1}, options),
-      scene_.frame, patch_.crs, method);
+  const io::LineSet lines =
+      line_set_of(reconstruct::estimate(scene_, of_file, used_pairs(pairs(), surfaces()), options),
+                  scene_, patch_.crs, method);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {
     const std::string file = line_file(method, info.extension);
@@ -235,18 +277,18 @@ void PatchStages::reconstruct(reconstruct::Method method) {
 }
 
 PatchCounts PatchStages::counts() const {
-  return {patch_.id, !patch_.lidar.empty(), segments()[0].size(),
-          io::read_matches(path(kMatches)).size()};
+  return {patch_.id, !patch_.lidar.empty(), segments_of_pair()[0].size(),
+          io::read_matches(path(kMatchList)).size()};
 }
 
 std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
   std::vector<evaluate::Table1Row> rows;
-  const std::array<std::vector<EdgeSegment>, 2> extracted = segments();
+  const std::array<std::vector<EdgeSegment>, 2> extracted = segments_of_pair();
   const std::vector<std::string> names = list_names();
   for (const std::string& matcher : names) {
     const bool is_used = matcher == names.back();
     const std::vector<LineMatch> matches =
-        read_line_matches(path(is_used ? kMatches : list_file("matches", matcher)), extracted);
+        read_line_matches(path(is_used ? kMatchList : list_file("matches", matcher)), extracted);
     const auto score = score_patch_matches(patch_, extracted, matches);
     if (!score) continue;
     rows.push_back({patch_.id, matcher, score->counts, score->n_unjudged});

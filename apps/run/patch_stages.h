@@ -31,8 +31,6 @@ class PatchStages {
 
   /// The files of segments that extract() writes, one per image.
   [[nodiscard]] std::vector<std::string> edge_files() const;
-  /// All files that match() writes.
-  [[nodiscard]] std::vector<std::string> match_files() const;
   static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
@@ -41,7 +39,8 @@ class PatchStages {
   /// Extracts the segments of these images, all at once. One image alone would leave other cores idle while its edges
   /// are traced in the order of their lengths.
   void extract(std::span<const std::size_t> images);
-  void match();
+  /// @return the files written
+  [[nodiscard]] std::vector<std::string> match();
   /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is removed.
   /// @return the files written: none for a pair without a surface
   [[nodiscard]] std::vector<std::string> keep_surface();
@@ -53,22 +52,32 @@ class PatchStages {
 
  private:
   [[nodiscard]] std::vector<std::string> segment_files() const;
+  /// The files of the base pair that match() writes, and the segments of all images.
+  [[nodiscard]] std::vector<std::string> match_files() const;
   [[nodiscard]] std::vector<std::string> list_names() const;
   [[nodiscard]] std::vector<io::LineFormatInfo> more_line_formats() const;
   void remove_match_lists() const;
   /// Throws IoError if the file is an input.
   [[nodiscard]] std::string path(const std::string& file) const;
   void read_images();
-  [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments() const;
+  [[nodiscard]] std::array<std::vector<EdgeSegment>, 2> segments_of_pair() const;
   /// Reads the images and, from these files, the segments of each.
   void read_views(const std::vector<std::string>& files);
-  const std::optional<reconstruct::Surface>& surface();
+  [[nodiscard]] std::vector<ViewPair> pairs() const;
+  [[nodiscard]] std::string pair_folder(const ViewPair& pair) const;
+  [[nodiscard]] std::vector<Track> tracks() const;
+  void write_list(const reconstruct::MatchList& list,
+                  const std::string& matches,
+                  const std::string& unmatched) const;
+  void write_lists_of_matchers(const reconstruct::PairMatches& result) const;
+  const std::vector<std::optional<reconstruct::Surface>>& surfaces();
 
   const io::PatchFile& patch_;
   const RunOptions& options_;
   const results::OutputFolder& out_;
   reconstruct::Scene scene_;  ///< images are read when first needed
-  std::optional<std::optional<reconstruct::Surface>> surface_;  ///< computed when first needed
+  std::vector<std::optional<reconstruct::Surface>>
+      surfaces_;  ///< by pair, computed when first needed
 };
 
 }  // namespace ridgeline::apps

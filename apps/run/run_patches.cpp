@@ -77,7 +77,7 @@ void write_table1(const evaluate::Table1& table, const results::OutputFolder& ou
   out.write("table1.json", evaluate::to_json(table));
 }
 
-void warn_of_images(const std::vector<CheckedPatch>& patches) {
+void warn_of_images(const std::vector<CheckedPatch>& patches, bool all_views) {
   for (const auto& [patch, frame] : patches) {
     const std::string& left = patch.images[0].path;
     const std::string& right = patch.images[1].path;
@@ -85,9 +85,10 @@ void warn_of_images(const std::vector<CheckedPatch>& patches) {
       spdlog::warn("{}: {} and {} hold the same picture; two views are needed", patch.path, left,
                    right);
     }
-    if (patch.images.size() == 2) continue;
-    spdlog::warn("{}: {} images; lines are matched between the first two, {} and {}", patch.path,
-                 patch.images.size(), patch.images[0].id, patch.images[1].id);
+    if (patch.images.size() == 2 || all_views) continue;
+    spdlog::warn(
+        "{}: {} images; the papers use two: lines are reconstructed from the first ones, {} and {}",
+        patch.path, patch.images.size(), patch.images[0].id, patch.images[1].id);
   }
 }
 
@@ -100,7 +101,7 @@ void run_patches(const std::string& command,
   results::RunRecord record(command);
   record.set_options(echo_options(options));
   const std::vector<CheckedPatch> patches = read_patches(patch_files, options);
-  warn_of_images(patches);
+  warn_of_images(patches, options.parameters.method.matching.tracks.all_views);
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);

@@ -103,6 +103,18 @@ Segment2 segment_of(const json& value) {
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 
+std::vector<LineSighting> sightings_of(const json& value) {
+  constexpr const char* kRule = "must be a list of [\"IMAGE\", x1, y1, x2, y2]";
+  const json list = unwrapped(value);
+  if (!list.is_array()) throw OtherShape{kRule};
+  return transformed(list, [&](const json& sighting) {
+    if (!sighting.is_array() || sighting.size() != 5 || !sighting[0].is_string())
+      throw OtherShape{kRule};
+    return LineSighting{sighting[0].get<std::string>(),
+                        segment_of(json(sighting.begin() + 1, sighting.end()))};
+  });
+}
+
 json with_lower_case_names(const json& properties) {
   json lower = json::object();
   for (const auto& [name, value] : properties.items()) {
@@ -118,6 +130,7 @@ void clear_attribute(std::string_view name, Line& line) {
   if (name == "n_points") line.n_points.reset();
   if (name == "n_images") line.n_images.reset();
   if (name == "plane_ids") line.plane_ids.clear();
+  if (name == "sightings") line.sightings.clear();
   if (name == "covariance" || name.starts_with("sigma_")) line.covariance_m2.reset();
   for (const NumberAttribute& attribute : kNumberAttributes) {
     if (name == attribute.name) (line.*attribute.member).reset();
@@ -161,6 +174,16 @@ std::string segment_text(const Segment2& segment_px) {
                      segment_px.end.x(), segment_px.end.y());
 }
 
+std::string sightings_text(const std::vector<LineSighting>& sightings) {
+  return fmt::format("[{}]", fmt::join(transformed(sightings,
+                                                   [](const LineSighting& s) {
+                                                     return fmt::format(
+                                                         "[{},{}", json_text(s.image),
+                                                         segment_text(s.px).substr(1));
+                                                   }),
+                                       ","));
+}
+
 std::string text_of(const json& value) {
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
@@ -201,6 +224,8 @@ Line AttributeReader::line_of(const json& properties, const std::string& where) 
   take(values, "n_images", where, [&](const json& value) { line.n_images = integer_of(value); });
   take(values, "plane_ids", where,
        [&](const json& value) { line.plane_ids = plane_ids_of(value); });
+  take(values, "sightings", where,
+       [&](const json& value) { line.sightings = sightings_of(value); });
   for (const NumberAttribute& attribute : kNumberAttributes) {
     take(values, attribute.name, where,
          [&](const json& value) { line.*attribute.member = number_of(value); });

@@ -28,6 +28,7 @@ struct SegmentAttribute {
 };
 std::span<const SegmentAttribute> segment_attributes();
 std::string segment_text(const Segment2& segment_px);
+std::string sightings_text(const std::vector<LineSighting>& sightings);
 
 /// An attribute that is a plain number.
 struct NumberAttribute {

@@ -17,6 +17,12 @@
 
 namespace ridgeline::io {
 
+/// The segment that an image shows of a line.
+struct LineSighting {
+  std::string image;  ///< id of the image in its patch
+  Segment2 px;        ///< ideal pixels
+};
+
 /// One 3D segment of a line file with what the file says of it. Attributes that the file does not
 /// have stay empty.
 struct Line {
@@ -32,6 +38,8 @@ struct Line {
   /// Ends of the image segments in the base and in the other image from which the line was made, ideal pixels. Right
   /// segments in our own files may have been moved across their direction (compare_profiles()).
   std::optional<Segment2> left_px, right_px;
+  /// All image segments of a line that was made from three images or more, in files [["IMAGE", x1, y1, x2, y2], ...].
+  std::vector<LineSighting> sightings;
   std::optional<double> epipolar_angle_deg;
   /// Share of the length of a true line that the base and the other image show, 0..1.
   std::optional<double> visible_left, visible_right;

@@ -78,6 +78,7 @@ class OgrWriter {
     for (const SegmentAttribute& attribute : segment_attributes()) {
       create_field(attribute.name, OFTString);
     }
+    create_field("sightings", OFTString);
     create_field("covariance", OFTString);
   }
 
@@ -106,6 +107,8 @@ class OgrWriter {
       if (!segment) continue;
       feature.SetField(std::string(attribute.name).c_str(), segment_text(*segment).c_str());
     }
+    if (!line.sightings.empty())
+      feature.SetField("sightings", sightings_text(line.sightings).c_str());
     if (line.covariance_m2) {
       feature.SetField("covariance", covariance_text(*line.covariance_m2).c_str());
     }

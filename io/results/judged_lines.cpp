@@ -29,14 +29,33 @@ std::string class_of(const io::Line& line,
   return *epipolar_angle_deg <= max_aligned_angle_deg ? "aligned" : "not_aligned";
 }
 
-/// The image segments of a line that states them, with the cameras of the patch's pair.
+/// The segments that two images of the patch show of a line: the first two, or the first ones of its sightings.
+std::vector<io::LineSighting> two_sightings(const io::Line& line, const io::PatchFile& patch) {
+  if (line.left_px && line.right_px)
+    return {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
+  std::vector<io::LineSighting> two;
+  for (const io::LineSighting& s : line.sightings) {
+    if (two.size() < 2 && (two.empty() || two[0].image != s.image)) two.push_back(s);
+  }
+  return two;
+}
+
+/// The image segments of a line that states them, with the cameras of their images.
 std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::PatchFile>& patch) {
-  if (!patch || !line.left_px || !line.right_px) return std::nullopt;
-  return evaluate::ImageEvidence{.image_from_local = io::cameras_in_local(*patch, frame),
-                                 .segments_px = {*line.left_px, *line.right_px},
-                                 .height_range_m = io::heights_in_local_m(*patch, frame)};
+  if (!patch) return std::nullopt;
+  const std::vector<io::LineSighting> seen = two_sightings(line, *patch);
+  if (seen.size() < 2) return std::nullopt;
+  evaluate::ImageEvidence evidence;
+  evidence.height_range_m = io::heights_in_local_m(*patch, frame);
+  for (const std::size_t i : {0U, 1U}) {
+    const auto image = std::ranges::find(patch->images, seen[i].image, &io::PatchImage::id);
+    if (image == patch->images.end()) return std::nullopt;
+    evidence.image_from_local[i] = image_from_local(image->image_from_world, frame.origin_m);
+    evidence.segments_px[i] = seen[i].px;
+  }
+  return evidence;
 }
 
 JudgedLine judged_line(const io::Line& line,

@@ -9,6 +9,7 @@ namespace ridgeline::reconstruct {
 
 /// The options of tracks_of().
 struct TrackOptions {
+  bool all_views = true;  ///< off: the first pair of views alone, as in the papers
   /// Sigma of each end of a segment across its line, beside those of the two regression lines: edges that two
   /// views show of one line are not quite the same.
   double sigma_edge_px = 0.3;
@@ -20,6 +21,8 @@ struct TrackOptions {
   static constexpr auto fields() {
     using O = TrackOptions;
     return std::tuple{
+        Field{"all_views", &O::all_views, false, true,
+              "use all images of a patch; off: the first two alone, as the papers do"},
         Field{"sigma_edge_px", &O::sigma_edge_px, 0.01, 10.0,
               "how far the edges that several views show of one line differ"},
         Field{"seen_share", &O::seen_share, 0.01, 0.99,

@@ -57,9 +57,11 @@ std::optional<double> cost_of(const Scene& scene, const ViewPair& pair) {
 std::vector<ViewPair> choose_pairs(const Scene& scene) {
   const std::size_t n = scene.views.size();
   if (n == 2) return {{0, 1}};
-  std::vector<ViewPair> pairs;
+  check(cost_of(scene, {0, 1}).has_value(), "views ", scene.views[0].id, " and ", scene.views[1].id,
+        ": the first two must show the same place");
+  std::vector<ViewPair> pairs{{0, 1}};
   std::vector<bool> is_connected(n, false);
-  is_connected[0] = true;
+  is_connected[0] = is_connected[1] = true;
   while (true) {
     std::optional<ViewPair> best;
     const auto key = [&](const ViewPair& p, double cost) {
@@ -79,7 +81,6 @@ std::vector<ViewPair> choose_pairs(const Scene& scene) {
     is_connected[best->search] = true;
     pairs.push_back(*best);
   }
-  check(!pairs.empty(), "views: no other view shows what view ", scene.views[0].id, " shows");
   return pairs;
 }
 

@@ -7,13 +7,13 @@
 
 namespace ridgeline::reconstruct {
 
-/// The pairs of views to be matched: one less than there are views, which connect all of them. The first view is
-/// the base of the first pair. Of the pairs of a view that is connected and one that is not yet, the next one
+/// The pairs of views to be matched: one less than there are views, which connect all of them. The first two views
+/// are the first pair. Of the pairs of a view that is connected and one that is not yet, the next one
 /// has the base-to-height ratio nearest to 0.3, where depths are good and surfaces look alike. Two views need to
 /// show at least 0.3 of each other; a view for which there is no such pair is left out. The result does not
-/// depend on the order of the views but for the first one.
+/// depend on the order of the further views.
 /// @param scene  its views have images
-/// Throws std::invalid_argument if no two views show the same place.
+/// Throws std::invalid_argument if the first two of three views and more do not show the same place.
 std::vector<ViewPair> choose_pairs(const Scene& scene);
 
 }  // namespace ridgeline::reconstruct
