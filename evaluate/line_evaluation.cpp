@@ -35,6 +35,8 @@ const char* name(Status status) {
       return "out_of_range";
     case Status::kDuplicateId:
       return "duplicate_id";
+    case Status::kUnconfirmed:
+      return "unconfirmed";
   }
   return "unknown";
 }

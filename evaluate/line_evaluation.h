@@ -29,8 +29,9 @@ enum class Status : std::uint8_t {
   kNonFinite,
   kOutOfRange,  ///< in_range() is false, or its height is a mark for a missing height
   kDuplicateId,
+  kUnconfirmed,  ///< its tool says that further images should show it and do not
 };
-inline constexpr int kNumStatuses = 11;
+inline constexpr int kNumStatuses = 12;
 
 /// The name of a status as in the files: `evaluated`, `no_lidar`, ...
 const char* name(Status status);
@@ -67,6 +68,7 @@ struct JudgedLine {
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
   std::optional<ImageEvidence> images;  ///< if empty, the line's own plan view is its footprint
   bool reconstructed = true;            ///< if false, the status is not_reconstructed
+  bool confirmed = true;                ///< if false, the status is unconfirmed
 };
 
 /// A LIDAR plane chosen for a line.

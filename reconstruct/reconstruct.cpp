@@ -2,6 +2,7 @@
 #include "reconstruct/reconstruct.h"
 
 #include "reconstruct/beyond/combined_matchers/combine_matches.h"
+#include "reconstruct/beyond/confirmation/confirmation.h"
 #include "reconstruct/beyond/extensions.h"
 #include "reconstruct/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
@@ -230,6 +231,13 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
   }
   if (estimation.beyond.adjusts_to_faces() && estimation.lines.method != Method::kDirect)
     adjust_to_faces(pairs, lines);
+  if (pairs.size() > 1) {
+    std::vector<const Surface*> surfaces;
+    for (const UsedPair& pair : pairs) {
+      if (pair.surface != nullptr) surfaces.push_back(pair.surface);
+    }
+    mark_unconfirmed(scene, surfaces, lines);
+  }
   return lines;
 }
 

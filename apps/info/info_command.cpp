@@ -164,6 +164,7 @@ std::vector<std::string> missing_files(const io::PatchFile& patch) {
     }
   }
   if (patch.reference_matches) look_for(*patch.reference_matches);
+  if (patch.reference_tracks) look_for(*patch.reference_tracks);
   if (patch.reference_lines) look_for(*patch.reference_lines);
   return warnings;
 }

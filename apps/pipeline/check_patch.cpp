@@ -123,6 +123,7 @@ std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
   for (const io::PatchImage& image : patch.images) files.push_back({"image", image.path});
   for (const std::string& file : io::expand_patterns(patch.lidar)) files.push_back({"cloud", file});
   if (patch.reference_matches) files.push_back({"reference", *patch.reference_matches});
+  if (patch.reference_tracks) files.push_back({"reference", *patch.reference_tracks});
   if (patch.reference_lines) files.push_back({"reference", *patch.reference_lines});
   return files;
 }

@@ -209,6 +209,9 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
   if (!line.reconstructed) {
     return Refusal{Status::kNotReconstructed, "its tool gives no geometry for it"};
   }
+  if (!line.confirmed) {
+    return Refusal{Status::kUnconfirmed, "further images should show it and do not"};
+  }
   if (!all_finite(line.segment)) return Refusal{Status::kNonFinite, "a coordinate is not finite"};
   if (!in_range(line.segment)) {
     return Refusal{Status::kOutOfRange, "a coordinate is more than 10,000 km from the cloud"};

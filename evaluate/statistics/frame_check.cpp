@@ -17,6 +17,7 @@ bool was_looked_up(Status status) {
     case Status::kTooShort:
     case Status::kNonFinite:
     case Status::kDuplicateId:
+    case Status::kUnconfirmed:
       return false;
     default:
       return true;

@@ -129,7 +129,9 @@ std::optional<ErrorParts> error_parts(const Segment3& segment, const Segment3& r
   return ErrorParts{mean_square(across_m), mean_square(above_m), (above_m[0] + above_m[1]) / 2.0};
 }
 
-bool has_geometry(const JudgedLine& line) { return line.reconstructed && in_range(line.segment); }
+bool has_geometry(const JudgedLine& line) {
+  return line.reconstructed && line.confirmed && in_range(line.segment);
+}
 
 bool is_of(const JudgedLine& line, std::string_view line_class) {
   return line_class == kTotal || line.line_class == line_class;

@@ -28,7 +28,7 @@ TEST_F(Config, PrintsEveryGroupWithMeaningAndRange) {
   const ProgramResult printed = run({"config"});
   ASSERT_EQ(printed.exit_code, 0) << printed.err;
   EXPECT_THAT(groups_of(YAML::Load(printed.out)),
-              ElementsAre("extract", "match", "chio", "reconstruct", "judge"));
+              ElementsAre("extract", "match", "tracks", "chio", "reconstruct", "judge"));
   EXPECT_THAT(printed.out,
               AllOf(HasSubstr("corridor_half_width_m: 1.5  # half width of the corridor around a "
                               "line, in plan; 0.1 to 100\n"),

@@ -235,7 +235,7 @@ const char* name(Status status) {
   constexpr std::array kNames{
       "direct",          "joint",     "one_point",      "surface",       "segment_ends",
       "horizontal",      "no_points", "rank_deficient", "not_converged", "ambiguous_depth",
-      "no_intersection", "network",   "planes"};
+      "no_intersection", "network",   "planes",         "unconfirmed"};
   return kNames.at(static_cast<std::size_t>(status));
 }
 

@@ -44,6 +44,7 @@ enum class Status : std::uint8_t {
   kNoIntersection,  ///< coincident planes, or a line at infinity or behind a camera: no segment
   kNetwork,         ///< adjusted with all lines that it meets
   kPlanes,          ///< intersection of two surfaces where no edge was matched
+  kUnconfirmed,     ///< two views show it, and a further one that should does not
 };
 const char* name(Status status);  ///< "direct", "one_point", ... as in the files
 

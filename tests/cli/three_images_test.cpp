@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Patches of three images and more.
+#include "tests/cli/cli_fixture.h"
+
+#include <algorithm>
+
+namespace ridgeline::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+/// A small village in three images of a strip.
+class ThreeImages : public Cli {
+ protected:
+  void SetUp() override {
+    const ProgramResult made =
+        run({"simulate", "--out", "patch", "--seed", "3", "--extent-m", "40,40",
+             "--samples-per-side", "1", "--focal-length-px", "7000", "--views", "strip:3"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  [[nodiscard]] ProgramResult run_patch(const std::string& out,
+                                        const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"run",       "patch/patch.yaml", "--out",      out,
+                                   "--methods", "direct,joint",     "--no-report"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  [[nodiscard]] std::size_t n_lines_with(const std::string& file, const std::string& text) const {
+    const std::string lines = read(path(file));
+    std::size_t n = 0;
+    for (std::size_t at = lines.find(text); at != std::string::npos; at = lines.find(text, at + 1))
+      ++n;
+    return n;
+  }
+};
+
+TEST_F(ThreeImages, AreAllUsed) {
+  const ProgramResult result = run_patch("out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, Not(HasSubstr("the papers use two")));
+  EXPECT_THAT(names_in(path("out/patch")),
+              IsSupersetOf({"tracks.csv", "matches.csv", "pairs", "segments.strip1.csv",
+                            "segments.strip2.csv", "segments.strip3.csv"}));
+  EXPECT_THAT(read(path("out/patch/tracks.csv")),
+              AllOf(HasSubstr(",strip1,"), HasSubstr(",strip2,"), HasSubstr(",strip3,")));
+  const std::string file = "out/patch/lines.direct.geojson";
+  EXPECT_GT(n_lines_with(file, "\"n_images\":3"), 2 * n_lines_with(file, "\"n_images\":2"));
+  EXPECT_THAT(read(path(file)), HasSubstr("\"sightings\":[[\"strip2\","));
+}
+
+TEST_F(ThreeImages, GiveTheSameForOneThreadAndWhenResumed) {
+  ASSERT_EQ(run_patch("out", {"--jobs", "1"}).exit_code, 0);
+  const std::string first = read(path("out/patch/lines.joint.geojson"));
+  ASSERT_EQ(run_patch("again", {"--jobs", "2"}).exit_code, 0);
+  EXPECT_EQ(read(path("again/patch/lines.joint.geojson")), first);
+  std::filesystem::remove(path("out/patch/lines.joint.geojson"));
+  ASSERT_EQ(run_patch("out", {"--resume"}).exit_code, 0);
+  EXPECT_EQ(read(path("out/patch/lines.joint.geojson")), first);
+}
+
+TEST_F(ThreeImages, AreTwoForThePapers) {
+  const ProgramResult result = run_patch("out", {"--preset", "published"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("the papers use two"));
+  EXPECT_EQ(n_lines_with("out/patch/lines.direct.geojson", "\"n_images\":3"), 0U);
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
