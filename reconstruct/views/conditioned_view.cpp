@@ -89,8 +89,7 @@ ConditionedViews condition(std::span<const ProjectionMatrix> cameras,
   const auto& [first, second] = std::pair(used[0], used[1]);
   const Ray of_first = ray(cameras[first], images[first].centre_px);
   ConditionedViews frames;
-  frames.object.centre_m =
-      closest_point(of_first, ray(cameras[second], images[second].centre_px));
+  frames.object.centre_m = closest_point(of_first, ray(cameras[second], images[second].centre_px));
   check(frames.object.centre_m.allFinite(),
         "condition: the rays of the patch's centres are parallel", ", must intersect");
 
