@@ -186,7 +186,8 @@ struct LoneLine {
   std::array<Segment2, 2> images;
 
   LoneLine() : images(kScene.images(make_segment(kScene, eave(0.5)))) {
-    lines.frames = condition(kScene.cameras, std::array{std::vector{images[0]}, std::vector{images[1]}});
+    lines.frames =
+        condition(kScene.cameras, std::array{std::vector{images[0]}, std::vector{images[1]}});
     ObservedTrack& observed = lines.lines.emplace_back();
     for (std::size_t j = 0; j < 2; ++j) {
       observed.push_back(
