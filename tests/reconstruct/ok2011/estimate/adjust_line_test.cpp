@@ -25,9 +25,7 @@ using Points = std::vector<UncertainPoint3>;
 /// Standard deviations of an independent 3D point, m. That of the height is larger, as from a stereo pair.
 const Eigen::Vector3d kPointSigmaM(0.05, 0.05, 0.2);
 
-Planes planes_of(const ObservedTrack& observed) {
-  return {observed[0].plane, observed[1].plane};
-}
+Planes planes_of(const ObservedTrack& observed) { return {observed[0].plane, observed[1].plane}; }
 
 /// A point of the segment, with random error or none without `random`.
 UncertainPoint3 point_of(const ConditionedScene& scene,
