@@ -21,6 +21,7 @@ std::vector<Sighting> sightings(const SurfaceOracle& oracle,
   const std::vector<Interval> runs = visible_runs(oracle, view, edge, options);
   const double visible_share = total_length(runs);
   std::vector<Sighting> result;
+  result.reserve(runs.size());
   for (const Interval& run : runs) {
     result.push_back({view, run, image_of(oracle, view, edge, run), visible_share});
   }
@@ -59,6 +60,7 @@ double length_in_first_view_px(const ShownEdge& edge) {
 
 std::vector<Sighting> ShownEdge::in_view(std::size_t view) const {
   std::vector<Sighting> result;
+  result.reserve(runs.size());
   std::ranges::copy_if(sightings, std::back_inserter(result),
                        [&](const Sighting& s) { return s.view == view; });
   return result;
