@@ -210,14 +210,13 @@ class Search {
   void ask(std::size_t view, ProposedTrack& track) const {
     constexpr double kWindow_px = 12.0;  // to each side of the prediction, for the density
     constexpr double kWidest_px = 40.0;
-    constexpr double kReach_sigma = 3.5;
+    constexpr double kReachSigma = 3.5;
     const Prediction p = predict(ends_[view], track.depth.heights_m);
     if (!views_.shows(view, midpoint(p.segment))) return;
     double reach_px = kWindow_px;
     for (const int i : {0, 1}) {
-      reach_px =
-          std::max(reach_px, kReach_sigma * p.per_height[static_cast<std::size_t>(i)].norm() *
-                                 std::sqrt(track.depth.cov_m2(i, i)));
+      reach_px = std::max(reach_px, kReachSigma * p.per_height[static_cast<std::size_t>(i)].norm() *
+                                        std::sqrt(track.depth.cov_m2(i, i)));
     }
     reach_px = std::min(reach_px, kWidest_px);
     int n_parallel = 0;

@@ -71,12 +71,12 @@ struct Reach {
 
 /// The farthest end that two views show: of the views that agree with the second farthest one, the middle one.
 Endpoint end_of_two_views(std::vector<Reach> by_view) {
-  constexpr double kAgreeing_sigma = 3.0;
+  constexpr double kAgreeingSigma = 3.0;
   std::ranges::sort(by_view, std::greater{}, &Reach::parameter);
   const Reach second = by_view[1];
   std::erase_if(by_view, [&](const Reach& r) {
     return std::abs(r.parameter - second.parameter) >
-           kAgreeing_sigma * std::hypot(r.sigma, second.sigma);
+           kAgreeingSigma * std::hypot(r.sigma, second.sigma);
   });
   return by_view[by_view.size() / 2].end;
 }
