@@ -60,7 +60,6 @@ double length_in_first_view_px(const ShownEdge& edge) {
 
 std::vector<Sighting> ShownEdge::in_view(std::size_t view) const {
   std::vector<Sighting> result;
-  result.reserve(runs.size());
   std::ranges::copy_if(sightings, std::back_inserter(result),
                        [&](const Sighting& s) { return s.view == view; });
   return result;
