@@ -106,19 +106,6 @@ TEST(ProposeTrack, AMatchByItsLookRaisesTheOddsByLookOdds) {
   EXPECT_LT(elsewhere->log_odds, plain->log_odds);
 }
 
-TEST(ProposeTrack, TwoLinesThatFitAsWellLeaveItUndecided) {
-  // Two views show two edges, 7.7 m apart in height for the first view, which shows one edge.
-  BlockScene block(test::kStrip);
-  const Segment3 line{{0.0, -5.0, 5.0}, {0.0, 5.0, 5.0}};
-  block.add(line);
-  EXPECT_TRUE(proposed(block, {0, 0}));
-  Segment3 above = line;
-  for (Eigen::Vector3d* x : {&above.start, &above.end})
-    *x += (Eigen::Vector3d(0.0, 0.0, 800.0) - *x) * (7.7 / 795.0);
-  block.add(above, {0});
-  EXPECT_FALSE(proposed(block, {0, 0}));
-}
-
 TEST(AddPieces, AddsThoseOnTheLineWithinItsPart) {
   BlockScene block;
   const int line = block.add({{-8.0, -6.0, 4.0}, {8.0, 6.0, 5.0}}, {1});

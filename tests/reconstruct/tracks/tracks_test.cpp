@@ -88,7 +88,7 @@ BlockScene repeated_lines() {
   return block;
 }
 
-constexpr double kInterior_m = 8.0;  // lines that have neighbours on both sides for all heights
+constexpr double kInterior_m = 5.0;  // lines with several neighbours on both sides
 
 TEST(TracksOf, RepeatedLinesAreUndecidedByGeometryAlone) {
   const BlockScene block = repeated_lines();
