@@ -90,21 +90,26 @@ void add_tracks_by_look(const Scene& scene,
                         std::span<const MatchedPair> pairs,
                         TakenSegments& taken,
                         std::vector<Track>& tracks) {
-  std::map<Sighting, std::size_t> aligned;  // track by base segment
+  std::map<Sighting, std::size_t> aligned;  // track by segment
   for (const auto& [views, matches] : pairs) {
     for (const LineMatch& match : matches) {
       const Sighting base{views.base, match.left};
       const Sighting mate{views.search, match.right};
-      if (!taken.is_free(mate)) continue;
+      const bool base_is_free = taken.is_free(base);
+      const bool mate_is_free = taken.is_free(mate);
+      if (!base_is_free && !mate_is_free) continue;
       const bool is_aligned = is_near_aligned(scene, base, mate, kMaxAlignedAngle_deg);
-      if (taken.is_free(base)) {
-        if (is_aligned) aligned[base] = tracks.size();
+      std::size_t track = tracks.size();
+      if (base_is_free && mate_is_free) {
         tracks.push_back({{base, mate}});
-        taken.take(tracks.back());
-      } else if (const auto known = aligned.find(base); is_aligned && known != aligned.end()) {
-        tracks[known->second].seen.push_back(mate);
-        taken.take({{mate}});
+      } else {
+        const auto known = aligned.find(base_is_free ? mate : base);
+        if (!is_aligned || known == aligned.end()) continue;
+        track = known->second;
+        tracks[track].seen.push_back(base_is_free ? base : mate);
       }
+      taken.take({{base, mate}});
+      if (is_aligned) aligned[base] = aligned[mate] = track;
     }
   }
 }
