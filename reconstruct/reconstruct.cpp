@@ -16,6 +16,7 @@
 #include "reconstruct/ok2011/match/match_pairwise.h"
 #include "reconstruct/tracks/tracks.h"
 #include "reconstruct/tracks/view_pairs.h"
+#include "reconstruct/views/tracked_lines.h"
 
 #include <tbb/parallel_for_each.h>
 
@@ -151,6 +152,17 @@ std::vector<Registrations> registrations_of(const Scene& scene,
                      });
 }
 
+/// Scales the sigmas of each track by how well its sightings agree.
+/// @param registrations  those of `tracked`
+void scale_by_agreement(const TrackedSegments& tracked, std::vector<Registrations>& registrations) {
+  const std::vector<ObservedTrack> lines =
+      tracked_lines(tracked, registered(tracked), LineCovariance::kCentroid).lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double scale = agreement_sigma_scale(lines[i]);
+    for (Registration& r : registrations[i]) r.sigma_scale *= scale;
+  }
+}
+
 /// The connections of tracks that two views of a pair show beside each other.
 std::vector<PairConnection> connections_of(const Scene& scene,
                                            std::span<const Track> tracks,
@@ -221,10 +233,16 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
       scene.views, [](const View& view) { return transformed(view.segments, &EdgeSegment::line); });
   const std::vector<PairConnection> connections =
       connections_of(scene, tracks, pairs, options.matching.pairwise);
-  const std::vector<Registrations> registrations = registrations_of(scene, tracks, estimation);
+  std::vector<Registrations> registrations = registrations_of(scene, tracks, estimation);
+  const TrackedSegments tracked{.cameras = cameras,
+                                .segments = segments,
+                                .tracks = tracks,
+                                .connections = connections,
+                                .registrations = registrations,
+                                .height_range_in_local_m = scene.height_range_in_local_m};
+  if (estimation.beyond.shared_errors) scale_by_agreement(tracked, registrations);
   std::vector<ReconstructedLine> lines = reconstruct_lines(
-      {cameras, segments, tracks, connections, registrations, scene.height_range_in_local_m},
-      estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
+      tracked, estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
   if (estimation.beyond.shared_errors) {
     for (ReconstructedLine& line : lines)
       add_shared_error(cameras[line.seen[0].sighting.view], line);

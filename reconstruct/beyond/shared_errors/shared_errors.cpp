@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
 
+#include "reconstruct/geometry/transformed.h"
+#include "reconstruct/ok2011/estimate/adjust_line.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -33,6 +36,15 @@ Eigen::Vector3d across_per_px(const ProjectionMatrix& image_from_local,
 double own_sigma_scale(double similarity) {
   const double loss = 1.0 - similarity;
   return std::sqrt(kAlike + kDifferent * loss / (loss + kHalfway));
+}
+
+double agreement_sigma_scale(const ObservedTrack& line) {
+  constexpr double kPriorFreedoms = 4.0;  // beside 2 N - 4 of the adjustment: 2 N in all
+  if (line.size() < 3) return 1.0;
+  const auto adjusted = adjust_line(transformed(line, &ObservedLine::plane), {});
+  if (!adjusted || !adjusted->full_rank) return 1.0;
+  const double n_views = static_cast<double>(line.size());
+  return std::sqrt((kPriorFreedoms + adjusted->omega) / (2.0 * n_views));
 }
 
 void add_shared_error(const ProjectionMatrix& left_from_local, ReconstructedLine& line) {

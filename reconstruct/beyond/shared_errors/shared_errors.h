@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/ok2011/estimate/reconstruct_lines.h"
+#include "reconstruct/views/conditioned_view.h"
 
 namespace ridgeline::reconstruct {
 
@@ -17,6 +18,16 @@ namespace ridgeline::reconstruct {
 /// fitted to the true errors on the training scenes.
 /// @param similarity  rho of ComparedProfiles, up to 1
 double own_sigma_scale(double similarity);
+
+/// Factor of the sigmas across all sightings of a line, by how well they agree. The line in their N planes leaves
+/// the sum of squares Omega with 2 N - 4 degrees of freedom. Together with the stated sigmas, which count as four
+/// degrees of freedom,
+///   scale^2 = (4 + Omega) / 2 N,
+/// the scale of the variance factor's posterior for a scaled inverse chi-square prior of scale 1 (Gelman et al.
+/// 2013, section 2.6). Four is fitted to the true errors on training scenes. 1 for two sightings, which agree always, and for
+/// planes that coincide.
+/// @param line  with the sigmas as stated so far
+double agreement_sigma_scale(const ObservedTrack& line);
 
 /// Adds the error that both images have in common to the covariance of a line: a shift across the line by 0.1
 /// px and a turn that moves each end by 0.03 px, as the left image shows them. A line without covariance

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
 
+#include "reconstruct/views/tracked_lines.h"
+#include "tests/reconstruct/support/block_scene.h"
 #include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/line_group.h"
 #include "tests/reconstruct/support/nees.h"
@@ -95,6 +97,56 @@ TEST(OwnSigmaScale, IsSmallForEqualProfilesAndGrowsWithTheirDifference) {
     last = own_sigma_scale(similarity);
   }
   EXPECT_LT(last, std::sqrt(6.1));
+}
+
+/// What the first n views of the block show of a line. Its errors are `errors` times the stated ones.
+ObservedTrack seen_by(std::size_t n, double errors, test::Random& random) {
+  const Segment3 truth{{-6.0, -5.0, 4.0}, {6.0, 5.0, 5.0}};
+  const auto first = test::kBlock.begin();
+  const auto cameras = test::BlockScene({first, first + static_cast<std::ptrdiff_t>(n)}).cameras();
+  const test::Noise stated = test::scaled({}, 0.3);
+  std::vector<std::vector<UncertainSegment2>> segments(n);
+  std::vector<Track> tracks(1);
+  for (std::size_t v = 0; v < n; ++v) {
+    const Segment2 image = project(cameras[v], truth);
+    UncertainSegment2 seen = test::noisy(image, test::scaled(stated, errors), random);
+    seen.sigma_q_px = stated.q_px;
+    seen.sigma_phi_rad = stated.phi_rad;
+    segments[v] = {seen};
+    tracks[0].seen.push_back({v, 0});
+  }
+  const TrackedSegments tracked{cameras, segments, tracks, {}};
+  return tracked_lines(tracked, extracted(tracked), LineCovariance::kCentroid).lines[0];
+}
+
+double mean_squared_scale(double errors) {
+  constexpr int kLines = 1000;
+  test::Random random(31);
+  double sum = 0.0;
+  for (int i = 0; i < kLines; ++i)
+    sum += std::pow(agreement_sigma_scale(seen_by(5, errors, random)), 2);
+  return sum / kLines;
+}
+
+TEST(Agreement, OfTwoViewsSaysNothing) {
+  test::Random random(30);
+  EXPECT_EQ(agreement_sigma_scale(seen_by(2, 3.0, random)), 1.0);
+}
+
+TEST(Agreement, WithoutErrorsLeavesThePrior) {
+  constexpr double kRounding = 1e-9;
+  test::Random random(30);
+  EXPECT_NEAR(agreement_sigma_scale(seen_by(3, 0.0, random)), std::sqrt(4.0 / 6.0), kRounding);
+  EXPECT_NEAR(agreement_sigma_scale(seen_by(5, 0.0, random)), std::sqrt(4.0 / 10.0), kRounding);
+}
+
+TEST(Agreement, FollowsTheErrorsThatTheViewsHave) {
+  // Omega has 6 degrees of freedom and mean 6 errors^2; the mean of 1000 of them is good to 0.02 errors^2.
+  constexpr double kTolerance = 0.06;
+  for (const double errors : {0.5, 1.0, 2.0}) {
+    const double expected = (4.0 + 6.0 * errors * errors) / 10.0;
+    EXPECT_NEAR(mean_squared_scale(errors) / expected, 1.0, kTolerance) << errors;
+  }
 }
 
 }  // namespace
