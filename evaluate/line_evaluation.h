@@ -69,6 +69,7 @@ struct JudgedLine {
   std::optional<ImageEvidence> images;  ///< if empty, the line's own plan view is its footprint
   bool reconstructed = true;            ///< if false, the status is not_reconstructed
   bool confirmed = true;                ///< if false, the status is unconfirmed
+  std::optional<int> n_images;          ///< that support it, by its file
 };
 
 /// A LIDAR plane chosen for a line.
@@ -103,6 +104,7 @@ struct LineEvaluation {
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
   double length_m = 0.0;             ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;
+  std::optional<int> n_images;  ///< that support it, by its file
 
   double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)
   double max_distance_m = 0.0;

@@ -2,12 +2,14 @@
 #include "evaluate/gates/figure.h"
 
 #include "evaluate/gates/metric.h"
+#include "evaluate/statistics/image_count.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -68,11 +70,21 @@ std::string why_no_value(const Summary& cell, const std::string& metric) {
   return fmt::format("n = {} lines have no {}", cell.n_evaluated, metric);
 }
 
-Figure accuracy_figure(const Evaluation& e,
-                       const std::string& line_class,
-                       const std::string& metric) {
+/// The classes of the lines of one number of images.
+std::vector<Summary> classes_of_images(const Evaluation& e, int n_images) {
+  std::vector<LineEvaluation> lines;
+  std::ranges::copy_if(e.lines, std::back_inserter(lines), [&](const LineEvaluation& line) {
+    return image_group(line.n_images) == image_group(n_images);
+  });
+  return summarize_classes(lines, e.options);
+}
+
+Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
+  const std::string& metric = gate.metric;
   Figure figure{e.patch, e.method, line_class, {}, {}, 0, {}, {}};
-  const Summary* cell = find_class(e.classes, line_class);
+  const std::vector<Summary> of_images =
+      gate.n_images ? classes_of_images(e, *gate.n_images) : std::vector<Summary>();
+  const Summary* cell = find_class(gate.n_images ? of_images : e.classes, line_class);
   if (cell == nullptr) {
     figure.why_missing = why_no_class(e, line_class);
     return figure;
@@ -81,7 +93,12 @@ Figure accuracy_figure(const Evaluation& e,
   figure.ci95 = metric_interval(*cell, metric);
   figure.n = metric_count(*cell, metric);
   figure.evaluated_share = cell->evaluated_share();
-  if (!figure.value) figure.why_missing = why_no_value(*cell, metric);
+  if (figure.value) return figure;
+  figure.why_missing = why_no_value(*cell, metric);
+  if (gate.n_images) {
+    figure.why_missing +=
+        fmt::format(" that {} images show", image_group_name(*image_group(gate.n_images)));
+  }
   return figure;
 }
 
@@ -112,7 +129,7 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
   std::vector<Figure> figures;
   for (const Evaluation* e : of_patch) {
     if (gate.method.value_or(e->method) != e->method) continue;
-    figures.push_back(accuracy_figure(*e, line_class, gate.metric));
+    figures.push_back(accuracy_figure(*e, line_class, gate));
   }
   if (figures.empty()) {
     figures.push_back(missing_figure(gate, patch, line_class,

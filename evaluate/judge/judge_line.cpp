@@ -192,6 +192,7 @@ LineEvaluation undecided(const JudgedLine& line) {
   e.line_class = line.line_class;
   e.building = line.building;
   e.epipolar_angle_deg = line.epipolar_angle_deg;
+  e.n_images = line.n_images;
   if (in_range(line.segment)) e.length_m = length(line.segment);
   return e;
 }

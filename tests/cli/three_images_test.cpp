@@ -49,6 +49,12 @@ TEST_F(ThreeImages, AreAllUsed) {
   const std::string file = "out/patch/lines.direct.geojson";
   EXPECT_GT(n_lines_with(file, "\"n_images\":3"), 2 * n_lines_with(file, "\"n_images\":2"));
   EXPECT_THAT(read(path(file)), HasSubstr("\"sightings\":[[\"strip2\","));
+  EXPECT_THAT(read(path("out/patch/accuracy.direct.md")), HasSubstr("| n_images"));
+  EXPECT_THAT(read(path("out/patch/evaluation.direct.json")), HasSubstr("\"n_images\": 3"));
+  write(path("gates.yaml"), "gates: [{n_images: 3, method: direct, max: 5, n_min: 20}]\n");
+  const ProgramResult gated = run({"gate", "out", "--gates", "gates.yaml"});
+  EXPECT_EQ(gated.exit_code, 0) << gated.err;
+  EXPECT_THAT(gated.out, HasSubstr("of 3 images"));
 }
 
 TEST_F(ThreeImages, GiveTheSameForOneThreadAndWhenResumed) {
