@@ -265,7 +265,7 @@ void PatchStages::reconstruct(reconstruct::Method method) {
   read_views(segment_files());
   const io::LineSet lines =
       line_set_of(reconstruct::estimate(scene_, of_file, used_pairs(pairs(), surfaces()), options),
-                  scene_, patch_.crs, method);
+                  scene_, patch_.crs, method, options.estimation.lines.max_aligned_angle_deg);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {
     const std::string file = line_file(method, info.extension);

@@ -77,6 +77,14 @@ void write_table1(const evaluate::Table1& table, const results::OutputFolder& ou
   out.write("table1.json", evaluate::to_json(table));
 }
 
+/// The number of images of each patch that lines are reconstructed from.
+nlohmann::ordered_json n_views_by_patch(const std::vector<CheckedPatch>& patches, bool all_views) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const CheckedPatch& patch : patches)
+    json[patch.file.id] = all_views ? patch.file.images.size() : std::size_t{2};
+  return json;
+}
+
 void warn_of_images(const std::vector<CheckedPatch>& patches, bool all_views) {
   for (const auto& [patch, frame] : patches) {
     const std::string& left = patch.images[0].path;
@@ -140,6 +148,8 @@ void run_patches(const std::string& command,
   record.end_stage("write");
   record.set("messages", messages);
   record.set("page", to_json(options.page));
+  record.set("n_views",
+             n_views_by_patch(patches, options.parameters.method.matching.tracks.all_views));
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());

@@ -57,6 +57,21 @@ TEST_F(ThreeImages, AreAllUsed) {
   EXPECT_THAT(gated.out, HasSubstr("of 3 images"));
 }
 
+TEST_F(ThreeImages, AreComparedWithTwoInSpace) {
+  ASSERT_EQ(run_patch("three").exit_code, 0);
+  write(path("two.yaml"), "tracks: {all_views: false}\n");
+  ASSERT_EQ(run_patch("two", {"--config", "two.yaml"}).exit_code, 0);
+  EXPECT_GT(n_lines_with("three/patch/lines.joint.geojson", "\"class_base\":\"not_aligned\""), 20U);
+  EXPECT_EQ(read_json(path("two/run.json"))["n_views"]["patch"], 2);
+  const ProgramResult result = run({"compare", "two", "three", "--out", "compared"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("A used 2 images, B 3"), Not(HasSubstr("Warning"))));
+  const auto compared = read_json(path("compared/compare.json"))["comparisons"][0];
+  EXPECT_GT(compared["n_common"], 3 * compared["n_only_a"].get<int>());
+  // Lines of one place are of one edge: their distances from the planes differ by less than the limit of pairing.
+  EXPECT_LT(compared["common"].back()["rms_ratio"], 1.5);
+}
+
 TEST_F(ThreeImages, GiveTheSameForOneThreadAndWhenResumed) {
   ASSERT_EQ(run_patch("out", {"--jobs", "1"}).exit_code, 0);
   const std::string first = read(path("out/patch/lines.joint.geojson"));
