@@ -298,4 +298,15 @@ std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
   return rows;
 }
 
+std::optional<evaluate::PatchTracks> PatchStages::score_tracks() const {
+  const reconstruct::Options& options = options_.parameters.method;
+  const std::vector<std::vector<EdgeSegment>> segments = transformed(
+      segment_files(), [&](const std::string& file) { return io::read_segments(path(file)); });
+  auto score =
+      score_patch_tracks(patch_, options.matching.tracks.all_views ? segments.size() : 2, segments,
+                         tracks(), options.estimation.lines.max_aligned_angle_deg);
+  if (!score) return std::nullopt;
+  return evaluate::PatchTracks{patch_.id, std::move(score->cells), score->n_unjudged};
+}
+
 }  // namespace ridgeline::apps

@@ -27,6 +27,7 @@ std::vector<std::string> patches_of(const ResultFolder& folder) {
   };
   for (const Evaluation& e : folder.evaluations) add(e.patch);
   for (const Table1Row& row : folder.matching.rows) add(row.patch);
+  for (const PatchTracks& tracks : folder.matching.tracks) add(tracks.patch);
   return patches;
 }
 
@@ -188,6 +189,30 @@ std::vector<Figure> matching_figures(const Gate& gate,
   return figures;
 }
 
+std::string why_no_tracks(const Gate& gate, const ResultFolder& folder) {
+  if (gate.method) return gate.metric + " is of all tracks of a run, so method must be left out";
+  if (folder.is_of_line_files) return gate.metric + " is a figure of tracks; run has it";
+  return "the tracks were not judged; that needs reference_tracks in the patch file";
+}
+
+Figure track_figure(const Gate& gate,
+                    const std::string& patch,
+                    const std::string& line_class,
+                    const ResultFolder& folder) {
+  const auto of_patch = std::ranges::find(folder.matching.tracks, patch, &PatchTracks::patch);
+  if (gate.method || of_patch == folder.matching.tracks.end())
+    return missing_figure(gate, patch, line_class, why_no_tracks(gate, folder));
+  for (const TrackCell& cell : of_patch->cells) {
+    if (cell.line_class != line_class || cell.group != image_group(gate.n_images)) continue;
+    Figure figure{patch, kNoMethod, line_class, {}, {}, 0, {}, {}};
+    figure.value = metric_value(cell.counts, gate.metric);
+    figure.n = metric_count(cell.counts, gate.metric);
+    if (!figure.value) figure.why_missing = "there is no such true edge, or no track of one";
+    return figure;
+  }
+  return missing_figure(gate, patch, line_class, "tracks have no class " + line_class);
+}
+
 }  // namespace
 
 std::vector<Figure> figures_of(const Gate& gate,
@@ -197,6 +222,10 @@ std::vector<Figure> figures_of(const Gate& gate,
   std::vector<Figure> result;
   for (const std::string& patch : patches) {
     if (gate.patch.value_or(patch) != patch) continue;
+    if (is_track_metric(gate.metric)) {
+      result.push_back(track_figure(gate, patch, line_class, folder));
+      continue;
+    }
     std::vector<Figure> figures = is_matching_metric(gate.metric)
                                       ? matching_figures(gate, patch, folder)
                                       : accuracy_figures(gate, patch, line_class, folder);

@@ -21,6 +21,7 @@ Metric metric_of(const Gate& gate) {
   std::vector<std::string_view> known;
   for (const Metric& m : accuracy_metrics()) known.push_back(m.name);
   for (const Metric& m : matching_metrics()) known.push_back(m.name);
+  for (const Metric& m : track_metrics()) known.push_back(m.name);
   check(metric.has_value(), "metric: ", gate.metric, "; must be one of ",
         fmt::format("{}", fmt::join(known, ", ")));
   return *metric;
@@ -71,7 +72,7 @@ Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolde
   if (baseline == nullptr) return none;
   Gate same_cell = gate;
   same_cell.patch = figure.patch;
-  same_cell.method = figure.method;
+  if (!is_track_metric(gate.metric)) same_cell.method = figure.method;
   Figure found = figures_of(same_cell, gate.line_class, *baseline).front();
   if (!found.value) found.why_missing = "the baseline has no such figure: " + found.why_missing;
   return found;

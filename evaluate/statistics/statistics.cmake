@@ -16,6 +16,6 @@ set(evaluate_statistics_headers
   statistics/evaluation.h statistics/frame_check.h statistics/image_count.h statistics/interval.h
   statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h
   statistics/reference_errors.h tables/reference_table.h
-  statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
+  statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h statistics/track_counts.h
   tables/accuracy_table.h tables/evaluation_json.h tables/format.h
   tables/result_folder.h tables/summary_json.h tables/table1.h tables/table2.h statistics/standards.h statistics/wireframe.h tables/standards_table.h tables/terminal_table.h tables/tolerance_table.h)

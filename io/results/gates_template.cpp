@@ -75,9 +75,11 @@ std::string list_of(const std::vector<evaluate::Metric>& metrics) {
 }  // namespace
 
 std::string gates_template() {
-  return fmt::format("{}# Metrics of lines:\n{}# Metrics of matches:\n{}{}", kKeys,
-                     list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
-                     kGates);
+  return fmt::format(
+      "{}# Metrics of lines:\n{}# Metrics of matches:\n{}# Metrics of tracks, where the patch file "
+      "names reference_tracks:\n{}{}",
+      kKeys, list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
+      list_of(evaluate::track_metrics()), kGates);
 }
 
 }  // namespace ridgeline::results
