@@ -57,6 +57,25 @@ TEST_F(ThreeImages, AreAllUsed) {
   EXPECT_THAT(gated.out, HasSubstr("of 3 images"));
 }
 
+TEST_F(ThreeImages, HaveTracksThatTheTrueOnesJudge) {
+  const ProgramResult result = run_patch("out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("Tracks, by true edges"));
+  EXPECT_THAT(read(path("out/table1.md")), HasSubstr("sighting precision %"));
+  EXPECT_THAT(read(path("out/table1.tracks.csv")), HasSubstr("\npatch,total,3,"));
+  const auto tracks = read_json(path("out/table1.json"))["tracks"][0];
+  EXPECT_GT(tracks["cells"].size(), 5U);
+  write(path("gates.yaml"),
+        "gates:\n  - {metric: sighting_precision, min: 0.9, n_min: 50}\n"
+        "  - {metric: edge_recall, n_images: 3, class: not_aligned, min: 0.4}\n");
+  const ProgramResult gated = run({"gate", "out", "--gates", "gates.yaml"});
+  EXPECT_EQ(gated.exit_code, 0) << gated.out << gated.err;
+  const ProgramResult info = run({"info", "patch/tracks.csv"});
+  EXPECT_THAT(info.out,
+              AllOf(HasSubstr("table of reference tracks"), HasSubstr("reference_tracks")));
+  EXPECT_THAT(run({"info", "out/patch/tracks.csv"}).out, HasSubstr(": table of tracks"));
+}
+
 TEST_F(ThreeImages, AreComparedWithTwoInSpace) {
   ASSERT_EQ(run_patch("three").exit_code, 0);
   write(path("two.yaml"), "tracks: {all_views: false}\n");
@@ -80,6 +99,19 @@ TEST_F(ThreeImages, GiveTheSameForOneThreadAndWhenResumed) {
   std::filesystem::remove(path("out/patch/lines.joint.geojson"));
   ASSERT_EQ(run_patch("out", {"--resume"}).exit_code, 0);
   EXPECT_EQ(read(path("out/patch/lines.joint.geojson")), first);
+}
+
+TEST_F(ThreeImages, AreMatchedByChioOverAllPairs) {
+  const ProgramResult result = run_patch("out", {"--matcher", "chio", "--methods", "direct"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names_in(path("out/patch")), IsSupersetOf({"chio.csv", "tracks.csv", "pairs"}));
+  std::size_t n_pairs = 0;
+  for (const auto& pair : std::filesystem::directory_iterator(path("out/patch/pairs"))) {
+    EXPECT_THAT(read((pair.path() / "matches.csv").string()), HasSubstr(",chio\n")) << pair.path();
+    ++n_pairs;
+  }
+  EXPECT_GE(n_pairs, 1U);
+  EXPECT_GT(n_lines_with("out/patch/lines.direct.geojson", "\"n_images\":3"), 10U);
 }
 
 TEST_F(ThreeImages, AreTwoForThePapers) {
