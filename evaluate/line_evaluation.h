@@ -62,6 +62,7 @@ struct JudgedLine {
   std::string id;
   Segment3 segment;
   std::string line_class = "all";  ///< aligned | not_aligned | all | the file's own
+  std::string class_base;          ///< by the base pair alone, if the file says so
   std::string building;            ///< cluster of the bootstrap; if empty, shared planes decide
   std::optional<double> epipolar_angle_deg;
   /// Covariance of (start, end), m^2, world axes.
@@ -69,6 +70,7 @@ struct JudgedLine {
   std::optional<ImageEvidence> images;  ///< if empty, the line's own plan view is its footprint
   bool reconstructed = true;            ///< if false, the status is not_reconstructed
   bool confirmed = true;                ///< if false, the status is unconfirmed
+  std::optional<int> n_images;          ///< that support it, by its file
 };
 
 /// A LIDAR plane chosen for a line.
@@ -103,6 +105,11 @@ struct LineEvaluation {
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
   double length_m = 0.0;             ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;
+  std::optional<int> n_images;  ///< that support it, by its file
+  std::string class_base;       ///< by the base pair alone, if the file says so
+  /// Where the line lies, by which the lines of runs on different numbers of views are paired. Local; empty for lines
+  /// that are not in range or whose file states no number of images.
+  std::optional<Segment3> segment;
 
   double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)
   double max_distance_m = 0.0;

@@ -21,6 +21,8 @@ std::size_t n_of(const Evaluation& evaluation, auto holds) {
       evaluation.lines, [&](const LineEvaluation& line) { return holds(line.status); }));
 }
 
+bool is_unconfirmed(Status status) { return status == Status::kUnconfirmed; }
+
 std::size_t n_reconstructed(const Evaluation& evaluation) {
   return n_of(evaluation, [](Status status) { return status != Status::kNotReconstructed; });
 }
@@ -93,6 +95,22 @@ std::optional<double> least_median_m(std::span<const Evaluation> evaluations) {
   return least;
 }
 
+std::vector<std::string> unconfirmed_messages(const std::string& patch,
+                                              std::span<const Evaluation> evaluations) {
+  std::vector<std::string> texts;
+  for (const Evaluation& evaluation : evaluations) {
+    const std::size_t n = n_of(evaluation, is_unconfirmed);
+    if (n == 0) continue;
+    texts.push_back(
+        fmt::format("{} of {} by {}", n, lines(n_reconstructed(evaluation)), evaluation.method));
+  }
+  if (texts.empty()) return {};
+  return {
+      fmt::format("Patch {}: unconfirmed and not judged: {}; further images should show them "
+                  "and do not.",
+                  patch, fmt::join(texts, ", "))};
+}
+
 }  // namespace
 
 bool has_figures(std::span<const Evaluation> evaluations) {
@@ -103,7 +121,8 @@ bool has_figures(std::span<const Evaluation> evaluations) {
 
 std::vector<std::string> judging_messages(const std::string& patch,
                                           std::span<const Evaluation> evaluations) {
-  if (evaluations.empty() || has_figures(evaluations)) return {};
+  if (evaluations.empty()) return {};
+  if (has_figures(evaluations)) return unconfirmed_messages(patch, evaluations);
   const std::string why = none_is_reconstructed(evaluations) ? "no line has a geometry to judge"
                                                              : statuses_text(evaluations);
   return {fmt::format("Patch {}: {}.", patch, why)};
@@ -115,12 +134,14 @@ std::vector<std::string> outcome_messages(const PatchCounts& counts,
   if (!has_figures(evaluations)) {
     return {fmt::format("Patch {}: {}.", counts.patch, why_none_is_judged(counts, evaluations))};
   }
+  std::vector<std::string> messages = unconfirmed_messages(counts.patch, evaluations);
   const std::optional<double> median_m = least_median_m(evaluations);
-  if (!median_m || *median_m <= evaluations.front().options.gross_m) return {};
-  return {fmt::format(
+  if (!median_m || *median_m <= evaluations.front().options.gross_m) return messages;
+  messages.push_back(fmt::format(
       "Patch {}: half of the lines are more than {:.2f} m off the LIDAR; images, cameras and LIDAR "
       "hardly belong together.",
-      counts.patch, *median_m)};
+      counts.patch, *median_m));
+  return messages;
 }
 
 }  // namespace ridgeline::apps

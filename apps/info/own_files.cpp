@@ -121,6 +121,7 @@ bool is_own_file(FileGroup group) {
     case FileGroup::kConfig:
     case FileGroup::kMatches:
     case FileGroup::kReferenceMatches:
+    case FileGroup::kReferenceTracks:
     case FileGroup::kSegments:
     case FileGroup::kEvaluation:
     case FileGroup::kResult:

@@ -3,10 +3,15 @@
 
 #include "io/error.h"
 #include "io/project/matches_file.h"
+#include "io/project/reference_tracks_file.h"
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <string>
 #include <variant>
 
 namespace ridgeline::apps {
@@ -20,6 +25,43 @@ std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceE
   return transformed(edges, [&](const io::ReferenceEdge& edge) -> evaluate::EdgeInBoth {
     return {edge.left, edge.right, edge.is_wrong_pair};
   });
+}
+
+/// The largest epipolar angle over the pairs of runs in different views.
+double largest_angle_rad(const evaluate::TrueEdge& edge, const io::PatchFile& patch) {
+  double largest_rad = 0.0;
+  for (const evaluate::TrueEdge::Run& a : edge.runs) {
+    for (const evaluate::TrueEdge::Run& b : edge.runs) {
+      if (a.view >= b.view) continue;
+      largest_rad =
+          std::max(largest_rad, epipolar_angle_rad({patch.images[a.view].image_from_world,
+                                                    patch.images[b.view].image_from_world},
+                                                   a.segment, b.segment));
+    }
+  }
+  return largest_rad;
+}
+
+/// The edges that two of the first `n_views` images show.
+std::vector<evaluate::TrueEdge> true_edges(const io::PatchFile& patch,
+                                           std::size_t n_views,
+                                           double max_aligned_angle_deg) {
+  std::vector<evaluate::TrueEdge> edges;
+  const std::vector<std::string> images = transformed(patch.images, &io::PatchImage::id);
+  for (const io::ReferenceTrack& track :
+       io::read_reference_tracks(*patch.reference_tracks, images)) {
+    evaluate::TrueEdge edge;
+    for (const io::ReferenceSighting& s : track.sightings) {
+      if (s.view < n_views) edge.runs.push_back({s.view, s.segment});
+    }
+    const bool is_in_two = std::ranges::any_of(edge.runs, [&](const evaluate::TrueEdge::Run& run) {
+      return run.view != edge.runs.front().view;
+    });
+    if (!is_in_two) continue;
+    edge.is_aligned = largest_angle_rad(edge, patch) <= max_aligned_angle_deg * kRadPerDeg;
+    edges.push_back(std::move(edge));
+  }
+  return edges;
 }
 
 void check_id(const std::string& file,
@@ -66,6 +108,17 @@ std::optional<evaluate::MatchingScore> score_patch_matches(
   return evaluate::score_matches(
       in_image(segments[0]), in_image(segments[1]), matches,
       edges_in_both(std::get<std::vector<io::ReferenceEdge>>(reference)));
+}
+
+std::optional<evaluate::TracksScore> score_patch_tracks(
+    const io::PatchFile& patch,
+    std::size_t n_views,
+    std::span<const std::vector<EdgeSegment>> segments,
+    std::span<const Track> tracks,
+    double max_aligned_angle_deg) {
+  if (!patch.reference_tracks) return std::nullopt;
+  return evaluate::score_tracks(transformed(segments, in_image), tracks,
+                                true_edges(patch, n_views, max_aligned_angle_deg));
 }
 
 }  // namespace ridgeline::apps

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/matching/match_scoring.h"
+#include "evaluate/matching/track_scoring.h"
 #include "io/project/patch.h"
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/line_match.h"
@@ -29,5 +30,14 @@ std::optional<evaluate::MatchingScore> score_patch_matches(
     const io::PatchFile& patch,
     const std::array<std::vector<EdgeSegment>, 2>& segments,
     std::span<const LineMatch> matches);
+
+/// What the reference tracks of the patch say of tracks; empty if it has none. The first `n_views` images are those that
+/// the tracks are of; of the others nothing counts. An edge is aligned up to this angle in every pair of its images.
+std::optional<evaluate::TracksScore> score_patch_tracks(
+    const io::PatchFile& patch,
+    std::size_t n_views,
+    std::span<const std::vector<EdgeSegment>> segments,
+    std::span<const Track> tracks,
+    double max_aligned_angle_deg);
 
 }  // namespace ridgeline::apps

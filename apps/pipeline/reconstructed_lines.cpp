@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/reconstructed_lines.h"
 
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -49,6 +53,26 @@ void set_pair(const reconstruct::ReconstructedLine& line, io::Line& out) {
   }
 }
 
+/// The class by the cameras of the base pair, the first two views: of the segments that it shows, else of the line in
+/// space; empty if there is neither.
+std::string class_by_base_pair(const reconstruct::ReconstructedLine& line,
+                               const reconstruct::Scene& scene,
+                               const io::Line& out,
+                               double max_aligned_angle_deg) {
+  const std::array<ProjectionMatrix, 2> cameras{scene.views[0].image_from_local,
+                                                scene.views[1].image_from_local};
+  std::optional<double> angle_rad;
+  if (out.left_px && out.right_px) {
+    angle_rad = epipolar_angle_rad(cameras, *out.left_px, *out.right_px);
+  } else if (line.segment_in_local) {
+    angle_rad = epipolar_angle_rad(cameras, *line.segment_in_local);
+  }
+  if (!angle_rad) return "";
+  return name(*angle_rad / kRadPerDeg <= max_aligned_angle_deg
+                  ? reconstruct::LineClass::kAligned
+                  : reconstruct::LineClass::kNotAligned);
+}
+
 int n_images(const reconstruct::ReconstructedLine& line) {
   std::set<std::size_t> views;
   for (const reconstruct::SeenSegment& seen : line.seen) views.insert(seen.sighting.view);
@@ -60,7 +84,8 @@ int n_images(const reconstruct::ReconstructedLine& line) {
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
                         const reconstruct::Scene& scene,
                         const io::Crs& crs,
-                        reconstruct::Method method) {
+                        reconstruct::Method method,
+                        double max_aligned_angle_deg) {
   io::LineSet set;
   set.crs = crs;
   set.lines.reserve(lines.size());
@@ -76,6 +101,7 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
     out.epipolar_angle_deg = line.epipolar_angle_rad * 180.0 / std::numbers::pi;
     set_pair(line, out);
     if (scene.views.size() > 2) {
+      out.class_base = class_by_base_pair(line, scene, out, max_aligned_angle_deg);
       out.sightings = transformed(line.seen, [&](const reconstruct::SeenSegment& seen) {
         return io::LineSighting{scene.views[seen.sighting.view].id, seen.px};
       });

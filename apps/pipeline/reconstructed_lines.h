@@ -15,6 +15,7 @@ namespace ridgeline::apps {
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
                         const reconstruct::Scene& scene,
                         const io::Crs& crs,
-                        reconstruct::Method method);
+                        reconstruct::Method method,
+                        double max_aligned_angle_deg);
 
 }  // namespace ridgeline::apps

@@ -56,7 +56,8 @@ py::dict lines_of(const io::PatchFile& patch,
         apps::check_pair(patch, scene, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
     io::LineSet set =
-        apps::line_set_of(found.lines, found.scene, patch.crs, options.estimation.lines.method);
+        apps::line_set_of(found.lines, found.scene, patch.crs, options.estimation.lines.method,
+                          options.estimation.lines.max_aligned_angle_deg);
     if (doubt) set.warnings.push_back(*doubt);
     return set;
   }));

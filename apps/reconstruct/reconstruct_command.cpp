@@ -161,7 +161,8 @@ int run_reconstruct(ReconstructArguments a) {
   check_out(a, results::paths_of(input_files(patch)));
   io::require_writable(*io::line_format(a.format));
   const io::LineSet lines = line_set_of(lines_of(patch, frame, a), patch_scene(patch, frame),
-                                        patch.crs, a.options.estimation.lines.method);
+                                        patch.crs, a.options.estimation.lines.method,
+                                        a.options.estimation.lines.max_aligned_angle_deg);
   const std::size_t n_left_out =
       io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
   const auto with_geometry =

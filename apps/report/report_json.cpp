@@ -303,15 +303,18 @@ Json report_json(const ReportInput& input,
   for (std::size_t i = 0; i < input.patches.size(); ++i) {
     patches.push_back(patch_json(input.patches[i], scenes[i]));
   }
+  Json table1 = Json::parse(evaluate::to_json(input.table1));
   const std::string table2 = evaluate::to_json(table2_of(input));
-  return {{"schema", kSchema},
-          {"note", evaluate::kFixedSentence},
-          {"run", run_json(input.run)},
-          {"gates", gates ? Json::parse(evaluate::to_json(*gates)) : Json(nullptr)},
-          {"table1", part_of(evaluate::to_json(input.table1), "rows")},
-          {"table2", part_of(table2, "rows")},
-          {"table2_footnote", part_of(table2, "footnote")},
-          {"patches", std::move(patches)}};
+  Json json{{"schema", kSchema},
+            {"note", evaluate::kFixedSentence},
+            {"run", run_json(input.run)},
+            {"gates", gates ? Json::parse(evaluate::to_json(*gates)) : Json(nullptr)},
+            {"table1", std::move(table1["rows"])},
+            {"table2", part_of(table2, "rows")},
+            {"table2_footnote", part_of(table2, "footnote")},
+            {"patches", std::move(patches)}};
+  if (table1.contains("tracks")) json["table1_tracks"] = std::move(table1["tracks"]);
+  return json;
 }
 
 }  // namespace ridgeline::apps

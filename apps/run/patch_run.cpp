@@ -66,6 +66,7 @@ class PatchRun {
     match();
     keep_surface();
     result_.matching = stages_.score_matches();
+    if (patch_.reference_tracks) result_.tracks = stages_.score_tracks();
     for (const Method method : options_.methods) reconstruct(method);
     evaluate();
     result_.messages = outcome_messages(stages_.counts(), result_.evaluations);

@@ -41,6 +41,7 @@ struct RunOptions {
 /// Matching and evaluation of one patch; its files are written.
 struct PatchResult {
   std::vector<evaluate::Table1Row> matching;      ///< the rows of score_matches()
+  std::optional<evaluate::PatchTracks> tracks;    ///< score_tracks()
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method
   std::vector<results::TruthRows> truth;
   std::vector<std::string> messages;  ///< outcome_messages()

@@ -265,7 +265,7 @@ void PatchStages::reconstruct(reconstruct::Method method) {
   read_views(segment_files());
   const io::LineSet lines =
       line_set_of(reconstruct::estimate(scene_, of_file, used_pairs(pairs(), surfaces()), options),
-                  scene_, patch_.crs, method);
+                  scene_, patch_.crs, method, options.estimation.lines.max_aligned_angle_deg);
   io::write_lines(path(line_file(method)), lines, io::LineFormat::kGeoJson);
   for (const io::LineFormatInfo& info : more_line_formats()) {
     const std::string file = line_file(method, info.extension);
@@ -296,6 +296,17 @@ std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
                    verdicts_csv(matches, *score));
   }
   return rows;
+}
+
+std::optional<evaluate::PatchTracks> PatchStages::score_tracks() const {
+  const reconstruct::Options& options = options_.parameters.method;
+  const std::vector<std::vector<EdgeSegment>> segments = transformed(
+      segment_files(), [&](const std::string& file) { return io::read_segments(path(file)); });
+  auto score =
+      score_patch_tracks(patch_, options.matching.tracks.all_views ? segments.size() : 2, segments,
+                         tracks(), options.estimation.lines.max_aligned_angle_deg);
+  if (!score) return std::nullopt;
+  return evaluate::PatchTracks{patch_.id, std::move(score->cells), score->n_unjudged};
 }
 
 }  // namespace ridgeline::apps

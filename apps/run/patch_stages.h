@@ -49,6 +49,8 @@ class PatchStages {
   /// The rows of Table 1: one per matcher and, with two matchers, one for the combined matches. There are none without
   /// reference matches. Writes the verdict on each match to verdicts.csv, and to one more file per matcher if there are two.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
+  /// What the reference tracks say of the tracks; empty if the patch has none.
+  [[nodiscard]] std::optional<evaluate::PatchTracks> score_tracks() const;
 
  private:
   [[nodiscard]] std::vector<std::string> segment_files() const;

@@ -75,6 +75,19 @@ void write_table1(const evaluate::Table1& table, const results::OutputFolder& ou
   out.write("table1.md", evaluate::to_markdown(table));
   out.write("table1.csv", evaluate::to_csv(table));
   out.write("table1.json", evaluate::to_json(table));
+  if (table.tracks.empty()) {
+    out.remove("table1.tracks.csv");
+  } else {
+    out.write("table1.tracks.csv", evaluate::to_tracks_csv(table));
+  }
+}
+
+/// The number of images of each patch that lines are reconstructed from.
+nlohmann::ordered_json n_views_by_patch(const std::vector<CheckedPatch>& patches, bool all_views) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const CheckedPatch& patch : patches)
+    json[patch.file.id] = all_views ? patch.file.images.size() : std::size_t{2};
+  return json;
 }
 
 void warn_of_images(const std::vector<CheckedPatch>& patches, bool all_views) {
@@ -104,7 +117,8 @@ void run_patches(const std::string& command,
   warn_of_images(patches, options.parameters.method.matching.tracks.all_views);
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
-  for (const char* name : {"table1.md", "table1.csv", "table1.json"}) (void)out.path(name);
+  for (const char* name : {"table1.md", "table1.csv", "table1.json", "table1.tracks.csv"})
+    (void)out.path(name);
   for (const std::string& name : results::result_names({})) (void)out.path(name);
   for (const CheckedPatch& patch : patches) check_run(patch, options, out);
   for (const results::InputFile& input : inputs) record.add_input(input);
@@ -119,6 +133,7 @@ void run_patches(const std::string& command,
   for (const CheckedPatch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
     for (auto& row : result.matching) table1.rows.push_back(std::move(row));
+    if (result.tracks) table1.tracks.push_back(std::move(*result.tracks));
     for (auto& evaluation : result.evaluations) evaluations.push_back(std::move(evaluation));
     for (auto& rows : result.truth) truth.push_back(std::move(rows));
     messages.insert(messages.end(), result.messages.begin(), result.messages.end());
@@ -132,7 +147,7 @@ void run_patches(const std::string& command,
   write_table1(table1, out);
   const bool adjusts_to_faces = options.parameters.method.estimation.beyond.adjusts_to_faces();
   results::write_tables(evaluations, truth, out, adjusts_to_faces);
-  if (!table1.rows.empty()) say("{}\n", evaluate::to_terminal(table1));
+  if (!table1.rows.empty() || !table1.tracks.empty()) say("{}\n", evaluate::to_terminal(table1));
   if (has_figures(evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations, adjusts_to_faces)));
   }
@@ -140,6 +155,8 @@ void run_patches(const std::string& command,
   record.end_stage("write");
   record.set("messages", messages);
   record.set("page", to_json(options.page));
+  record.set("n_views",
+             n_views_by_patch(patches, options.parameters.method.matching.tracks.all_views));
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());

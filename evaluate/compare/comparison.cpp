@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/comparison.h"
 
+#include "evaluate/compare/pair_in_space.h"
 #include "evaluate/compare/wilcoxon.h"
 #include "evaluate/statistics/distribution.h"
 #include "reconstruct/geometry/check.h"
@@ -46,6 +47,47 @@ Pairs pair_lines(const Evaluation& a, const LineById& b_by_id) {
     pairs.clusters.push_back(labels[i]);
   }
   return pairs;
+}
+
+/// The lines that are evaluated and whose place is known, and where they are.
+struct PlacedLines {
+  std::vector<std::size_t> members;
+  std::vector<Segment3> segments;
+};
+
+PlacedLines placed_lines(const Evaluation& e, const Eigen::Vector3d& origin_m) {
+  PlacedLines placed;
+  const Eigen::Vector3d shift_m = e.origin_m - origin_m;
+  for (std::size_t i = 0; i < e.lines.size(); ++i) {
+    const LineEvaluation& line = e.lines[i];
+    if (line.status != Status::kEvaluated || !line.segment) continue;
+    placed.members.push_back(i);
+    placed.segments.push_back({line.segment->start + shift_m, line.segment->end + shift_m});
+  }
+  return placed;
+}
+
+Pairs pair_lines_in_space(const Evaluation& a, const Evaluation& b) {
+  const std::vector<std::size_t> labels = cluster_labels(a.lines);
+  const PlacedLines of_a = placed_lines(a, a.origin_m);
+  const PlacedLines of_b = placed_lines(b, a.origin_m);
+  Pairs pairs;
+  for (const auto& pair : pair_in_space(of_a.segments, of_b.segments)) {
+    const std::size_t i = of_a.members[pair.first];
+    const LineEvaluation& line = a.lines[i];
+    pairs.lines.push_back({line.id, line.line_class, line.mean_distance_m,
+                           b.lines[of_b.members[pair.second]].mean_distance_m});
+    pairs.clusters.push_back(labels[i]);
+  }
+  return pairs;
+}
+
+/// The evaluation with the class by the base pair as that of each line that has one.
+Evaluation with_base_classes(Evaluation e) {
+  for (LineEvaluation& line : e.lines) {
+    if (!line.class_base.empty()) line.line_class = line.class_base;
+  }
+  return with_summaries(std::move(e));
 }
 
 Pairs of_class(const Pairs& pairs, std::string_view line_class) {
@@ -204,6 +246,35 @@ bool may_adjust_to_faces(const ResultFolder& folder) {
   return folder.joint_adjusts_to_faces.value_or(true);
 }
 
+std::optional<std::size_t> n_views_of(const ResultFolder& folder, const std::string& patch) {
+  const auto found = folder.n_views.find(patch);
+  return found == folder.n_views.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The comparison of the paired lines, of the n_a and n_b lines that were evaluated.
+Comparison comparison_of(const Evaluation& a,
+                         const Evaluation& b,
+                         const Pairs& pairs,
+                         std::string name_a,
+                         std::string name_b) {
+  const auto n_evaluated = [](const Evaluation& e) {
+    return static_cast<std::size_t>(
+        std::ranges::count(e.lines, Status::kEvaluated, &LineEvaluation::status));
+  };
+  Comparison result;
+  result.patch = a.patch;
+  result.name_a = std::move(name_a);
+  result.name_b = std::move(name_b);
+  result.n_common = pairs.lines.size();
+  result.n_only_a = n_evaluated(a) - pairs.lines.size();
+  result.n_only_b = n_evaluated(b) - pairs.lines.size();
+  result.classes = summarize_pair_classes(pairs, a.options.bootstrap);
+  result.worst = worst_lines(pairs.lines);
+  result.own_a = a.classes;
+  result.own_b = b.classes;
+  return result;
+}
+
 void compare_with_first(const ResultFolder& first,
                         const ResultFolder& other,
                         ComparisonReport& report) {
@@ -218,8 +289,18 @@ void compare_with_first(const ResultFolder& first,
                                 a.method + " of " + first.name);
       continue;
     }
-    report.comparisons.push_back(compare(a, *b, first.name + " " + a.method,
-                                         other.name + " " + b->method,
+    std::string name_a = first.name + " " + a.method;
+    std::string name_b = other.name + " " + b->method;
+    const std::optional<std::size_t> n_views_a = n_views_of(first, a.patch);
+    const std::optional<std::size_t> n_views_b = n_views_of(other, a.patch);
+    if (n_views_a && n_views_b && *n_views_a != *n_views_b) {
+      Comparison& c = report.comparisons.emplace_back(
+          compare_in_space(a, *b, std::move(name_a), std::move(name_b)));
+      c.n_views_a = n_views_a;
+      c.n_views_b = n_views_b;
+      continue;
+    }
+    report.comparisons.push_back(compare(a, *b, std::move(name_a), std::move(name_b),
                                          may_adjust_to_faces(first) || may_adjust_to_faces(other)));
   }
 }
@@ -233,22 +314,22 @@ Comparison compare(const Evaluation& a,
                    bool joint_adjusts_to_faces) {
   const LineById a_by_id = evaluated_by_id(a);
   const LineById b_by_id = evaluated_by_id(b);
-  const Pairs pairs = pair_lines(a, b_by_id);
-  Comparison result;
-  result.patch = a.patch;
-  result.name_a = std::move(name_a);
-  result.name_b = std::move(name_b);
-  result.n_common = pairs.lines.size();
-  result.n_only_a = a_by_id.size() - pairs.lines.size();
-  result.n_only_b = b_by_id.size() - pairs.lines.size();
-  result.classes = summarize_pair_classes(pairs, a.options.bootstrap);
-  result.worst = worst_lines(pairs.lines);
-  result.own_a = a.classes;
-  result.own_b = b.classes;
+  Comparison result =
+      comparison_of(a, b, pair_lines(a, b_by_id), std::move(name_a), std::move(name_b));
   if (!joint_adjusts_to_faces && is_direct_and_joint(a.method, b.method)) {
     result.n_not_aligned_differing = count_differing(a_by_id, b_by_id);
   }
   return result;
+}
+
+Comparison compare_in_space(const Evaluation& a,
+                            const Evaluation& b,
+                            std::string name_a,
+                            std::string name_b) {
+  const Evaluation base_a = with_base_classes(a);
+  const Evaluation base_b = with_base_classes(b);
+  return comparison_of(base_a, base_b, pair_lines_in_space(base_a, base_b), std::move(name_a),
+                       std::move(name_b));
 }
 
 ComparisonReport compare_folders(std::span<const ResultFolder> folders) {

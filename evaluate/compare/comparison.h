@@ -34,10 +34,12 @@ struct PairedSummary {
   std::optional<double> wilcoxon_p;                       ///< of a_m - b_m
 };
 
-/// Two judgements of the same lines, paired by line id.
+/// Two judgements of the same lines, paired by line id, or in space.
 struct Comparison {
   std::string patch;
   std::string name_a, name_b;
+  /// The number of views that each side used, if it differs: the lines are then paired in space.
+  std::optional<std::size_t> n_views_a, n_views_b;
   std::size_t n_common = 0;                ///< evaluated in both
   std::size_t n_only_a = 0, n_only_b = 0;  ///< evaluated in one; they count in coverage alone
   std::vector<PairedSummary> classes;      ///< not_aligned, aligned, total; or total alone
@@ -56,6 +58,13 @@ Comparison compare(const Evaluation& a,
                    std::string name_b,
                    bool joint_adjusts_to_faces = false);
 
+/// Compares B with A if they reconstructed one patch from different numbers of views. Their lines are other lines with
+/// other ids, so they are paired where they lie, see pair_in_space(), and every class is that of the base pair.
+Comparison compare_in_space(const Evaluation& a,
+                            const Evaluation& b,
+                            std::string name_a,
+                            std::string name_b);
+
 struct ComparisonReport {
   std::vector<Comparison> comparisons;
   std::vector<std::string> warnings;  ///< evaluations without counterpart, different inputs
@@ -63,7 +72,7 @@ struct ComparisonReport {
 
 /// Compares each folder with the first one. Evaluations of the same patch and method are paired. If
 /// both folders have exactly one evaluation of a patch, the two are paired whatever their methods are
-/// called.
+/// called. Where the folders recorded different numbers of views of a patch, compare_in_space() compares them.
 /// Throws std::invalid_argument for fewer than two folders or if nothing can be paired.
 ComparisonReport compare_folders(std::span<const ResultFolder> folders);
 

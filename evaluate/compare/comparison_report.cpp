@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/comparison.h"
+#include "evaluate/compare/pair_in_space.h"
 #include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/summary_json.h"
@@ -55,6 +56,14 @@ std::string heading(const Comparison& c, Markup markup) {
 
 std::string comparison_text(const Comparison& c, Markup markup) {
   std::string text = heading(c, markup);
+  if (c.n_views_a && c.n_views_b) {
+    text += fmt::format(
+        "A used {} images, B {}, so their lines have ids of their own. They are paired in space: "
+        "at "
+        "most {} m and {} degrees apart, side by side over half of the shorter one. Classes are by "
+        "the base pair.\n\n",
+        *c.n_views_a, *c.n_views_b, kMaxPairDistance_m, kMaxPairAngle_deg);
+  }
   text += fmt::format("Lines evaluated in both {}, only in A {}, only in B {}. Metres.\n\n",
                       c.n_common, c.n_only_a, c.n_only_b);
   text += captioned("On the common lines:", common_table(c), markup);
@@ -119,6 +128,8 @@ Json comparison_json(const Comparison& c) {
   return {{"patch", c.patch},
           {"a", c.name_a},
           {"b", c.name_b},
+          {"n_views_a", c.n_views_a ? Json(*c.n_views_a) : Json(nullptr)},
+          {"n_views_b", c.n_views_b ? Json(*c.n_views_b) : Json(nullptr)},
           {"n_common", c.n_common},
           {"n_only_a", c.n_only_a},
           {"n_only_b", c.n_only_b},

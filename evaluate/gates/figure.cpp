@@ -2,12 +2,14 @@
 #include "evaluate/gates/figure.h"
 
 #include "evaluate/gates/metric.h"
+#include "evaluate/statistics/image_count.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -25,6 +27,7 @@ std::vector<std::string> patches_of(const ResultFolder& folder) {
   };
   for (const Evaluation& e : folder.evaluations) add(e.patch);
   for (const Table1Row& row : folder.matching.rows) add(row.patch);
+  for (const PatchTracks& tracks : folder.matching.tracks) add(tracks.patch);
   return patches;
 }
 
@@ -68,11 +71,21 @@ std::string why_no_value(const Summary& cell, const std::string& metric) {
   return fmt::format("n = {} lines have no {}", cell.n_evaluated, metric);
 }
 
-Figure accuracy_figure(const Evaluation& e,
-                       const std::string& line_class,
-                       const std::string& metric) {
+/// The classes of the lines of one number of images.
+std::vector<Summary> classes_of_images(const Evaluation& e, int n_images) {
+  std::vector<LineEvaluation> lines;
+  std::ranges::copy_if(e.lines, std::back_inserter(lines), [&](const LineEvaluation& line) {
+    return image_group(line.n_images) == image_group(n_images);
+  });
+  return summarize_classes(lines, e.options);
+}
+
+Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
+  const std::string& metric = gate.metric;
   Figure figure{e.patch, e.method, line_class, {}, {}, 0, {}, {}};
-  const Summary* cell = find_class(e.classes, line_class);
+  const std::vector<Summary> of_images =
+      gate.n_images ? classes_of_images(e, *gate.n_images) : std::vector<Summary>();
+  const Summary* cell = find_class(gate.n_images ? of_images : e.classes, line_class);
   if (cell == nullptr) {
     figure.why_missing = why_no_class(e, line_class);
     return figure;
@@ -81,7 +94,12 @@ Figure accuracy_figure(const Evaluation& e,
   figure.ci95 = metric_interval(*cell, metric);
   figure.n = metric_count(*cell, metric);
   figure.evaluated_share = cell->evaluated_share();
-  if (!figure.value) figure.why_missing = why_no_value(*cell, metric);
+  if (figure.value) return figure;
+  figure.why_missing = why_no_value(*cell, metric);
+  if (gate.n_images) {
+    figure.why_missing +=
+        fmt::format(" that {} images show", image_group_name(*image_group(gate.n_images)));
+  }
   return figure;
 }
 
@@ -112,7 +130,7 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
   std::vector<Figure> figures;
   for (const Evaluation* e : of_patch) {
     if (gate.method.value_or(e->method) != e->method) continue;
-    figures.push_back(accuracy_figure(*e, line_class, gate.metric));
+    figures.push_back(accuracy_figure(*e, line_class, gate));
   }
   if (figures.empty()) {
     figures.push_back(missing_figure(gate, patch, line_class,
@@ -171,6 +189,30 @@ std::vector<Figure> matching_figures(const Gate& gate,
   return figures;
 }
 
+std::string why_no_tracks(const Gate& gate, const ResultFolder& folder) {
+  if (gate.method) return gate.metric + " is of all tracks of a run, so method must be left out";
+  if (folder.is_of_line_files) return gate.metric + " is a figure of tracks; run has it";
+  return "the tracks were not judged; that needs reference_tracks in the patch file";
+}
+
+Figure track_figure(const Gate& gate,
+                    const std::string& patch,
+                    const std::string& line_class,
+                    const ResultFolder& folder) {
+  const auto of_patch = std::ranges::find(folder.matching.tracks, patch, &PatchTracks::patch);
+  if (gate.method || of_patch == folder.matching.tracks.end())
+    return missing_figure(gate, patch, line_class, why_no_tracks(gate, folder));
+  for (const TrackCell& cell : of_patch->cells) {
+    if (cell.line_class != line_class || cell.group != image_group(gate.n_images)) continue;
+    Figure figure{patch, kNoMethod, line_class, {}, {}, 0, {}, {}};
+    figure.value = metric_value(cell.counts, gate.metric);
+    figure.n = metric_count(cell.counts, gate.metric);
+    if (!figure.value) figure.why_missing = "there is no such true edge, or no track of one";
+    return figure;
+  }
+  return missing_figure(gate, patch, line_class, "tracks have no class " + line_class);
+}
+
 }  // namespace
 
 std::vector<Figure> figures_of(const Gate& gate,
@@ -180,6 +222,10 @@ std::vector<Figure> figures_of(const Gate& gate,
   std::vector<Figure> result;
   for (const std::string& patch : patches) {
     if (gate.patch.value_or(patch) != patch) continue;
+    if (is_track_metric(gate.metric)) {
+      result.push_back(track_figure(gate, patch, line_class, folder));
+      continue;
+    }
     std::vector<Figure> figures = is_matching_metric(gate.metric)
                                       ? matching_figures(gate, patch, folder)
                                       : accuracy_figures(gate, patch, line_class, folder);

@@ -4,6 +4,7 @@
 #include "evaluate/gates/figure.h"
 #include "evaluate/gates/gate_warnings.h"
 #include "evaluate/gates/metric.h"
+#include "evaluate/statistics/image_count.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ Metric metric_of(const Gate& gate) {
   std::vector<std::string_view> known;
   for (const Metric& m : accuracy_metrics()) known.push_back(m.name);
   for (const Metric& m : matching_metrics()) known.push_back(m.name);
+  for (const Metric& m : track_metrics()) known.push_back(m.name);
   check(metric.has_value(), "metric: ", gate.metric, "; must be one of ",
         fmt::format("{}", fmt::join(known, ", ")));
   return *metric;
@@ -70,7 +72,7 @@ Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolde
   if (baseline == nullptr) return none;
   Gate same_cell = gate;
   same_cell.patch = figure.patch;
-  same_cell.method = figure.method;
+  if (!is_track_metric(gate.metric)) same_cell.method = figure.method;
   Figure found = figures_of(same_cell, gate.line_class, *baseline).front();
   if (!found.value) found.why_missing = "the baseline has no such figure: " + found.why_missing;
   return found;
@@ -79,13 +81,17 @@ Figure baseline_figure(const Gate& gate, const Figure& figure, const ResultFolde
 /// A result without a verdict, with what is known of the figure. `rule` is what is asked of it, "<= 0.3".
 GateResult begin_result(const Gate& gate, const Figure& figure, const std::string& rule) {
   GateResult result;
-  result.rule = fmt::format("{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
-                            gate.metric, rule);
+  const std::string of_images =
+      gate.n_images ? fmt::format(" of {} images", image_group_name(*image_group(gate.n_images)))
+                    : "";
+  result.rule = fmt::format("{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
+                            gate.metric, of_images, rule);
   if (gate.n_min) result.rule += fmt::format(" (n >= {})", *gate.n_min);
   result.patch = figure.patch;
   result.method = figure.method;
   result.line_class = figure.line_class;
   result.metric = gate.metric;
+  result.n_images = gate.n_images;
   result.value = figure.value;
   result.ci95 = figure.ci95;
   result.n = figure.n;
@@ -193,6 +199,11 @@ void validate(const Gate& gate) {
   const bool of_matching = is_matching_metric(gate.metric);
   check(!of_matching || gate.line_class == kTotal, "class: ", gate.line_class, "; ", gate.metric,
         " is a figure of matching, which has no classes, so class must be left out");
+  check(!gate.n_images || !of_matching, "n_images: ", gate.n_images.value_or(0), "; ", gate.metric,
+        " is a figure of the matches of two images, so n_images must be left out");
+  check(!gate.n_images || (*gate.n_images >= kFewestImages && *gate.n_images <= kMostImages),
+        "n_images: ", gate.n_images.value_or(0), "; must be ", kFewestImages, " to ", kMostImages,
+        ", which is ", kMostImages, " and more");
   check(!gate.max_ratio_to_class || !of_matching, "max_ratio_to: ", gate.metric,
         " is a figure of matching, which has no classes to relate to each other");
   check(!gate.max_ratio_to_class || !metric.is_signed, "max_ratio_to: ", gate.metric,

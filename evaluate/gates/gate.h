@@ -23,6 +23,7 @@ struct Gate {
   std::optional<std::string> patch;   ///< if empty, every patch
   std::optional<std::string> method;  ///< or matcher; if empty, see figures_of()
   std::string line_class = "total";
+  std::optional<int> n_images;   ///< only lines of so many images, 5 being five and more
   std::string metric = "rms_m";  ///< of accuracy_metrics() or matching_metrics()
 
   std::optional<double> max;
@@ -51,6 +52,7 @@ const char* name(Verdict verdict);  ///< passed | failed | insufficient | missin
 struct GateResult {
   std::string rule;  ///< "aligned rms_m <= 0.3 (n >= 20)"
   std::string patch, method, line_class, metric;
+  std::optional<int> n_images;  ///< see Gate
   std::optional<double> value, limit, baseline;
   std::optional<Interval> ci95;  ///< only printed; the point estimate is compared
   std::size_t n = 0;

@@ -81,6 +81,23 @@ constexpr std::array kMatchingMetrics{
                    &MatchQuality::quality_ci95,
                    [](const MatchCounts& c) { return c.n_correct + c.n_false + c.n_missed; }}};
 
+struct TrackMetric {
+  Metric metric;
+  std::optional<double> (*figure)(const TrackCounts&);
+  std::size_t (*count)(const TrackCounts&);
+};
+
+constexpr std::array kTrackMetrics{
+    TrackMetric{{"edge_recall", "true edges that a track shows / all in two images", kAsShare},
+                [](const TrackCounts& c) { return c.edge_recall(); },
+                [](const TrackCounts& c) { return c.n_edges; }},
+    TrackMetric{{"sighting_recall", "their images in such tracks / all that show them", kAsShare},
+                [](const TrackCounts& c) { return c.sighting_recall(); },
+                [](const TrackCounts& c) { return c.n_shown; }},
+    TrackMetric{{"sighting_precision", "right sightings / (right + wrong)", kAsShare},
+                [](const TrackCounts& c) { return c.sighting_precision(); },
+                [](const TrackCounts& c) { return c.n_right + c.n_wrong; }}};
+
 template <typename Entries>
 std::vector<Metric> metrics_of(const Entries& entries) {
   return transformed(entries, [&](const auto& entry) { return entry.metric; });
@@ -109,11 +126,16 @@ const auto& entry_of(const Entries& entries, std::string_view name) {
 std::vector<Metric> accuracy_metrics() { return metrics_of(kAccuracyMetrics); }
 std::vector<Metric> matching_metrics() { return metrics_of(kMatchingMetrics); }
 
+std::vector<Metric> track_metrics() { return metrics_of(kTrackMetrics); }
+
 std::optional<Metric> find_metric(std::string_view name) {
   if (const auto* entry = find_entry(kAccuracyMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kMatchingMetrics, name)) return entry->metric;
+  if (const auto* entry = find_entry(kTrackMetrics, name)) return entry->metric;
   return std::nullopt;
 }
+
+bool is_track_metric(std::string_view name) { return find_entry(kTrackMetrics, name) != nullptr; }
 
 bool is_matching_metric(std::string_view name) {
   return find_entry(kMatchingMetrics, name) != nullptr;
@@ -125,6 +147,14 @@ std::optional<double> metric_value(const Summary& summary, std::string_view metr
 
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric) {
   return match_quality(counts).*(entry_of(kMatchingMetrics, metric).figure);
+}
+
+std::optional<double> metric_value(const TrackCounts& counts, std::string_view metric) {
+  return entry_of(kTrackMetrics, metric).figure(counts);
+}
+
+std::size_t metric_count(const TrackCounts& counts, std::string_view metric) {
+  return entry_of(kTrackMetrics, metric).count(counts);
 }
 
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric) {

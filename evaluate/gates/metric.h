@@ -27,9 +27,13 @@ std::vector<Metric> accuracy_metrics();
 /// Figures of Table 1: correctness, completeness, quality.
 std::vector<Metric> matching_metrics();
 
-/// A metric of either kind by its name; empty if there is none.
+/// Figures of tracks: edge_recall, sighting_recall, sighting_precision.
+std::vector<Metric> track_metrics();
+
+/// A metric of any kind by its name; empty if there is none.
 std::optional<Metric> find_metric(std::string_view name);
 bool is_matching_metric(std::string_view name);
+bool is_track_metric(std::string_view name);
 
 /// The figure of a class by the name of its metric; empty if the class does not have it.
 /// Throws std::invalid_argument for a name that is not in accuracy_metrics().
@@ -38,6 +42,10 @@ std::optional<double> metric_value(const Summary& summary, std::string_view metr
 /// The figure of matching by the name of its metric; empty if its denominator is 0.
 /// Throws std::invalid_argument for a name that is not in matching_metrics().
 std::optional<double> metric_value(const MatchCounts& counts, std::string_view metric);
+
+/// The figure of tracks by the name of its metric, and the number that it rests on: its denominator. Throw as above.
+std::optional<double> metric_value(const TrackCounts& counts, std::string_view metric);
+std::size_t metric_count(const TrackCounts& counts, std::string_view metric);
 
 /// The 95 % interval of a figure; empty if the figure has none. Throws as metric_value() does.
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric);

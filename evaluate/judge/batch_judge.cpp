@@ -60,6 +60,9 @@ JudgedResult duplicate(const JudgedLine& line) {
   result.evaluation.line_class = line.line_class;
   result.evaluation.building = line.building;
   result.evaluation.epipolar_angle_deg = line.epipolar_angle_deg;
+  result.evaluation.n_images = line.n_images;
+  result.evaluation.class_base = line.class_base;
+  if (line.n_images && in_range(line.segment)) result.evaluation.segment = line.segment;
   result.evaluation.status = Status::kDuplicateId;
   result.evaluation.reason = "an earlier line has the same id";
   if (in_range(line.segment)) result.evaluation.length_m = length(line.segment);

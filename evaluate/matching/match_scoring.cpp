@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/matching/match_scoring.h"
 
+#include "evaluate/matching/on_edge.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,68 +12,6 @@
 
 namespace ridgeline::evaluate {
 namespace {
-
-/// Share of max_distance_px up to which a segment certainly shows the edge. Shadows and gutters run
-/// along edges a few pixels away.
-constexpr double kCertain = 0.5;
-
-/// Stretch of an edge that a segment runs beside, as parameters of the edge, ascending.
-struct Beside {
-  int edge = 0;
-  double from = 0.0, to = 0.0;
-  double distance_px = 0.0;  ///< the larger one of both ends
-};
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-bool boxes_apart(const Segment2& a, const Segment2& b, double margin) {
-  const auto apart = [&](double a0, double a1, double b0, double b1) {
-    return std::max(a0, a1) + margin < std::min(b0, b1) ||
-           std::max(b0, b1) + margin < std::min(a0, a1);
-  };
-  return apart(a.start.x(), a.end.x(), b.start.x(), b.end.x()) ||
-         apart(a.start.y(), a.end.y(), b.start.y(), b.end.y());
-}
-
-/// The stretch of the edge that the segment lies on; nothing unless it lies on the edge, see score_matches().
-std::optional<Beside> lies_on(const Segment2& segment,
-                              const Segment2& edge,
-                              const MatchScoringOptions& options) {
-  if (boxes_apart(segment, edge, options.max_distance_px)) return std::nullopt;
-  const Eigen::Vector2d along = edge.end - edge.start;
-  const double edge_length = along.norm();
-  if (!(edge_length > 0.0) || !(length(segment) > 0.0)) return std::nullopt;
-  const Eigen::Vector2d direction = segment.end - segment.start;
-  if (acute_angle_rad(direction, along) > options.max_angle_deg * M_PI / 180.0) {
-    return std::nullopt;
-  }
-  const auto parameter = [&](const Eigen::Vector2d& x) {
-    return along.dot(x - edge.start) / (edge_length * edge_length);
-  };
-  const double t_start = parameter(segment.start);
-  const double t_end = parameter(segment.end);
-  const double from = std::max(0.0, std::min(t_start, t_end));
-  const double to = std::min(1.0, std::max(t_start, t_end));
-  const double shorter = std::min(1.0, std::abs(t_end - t_start));
-  if (to - from < options.min_overlap * shorter) return std::nullopt;
-  double distance_px = 0.0;
-  for (const double t : {from, to}) {
-    const double share = (t - t_start) / (t_end - t_start);
-    const Eigen::Vector2d x = segment.start + share * direction;
-    distance_px = std::max(distance_px, std::abs(cross(along, x - edge.start)) / edge_length);
-  }
-  if (distance_px > options.max_distance_px) return std::nullopt;
-  return Beside{0, from, to, distance_px};
-}
-
-/// Whether the segment lies on the edge when this is extended by its own length at both ends. The
-/// reference cannot tell what is visible there.
-bool continues(const Segment2& segment, const Segment2& edge, const MatchScoringOptions& options) {
-  const Eigen::Vector2d along = edge.end - edge.start;
-  return lies_on(segment, {edge.start - along, edge.end + along}, options).has_value();
-}
 
 /// Whether a segment continues, in the image `own`, an edge that its mate lies on.
 bool mate_edge_continues(const Segment2& segment,
@@ -101,9 +41,6 @@ std::vector<std::vector<Beside>> edges_of(std::span<const Segment2> segments,
   return found;
 }
 
-bool is_certain(const Beside& beside, const MatchScoringOptions& options) {
-  return beside.distance_px <= kCertain * options.max_distance_px;
-}
 bool any_certain(const std::vector<Beside>& besides, const MatchScoringOptions& options) {
   return std::any_of(besides.begin(), besides.end(),
                      [&](const Beside& beside) { return is_certain(beside, options); });

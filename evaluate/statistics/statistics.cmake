@@ -1,5 +1,5 @@
 set(evaluate_statistics_sources
-  compare/comparison.cpp compare/comparison_report.cpp compare/matcher_table.cpp compare/wilcoxon.cpp
+  compare/comparison.cpp compare/comparison_report.cpp compare/matcher_table.cpp compare/pair_in_space.cpp compare/wilcoxon.cpp
   gates/figure.cpp gates/gate.cpp gates/gate_report.cpp gates/gate_warnings.cpp gates/metric.cpp
   statistics/accuracy.cpp statistics/bootstrap.cpp statistics/calibration.cpp
   statistics/distribution.cpp statistics/evaluation.cpp statistics/frame_check.cpp
@@ -10,12 +10,12 @@ set(evaluate_statistics_sources
   tables/format.cpp tables/line_csv.cpp tables/summary_json.cpp tables/table1.cpp tables/table2.cpp
   statistics/standards.cpp statistics/wireframe.cpp tables/standards_table.cpp tables/terminal_table.cpp tables/text_table.cpp tables/tolerance_table.cpp)
 set(evaluate_statistics_headers
-  compare/comparison.h compare/matcher_table.h compare/wilcoxon.h
+  compare/comparison.h compare/matcher_table.h compare/pair_in_space.h compare/wilcoxon.h
   gates/figure.h gates/gate.h gates/gate_report.h gates/gate_warnings.h gates/metric.h
   statistics/accuracy.h statistics/bootstrap.h statistics/calibration.h statistics/distribution.h
-  statistics/evaluation.h statistics/frame_check.h statistics/interval.h
+  statistics/evaluation.h statistics/frame_check.h statistics/image_count.h statistics/interval.h
   statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h
   statistics/reference_errors.h tables/reference_table.h
-  statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h
+  statistics/segment_tree.h statistics/strata.h statistics/summary.h statistics/tolerance_measures.h statistics/track_counts.h
   tables/accuracy_table.h tables/evaluation_json.h tables/format.h
   tables/result_folder.h tables/summary_json.h tables/table1.h tables/table2.h statistics/standards.h statistics/wireframe.h tables/standards_table.h tables/terminal_table.h tables/tolerance_table.h)

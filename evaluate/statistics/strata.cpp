@@ -2,6 +2,7 @@
 #include "evaluate/statistics/strata.h"
 
 #include "evaluate/statistics/distribution.h"
+#include "evaluate/statistics/image_count.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -86,15 +87,28 @@ Property by_sigma(const Evaluation& evaluation) {
   return property;
 }
 
+Property by_images() {
+  std::vector<std::string> labels;
+  for (std::size_t group = 0; group < kNumImageGroups; ++group)
+    labels.push_back(image_group_name(group));
+  return {"n_images", labels,
+          [](const LineEvaluation& line) { return image_group(line.n_images); }};
+}
+
+bool is_of_many_images(const LineEvaluation& line) { return line.n_images.value_or(0) > 2; }
+
 std::vector<Property> properties(const Evaluation& evaluation) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {by_number("epipolar_angle_deg", {0.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0},
-                    [](const LineEvaluation& line) { return line.epipolar_angle_deg; }),
-          by_kind(),
-          by_number("length_m", {0.0, 1.0, 2.0, 5.0, 10.0, 20.0, kInfinity},
-                    [](const LineEvaluation& line) { return std::optional(line.length_m); }),
-          by_number("roof_slope_deg", {0.0, 5.0, 20.0, 35.0, 50.0, 90.0}, steepest_slope_deg),
-          by_sigma(evaluation)};
+  std::vector<Property> result{
+      by_number("epipolar_angle_deg", {0.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0},
+                [](const LineEvaluation& line) { return line.epipolar_angle_deg; }),
+      by_kind(),
+      by_number("length_m", {0.0, 1.0, 2.0, 5.0, 10.0, 20.0, kInfinity},
+                [](const LineEvaluation& line) { return std::optional(line.length_m); }),
+      by_number("roof_slope_deg", {0.0, 5.0, 20.0, 35.0, 50.0, 90.0}, steepest_slope_deg),
+      by_sigma(evaluation)};
+  if (std::ranges::any_of(evaluation.lines, is_of_many_images)) result.push_back(by_images());
+  return result;
 }
 
 Stratification stratify_by(const Property& property,

@@ -17,15 +17,16 @@ struct Stratum {
 
 /// All lines of an evaluation cut by one property.
 struct Stratification {
-  std::string by;  ///< epipolar_angle_deg | kind | length_m | roof_slope_deg | sigma_line_quartile
+  /// epipolar_angle_deg | kind | length_m | roof_slope_deg | sigma_line_quartile | n_images
+  std::string by;
   /// Every bin, the empty ones too, then "unknown" if lines lack the property. Bins include their
   /// upper bound, so that the epipolar angles up to 10 degrees are exactly `aligned`.
   std::vector<Stratum> strata;
 };
 
 /// Strata by epipolar angle (0 2 5 10 20 45 90 degrees; with more than two views the largest over
-/// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma. Each
-/// stratification sums to the total, see assert_pooled(); std::logic_error is thrown otherwise.
+/// the pairs), kind, length, slope of the steepest plane and quartile of the predicted sigma; if a line has three
+/// images or more, by number of images, too. Each stratification sums to the total, see assert_pooled(); std::logic_error is thrown otherwise.
 std::vector<Stratification> stratify(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

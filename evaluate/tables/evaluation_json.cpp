@@ -53,6 +53,12 @@ Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   json["flags"] = line.flags;
   json["length_m"] = number_json(line.length_m);
   json["epipolar_angle_deg"] = number_json(line.epipolar_angle_deg);
+  if (line.n_images) json["n_images"] = *line.n_images;
+  if (!line.class_base.empty()) json["class_base"] = line.class_base;
+  if (line.segment) {
+    json["start_m"] = vector_json(line.segment->start + origin_m);
+    json["end_m"] = vector_json(line.segment->end + origin_m);
+  }
   json["planes"] = Json::array();
   for (const JudgingPlane& p : line.planes) json["planes"].push_back(plane_json(p, origin_m));
   // A line that was not evaluated has no distance; 0 would read as a perfect one.

@@ -155,6 +155,11 @@ LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
   // null stands for the length of a line whose coordinates are not finite
   line.length_m = number_if_any(json, "length_m").value_or(0.0);
   line.epipolar_angle_deg = number_if_any(json, "epipolar_angle_deg");
+  if (json.contains("n_images")) line.n_images = count<int>(json, "n_images");
+  line.class_base = text_if_any(json, "class_base");
+  if (json.contains("start_m")) {
+    line.segment = Segment3{vector(json, "start_m") - origin_m, vector(json, "end_m") - origin_m};
+  }
   for (const Json& plane : array(json, "planes")) {
     line.planes.push_back(parse_plane(plane, origin_m));
   }

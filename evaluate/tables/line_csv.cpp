@@ -11,9 +11,9 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr int kDecimals = 4;
+constexpr int kLineDecimals = 4;
 
-std::string number(std::optional<double> value) { return fixed(value, kDecimals, ""); }
+std::string figure_text(std::optional<double> value) { return fixed(value, kLineDecimals, ""); }
 
 /// One figure of each plane, "0.0312;0.0287".
 std::string per_plane(const LineEvaluation& line,
@@ -25,7 +25,7 @@ std::string per_plane(const LineEvaluation& line,
 
 std::string plane_columns(const LineEvaluation& line) {
   const auto column = [&](auto figure) {
-    return per_plane(line, [figure](const JudgingPlane& p) { return number(figure(p)); });
+    return per_plane(line, [figure](const JudgingPlane& p) { return figure_text(figure(p)); });
   };
   return fmt::format(
       "{},{},{},{},{},{}",
@@ -38,25 +38,25 @@ std::string plane_columns(const LineEvaluation& line) {
 }
 
 std::string displacement_columns(const LineEvaluation& line) {
-  if (!line.displacement) return fmt::format(",,,,{}", number(line.height_if_vertical_m));
+  if (!line.displacement) return fmt::format(",,,,{}", figure_text(line.height_if_vertical_m));
   const RidgeDisplacement& d = *line.displacement;
-  return fmt::format("{},{},{},{},", number(d.horizontal_m), number(d.vertical_m),
-                     number(std::sqrt(d.covariance_m2(0, 0))),
-                     number(std::sqrt(d.covariance_m2(1, 1))));
+  return fmt::format("{},{},{},{},", figure_text(d.horizontal_m), figure_text(d.vertical_m),
+                     figure_text(std::sqrt(d.covariance_m2(0, 0))),
+                     figure_text(std::sqrt(d.covariance_m2(1, 1))));
 }
 
 std::string row(const LineEvaluation& line, const Evaluation& evaluation) {
   const auto if_evaluated = [&](std::optional<double> value) {
-    return line.status == Status::kEvaluated ? number(value) : std::string();
+    return line.status == Status::kEvaluated ? figure_text(value) : std::string();
   };
   return fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(line.id),
-      escape_csv(evaluation.patch), escape_csv(line.line_class), number(line.epipolar_angle_deg),
-      name(line.kind), escape_csv(evaluation.method), number(line.length_m), plane_columns(line),
-      if_evaluated(line.mean_distance_m), if_evaluated(line.signed_mean_m),
-      if_evaluated(line.sigma_line_m), if_evaluated(line.sigma_plane_m), if_evaluated(line.z),
-      name(line.status), escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))),
-      displacement_columns(line));
+      escape_csv(evaluation.patch), escape_csv(line.line_class),
+      figure_text(line.epipolar_angle_deg), name(line.kind), escape_csv(evaluation.method),
+      figure_text(line.length_m), plane_columns(line), if_evaluated(line.mean_distance_m),
+      if_evaluated(line.signed_mean_m), if_evaluated(line.sigma_line_m),
+      if_evaluated(line.sigma_plane_m), if_evaluated(line.z), name(line.status),
+      escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))), displacement_columns(line));
 }
 
 }  // namespace

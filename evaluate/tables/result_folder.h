@@ -4,6 +4,7 @@
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/table1.h"
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -23,6 +24,8 @@ struct ResultFolder {
   /// references, not the judged lines. Files of several patches may have one name.
   std::set<std::pair<std::string, std::string>> input_hashes;
   std::optional<double> duration_s;
+  /// The number of images by patch that the run reconstructed lines from, if it recorded that.
+  std::map<std::string, std::size_t> n_views;
   /// Table2::joint_adjusts_to_faces by the recorded options; empty if these do not tell.
   std::optional<bool> joint_adjusts_to_faces;
 };

@@ -26,6 +26,64 @@ std::size_t number_of(const Json& row, const char* key) {
   return value.get<std::size_t>();
 }
 
+std::string images_text(const std::optional<std::size_t>& group) {
+  return group ? image_group_name(*group) : std::string("all");
+}
+
+/// The table of tracks; see to_tracks_csv().
+TextTable tracks_table(const Table1& table) {
+  TextTable written({"patch", "class", "images", "edges:", "found:", "edge recall %:", "shown:",
+                     "sighting recall %:", "right:", "wrong:", "sighting precision %:"});
+  for (const PatchTracks& of_patch : table.tracks) {
+    for (const TrackCell& cell : of_patch.cells) {
+      const TrackCounts& c = cell.counts;
+      if (c.n_edges == 0) continue;
+      written.add(of_patch.patch, cell.line_class, images_text(cell.group), c.n_edges,
+                  c.n_edges_found, percent(c.edge_recall()), c.n_shown,
+                  percent(c.sighting_recall()), c.n_right, c.n_wrong,
+                  percent(c.sighting_precision()));
+    }
+  }
+  return written;
+}
+
+Json tracks_json(const PatchTracks& of_patch) {
+  Json cells = Json::array();
+  for (const TrackCell& cell : of_patch.cells) {
+    const TrackCounts& c = cell.counts;
+    cells.push_back(
+        {{"class", cell.line_class},
+         {"n_images",
+          cell.group ? Json(*cell.group + static_cast<std::size_t>(kFewestImages)) : Json(nullptr)},
+         {"edges", c.n_edges},
+         {"edges_found", c.n_edges_found},
+         {"edge_recall", number_json(c.edge_recall())},
+         {"shown", c.n_shown},
+         {"shown_found", c.n_shown_found},
+         {"sighting_recall", number_json(c.sighting_recall())},
+         {"right", c.n_right},
+         {"wrong", c.n_wrong},
+         {"sighting_precision", number_json(c.sighting_precision())}});
+  }
+  return {
+      {"patch", of_patch.patch}, {"unjudged", of_patch.n_unjudged}, {"cells", std::move(cells)}};
+}
+
+PatchTracks parse_tracks(const Json& json) {
+  PatchTracks tracks{json.at("patch").get<std::string>(), {}, number_of(json, "unjudged")};
+  for (const Json& cell : json.at("cells")) {
+    std::optional<std::size_t> group;
+    if (!cell.at("n_images").is_null())
+      group = image_group(static_cast<int>(number_of(cell, "n_images")));
+    tracks.cells.push_back(
+        {cell.at("class").get<std::string>(),
+         group,
+         {number_of(cell, "edges"), number_of(cell, "edges_found"), number_of(cell, "shown"),
+          number_of(cell, "shown_found"), number_of(cell, "right"), number_of(cell, "wrong")}});
+  }
+  return tracks;
+}
+
 }  // namespace
 
 std::string to_markdown(const Table1& table) {
@@ -46,6 +104,14 @@ std::string to_markdown(const Table1& table) {
         fmt::format("Patch {}, {}: {} more matches, of lines that the reference does not hold.\n",
                     escape_markdown(row.patch), escape_markdown(row.matcher), row.n_unjudged);
   }
+  if (table.tracks.empty()) return text;
+  text += "\nTracks, by true edges that two images or more show:\n\n" +
+          tracks_table(table).text(Markup::kMarkdown) + "\n";
+  for (const PatchTracks& of_patch : table.tracks) {
+    if (of_patch.n_unjudged == 0) continue;
+    text += fmt::format("Patch {}: {} more sightings, of lines that the reference does not hold.\n",
+                        escape_markdown(of_patch.patch), of_patch.n_unjudged);
+  }
   return text;
 }
 
@@ -57,6 +123,25 @@ std::string to_csv(const Table1& table) {
     text += fmt::format("{},{},{},{},{},{},{},{}\n", escape_csv(row.patch), escape_csv(row.matcher),
                         row.counts.n_correct, row.counts.n_false, row.counts.n_missed,
                         share(q.correctness), share(q.completeness), share(q.quality));
+  }
+  return text;
+}
+
+std::string to_tracks_csv(const Table1& table) {
+  std::string text =
+      "patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,sighting_recall,right,"
+      "wrong,sighting_precision\n";
+  const auto share = [](std::optional<double> value) { return fixed(value, kShareDecimals, ""); };
+  for (const PatchTracks& of_patch : table.tracks) {
+    for (const TrackCell& cell : of_patch.cells) {
+      const TrackCounts& c = cell.counts;
+      if (c.n_edges == 0) continue;
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(of_patch.patch),
+                          cell.line_class, images_text(cell.group), c.n_edges, c.n_edges_found,
+                          share(c.edge_recall()), c.n_shown, c.n_shown_found,
+                          share(c.sighting_recall()), c.n_right, c.n_wrong,
+                          share(c.sighting_precision()));
+    }
   }
   return text;
 }
@@ -78,7 +163,9 @@ std::string to_json(const Table1& table) {
                     {"quality", number_json(q.quality)},
                     {"quality_ci95", interval_json(q.quality_ci95)}});
   }
-  return dump(Json{{"rows", std::move(rows)}});
+  Json json{{"rows", std::move(rows)}};
+  for (const PatchTracks& of_patch : table.tracks) json["tracks"].push_back(tracks_json(of_patch));
+  return dump(json);
 }
 
 Table1 parse_table1(std::string_view json) {
@@ -92,6 +179,8 @@ Table1 parse_table1(std::string_view json) {
            {number_of(row, "correct"), number_of(row, "false"), number_of(row, "missed")},
            number_of(row, "unjudged")});
     }
+    if (!parsed.contains("tracks")) return table;
+    for (const Json& of_patch : parsed["tracks"]) table.tracks.push_back(parse_tracks(of_patch));
   } catch (const Json::exception& error) {
     throw std::invalid_argument(std::string("is no Table 1: ") + error.what());
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/statistics/matching_quality.h"
+#include "evaluate/statistics/track_counts.h"
 
 #include <string>
 #include <string_view>
@@ -16,9 +17,17 @@ struct Table1Row {
   std::size_t n_unjudged = 0;
 };
 
-/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches.
+/// What the true tracks of a patch say of its tracks; see score_tracks().
+struct PatchTracks {
+  std::string patch;
+  std::vector<TrackCell> cells;
+  std::size_t n_unjudged = 0;  ///< sightings that the reference says nothing about
+};
+
+/// Quality of line matching (Ok et al. 2011, Table 1), by number of matches, and of tracks over several images.
 struct Table1 {
   std::vector<Table1Row> rows;
+  std::vector<PatchTracks> tracks = {};  ///< of patches with reference tracks
 };
 
 /// A table with the shares in percent with one decimal and their Wilson intervals.
@@ -28,7 +37,12 @@ std::string to_markdown(const Table1& table);
 /// with three decimals, empty for a denominator of 0.
 std::string to_csv(const Table1& table);
 
-/// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}.
+/// `patch,class,n_images,edges,edges_found,edge_recall,shown,shown_found,sighting_recall,right,wrong,sighting_precision`, a row
+/// for each class and number of images (`all`, 2, 3, 4, `5 and more`) that has edges.
+std::string to_tracks_csv(const Table1& table);
+
+/// {"rows": [{patch, matcher, correct, false, missed, correctness, correctness_ci95, ...}]}, and with
+/// reference tracks "tracks": [{patch, unjudged, cells: [{class, n_images (2 to 5, null: all), edges, ...}]}].
 std::string to_json(const Table1& table);
 
 /// Reads the counts of what to_json() wrote; the figures follow from them.

@@ -18,10 +18,26 @@ bool has_ridges(const Table2& table) {
   });
 }
 
+/// The tracks by number of images, all classes together.
+TextTable tracks_in_short(const Table1& table) {
+  TextTable written({"patch", "images", "edges:", "found:", "edge recall %:", "sighting recall %:",
+                     "sighting precision %:"});
+  for (const PatchTracks& of_patch : table.tracks) {
+    for (const TrackCell& cell : of_patch.cells) {
+      if (cell.line_class != kTotal || cell.counts.n_edges == 0) continue;
+      written.add(of_patch.patch, cell.group ? image_group_name(*cell.group) : std::string("all"),
+                  cell.counts.n_edges, cell.counts.n_edges_found,
+                  percent(cell.counts.edge_recall()), percent(cell.counts.sighting_recall()),
+                  percent(cell.counts.sighting_precision()));
+    }
+  }
+  return written;
+}
+
 }  // namespace
 
 std::string to_terminal(const Table1& table) {
-  if (table.rows.empty()) return "";
+  if (table.rows.empty() && table.tracks.empty()) return "";
   TextTable written(
       {"patch", "matcher", "correct:", "false:", "missed:", "correctness %:", "completeness %:"});
   for (const Table1Row& row : table.rows) {
@@ -29,7 +45,11 @@ std::string to_terminal(const Table1& table) {
     written.add(row.patch, row.matcher, row.counts.n_correct, row.counts.n_false,
                 row.counts.n_missed, percent(quality.correctness), percent(quality.completeness));
   }
-  return captioned("Matches", written, Markup::kPlain);
+  std::string text =
+      table.rows.empty() ? std::string() : captioned("Matches", written, Markup::kPlain);
+  if (table.tracks.empty()) return text;
+  if (!text.empty()) text += "\n";
+  return text + captioned("Tracks, by true edges", tracks_in_short(table), Markup::kPlain);
 }
 
 std::string to_terminal(const Table2& table) {

@@ -26,6 +26,8 @@ std::string advice_on(FileGroup group) {
       return "give it as --matches to reconstruct";
     case kReferenceMatches:
       return "name it as reference_matches in a patch file";
+    case kReferenceTracks:
+      return "name it as reference_tracks in a patch file";
     case kSegments:
       return "leave it beside its matches.csv, where reconstruct finds it";
     case kEvaluation:

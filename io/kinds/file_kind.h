@@ -20,6 +20,7 @@ enum class FileGroup : std::uint8_t {
   kConfig,
   kMatches,
   kReferenceMatches,
+  kReferenceTracks,
   kSegments,
   kEvaluation,  ///< evaluation.METHOD.json
   kResult,      ///< another file of a folder of results

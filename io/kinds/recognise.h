@@ -20,6 +20,7 @@ enum class Expected : std::uint8_t {
   kConfig,
   kMatches,
   kReferenceMatches,
+  kReferenceTracks,
   kSegments,
   kResults
 };

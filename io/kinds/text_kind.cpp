@@ -68,9 +68,10 @@ FileKind kind_of_settings(const TopKeys& keys) {
   const auto count = [&](std::initializer_list<const char*> known) {
     return std::ranges::count_if(known, [&](const char* name) { return keys.has(name); });
   };
-  const std::array counts{
-      count({"images", "colmap", "height_range", "lidar", "reference_matches", "reference_lines"}),
-      count({"gates"}), count({"extract", "match", "chio", "reconstruct", "judge"})};
+  const std::array counts{count({"images", "colmap", "height_range", "lidar", "reference_matches",
+                                 "reference_tracks", "reference_lines"}),
+                          count({"gates"}),
+                          count({"extract", "match", "chio", "reconstruct", "judge"})};
   const std::array kinds{ours(kPatch, "a patch file"), ours(kGates, "a gates file"),
                          ours(kConfig, "a config file")};
   const auto* const most = std::ranges::max_element(counts);
@@ -114,6 +115,10 @@ FileKind kind_of_table(const std::vector<std::string>& names) {
   if (has({"left_x1_px", "right_x1_px"})) {
     return ours(kReferenceMatches, "a table of reference matches");
   }
+  if (has({"edge", "image", "x1_px", "y1_px", "x2_px", "y2_px"})) {
+    return ours(kReferenceTracks, "a table of reference tracks");
+  }
+  if (has({"track", "image", "segment"})) return ours(kResult, "a table of tracks");
   if (has({"x1_px", "y1_px", "x2_px", "y2_px"})) return ours(kSegments, "a table of segments");
   if (has({"left_id", "reason"})) return ours(kResult, "a table of unmatched segments");
   if (has({"patch", "class", "status", "start_distance_m"})) {

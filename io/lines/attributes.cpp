@@ -23,6 +23,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 constexpr std::array kTextAttributes{TextAttribute{"id", &Line::id},
                                      TextAttribute{"parent_id", &Line::parent_id},
                                      TextAttribute{"class", &Line::line_class},
+                                     TextAttribute{"class_base", &Line::class_base},
                                      TextAttribute{"method", &Line::method},
                                      TextAttribute{"kind", &Line::kind},
                                      TextAttribute{"building", &Line::building},

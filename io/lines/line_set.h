@@ -30,9 +30,11 @@ struct Line {
   std::string parent_id;  ///< id of the polyline or track it is a part of; empty if it is whole
   Segment3 segment_in_world{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< file's CRS, m
   std::string line_class;  ///< `class`: aligned | not_aligned, or the file's own
-  std::string method;      ///< direct | joint | ...
-  std::string kind;        ///< ridge | hip | valley | eave | verge | ground (true lines)
-  std::string building;    ///< building id: the cluster of the bootstrap
+  std::string
+      class_base;        ///< `class` by the base pair alone; only of lines of three images and more
+  std::string method;    ///< direct | joint | ...
+  std::string kind;      ///< ridge | hip | valley | eave | verge | ground (true lines)
+  std::string building;  ///< building id: the cluster of the bootstrap
   std::string status;
   std::string left_id, right_id;  ///< ids of its image segments
   /// Ends of the image segments in the base and in the other image from which the line was made, ideal pixels. Right

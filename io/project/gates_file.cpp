@@ -117,13 +117,15 @@ class GatesReader {
   [[nodiscard]] GateEntry entry(const YAML::Node& map) const {
     if (!map.IsMap())
       fail(map, "a gate must be a map such as {class: total, metric: rms_m, max: 0.3}");
-    check_keys(map, {"patch", "method", "class", "metric", "max", "min", "max_ratio_to", "ratio",
-                     "max_increase_over_baseline", "max_decrease_below_baseline", "n_min"});
+    check_keys(map,
+               {"patch", "method", "class", "metric", "n_images", "max", "min", "max_ratio_to",
+                "ratio", "max_increase_over_baseline", "max_decrease_below_baseline", "n_min"});
     GateEntry entry;
     entry.line = map.Mark().line + 1;
     entry.patch = text(map, "patch");
     entry.method = text(map, "method");
     entry.line_class = text(map, "class");
+    entry.n_images = count(map, "n_images");
     entry.metric = text(map, "metric");
     entry.max = number(map, "max");
     entry.min = number(map, "min");

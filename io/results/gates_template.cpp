@@ -21,6 +21,7 @@ constexpr std::string_view kKeys =
 #   class   total, aligned or not_aligned (with the epipolar lines); total if left out.
 #           Lines without classes are judged as total; classes come from images (run, demo,
 #           evaluate --patch PATCH.yaml) or from a column class of the line file.
+#   n_images  only lines of so many images, 2 to 5, where 5 is five and more; all if left out
 #   patch   the patch's id; each patch if left out
 #   method  direct, joint, network or planes; after evaluate the line file's name without extension;
 #           for the figures of matching the matcher: pairwise, chio or both. If left out:
@@ -74,9 +75,11 @@ std::string list_of(const std::vector<evaluate::Metric>& metrics) {
 }  // namespace
 
 std::string gates_template() {
-  return fmt::format("{}# Metrics of lines:\n{}# Metrics of matches:\n{}{}", kKeys,
-                     list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
-                     kGates);
+  return fmt::format(
+      "{}# Metrics of lines:\n{}# Metrics of matches:\n{}# Metrics of tracks, where the patch file "
+      "names reference_tracks:\n{}{}",
+      kKeys, list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
+      list_of(evaluate::track_metrics()), kGates);
 }
 
 }  // namespace ridgeline::results

@@ -73,6 +73,8 @@ JudgedLine judged_line(const io::Line& line,
   judged.reconstructed = line.status != "not_reconstructed" && line.status != "no_intersection" &&
                          line.status != "ambiguous_depth";
   judged.confirmed = line.status != "unconfirmed";
+  judged.n_images = line.n_images;
+  judged.class_base = line.class_base;
   judged.epipolar_angle_deg = line.epipolar_angle_deg;
   if (!judged.epipolar_angle_deg && cameras.size() >= 2 && evaluate::in_range(judged.segment)) {
     judged.epipolar_angle_deg =

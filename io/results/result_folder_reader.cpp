@@ -15,15 +15,17 @@ namespace {
 using evaluate::Json;
 
 /// Reads the run's time and the hashes, by file name, of the data that two runs must share: all inputs but the judged
-/// lines.
+/// lines and the options.
 void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFolder& results) {
   try {
     for (const auto& input : json.at("inputs")) {
-      if (input.at("role") == "lines") continue;
+      if (input.at("role") == "lines" || input.at("role") == "config") continue;
       const fs::path path = input.at("path").get<std::string>();
       results.input_hashes.emplace(path.filename().string(), input.at("sha256").get<std::string>());
     }
     results.duration_s = json.at("seconds").get<double>();
+    if (json.contains("n_views"))
+      results.n_views = json["n_views"].get<std::map<std::string, std::size_t>>();
   } catch (const Json::exception& error) {
     throw io::IoError(file.string(), std::string("is no run's record: ") + error.what());
   }

@@ -155,6 +155,24 @@ TEST(Stratify, IncludesTheUpperBoundOfEachBin) {
   EXPECT_EQ(n_in(angle, "unknown"), 1U);
 }
 
+TEST(Stratify, SeparatesNumbersOfImagesIfALineHasThree) {
+  Evaluation e;
+  for (const int n_images : {2, 3, 3, 4, 5, 9}) {
+    e.lines.push_back(evaluated_line(std::to_string(e.lines.size()), 0.1, 1));
+    e.lines.back().n_images = n_images;
+  }
+  e.lines.push_back(evaluated_line("none", 0.1, 1));
+  const std::vector<Stratification> all = stratify(e);
+  const Stratification& images = by(all, "n_images");
+  EXPECT_EQ(n_in(images, "2"), 1U);
+  EXPECT_EQ(n_in(images, "3"), 2U);
+  EXPECT_EQ(n_in(images, "4"), 1U);
+  EXPECT_EQ(n_in(images, "5 and more"), 2U);
+  EXPECT_EQ(n_in(images, "unknown"), 1U);
+  std::erase_if(e.lines, [](const LineEvaluation& line) { return line.n_images.value_or(2) > 2; });
+  EXPECT_THROW((void)by(stratify(e), "n_images"), std::logic_error);
+}
+
 TEST(Stratify, SeparatesKindsLengthsSlopesAndPredictedSigmas) {
   Evaluation e;
   for (int i = 0; i < 8; ++i) {

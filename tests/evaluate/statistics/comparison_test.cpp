@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/comparison.h"
 
+#include "evaluate/compare/pair_in_space.h"
 #include "evaluate/compare/wilcoxon.h"
 #include "tests/evaluate/statistics/lines.h"
 
@@ -133,6 +134,59 @@ TEST(Compare, TakesAPerfectAWithoutARatio) {
   const Comparison c = compare(zero, evaluation_b(), "A", "B");
   EXPECT_FALSE(c.classes.back().rms_ratio);
   EXPECT_NEAR(*c.classes.back().rms_gain_m, -0.2, kComparisonTol);
+}
+
+/// A line of the given id along x at y, 5 m long unless said otherwise.
+LineEvaluation placed_line(const std::string& id,
+                           double y_m,
+                           double distance_m,
+                           const std::string& class_base = "",
+                           double length_m = 5.0) {
+  LineEvaluation line = evaluated_line(id, distance_m, 1, "not_aligned");
+  line.segment = Segment3{{0.0, y_m, 0.0}, {length_m, y_m, 0.0}};
+  line.class_base = class_base;
+  return line;
+}
+
+TEST(PairInSpace, TakesTheClosestOfThoseThatRunAlong) {
+  const std::vector<Segment3> a{
+      {{0, 0, 0}, {5, 0, 0}}, {{0, 9, 0}, {5, 9, 0}}, {{0, 20, 0}, {5, 20, 0}}};
+  const std::vector<Segment3> b{{{0, 0.3, 0}, {5, 0.3, 0}},    // farther than the next one
+                                {{5, 0.1, 0}, {0, 0.1, 0}},    // the other way round
+                                {{0, 9, 0}, {5, 10, 0}},       // 11 degrees
+                                {{0, 10.1, 0}, {5, 10.1, 0}},  // 1.1 m
+                                {{4, 20, 0}, {9, 20, 0}}};     // 1 of 5 m beside
+  EXPECT_THAT(pair_in_space(a, b), testing::ElementsAre(testing::Pair(0, 1)));
+  EXPECT_THAT(pair_in_space(b, a), testing::ElementsAre(testing::Pair(1, 0)));
+}
+
+TEST(CompareFolders, PairsRunsOfDifferentNumbersOfViewsInSpaceByTheClassOfTheBasePair) {
+  ResultFolder two;
+  two.name = "two";
+  two.evaluations = {
+      evaluation_of("joint", {placed_line("0", 0.0, 0.4), placed_line("1", 9.0, 0.2)})};
+  two.evaluations[0].lines[0].line_class = "aligned";
+  two.n_views = {{"1", 2}};
+  ResultFolder five = two;
+  five.name = "five";
+  five.n_views = {{"1", 5}};
+  five.evaluations = {evaluation_of(
+      "joint", {placed_line("0", 9.1, 0.1, "not_aligned"), placed_line("1", 0.1, 0.1, "aligned"),
+                placed_line("2", 30.0, 0.1, "aligned")})};
+  five.evaluations[0].origin_m = {0.0, 0.0, 0.5};
+  const ComparisonReport report = compare_folders(std::vector{two, five});
+  const Comparison& c = report.comparisons.at(0);
+  EXPECT_EQ(c.n_common, 2U);
+  EXPECT_EQ(c.n_only_b, 1U);
+  ASSERT_EQ(c.classes.size(), 3U);
+  EXPECT_EQ(c.classes[1].n, 1U) << "aligned by the base pair";
+  EXPECT_DOUBLE_EQ(*c.classes[1].rms_a_m, 0.4);
+  EXPECT_EQ(find_class(c.own_b, kAligned)->n_lines, 2U);
+  EXPECT_FALSE(c.n_not_aligned_differing);
+  EXPECT_THAT(to_terminal(report), HasSubstr("A used 2 images, B 5"));
+  EXPECT_THAT(report.warnings, testing::IsEmpty());
+  five.n_views.clear();  // an older run: by id as ever
+  EXPECT_EQ(compare_folders(std::vector{two, five}).comparisons.at(0).classes[2].n, 2U);
 }
 
 TEST(CompareFolders, ComparesEachFolderWithTheFirst) {

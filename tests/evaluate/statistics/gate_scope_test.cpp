@@ -49,6 +49,28 @@ TEST(FiguresOf, AreOfTheProductMethodUnlessTheGateNamesOne) {
   EXPECT_THAT(scope(gate, results_of({"direct", "joint", "network"})), ElementsAre("1 direct"));
 }
 
+TEST(FiguresOf, AreOfTheNumberOfImagesThatTheGateNames) {
+  ResultFolder folder = results_of({"joint"});
+  std::vector<LineEvaluation>& lines = folder.evaluations[0].lines;
+  lines[0].n_images = lines[1].n_images = 3;  // one of each class: 0.1 m off
+  lines[2].n_images = 7;
+  lines[2].mean_distance_m = 0.4;
+  Gate gate = gate_on("total");
+  gate.n_images = 3;
+  EXPECT_EQ(figures_of(gate, "total", folder).at(0).n, 2U);
+  EXPECT_EQ(figures_of(gate, "aligned", folder).at(0).n, 1U);
+  gate.n_images = 5;
+  EXPECT_DOUBLE_EQ(*figures_of(gate, "total", folder).at(0).value, 0.4);
+  gate.max = 0.3;
+  EXPECT_EQ(only_result(gate, folder).rule, "total rms_m of 5 and more images <= 0.3");
+  gate.n_images = 4;
+  EXPECT_THAT(why_missing(gate, folder), HasSubstr("that 4 images show"));
+  for (const int wrong : {1, 6}) {
+    gate.n_images = wrong;
+    EXPECT_THROW(validate(gate), std::invalid_argument);
+  }
+}
+
 TEST(FiguresOf, AreOfEveryLineFileOfAnEvaluation) {
   ResultFolder folder = results_of({"direct", "joint", "roofs"});
   folder.is_of_line_files = true;
