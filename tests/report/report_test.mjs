@@ -362,10 +362,10 @@ test('the table sorts, filters and exports', async () => {
 test('a click on a segment in an image selects its line', async () => {
   const page = await openReport('demo');
   const { data, box } = await imageData(page, 0);
-  const match = data.matches[0];
+  const match = data.pairs[0].matches[0];
   await page.mouse.click(...onScreen(box, data.views[0], middle(data.views[0], match.left)));
   const { line } = await selection(page);
-  assert.equal(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].left, line), match.left);
+  assert.deepEqual(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].sightings[0].slice(0, 2), line), [0, match.left]);
   await close(page);
 });
 
@@ -407,10 +407,10 @@ test('a review is kept, and its export is a reference that run takes', async () 
   await page.keyboard.press('u');
   await shot(page, 'review');
   assert.match(await page.locator('#review-counts').innerText(), /^3 of \d+ matches judged: 1 correct, 1 false, 1 unsure; 0 missed/);
-  const judged = (await page.evaluate(() => globalThis.ridgeline.state.patch.images.matches)).slice(0, 2);
+  const judged = (await page.evaluate(() => globalThis.ridgeline.state.patch.images.pairs[0].matches)).slice(0, 2);
 
   // a missed match, of the longest segments that no match has
-  const { matches, views } = await page.evaluate(() => globalThis.ridgeline.state.patch.images);
+  const { pairs: [{ matches }], views } = await page.evaluate(() => globalThis.ridgeline.state.patch.images);
   const missed = [longestOf(views[0], new Set(matches.map((m) => m.left))), longestOf(views[1], new Set(matches.map((m) => m.right)))];
   await page.getByRole('button', { name: 'Fit' }).click();
   await page.keyboard.press('m');
