@@ -133,6 +133,10 @@ class Page {
     return /^[1-9]$/.test(key) && method < this.state.patch.methods.length ? () => this.state.chooseMethod(method) : undefined;
   }
 
+  get images(): PatchImages | null {
+    return this.pair.shownImages;
+  }
+
   get sceneView(): ScenePanel['view'] {
     return this.scene.view;
   }
@@ -143,7 +147,7 @@ try {
   const state = new State(readReport());
   const page = new Page(state, root);
   // tests and the console use this
-  Object.assign(globalThis, { ridgeline: { state, scene: page.sceneView } });
+  Object.assign(globalThis, { ridgeline: { state, scene: page.sceneView, images: () => page.images } });
   document.documentElement.dataset['ready'] = 'true';
 } catch (error) {
   append(root, h('p', { class: 'message' }, `The report cannot be shown: ${error instanceof Error ? error.message : String(error)}`));

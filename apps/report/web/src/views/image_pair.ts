@@ -112,6 +112,10 @@ export class ImagePair {
     return words ? [': ', h('strong', { class: words.disagrees ? 'disagrees' : undefined }, words.word), words.more ? `, ${words.more}` : ''] : [];
   }
 
+  get shownImages(): PatchImages | null {
+    return this.images;
+  }
+
   private get pair(): PairOfViews | null {
     return this.images?.pairs[this.state.now.pair] ?? null;
   }
