@@ -12,7 +12,7 @@
 
 namespace ridgeline::apps {
 
-/// The first two images of a patch are its base pair, the one that Table 1, the report and the review by eye show.
+/// The first two images of a patch are its base pair, the one that Table 1 and the PNG figures of the report show.
 inline constexpr ViewPair kPairOfPatch{0, 1};
 
 /// An image of the patch, normalised.

@@ -68,7 +68,7 @@ double px_per_m(const ReportPatch& patch, std::size_t image) {
   const auto [low_m, high_m] = io::heights_in_local_m(*patch.patch, patch.frame);
   const ProjectionMatrix camera = io::cameras_in_local(*patch.patch, patch.frame)[image];
   const Plane3 ground(Eigen::Vector3d::UnitZ(), -(low_m + high_m) / 2.0);
-  const cv::Mat& pixels = patch.images->images[image];
+  const cv::Mat& pixels = patch.images->base_pair[image];
   const Eigen::Vector2d middle_px(0.5 * pixels.cols, 0.5 * pixels.rows);
   const Eigen::Vector2d beside_px(kHalf_px, 0.0);
   const double distance_m = (point_on_plane(camera, middle_px + beside_px, ground) -
@@ -110,7 +110,7 @@ std::vector<LegendEntry> match_legend(bool has_reference) {
 
 cv::Mat figure1(const ReportPatch& patch) {
   const auto [base, other] = io::cameras_in_local(*patch.patch, patch.frame);
-  SegmentPicture picture(patch.images->images[0]);
+  SegmentPicture picture(patch.images->base_pair[0]);
   for (const EdgeSegment& segment : patch.images->segments[0]) {
     const double angle_deg =
         epipolar_angle_rad(base, other, segment.line.segment) * 180.0 / std::numbers::pi;
@@ -128,12 +128,13 @@ cv::Mat figure1(const ReportPatch& patch) {
 
 cv::Mat figure7(const ReportPatch& patch, std::size_t image) {
   const ReportImages& images = *patch.images;
-  SegmentPicture picture(images.images[image]);
+  SegmentPicture picture(images.base_pair[image]);
   for (const EdgeSegment& segment : images.segments[image]) {
     picture.draw(segment.in_image, colour::kGrey, kThin);
   }
-  for (std::size_t i = 0; i < images.matches.size(); ++i) {
-    const Segment2& segment = segment_of(images, image, images.matches[i].scored.match);
+  const std::vector<FoundMatch>& matches = images.pairs.front().matches;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Segment2& segment = segment_of(images, image, matches[i].scored.match);
     const auto verdict =
         images.score ? images.score->verdicts[i] : evaluate::MatchVerdict::kUnjudged;
     if (verdict == evaluate::MatchVerdict::kFalse) {

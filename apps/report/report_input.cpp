@@ -4,6 +4,7 @@
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/stage_cache.h"
+#include "apps/report/display_image.h"
 #include "apps/report/evaluated_patches.h"
 #include "apps/report/path_shortener.h"
 #include "apps/report/run_inputs.h"
@@ -14,9 +15,12 @@
 #include "io/kinds/recognise.h"
 #include "io/lines/read_lines.h"
 #include "io/project/segments_file.h"
+#include "io/project/tracks_file.h"
 #include "io/results/judged_lines.h"
 #include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/transformed.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,27 +29,66 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kMatchStage = "match";
+
 std::vector<LineMatch> line_matches(const std::vector<FoundMatch>& rows) {
   return transformed(rows, [&](const FoundMatch& row) { return row.scored.match; });
 }
 
+std::array<std::vector<EdgeSegment>, 2> segments_of(const ReportImages& images,
+                                                    const ViewPair& views) {
+  return {images.segments[views.base], images.segments[views.search]};
+}
+
+void read_pair(const std::string& file, const ViewPair& views, ReportImages& images) {
+  ReportPair& pair = images.pairs.emplace_back(ReportPair{views, io::read_matches(file)});
+  check_segment_ids(file, line_matches(pair.matches), segments_of(images, views));
+}
+
+/// Reads the matches of further pairs and the tracks that the run has written.
+void read_tracks_and_pairs(const fs::path& folder,
+                           const std::vector<std::string>& ids,
+                           ReportImages& images) {
+  const StageCache stages(folder, true);
+  if (const auto tracks = stages.written_file(kMatchStage, "tracks.csv")) {
+    images.tracks = io::read_tracks(*tracks, ids);
+  }
+  for (std::size_t base = 0; base < ids.size(); ++base) {
+    for (std::size_t search = 0; search < ids.size(); ++search) {
+      const auto matches = stages.written_file(
+          kMatchStage, fmt::format("pairs/{}-{}/matches.csv", ids[base], ids[search]));
+      if (matches) read_pair(*matches, {base, search}, images);
+    }
+  }
+}
+
+/// Reads the segments and what was found with them, if the run has extracted any.
+void read_segments_and_matches(const fs::path& folder,
+                               const io::PatchFile& patch,
+                               ReportImages& images) {
+  images.segments.resize(patch.images.size());
+  const std::string matches = (folder / "matches.csv").string();
+  if (!fs::exists(folder / segments_file(patch.images[0])) || !fs::exists(matches)) return;
+  for (std::size_t i = 0; i < patch.images.size(); ++i) {
+    const fs::path file = folder / segments_file(patch.images[i]);
+    if (i < 2 || fs::exists(file)) images.segments[i] = io::read_segments(file.string());
+  }
+  read_pair(matches, kPairOfPatch, images);
+  if (patch.images.size() > 2) {
+    read_tracks_and_pairs(folder, transformed(patch.images, &io::PatchImage::id), images);
+  }
+}
+
 void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& patch) {
   ReportImages shown;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < patch.patch->images.size(); ++i) {
     (void)inputs.unchanged(patch.patch->images[i].path);
-    shown.images[i] = patch_image(*patch.patch, i);
+    const cv::Mat image = patch_image(*patch.patch, i);
+    shown.pictures.push_back(display_image(image));
+    shown.sizes_px.emplace_back(image.cols, image.rows);
+    if (i < shown.base_pair.size()) shown.base_pair[i] = image;
   }
-  const auto segments = [&](std::size_t i) {
-    return folder / segments_file(patch.patch->images[i]);
-  };
-  if (fs::exists(segments(0)) && fs::exists(folder / "matches.csv")) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      shown.segments[i] = io::read_segments(segments(i).string());
-    }
-    const std::string matches = (folder / "matches.csv").string();
-    shown.matches = io::read_matches(matches);
-    check_segment_ids(matches, line_matches(shown.matches), shown.segments);
-  }
+  read_segments_and_matches(folder, *patch.patch, shown);
   if (fs::exists(folder / "unmatched.csv")) {
     const io::CsvTable table((folder / "unmatched.csv").string());
     const std::size_t reason = table.column("reason");
@@ -171,8 +214,11 @@ void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch&
   if (patch.images && patch.patch->reference_matches) {
     read_or_note(patch, "matches are not judged", [&] {
       (void)inputs.unchanged(*patch.patch->reference_matches);
-      patch.images->score = score_patch_matches(*patch.patch, patch.images->segments,
-                                                line_matches(patch.images->matches));
+      const ReportImages& images = *patch.images;
+      const std::vector<FoundMatch> none;
+      patch.images->score = score_patch_matches(
+          *patch.patch, segments_of(images, kPairOfPatch),
+          line_matches(images.pairs.empty() ? none : images.pairs.front().matches));
     });
   }
   const std::optional<std::string> reference = inputs.reference_lines(patch.patch);

@@ -13,6 +13,7 @@
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/local_frame.h"
+#include "reconstruct/geometry/track.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -35,12 +36,22 @@ struct ReportMethod {
   std::vector<std::optional<double>> true_errors_m;  ///< error of each line; empty without truth
 };
 
-/// Both images of a patch with segments and matches. It exists only if all of these could be read.
-struct ReportImages {
-  std::array<cv::Mat, 2> images;  ///< normalised
-  std::array<std::vector<EdgeSegment>, 2> segments;
+/// The matches of a pair of images, given by their places in the patch.
+struct ReportPair {
+  ViewPair views;
   std::vector<FoundMatch> matches;
-  std::optional<evaluate::MatchingScore> score;    ///< exists with reference matches
+};
+
+/// The images of a patch with segments and matches. It exists only if all of these could be read.
+struct ReportImages {
+  std::vector<cv::Mat> pictures;          ///< display_image() of each image
+  std::vector<Eigen::Vector2d> sizes_px;  ///< of the images themselves
+  std::array<cv::Mat, 2> base_pair;       ///< the first two images, normalised
+  std::vector<std::vector<EdgeSegment>> segments;
+  std::vector<ReportPair> pairs;  ///< the base pair, then further pairs that were matched
+  std::vector<Track> tracks;      ///< of three images and more
+  std::optional<evaluate::MatchingScore>
+      score;  ///< of the base pair; exists with reference matches
   std::map<std::string, std::size_t> n_unmatched;  ///< left segments by reason
 };
 

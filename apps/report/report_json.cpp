@@ -2,14 +2,13 @@
 #include "apps/report/report_json.h"
 
 #include "apps/report/base64.h"
+#include "apps/report/line_sightings.h"
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
 #include "io/images/encoded_picture.h"
 #include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/epipolar.h"
-
-#include <opencv2/imgproc.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -21,7 +20,7 @@ namespace {
 
 using evaluate::Json;
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 
 double rounded(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
@@ -56,80 +55,96 @@ std::string segments_base64(const std::vector<EdgeSegment>& segments) {
   return base64(values);
 }
 
-/// The image for a browser: 8 bits, at most about a megapixel.
-cv::Mat display_image(const cv::Mat& normalised) {
-  constexpr double kMostPixels = 1.2e6;
-  std::vector<cv::Mat> bands;
-  cv::split(normalised, bands);
-  const std::size_t last = bands.size() < 3 ? 0 : 2;
-  cv::Mat picture;
-  cv::merge(std::vector<cv::Mat>{bands[last], bands[last / 2], bands[0]}, picture);
-  picture.convertTo(picture, CV_8UC3, 255.0);
-  const double shrink = std::sqrt(kMostPixels / static_cast<double>(picture.total()));
-  if (shrink < 1.0) cv::resize(picture, picture, {}, shrink, shrink, cv::INTER_AREA);
-  return picture;
+ProjectionMatrix camera_of(const ReportPatch& patch, std::size_t view) {
+  return image_from_local(patch.patch->images[view].image_from_world, patch.frame.origin_m);
 }
 
-/// The angle of each segment to its epipolar line, which decides whether it is aligned.
-std::string angles_base64(const std::vector<EdgeSegment>& segments,
-                          const std::array<ProjectionMatrix, 2>& cameras,
-                          std::size_t i) {
-  std::vector<float> angles_deg;
-  angles_deg.reserve(segments.size());
-  for (const EdgeSegment& s : segments) {
-    angles_deg.push_back(static_cast<float>(
-        epipolar_angle_rad(cameras[i], cameras[1 - i], s.line.segment) * 180.0 / std::numbers::pi));
+/// One bit a segment, the lowest of a byte first: whether the segment is aligned with its epipolar line for the other
+/// image.
+std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size_t other) {
+  const std::vector<EdgeSegment>& segments = patch.images->segments[view];
+  const ProjectionMatrix own_camera = camera_of(patch, view);
+  const ProjectionMatrix other_camera = camera_of(patch, other);
+  std::vector<std::uint8_t> bits((segments.size() + 7) / 8);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const double angle_deg =
+        epipolar_angle_rad(own_camera, other_camera, segments[i].line.segment) * 180.0 /
+        std::numbers::pi;
+    if (angle_deg <= patch.max_aligned_angle_deg) bits[i / 8] |= 1U << (i % 8);
   }
-  return base64(angles_deg);
+  return base64(bits);
 }
 
 Json view_json(const ReportPatch& patch, std::size_t i) {
   constexpr int kQuality = 80;
   const io::PatchImage& view = patch.patch->images[i];
-  const cv::Mat& image = patch.images->images[i];
-  const std::string jpeg = io::jpeg_bytes(display_image(image), kQuality);
-  const std::array<ProjectionMatrix, 2> cameras = io::cameras_in_local(*patch.patch, patch.frame);
-  const std::vector<EdgeSegment>& segments = patch.images->segments[i];
+  const std::string jpeg = io::jpeg_bytes(patch.images->pictures[i], kQuality);
+  Json aligned = Json::array();
+  for (std::size_t other = 0; other < patch.images->pictures.size(); ++other) {
+    aligned.push_back(other == i ? "" : aligned_base64(patch, i, other));
+  }
   return {{"id", view.id},
           {"file", std::filesystem::path(view.path).filename().string()},
-          {"width_px", image.cols},
-          {"height_px", image.rows},
+          {"width_px", static_cast<int>(patch.images->sizes_px[i].x())},
+          {"height_px", static_cast<int>(patch.images->sizes_px[i].y())},
           {"is_distorted", view.interior && !view.interior->distortion.is_zero()},
-          {"projection", matrix_json(cameras[i])},
-          {"segments", segments_base64(segments)},
-          {"angles_deg", angles_base64(segments, cameras, i)},
+          {"projection", matrix_json(camera_of(patch, i))},
+          {"segments", segments_base64(patch.images->segments[i])},
+          {"aligned", std::move(aligned)},
           {"jpeg", base64(std::as_bytes(std::span(jpeg)))}};
 }
 
-Json matches_json(const ReportImages& images) {
+/// A pair with its matches. `score`: of this pair; null if it has no reference.
+Json pair_json(const ReportPair& pair, const evaluate::MatchingScore* score) {
   Json matches = Json::array();
-  for (std::size_t i = 0; i < images.matches.size(); ++i) {
-    const ScoredMatch& m = images.matches[i].scored;
+  for (std::size_t i = 0; i < pair.matches.size(); ++i) {
+    const ScoredMatch& m = pair.matches[i].scored;
     Json match{{"left", m.match.left},
                {"right", m.match.right},
                {"score", rounded(m.score, 4)},
                {"votes", rounded(m.votes, 3)}};
-    if (images.score) match["verdict"] = evaluate::name(images.score->verdicts[i]);
+    if (score != nullptr) match["verdict"] = evaluate::name(score->verdicts[i]);
     matches.push_back(std::move(match));
   }
-  return matches;
+  Json missed = Json::array();
+  if (score != nullptr) {
+    for (const LineMatch& m : score->missed) missed.push_back(Json::array({m.left, m.right}));
+  }
+  return {{"base", pair.views.base},
+          {"search", pair.views.search},
+          {"matches", std::move(matches)},
+          {"missed", std::move(missed)}};
+}
+
+/// Each track as view, segment, view, segment, ...
+Json tracks_json(const std::vector<Track>& tracks) {
+  Json json = Json::array();
+  for (const Track& track : tracks) {
+    Json& row = json.emplace_back(Json::array());
+    for (const Sighting& seen : track.seen) {
+      row.push_back(seen.view);
+      row.push_back(seen.segment);
+    }
+  }
+  return json;
 }
 
 Json images_json(const ReportPatch& patch) {
   if (!patch.images) return nullptr;
-  const auto cameras = io::cameras_in_local(*patch.patch, patch.frame);
-  Json missed = Json::array();
-  if (patch.images->score) {
-    for (const LineMatch& m : patch.images->score->missed) {
-      missed.push_back(Json::array({m.left, m.right}));
-    }
+  const ReportImages& images = *patch.images;
+  Json views = Json::array();
+  for (std::size_t i = 0; i < images.pictures.size(); ++i) views.push_back(view_json(patch, i));
+  Json pairs = Json::array();
+  for (const ReportPair& pair : images.pairs) {
+    const bool is_judged = images.score && pairs.empty();  // the first one is the base pair
+    pairs.push_back(pair_json(pair, is_judged ? &*images.score : nullptr));
   }
-  return {{"views", Json::array({view_json(patch, 0), view_json(patch, 1)})},
-          {"fundamental", matrix_json(fundamental_matrix(cameras[0], cameras[1]))},
-          {"has_reference", patch.images->score.has_value()},
-          {"matches", matches_json(*patch.images)},
-          {"missed", std::move(missed)},
-          {"n_unmatched", patch.images->n_unmatched}};
+  return {{"views", std::move(views)},
+          {"max_aligned_angle_deg", patch.max_aligned_angle_deg},
+          {"has_reference", images.score.has_value()},
+          {"pairs", std::move(pairs)},
+          {"tracks", tracks_json(images.tracks)},
+          {"n_unmatched", images.n_unmatched}};
 }
 
 /// The points, with positions in 65535 steps of their box; null if there are none.
@@ -177,56 +192,78 @@ Json plane_json(const ShownPlane& plane) {
           {"outline", std::move(outline)}};
 }
 
-/// The id of a segment as an index, or null if it is not a number: ids of other tools are text.
-Json segment_index(const std::string& id) {
-  if (id.empty() || id.size() > 9 || id.find_first_not_of("0123456789") != std::string::npos) {
-    return nullptr;
-  }
-  return std::stoi(id);
-}
-
 Json image_segment(const std::optional<Segment2>& s) {
   if (!s) return nullptr;
   return Json::array({rounded(s->start.x(), 3), rounded(s->start.y(), 3), rounded(s->end.x(), 3),
                       rounded(s->end.y(), 3)});
 }
 
+/// The segments of a line as [view, number or null, pixels or null].
+Json sightings_json(const ReportPatch& patch, const io::Line& line) {
+  Json json = Json::array();
+  for (const LineInImage& seen : sightings_of(patch, line)) {
+    json.push_back(Json::array(
+        {seen.view, seen.segment ? Json(*seen.segment) : Json(nullptr), image_segment(seen.px)}));
+  }
+  return json;
+}
+
+/// What each image shows of a line: [state], with a segment [state, offset, sigma]; null for an image that the line
+/// does not lie in.
+Json line_in_views_json(const std::vector<LineInView>& views) {
+  Json json = Json::array();
+  for (const LineInView& view : views) {
+    if (view.state == ViewOfLine::kOutside) {
+      json.push_back(nullptr);
+      continue;
+    }
+    Json& row = json.emplace_back(Json::array({name(view.state)}));
+    if (!view.offset) continue;
+    row.push_back(rounded(view.offset->offset_px, 3));
+    row.push_back(rounded(view.offset->sigma_px, 3));
+  }
+  return json;
+}
+
 /// Adds what the line file knows beside the judgement.
-void add_geometry(const io::Line& line, const std::optional<Segment3>& segment, Json& json) {
+void add_geometry(const ReportPatch& patch,
+                  const io::Line& line,
+                  const std::optional<Segment3>& segment,
+                  Json& json) {
   if (segment) {
     json["start"] = coordinates(segment->start);
     json["end"] = coordinates(segment->end);
   }
-  json["left"] = segment_index(line.left_id);
-  json["right"] = segment_index(line.right_id);
-  json["left_px"] = image_segment(line.left_px);
-  json["right_px"] = image_segment(line.right_px);
+  json["sightings"] = sightings_json(patch, line);
   json["construction"] = line.status;
   if (line.n_points) json["n_points"] = *line.n_points;
+  if (line.n_images) json["n_images"] = *line.n_images;
 }
 
 /// A line as the page gets it. `json`: the line as evaluation.METHOD.json holds it.
-Json line_json(const ReportMethod& method, std::size_t i, Json json) {
+Json line_json(const ReportPatch& patch, const ReportMethod& method, std::size_t i, Json json) {
   for (Json& plane : json.at("planes")) {
     plane.erase("normal");
     plane.erase("d");
   }
-  if (method.lines[i]) add_geometry(*method.lines[i], method.segments[i], json);
+  if (method.lines[i]) add_geometry(patch, *method.lines[i], method.segments[i], json);
   if (!method.true_errors_m.empty()) {
     json["true_error_m"] = evaluate::number_json(method.true_errors_m[i]);
   }
   return json;
 }
 
-Json method_json(const ReportMethod& method, const ShownPlanes& planes) {
+Json method_json(const ReportPatch& patch, const ReportMethod& method, const ShownPlanes& planes) {
   Json judged = evaluate::evaluation_json(method.evaluation);
   Json json{{"name", method.evaluation.method}};
   for (const char* key : {"options", "summary", "accuracy", "calibration", "strata", "standards"}) {
     json[key] = std::move(judged.at(key));
   }
   Json lines = Json::array();
+  const std::vector<std::vector<LineInView>> in_views = lines_in_views(patch, method);
   for (std::size_t i = 0; i < method.lines.size(); ++i) {
-    lines.push_back(line_json(method, i, std::move(judged.at("lines")[i])));
+    Json& line = lines.emplace_back(line_json(patch, method, i, std::move(judged.at("lines")[i])));
+    if (!in_views.empty()) line["views"] = line_in_views_json(in_views[i]);
   }
   json["lines"] = std::move(lines);
   json["planes"] = Json::array();
@@ -238,7 +275,7 @@ Json method_json(const ReportMethod& method, const ShownPlanes& planes) {
 Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
   Json methods = Json::array();
   for (std::size_t m = 0; m < patch.methods.size(); ++m) {
-    methods.push_back(method_json(patch.methods[m], scene.methods[m]));
+    methods.push_back(method_json(patch, patch.methods[m], scene.methods[m]));
   }
   std::string crs = "unknown";
   if (patch.patch) crs = io::describe(patch.patch->crs).name;

@@ -97,12 +97,13 @@ TEST_F(Report, VerdictsOfTheMatchesAddUpToTable1) {
   run_patch();
   const nlohmann::json data = data_of("out/report.html");
   std::map<std::string, int> n;
-  for (const auto& match : data["patches"][0]["images"]["matches"]) ++n[match["verdict"]];
+  for (const auto& match : data["patches"][0]["images"]["pairs"][0]["matches"])
+    ++n[match["verdict"]];
   const nlohmann::json row = data["table1"].at(0);
   EXPECT_EQ(n["correct"], row["correct"]);
   EXPECT_EQ(n["false"], row["false"]);
   EXPECT_EQ(n["unjudged"], row["unjudged"]);
-  EXPECT_EQ(data["patches"][0]["images"]["missed"].size(), row["missed"]);
+  EXPECT_EQ(data["patches"][0]["images"]["pairs"][0]["missed"].size(), row["missed"]);
 }
 
 TEST_F(Report, MadeLaterHasTheSameBytes) {

@@ -3,11 +3,16 @@
 #include "tests/cli/cli_fixture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <sstream>
 
 namespace ridgeline::cli {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
@@ -119,6 +124,132 @@ TEST_F(ThreeImages, AreTwoForThePapers) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("the papers use two"));
   EXPECT_EQ(n_lines_with("out/patch/lines.direct.geojson", "\"n_images\":3"), 0U);
+}
+
+/// The report of three images; its page holds one patch with one method.
+class ThreeImagesReport : public ThreeImages {
+ protected:
+  void SetUp() override {
+    ThreeImages::SetUp();
+    const ProgramResult made =
+        run({"run", "patch/patch.yaml", "--out", "out", "--methods", "direct"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  [[nodiscard]] nlohmann::json patch_of_page() const {
+    const std::string page = read(path("out/report.html"));
+    const std::string open = "id=\"report-data\">";
+    const std::size_t begin = page.find(open) + open.size();
+    return nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin))
+        .at("patches")
+        .at(0);
+  }
+  /// The states of a line's views; "outside" for one that it does not lie in.
+  [[nodiscard]] static std::vector<std::string> states_of(const nlohmann::json& line) {
+    std::vector<std::string> states;
+    for (const auto& view : line.at("views"))
+      states.push_back(view.is_null() ? "outside" : view.at(0).get<std::string>());
+    return states;
+  }
+};
+
+TEST_F(ThreeImagesReport, HoldsEachImageOnceWithItsTracksAndPairs) {
+  const nlohmann::json images = patch_of_page().at("images");
+  ASSERT_EQ(images["views"].size(), 3U);
+  EXPECT_EQ(images["views"][2]["aligned"].size(), 3U);
+  EXPECT_EQ(images["pairs"].size(), 2U);  // a tree of three images
+  EXPECT_EQ(images["pairs"][0]["base"], 0);
+  EXPECT_EQ(images["pairs"][0]["search"], 1);
+  EXPECT_TRUE(images["pairs"][0]["matches"][0].contains("verdict"));
+  EXPECT_FALSE(images["pairs"][1]["matches"][0].contains("verdict"));
+  const std::string rows = read(path("out/patch/tracks.csv"));
+  std::size_t n_sightings = 0;
+  for (const auto& track : images["tracks"]) n_sightings += track.size() / 2;
+  EXPECT_EQ(n_sightings + 1, std::ranges::count(rows, '\n'));
+}
+
+TEST_F(ThreeImagesReport, SaysWhatEachImageShowsOfALine) {
+  std::size_t n_confirmed = 0;
+  std::size_t n_unconfirmed = 0;
+  const nlohmann::json patch = patch_of_page();
+  for (const auto& line : patch["methods"][0]["lines"]) {
+    std::set<int> views;
+    for (const auto& sighting : line["sightings"]) views.insert(sighting[0].get<int>());
+    EXPECT_EQ(views.size(), line["n_images"].get<std::size_t>());
+    const std::vector<std::string> states = states_of(line);
+    ASSERT_EQ(states.size(), 3U);
+    const auto n = [&](const char* state) { return std::ranges::count(states, state); };
+    EXPECT_EQ(n("agrees") + n("differs") + n("sighted"), static_cast<std::ptrdiff_t>(views.size()));
+    if (line["construction"] == "unconfirmed") {
+      ++n_unconfirmed;
+      EXPECT_EQ(n("missing") + n("hidden"), 1) << line["id"];
+    } else if (views.size() == 3) {
+      ++n_confirmed;
+    }
+  }
+  EXPECT_GT(n_confirmed, 20U);
+  EXPECT_GT(n_unconfirmed, 0U);
+}
+
+TEST_F(ThreeImagesReport, NamesTheSegmentsOfTheTracks) {
+  std::map<int, std::vector<std::vector<double>>> rows;
+  const nlohmann::json patch = patch_of_page();
+  for (int view = 0; view < 3; ++view) {
+    const std::string id = patch["images"]["views"][view]["id"];
+    std::istringstream file(read(path("out/patch/segments." + id + ".csv")));
+    for (std::string row; std::getline(file, row);) {
+      std::istringstream cells(row);
+      std::vector<double>& values = rows[view].emplace_back();
+      for (std::string cell; values.size() < 5 && std::getline(cells, cell, ',');)
+        values.push_back(std::atof(cell.c_str()));
+    }
+    rows[view].erase(rows[view].begin());  // the header
+  }
+  std::size_t n_known = 0;
+  for (const auto& line : patch["methods"][0]["lines"]) {
+    for (const auto& sighting : line["sightings"]) {
+      if (sighting[1].is_null()) continue;
+      ++n_known;
+      const auto& row = rows[sighting[0].get<int>()].at(sighting[1].get<std::size_t>());
+      // the middle of what the line was made from lies on the segment, but for the correction of its place
+      const double x = 0.5 * (sighting[2][0].get<double>() + sighting[2][2].get<double>());
+      const double y = 0.5 * (sighting[2][1].get<double>() + sighting[2][3].get<double>());
+      const double dx = row[3] - row[1];
+      const double dy = row[4] - row[2];
+      constexpr double kMostMoved_px = 2.0;
+      EXPECT_LT(std::abs(dx * (y - row[2]) - dy * (x - row[1])) / std::hypot(dx, dy),
+                kMostMoved_px);
+    }
+  }
+  EXPECT_GT(n_known, 50U);
+}
+
+TEST_F(ThreeImagesReport, SaysThatAnImageDiffers) {
+  const std::string file = "out/patch/lines.direct.geojson";
+  nlohmann::json lines = read_json(path(file));
+  std::size_t moved = 0;
+  while (lines["features"][moved]["properties"]["n_images"] != 3) ++moved;
+  nlohmann::json& sighting = lines["features"][moved]["properties"]["sightings"].back();
+  const std::string image = sighting[0];
+  for (const int k : {1, 2, 3, 4}) sighting[k] = sighting[k].get<double>() + 15.0;
+  write(path(file), lines.dump());
+  ASSERT_EQ(run({"report", "out"}).exit_code, 0);
+  const nlohmann::json patch = patch_of_page();
+  for (std::size_t view = 0; view < 3; ++view) {
+    const std::string state = states_of(patch["methods"][0]["lines"][moved])[view];
+    EXPECT_EQ(state == "differs", patch["images"]["views"][view]["id"] == image) << state;
+  }
+}
+
+TEST_F(ThreeImagesReport, OfThePapersSaysThatFurtherImagesAreNotUsed) {
+  ASSERT_EQ(run({"run", "patch/patch.yaml", "--out", "out", "--methods", "direct", "--preset",
+                 "published"})
+                .exit_code,
+            0);
+  const nlohmann::json patch = patch_of_page();
+  EXPECT_EQ(patch["images"]["pairs"].size(), 1U);
+  std::set<std::string> third;
+  for (const auto& line : patch["methods"][0]["lines"]) third.insert(states_of(line)[2]);
+  EXPECT_THAT(third, Each(::testing::AnyOf("not_used", "outside")));
 }
 
 }  // namespace

@@ -362,10 +362,10 @@ test('the table sorts, filters and exports', async () => {
 test('a click on a segment in an image selects its line', async () => {
   const page = await openReport('demo');
   const { data, box } = await imageData(page, 0);
-  const match = data.matches[0];
+  const match = data.pairs[0].matches[0];
   await page.mouse.click(...onScreen(box, data.views[0], middle(data.views[0], match.left)));
   const { line } = await selection(page);
-  assert.equal(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].left, line), match.left);
+  assert.deepEqual(await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].sightings[0].slice(0, 2), line), [0, match.left]);
   await close(page);
 });
 
@@ -407,10 +407,10 @@ test('a review is kept, and its export is a reference that run takes', async () 
   await page.keyboard.press('u');
   await shot(page, 'review');
   assert.match(await page.locator('#review-counts').innerText(), /^3 of \d+ matches judged: 1 correct, 1 false, 1 unsure; 0 missed/);
-  const judged = (await page.evaluate(() => globalThis.ridgeline.state.patch.images.matches)).slice(0, 2);
+  const judged = (await page.evaluate(() => globalThis.ridgeline.state.patch.images.pairs[0].matches)).slice(0, 2);
 
   // a missed match, of the longest segments that no match has
-  const { matches, views } = await page.evaluate(() => globalThis.ridgeline.state.patch.images);
+  const { pairs: [{ matches }], views } = await page.evaluate(() => globalThis.ridgeline.state.patch.images);
   const missed = [longestOf(views[0], new Set(matches.map((m) => m.left))), longestOf(views[1], new Set(matches.map((m) => m.right)))];
   await page.getByRole('button', { name: 'Fit' }).click();
   await page.keyboard.press('m');
@@ -524,6 +524,198 @@ test('a report made later, when the data is gone, says what is missing', async (
   const page = await openReport('moved');
   assert.match((await textOf(page, '.note')).join(' '), /moved\.yaml: is no longer there/);
   assert.ok((await page.locator('#line-table tbody tr').count()) > 100);
+  await close(page);
+});
+
+/** A small village in five images of two crossing strips, with a line that an image contradicts. */
+function fiveImages() {
+  const patch = join(work, 'five_patch');
+  ridgeline('simulate', '--out', patch, '--seed', '3', '--extent-m', '40,40', '--samples-per-side', '1', '--focal-length-px', '7000', '--views', 'strip:3,cross:2');
+  ridgeline('run', join(patch, 'patch.yaml'), '--out', join(work, 'five'), '--no-report');
+  const file = join(work, 'five', 'five_patch', 'lines.joint.geojson');
+  const lines = JSON.parse(readFileSync(file, 'utf8'));
+  const moved = lines.features.find((f) => f.properties.n_images === 5).properties;
+  const sighting = moved.sightings.findIndex((s) => s[0] === 'cross1');
+  moved.sightings[sighting] = moved.sightings[sighting].map((v, i) => (i === 0 ? v : v + 15));
+  writeFileSync(file, JSON.stringify(lines));
+  ridgeline('report', join(work, 'five'));
+  return { contradicted: moved.id };
+}
+let five;
+const openFive = async () => { five ??= fiveImages(); return openReport('five'); };
+const lineWhere = (page, condition) => page.evaluate(`globalThis.ridgeline.state.method.lines.findIndex((l) => ${condition})`);
+const selectLine = (page, line) => page.evaluate((i) => globalThis.ridgeline.state.set({ line: i }), line);
+const shownImages = (page) => page.locator('#images figure').evaluateAll((all) => all.map((f) => f.id));
+
+test('each of five images has a panel for a line, with a word on what it shows', async () => {
+  const page = await openFive();
+  const bytes = statSync(report('five')).size;
+  console.log(`five images: ${(bytes / 1e6).toFixed(2)} MB`);
+  assert.ok(bytes < 2.5e6, `${bytes} bytes`);
+  await selectLine(page, await lineWhere(page, `l.n_images === 5 && l.id !== '${five.contradicted}'`));
+  const captions = await textOf(page, '#details .chips figcaption');
+  assert.equal(captions.length, 5);
+  for (const caption of captions) assert.match(caption, /^(strip|cross)\d: agrees, \d+\.\d\d px off, sigma \d+\.\d\d px$/);
+  assert.match(await page.locator('#details').innerText(), /5 of 5 show it\n/);
+  assert.equal(await page.locator('figure.disagrees').count(), 0);
+  await page.locator('#details').evaluate((e) => e.scrollIntoView());
+  await shot(page, 'five-images');
+
+  await selectLine(page, await lineWhere(page, `l.id === '${five.contradicted}'`));
+  assert.match(await page.locator('#details').innerText(), /5 of 5 show it; cross1 differs\n/);
+  const differing = await textOf(page, 'figure.disagrees figcaption');
+  assert.equal(differing.length, 1);
+  assert.match(differing[0], /^cross1: differs, \d/);
+  await shot(page, 'an-image-differs');
+
+  await selectLine(page, await lineWhere(page, "l.status === 'unconfirmed'"));
+  const missing = await textOf(page, 'figure.disagrees figcaption');
+  assert.ok(missing.length > 0);
+  for (const caption of missing) assert.match(caption, /: missing, it should show the line$/);
+  assert.match(await page.locator('#details').innerText(), /2 of 5 show it; missing in (strip|cross)\d/);
+  await shot(page, 'unconfirmed');
+  await close(page);
+});
+
+test('epipolar lines pass through the mates in any pair of images', async () => {
+  const page = await openFive();
+  const { n, farthest_px } = await page.evaluate(() => {
+    const { state, images: get } = globalThis.ridgeline;
+    const images = get();
+    const result = { n: 0, farthest_px: 0 };
+    for (const line of state.method.lines.filter((l) => l.start)) {
+      for (let v = 0; v < images.count; ++v) {
+        for (let other = 0; other < images.count; ++other) {
+          if (other === v) continue;
+          const [x, y] = images.projected(v, line);
+          const [a, b, c] = images.epipolar(v, other, images.projected(other, line).slice(0, 2));
+          result.farthest_px = Math.max(result.farthest_px, Math.abs(a * x + b * y + c) / Math.hypot(a, b));
+          ++result.n;
+        }
+      }
+    }
+    return result;
+  });
+  assert.ok(n > 20 * 20 && farthest_px < 1e-4, `${n} points up to ${farthest_px} px off`);
+  await close(page);
+});
+
+test('the images of a line are shown until somebody chooses a pair, and further ones beside it', async () => {
+  const page = await openFive();
+  assert.deepEqual(await shownImages(page), ['image-0', 'image-1']);
+  const other = await lineWhere(page, 'l.sightings.length > 1 && l.sightings[1][0] > 1 && l.sightings[0][0] !== l.sightings[1][0]');
+  const views = await page.evaluate((i) => globalThis.ridgeline.state.method.lines[i].sightings.map((s) => s[0]), other);
+  await selectLine(page, other);
+  assert.deepEqual((await shownImages(page)).sort(), views.slice(0, 2).map((v) => `image-${v}`).sort());
+  assert.match(await page.locator(`#image-${views[0]} figcaption`).innerText(), /\): agrees, /);
+  // a click in an image leaves the images as they are
+  const fixed = await shownImages(page);
+  await page.locator('#image-choice select').selectOption('0');
+  assert.deepEqual(await shownImages(page), ['image-0', 'image-1']);
+  await selectLine(page, await lineWhere(page, 'l.n_images === 5'));
+  await selectLine(page, other);
+  assert.deepEqual(await shownImages(page), ['image-0', 'image-1']);
+  await page.locator('#image-choice button').last().click();
+  assert.deepEqual(await shownImages(page), ['image-0', 'image-1', 'image-4']);
+  await page.locator('#image-choice select').selectOption('line');
+  assert.deepEqual((await shownImages(page)).slice(0, 2), fixed);
+  await close(page);
+});
+
+test('a click in an image leaves the images as they are', async () => {
+  const page = await openFive();
+  const { pair, segment, line } = await page.evaluate(() => {
+    const { state, images } = globalThis.ridgeline;
+    const i = state.method.lines.findIndex((l) => l.sightings[0][0] === 0 && l.sightings[1][0] === 1);
+    return { pair: images().pairOf(1, 3), segment: images().segmentsOfLine(1, state.method.lines[i])[0], line: i };
+  });
+  await page.evaluate(() => globalThis.ridgeline.state.set({ line: null }));
+  await page.evaluate((p) => globalThis.ridgeline.state.set({ pair: p }), pair);
+  const { data, box } = await imageData(page, 1);
+  await page.mouse.click(...onScreen(box, data.views[1], [(segment[0] + segment[2]) / 2, (segment[1] + segment[3]) / 2]));
+  assert.equal((await selection(page)).line, line);
+  assert.deepEqual(await shownImages(page), ['image-1', 'image-3']);
+  await close(page);
+});
+
+/** A copy of the patch of five images whose first two are others. */
+function patchBeginningWith(names, reference) {
+  const text = readFileSync(join(work, 'five_patch', 'patch.yaml'), 'utf8').replace(/(path: |- |: )(\w+\.(?:tif|las|csv|geojson))/g, (_, key, file) => `${key}${join(work, 'five_patch', file)}`);
+  const [head, ...rest] = text.split('  - id: ');
+  const end = rest[rest.length - 1].search(/\n\w/) + 1; // where the keys after the images begin
+  const tail = rest[rest.length - 1].slice(end).replace(/reference_matches: .*/, `reference_matches: ${reference}`);
+  rest[rest.length - 1] = rest[rest.length - 1].slice(0, end);
+  const rank = (image) => (names.indexOf(image.split('\n')[0]) + 1 || 9);
+  const file = join(work, 'other_pair.yaml');
+  writeFileSync(file, head + rest.sort((a, b) => rank(a) - rank(b)).map((image) => `  - id: ${image}`).join('') + tail);
+  return file;
+}
+
+test('the matches of any pair can be reviewed, and its export is a reference of that pair', async () => {
+  const page = await openFive();
+  const names = ['strip1', 'cross2'];
+  const choosePair = async () => {
+    const option = await page.locator('#image-choice option').evaluateAll((all, [a, b]) => all.find((o) => o.text.startsWith(`${a} – ${b}`)).value, names);
+    await page.locator('#image-choice select').selectOption(option);
+  };
+  await choosePair();
+  assert.match(await page.locator('#review').innerText(), /The matches are those of strip1 – cross2, which the run matched/);
+  await page.locator('#review-start').click();
+  assert.deepEqual(await shownImages(page), ['image-2', 'image-4']);
+  await page.keyboard.press('c');
+  await page.keyboard.press('c');
+  await page.keyboard.press('f');
+  await shot(page, 'review-of-another-pair');
+  assert.match(await page.locator('#review-counts').innerText(), /^3 of \d+ matches judged: 2 correct, 1 false/);
+  const csv = await downloadOf(page, () => page.locator('#review-export').click());
+  assert.equal(csv.name, 'reference_matches.strip1-cross2.csv');
+  // the base pair has a review of its own, and that of this pair is kept
+  await page.locator('#image-choice select').selectOption('0');
+  assert.equal(await page.locator('#review-counts').count(), 0);
+  await page.reload();
+  await page.waitForSelector('html[data-ready]');
+  await choosePair();
+  assert.match(await page.locator('#review-counts').innerText(), /^3 of \d+ matches judged/);
+  // tracks give matches of a pair that was not matched
+  const joined = await page.locator('#image-choice option').evaluateAll((all) => all.find((o) => o.text.startsWith('strip2 – cross1')).value);
+  await page.locator('#image-choice select').selectOption(joined);
+  assert.match(await page.locator('#review').innerText(), /strip2 – cross1, as tracks join them/);
+  const tracks = await page.evaluate(() => globalThis.ridgeline.state.patch.images.tracks.filter((t) => [0, 3].every((v) => t.some((x, i) => i % 2 === 0 && x === v))).length);
+  await page.locator('#review-start').click();
+  assert.match(await page.locator('#review-match').innerText(), new RegExp(`^Match 1 of ${tracks}: segments \\d+ and \\d+\\. Judged`));
+  await close(page);
+
+  const reference = join(work, 'reference_matches.strip1-cross2.csv');
+  writeFileSync(reference, csv.text);
+  ridgeline('run', patchBeginningWith(names, reference), '--out', join(work, 'other_pair'), '--no-report', '--methods', 'direct');
+  const [row] = readJson('other_pair', 'table1.json').rows;
+  assert.deepEqual([row.correct, row.false], [2, 1]);
+});
+
+test('lines are filtered by the number of their images, and unconfirmed ones are counted', async () => {
+  const page = await openFive();
+  const { lines } = await page.evaluate(() => ({ lines: globalThis.ridgeline.state.method.lines.map((l) => [l.status, l.n_images]) }));
+  const unconfirmed = lines.filter(([status]) => status === 'unconfirmed').length;
+  assert.ok(unconfirmed > 0);
+  assert.match(await page.locator('#patch-facts').innerText(), new RegExp(`joint: ${lines.length} lines, .* ${unconfirmed} unconfirmed\\.`));
+  const choose = (label, value) => page.locator('#lines').getByLabel(label, { exact: true }).selectOption(value);
+  await choose('status', 'unconfirmed');
+  assert.equal(await page.locator('#line-count').innerText(), `${unconfirmed} of ${lines.length} lines`);
+  await choose('status', '');
+  await choose('images', '3');
+  const three = lines.filter(([, n]) => n === 3).length;
+  assert.equal(await page.locator('#line-count').innerText(), `${three} of ${lines.length} lines`);
+  assert.equal(await page.locator('#line-table th button[data-key="n_images"]').count(), 1);
+  await close(page);
+});
+
+test('a report of two images speaks of no further ones', async () => {
+  const page = await openReport('demo');
+  await page.locator('#line-table tbody tr').first().click();
+  assert.equal(await page.locator('#image-choice').innerText(), '');
+  assert.equal(await page.locator('#line-table th button[data-key="n_images"]').count(), 0);
+  assert.deepEqual(await textOf(page, '#details .chips figcaption'), ['left', 'right']);
+  assert.doesNotMatch(await page.locator('#patch').innerText(), /agrees|unconfirmed|Magenta|base pair/);
   await close(page);
 });
 

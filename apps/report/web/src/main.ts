@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { readReport } from './data/decode';
-import { isOfFiles } from './data/product';
+import { isOfFiles, isUnconfirmed } from './data/product';
 import type { Patch, Report } from './data/schema';
 import { Review } from './review/review';
 import { ReviewPanel } from './review/review_panel';
@@ -27,7 +27,8 @@ function factsOf(patch: Patch): string {
   const unmatched = Object.entries(patch.images?.n_unmatched ?? {}).map(([reason, n]) => `${words(reason)} ${n}`);
   return cloud + patch.methods.map((m) => {
     const kinds = (kind: string): number => m.lines.filter((l) => l.kind === kind).length;
-    return `${m.name}: ${m.lines.length} lines, ${kinds('step')} steps, ${kinds('ridge')} ridges. `;
+    const unconfirmed = m.lines.filter(isUnconfirmed).length;
+    return `${m.name}: ${m.lines.length} lines, ${kinds('step')} steps, ${kinds('ridge')} ridges${unconfirmed > 0 ? `, ${unconfirmed} unconfirmed` : ''}. `;
   }).join('') + (unmatched.length > 0 ? `Left segments without a match: ${unmatched.join(', ')}.` : '');
 }
 
@@ -89,10 +90,10 @@ class Page {
     replace(this.patchFacts, h('p', { class: 'caption', id: 'patch-facts' }, factsOf(patch)),
       ...patch.notes.map((note) => h('p', { class: 'message note' }, note)));
     const images = PatchImages.of(patch, () => { this.pair.draw(); });
-    this.review.show(patch, images);
+    this.review.show(images);
     this.pair.show(images);
     this.details.show(images);
-    this.reviewPanel.update();
+    this.reviewPanel.show(images);
     this.scene.show();
     this.showFigures();
   }
@@ -132,6 +133,10 @@ class Page {
     return /^[1-9]$/.test(key) && method < this.state.patch.methods.length ? () => this.state.chooseMethod(method) : undefined;
   }
 
+  get images(): PatchImages | null {
+    return this.pair.shownImages;
+  }
+
   get sceneView(): ScenePanel['view'] {
     return this.scene.view;
   }
@@ -142,7 +147,7 @@ try {
   const state = new State(readReport());
   const page = new Page(state, root);
   // tests and the console use this
-  Object.assign(globalThis, { ridgeline: { state, scene: page.sceneView } });
+  Object.assign(globalThis, { ridgeline: { state, scene: page.sceneView, images: () => page.images } });
   document.documentElement.dataset['ready'] = 'true';
 } catch (error) {
   append(root, h('p', { class: 'message' }, `The report cannot be shown: ${error instanceof Error ? error.message : String(error)}`));

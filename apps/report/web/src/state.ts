@@ -7,13 +7,14 @@ export interface Selection {
   method: number;
   line: number | null; // index in the method's lines
   match: number | null; // index of the match under review
+  pair: number; // index in PatchImages.pairs, of the images that are shown and reviewed
 }
 
 type Listener = (now: Selection, before: Selection) => void;
 
 /** What is selected; all parts of the page share it. */
 export class State {
-  private selection: Selection = { patch: 0, method: 0, line: null, match: null };
+  private selection: Selection = { patch: 0, method: 0, line: null, match: null, pair: 0 };
   private readonly listeners: Listener[] = [];
 
   constructor(readonly report: Report) {
@@ -48,7 +49,7 @@ export class State {
   choosePatch(patch: number): void {
     const chosen = this.report.patches[patch]!;
     const same = chosen.methods.findIndex((m) => m.name === this.method.name);
-    this.set({ patch, method: same >= 0 ? same : productIndex(this.report, chosen), line: null, match: null });
+    this.set({ patch, method: same >= 0 ? same : productIndex(this.report, chosen), line: null, match: null, pair: 0 });
   }
 
   /** Chooses a method. Its line of the same id stays selected. */
@@ -59,8 +60,8 @@ export class State {
   }
 
   /** Index of the line that was made of a segment of an image; null if there is none. */
-  lineOfSegment(view: 0 | 1, segment: number): number | null {
-    const index = this.method.lines.findIndex((l) => (view === 0 ? l.left : l.right) === segment);
+  lineOfSegment(view: number, segment: number): number | null {
+    const index = this.method.lines.findIndex((l) => l.sightings?.some((s) => s[0] === view && s[1] === segment));
     return index < 0 ? null : index;
   }
 }

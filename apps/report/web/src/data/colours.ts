@@ -40,6 +40,7 @@ const statusColours: Record<string, string> = {
   low_coverage: okabeIto.purple,
   ambiguous: okabeIto.yellow,
   degenerate: okabeIto.vermillion,
+  unconfirmed: okabeIto.blue,
 };
 export const statusColour = (status: string): string => statusColours[status] ?? okabeIto.skyBlue;
 

@@ -9,6 +9,7 @@ function bytesOf(base64: string): ArrayBuffer {
 }
 
 export const float32 = (base64: string): Float32Array<ArrayBuffer> => new Float32Array(bytesOf(base64));
+export const uint8 = (base64: string): Uint8Array<ArrayBuffer> => new Uint8Array(bytesOf(base64));
 export const uint16 = (base64: string): Uint16Array<ArrayBuffer> => new Uint16Array(bytesOf(base64));
 
 /** The data of the page; throws if this front end does not know its form. */
@@ -16,7 +17,7 @@ export function readReport(): Report {
   const text = document.getElementById('report-data')?.textContent;
   if (!text) throw new Error('the page holds no data');
   const report = JSON.parse(text) as Report;
-  if (report.schema !== 1) throw new Error(`data of schema ${report.schema}, this page knows 1`);
+  if (report.schema !== 2) throw new Error(`data of schema ${report.schema}, this page knows 2`);
   return report;
 }
 

@@ -11,11 +11,25 @@ export function project(P: readonly number[], x: Triple): Point2 {
   return [row(0) / row(2), row(1) / row(2)];
 }
 
-/** The epipolar line F x of a left point in the right image; `transposed`: that of a right point in the left image. */
-export function epipolarLine(F: readonly number[], x: Point2, transposed: boolean): LineCoefficients {
-  const at = (r: number, c: number): number => (transposed ? F[3 * c + r]! : F[3 * r + c]!);
-  const row = (r: number): number => at(r, 0) * x[0] + at(r, 1) * x[1] + at(r, 2);
-  return [row(0), row(1), row(2)];
+const cross = (a: Triple, b: Triple): Triple =>
+  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const dot = (a: Triple, b: Triple): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** The line in the image of camera P that points on the ray of pixel x of camera Q are seen on: the join of the images
+ * of Q's centre -M^-1 q and of the ray's direction M^-1 x, for Q = [M | q]. Both cameras are stored row by row. */
+export function epipolarLine(P: readonly number[], Q: readonly number[], x: Point2): LineCoefficients {
+  const column = (c: number): Triple => [Q[c]!, Q[4 + c]!, Q[8 + c]!];
+  const [a, b, c, q] = [column(0), column(1), column(2), column(3)];
+  const det = dot(a, cross(b, c));
+  const solve = (y: Triple): Triple => [dot(y, cross(b, c)) / det, dot(y, cross(c, a)) / det, dot(y, cross(a, b)) / det];
+  const image = (v: Triple, w: number): Triple => {
+    const row = (r: number): number => P[4 * r]! * v[0] + P[4 * r + 1]! * v[1] + P[4 * r + 2]! * v[2] + P[4 * r + 3]! * w;
+    return [row(0), row(1), row(2)];
+  };
+  const centre = solve(q);
+  const line = cross(image([-centre[0], -centre[1], -centre[2]], 1), image(solve([x[0], x[1], 1]), 0));
+  const norm = Math.hypot(line[0], line[1]);
+  return [line[0] / norm, line[1] / norm, line[2] / norm];
 }
 
 /** The part of a line within a rectangle, if any. */

@@ -26,6 +26,9 @@ export function productRows(report: Report): Table2Row[] {
   });
 }
 
+/** Whether a further image should show the line and does not. */
+export const isUnconfirmed = (line: Line): boolean => line.construction === 'unconfirmed' || line.status === 'unconfirmed';
+
 /** The judged lines farthest off, each with its index. */
 export function worstLines(lines: readonly Line[], n: number): { line: Line; index: number }[] {
   return lines.map((line, index) => ({ line, index })).filter(({ line }) => line.mean_distance_m !== null)

@@ -124,6 +124,13 @@ export interface LinePlane {
   mean_distance_m: number | null;
 }
 
+/** Image, number of the segment in it, ends as the line was made from them. */
+export type SightingOfLine = [view: number, segment: number | null, px: ImageSegment | null];
+
+/** apps/report/line_views.h says what the words mean. */
+export type ViewState = 'agrees' | 'differs' | 'sighted' | 'missing' | 'hidden' | 'border' | 'not_used';
+export type LineInView = [state: ViewState, offset_px?: number, sigma_px?: number];
+
 export interface Line {
   id: string;
   class: string;
@@ -144,12 +151,13 @@ export interface Line {
   height_if_vertical_m?: number | null;
   start?: Triple;
   end?: Triple;
-  left?: number | null;
-  right?: number | null;
-  left_px?: ImageSegment | null;
-  right_px?: ImageSegment | null;
+  /** Its image segments; the first two are of the pair that it was found in. */
+  sightings?: SightingOfLine[];
+  /** With three images and more, what each image shows of it; null for an image that it does not lie in. */
+  views?: (LineInView | null)[];
   construction?: string;
   n_points?: number;
+  n_images?: number;
   true_error_m?: number | null;
 }
 
@@ -183,24 +191,37 @@ export interface View {
   is_distorted: boolean;
   projection: number[];
   segments: string;
-  angles_deg: string;
+  /** By the other image: one bit a segment, whether it is aligned with its epipolar line. */
+  aligned: string[];
   jpeg: string;
 }
 
 export interface Match {
   left: number;
   right: number;
-  score: number;
-  votes: number;
+  /** Of the matcher; a match that is known from a track has none. */
+  score?: number;
+  votes?: number;
   verdict?: Verdict;
 }
 
-export interface Images {
-  views: [View, View];
-  fundamental: number[];
-  has_reference: boolean;
+/** `left` of a match is a segment of `base`, `right` one of `search`. */
+export interface PairOfViews {
+  base: number;
+  search: number;
   matches: Match[];
   missed: [number, number][];
+}
+
+export interface Images {
+  views: View[];
+  max_aligned_angle_deg: number;
+  /** Whether the first pair has reference matches. */
+  has_reference: boolean;
+  /** The pairs that were matched, the base pair first. */
+  pairs: PairOfViews[];
+  /** With three images and more: image, segment, image, segment, ... of each edge. */
+  tracks: number[][];
   n_unmatched: Record<string, number>;
 }
 

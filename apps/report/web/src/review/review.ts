@@ -2,9 +2,9 @@
 // Matches judged by eye. The state outlives the page in the browser's storage, under a hash of the
 // matches and segments: another run starts afresh.
 import { hash53 } from '../data/decode';
-import type { Match, Patch } from '../data/schema';
+import type { Match, PairOfViews } from '../data/schema';
 import type { State } from '../state';
-import type { PatchImages, ViewIndex } from '../views/patch_images';
+import { sideOf, type PatchImages } from '../views/patch_images';
 
 export type EyeVerdict = 'correct' | 'false' | 'unsure';
 type Pair = [number, number];
@@ -24,19 +24,34 @@ export class Review {
   private adding: [number | null, number | null] | null = null;
   private readonly listeners: (() => void)[] = [];
 
-  constructor(private readonly state: State) {}
+  constructor(private readonly state: State) {
+    state.onChange((now, before) => {
+      if (now.pair !== before.pair && now.patch === before.patch) this.load();
+    });
+  }
 
   onChange(listener: () => void): void {
     this.listeners.push(listener);
   }
 
-  show(patch: Patch, images: PatchImages | null): void {
+  show(images: PatchImages | null): void {
     this.images = images;
+    this.load();
+  }
+
+  /** The pair of images whose matches are judged. */
+  get pair(): PairOfViews | null {
+    return this.images?.pairs[this.state.now.pair] ?? null;
+  }
+
+  /** Takes up the review of the pair where it was left. */
+  private load(): void {
     this.adding = null;
     this.stored = { verdicts: {}, added: [] };
-    if (!patch.images) return;
-    const { matches, views } = patch.images;
-    this.storageKey = `ridgeline-review-${hash53([JSON.stringify(matches.map(keyOf)), views[0].segments, views[1].segments])}`;
+    const { images, pair } = this;
+    if (!images || !pair) return;
+    const segments = [pair.base, pair.search].map((v) => images.images.views[v]!.segments);
+    this.storageKey = `ridgeline-review-${hash53([JSON.stringify(pair.matches.map(keyOf)), ...segments])}`;
     try {
       const value: unknown = JSON.parse(localStorage.getItem(this.storageKey) ?? 'null');
       if (isStored(value)) this.stored = value;
@@ -46,7 +61,7 @@ export class Review {
   }
 
   get matches(): readonly Match[] {
-    return this.images?.images.matches ?? [];
+    return this.pair?.matches ?? [];
   }
   get isActive(): boolean {
     return this.state.now.match !== null;
@@ -79,11 +94,12 @@ export class Review {
   /** Pairs of segments that should have been matched. */
   missed(): readonly Pair[] {
     if (this.hasBegun || this.isActive) return this.stored.added;
-    return this.images?.images.missed ?? [];
+    return this.pair?.missed ?? [];
   }
 
-  pending(view: ViewIndex): number | null {
-    return this.adding?.[view] ?? null;
+  pending(view: number): number | null {
+    const side = this.pair ? sideOf(this.pair, view) : null;
+    return side === null ? null : (this.adding?.[side] ?? null);
   }
 
   start(): void {
@@ -117,9 +133,11 @@ export class Review {
   }
 
   /** Whether the click on a segment (or on none) was meant for a missed match. */
-  takesClick(view: ViewIndex, segment: number | null): boolean {
-    if (!this.adding) return false;
-    this.adding[view] = segment;
+  takesClick(view: number, segment: number | null): boolean {
+    if (!this.adding || !this.pair) return false;
+    const side = sideOf(this.pair, view);
+    if (side === null) return true; // the image is none of the pair's
+    this.adding[side] = segment;
     const [left, right] = this.adding;
     if (left !== null && right !== null) {
       const isKnown = this.matches.some((m) => m.left === left && m.right === right) || this.stored.added.some((p) => p[0] === left && p[1] === right);
@@ -154,13 +172,20 @@ export class Review {
     return n;
   }
 
-  /** Rows of reference_matches.csv, which `run` reads: edges by their segments in both images. Matches
-   * that nobody is sure of are left out. */
+  /** `run` reads reference_matches.csv of the base pair; the file of another pair has its images in its name. */
+  get fileName(): string {
+    const { images, pair } = this;
+    return images && pair && this.state.now.pair > 0 ? `reference_matches.${images.nameOfPair(pair, '-')}.csv` : 'reference_matches.csv';
+  }
+
+  /** Rows of the file: edges by their segments in both images. Matches that nobody is sure of are left out. */
   rows(): (string | number)[][] {
     const ends = ['x1_px', 'y1_px', 'x2_px', 'y2_px'];
     const rows: (string | number)[][] = [['id', 'verdict', ...ends.map((e) => `left_${e}`), ...ends.map((e) => `right_${e}`)]];
+    const views = this.pair;
+    if (!views) return rows;
     const add = (pair: Pair, verdict: string): void => {
-      const segments = [this.images?.segment(0, pair[0]), this.images?.segment(1, pair[1])];
+      const segments = [this.images?.segment(views.base, pair[0]), this.images?.segment(views.search, pair[1])];
       rows.push([`${pair[0]}-${pair[1]}`, verdict, ...segments.flatMap((s) => (s ?? []).map((v) => v.toFixed(3)))]);
     };
     for (const match of this.matches) {
@@ -182,7 +207,7 @@ export class Review {
 
   private go(match: number): void {
     const m = this.matches[match];
-    this.state.set({ match, line: m ? this.state.lineOfSegment(0, m.left) : null });
+    this.state.set({ match, line: m && this.pair ? this.state.lineOfSegment(this.pair.base, m.left) : null });
     this.changed();
   }
 

@@ -3,12 +3,14 @@ import type { State } from '../state';
 import { button, h, replace } from '../ui/dom';
 import { csv, download } from '../ui/download';
 import { fixed, percent } from '../ui/format';
+import type { PatchImages } from '../views/patch_images';
 import type { Review } from './review';
 
 const share = (part: number, whole: number): string => percent(whole > 0 ? part / whole : null);
 
 export class ReviewPanel {
   readonly element = h('section', { id: 'review' });
+  private images: PatchImages | null = null;
 
   constructor(private readonly state: State, private readonly review: Review) {
     review.onChange(() => this.update());
@@ -16,12 +18,27 @@ export class ReviewPanel {
   }
 
   export(): void {
-    download('reference_matches.csv', csv(this.review.rows()));
+    download(this.review.fileName, csv(this.review.rows()));
+  }
+
+  show(images: PatchImages | null): void {
+    this.images = images;
+    this.update();
+  }
+
+  /** Which pair of several is judged, and what its file is good for. */
+  private aboutPair(): string {
+    const { images, review } = this;
+    const { pair } = this.state.now;
+    if (!images?.areSeveral || !review.pair) return '';
+    const name = images.nameOfPair(review.pair);
+    if (pair === 0) return ` The matches are those of the base pair, ${name}; the choice of images above says whose are judged.`;
+    return ` The matches are those of ${name}, ${images.wasMatched(pair) ? 'which the run matched' : 'as tracks join them'}. Their file is a reference for a patch whose first two images are these.`;
   }
 
   update(): void {
     const { review } = this;
-    if (review.matches.length === 0) {
+    if (review.matches.length === 0 && !this.images?.areSeveral) {
       replace(this.element);
       return;
     }
@@ -30,11 +47,11 @@ export class ReviewPanel {
       `${review.nJudged} of ${review.matches.length} matches judged: ${n.correct} correct, ${n.false} false, ${n.unsure} unsure; ${n.missed} missed added. `
       + `Correctness ${share(n.correct, n.correct + n.false)} %, completeness ${share(n.correct, n.correct + n.missed)} %, quality ${share(n.correct, n.correct + n.false + n.missed)} %.`);
     replace(this.element, h('h3', {}, 'Checking matches by eye'),
-      h('p', { class: 'caption' }, 'As the matches of the paper’s Table 1 were judged. The state stays in this browser; the exported file is a patch’s reference_matches.'),
+      h('p', { class: 'caption' }, 'As the matches of the paper’s Table 1 were judged. The state stays in this browser; the exported file is a patch’s reference_matches.' + this.aboutPair()),
       h('div', { class: 'controls' },
-        review.isActive ? button('Leave review', () => review.stop(), { title: 'r or Escape' }) : button(review.hasBegun ? 'Continue review' : 'Start review', () => review.start(), { id: 'review-start', title: 'r' }),
+        review.isActive ? button('Leave review', () => review.stop(), { title: 'r or Escape' }) : button(review.hasBegun ? 'Continue review' : 'Start review', () => review.start(), { id: 'review-start', title: 'r', disabled: review.matches.length === 0 }),
         ...(review.isActive ? this.judging() : []),
-        button('Export reference_matches.csv', () => this.export(), { id: 'review-export', disabled: !review.hasBegun })),
+        button(`Export ${review.fileName}`, () => this.export(), { id: 'review-export', disabled: !review.hasBegun })),
       review.isActive ? this.currentMatch() : null,
       review.hasBegun || review.isActive ? judged : null);
   }
@@ -56,7 +73,7 @@ export class ReviewPanel {
     const match = this.review.current();
     const at = (this.state.now.match ?? 0) + 1;
     return h('p', { id: 'review-match' }, match
-      ? `Match ${at} of ${this.review.matches.length}: segments ${match.left} and ${match.right}, score ${fixed(match.score, 3)}, votes ${fixed(match.votes, 1)}. Judged: ${this.review.eyeVerdict(match) ?? 'not yet'}.`
+      ? `Match ${at} of ${this.review.matches.length}: segments ${match.left} and ${match.right}${match.score === undefined ? '' : `, score ${fixed(match.score, 3)}, votes ${fixed(match.votes, 1)}`}. Judged: ${this.review.eyeVerdict(match) ?? 'not yet'}.`
       : '');
   }
 }

@@ -7,7 +7,7 @@ import { words } from '../ui/format';
 import type { LineColouring } from './line_layer';
 import { SceneView } from './scene_view';
 
-const aboutSurface = 'points that dense matching of the two images knows';
+const aboutSurface = 'points that dense matching of the first two images knows';
 
 const swatch = (colour: string, text: string): HTMLElement => {
   const mark = h('span', { class: 'swatch', 'aria-hidden': 'true' });

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The selected line: its figures, its planes, its chips of both images.
-import { okabeIto, selectionColour } from '../data/colours';
-import type { Line } from '../data/schema';
+// The selected line: its figures, its planes, its chips of all images.
+import { selectionColour } from '../data/colours';
+import type { ImageSegment, Line, Patch } from '../data/schema';
 import type { State } from '../state';
 import { append, h, replace, table } from '../ui/dom';
 import { fixed, metres, missing, percent, words } from '../ui/format';
 import { ImageCanvas } from './image_canvas';
-import { paintEpipolar } from './image_pair';
-import type { PatchImages, ViewIndex } from './patch_images';
+import { paintLine } from './image_pair';
+import { sentenceOfViews, viewWords } from './line_in_view';
+import type { PatchImages } from './patch_images';
 
 /** A value with its 95 % interval. */
 const plusMinus = (value_m: number, variance_m2: number): string => `${metres(value_m)} ± ${metres(1.96 * Math.sqrt(variance_m2))} m`;
 
-function facts(line: Line): HTMLElement {
+function facts(line: Line, patch: Patch, images: PatchImages | null): HTMLElement {
   const rows: [string, string][] = [
     ['class', `${words(line.class)}, ${fixed(line.epipolar_angle_deg, 1)}° to the epipolar line`],
     ['status', words(line.status) + (line.reason ? `: ${line.reason}` : '')],
     ['kind', line.kind ?? missing],
     ['length', `${fixed(line.length_m, 2)} m`],
   ];
+  const views = images ? sentenceOfViews(patch, line, images) : null;
+  if (views) rows.push(['images', views]);
   if (line.mean_distance_m !== null) {
     rows.push(['distance', `${metres(line.mean_distance_m)} m on average, ${metres(line.max_distance_m)} m at most, signed ${metres(line.signed_mean_m)} m`],
       ['sigma', `line ${metres(line.sigma_line_m)} m, plane ${metres(line.sigma_plane_m)} m, z ${fixed(line.z, 2)}`]);
@@ -68,22 +71,53 @@ export class Details {
       return;
     }
     const chips = h('div', { class: 'chips' });
-    replace(this.element, h('h3', {}, `Line ${line.id}`), facts(line), planes(line), chips);
-    for (const v of [0, 1] as const) this.addChip(v, line, chips);
+    replace(this.element, h('h3', {}, `Line ${line.id}`), facts(line, this.state.patch, this.images), planes(line), chips);
+    for (const v of this.viewsOf(line)) this.addChip(v, line, chips);
+    if (this.images?.areSeveral && chips.childElementCount > 0) append(this.element, h('p', { class: 'caption' }, legendOf(line, this.images)));
   }
 
-  private addChip(v: ViewIndex, line: Line, parent: HTMLElement): void {
+  /** The images that show the line, its first one first, then those in which it lies. */
+  private viewsOf(line: Line): number[] {
     const { images } = this;
-    const segment = images?.segmentOfLine(v, line) ?? images?.projected(v, line);
-    if (!images || !segment) return;
-    const view = images.images.views[v];
-    const chip = new ImageCanvas(images.pictures[v], [view.width_px, view.height_px], `Line ${line.id} in image ${view.id}`, (canvas) => {
-      paintEpipolar(v, canvas, images, images.segmentOfLine((1 - v) as ViewIndex, line));
-      const seen = images.projected(v, line);
-      if (seen) canvas.segment(seen, { colour: okabeIto.black, width: 1.5, dash: [3, 3], halo: true });
-      canvas.segment(segment, { colour: selectionColour, width: 1.5 });
-    });
-    append(parent, h('figure', {}, chip.canvas, h('figcaption', { class: 'caption' }, view.id)));
-    chip.frame(segment);
+    if (!images) return [];
+    if (!images.areSeveral) return [0, 1];
+    const shown = images.viewsOfLine(line);
+    return [...shown, ...images.pictures.map((_, v) => v).filter((v) => !shown.includes(v) && line.views?.[v])];
   }
+
+  private addChip(v: number, line: Line, parent: HTMLElement): void {
+    const { images } = this;
+    if (!images) return;
+    const own = images.segmentsOfLine(v, line);
+    const projected = images.projected(v, line);
+    // of several images, a segment may be a small part of the line
+    const parts = projected && (own.length === 0 || images.areSeveral) ? [...own, projected] : own;
+    const shown = parts.length > 0 ? boxOf(parts) : null;
+    if (!shown) return;
+    const view = images.images.views[v]!;
+    const chip = new ImageCanvas(images.pictures[v]!, [view.width_px, view.height_px], `Line ${line.id} in image ${view.id}`, (canvas) => {
+      paintLine(v, canvas, images, line, 1.5, false);
+      // a pair shows every line: where no segment is known, the projection stands for it
+      if (own.length === 0 && projected && !images.areSeveral) canvas.segment(projected, { colour: selectionColour, width: 1.5 });
+    });
+    const words = viewWords(this.state.patch, line, v);
+    append(parent, h('figure', { class: words?.disagrees ? 'disagrees' : undefined }, chip.canvas,
+      h('figcaption', { class: 'caption' }, view.id, ...(words ? [': ', h('strong', {}, words.word), words.more ? `, ${words.more}` : ''] : []))));
+    chip.frame(shown);
+  }
+}
+
+/** What the lines in the chips are. */
+function legendOf(line: Line, images: PatchImages): string {
+  const [first, second] = images.viewsOfLine(line).map((v) => images.images.views[v]!.id);
+  const epipolar = second === undefined ? (first === undefined ? '' : `; violet: epipolar lines of the ends in ${first}`) : `; violet: epipolar lines of the ends in ${first}, in ${first} itself of those in ${second}`;
+  return `Magenta: segments of the images; black and white: the 3D line as the cameras see it${epipolar}.`;
+}
+
+/** The box around segments, as one that runs across it. */
+function boxOf(segments: readonly ImageSegment[]): ImageSegment {
+  if (segments.length === 1) return segments[0]!;
+  const x = segments.flatMap((s) => [s[0], s[2]]);
+  const y = segments.flatMap((s) => [s[1], s[3]]);
+  return [Math.min(...x), Math.min(...y), Math.max(...x), Math.max(...y)];
 }

@@ -34,7 +34,7 @@ function gateTable(report: Report): HTMLElement | null {
 function table1(report: Report): HTMLElement | null {
   if (isOfFiles(report)) return null;
   const rows = report.table1;
-  const hasMatches = report.patches.some((p) => (p.images?.matches.length ?? 0) > 0);
+  const hasMatches = report.patches.some((p) => p.images?.pairs.some((pair) => pair.matches.length > 0));
   const withInterval = (share: number | null, ci: [number, number] | null): string =>
     ci ? `${percent(share)} (${percent(ci[0])} – ${percent(ci[1])})` : percent(share);
   const columns: Column<Table1Row>[] = [

@@ -4,7 +4,7 @@ import type { Line } from '../data/schema';
 import type { State } from '../state';
 import { append, button, choice, h, replace } from '../ui/dom';
 import { csv, download } from '../ui/download';
-import { fixed, metres, words } from '../ui/format';
+import { fixed, metres, missing, words } from '../ui/format';
 
 interface LineColumn {
   key: string;
@@ -31,6 +31,7 @@ const columns: readonly LineColumn[] = [
   { key: 'z', title: 'z', hint: 'signed distance by sigma', value: (l) => l.z, text: (l) => fixed(l.z, 2) },
   metreColumn('true_error_m', 'true error m', (l) => l.true_error_m, 'distance from the true line'),
   { key: 'n_points', title: 'points', hint: 'artificial points used', value: (l) => l.n_points, text: (l) => (l.n_points === undefined ? '' : String(l.n_points)) },
+  { key: 'n_images', title: 'images', hint: 'images that show it', value: (l) => l.n_images },
   { key: 'flags', title: 'flags', value: (l) => l.flags.join(' '), text: (l) => l.flags.map(words).join(', ') },
 ];
 
@@ -40,12 +41,15 @@ const isNumeric = (c: LineColumn, lines: readonly Line[]): boolean => lines.some
 function compare(a: Line, b: Line, column: LineColumn, descending: boolean): number {
   const x = column.value(a);
   const y = column.value(b);
-  const missing = (v: unknown): boolean => v === null || v === undefined;
-  if (missing(x) || missing(y)) return Number(missing(x)) - Number(missing(y));
+  const lacks = (v: unknown): boolean => v === null || v === undefined;
+  if (lacks(x) || lacks(y)) return Number(lacks(x)) - Number(lacks(y));
   const order = typeof x === 'number' && typeof y === 'number' ? x - y
     : String(x).localeCompare(String(y), 'en', { numeric: true });
   return descending ? -order : order;
 }
+
+/** Of a pair, both images show every line. */
+const showsNumberOfImages = (lines: readonly Line[]): boolean => lines.some((l) => (l.n_images ?? 0) > 2);
 
 const kPage = 500;
 
@@ -61,6 +65,7 @@ export class LineTable {
   private text = '';
   private lineClass = '';
   private status = '';
+  private nImages = '';
   private limit = kPage;
   private shown: number[] = [];
 
@@ -85,11 +90,13 @@ export class LineTable {
       [{ value: '', text: 'all' }, ...[...new Set(lines.map(get))].sort().map((v) => ({ value: v, text: words(v) }))];
     if (!lines.some((l) => l.class === this.lineClass)) this.lineClass = '';
     if (!lines.some((l) => l.status === this.status)) this.status = '';
+    if (!showsNumberOfImages(lines) || !lines.some((l) => String(l.n_images ?? missing) === this.nImages)) this.nImages = '';
     const search = h('input', { type: 'search', value: this.text, placeholder: 'id, kind, flag …', 'aria-label': 'Filter lines', id: 'line-filter',
       oninput: () => { this.text = search.value; this.render(); } });
     replace(this.filters, h('label', { class: 'field' }, h('span', {}, 'Filter'), search),
       choice('class', values((l) => l.class), this.lineClass, (v) => { this.lineClass = v; this.render(); }),
       choice('status', values((l) => l.status), this.status, (v) => { this.status = v; this.render(); }),
+      showsNumberOfImages(lines) ? choice('images', values((l) => String(l.n_images ?? missing)), this.nImages, (v) => { this.nImages = v; this.render(); }) : null,
       button('Export CSV', () => this.exportCsv(), { id: 'export-lines' }), this.count);
     this.limit = kPage;
     this.renderHead();
@@ -108,7 +115,7 @@ export class LineTable {
   /** Columns that hold something. */
   private columns(): readonly LineColumn[] {
     const lines = this.state.method.lines;
-    return columns.filter((c) => c.key === 'id' || lines.some((l) => { const v = c.value(l); return v !== null && v !== undefined && v !== ''; }));
+    return columns.filter((c) => c.key === 'n_images' ? showsNumberOfImages(lines) : c.key === 'id' || lines.some((l) => { const v = c.value(l); return v !== null && v !== undefined && v !== ''; }));
   }
 
   private sortBy(key: string): void {
@@ -124,6 +131,7 @@ export class LineTable {
     const text = this.text.trim().toLowerCase();
     const matches = (l: Line): boolean => (this.lineClass === '' || l.class === this.lineClass)
       && (this.status === '' || l.status === this.status)
+      && (this.nImages === '' || String(l.n_images ?? missing) === this.nImages)
       && (text === '' || [l.id, l.class, l.status, l.kind ?? '', l.construction ?? '', ...l.flags].some((v) => v.toLowerCase().includes(text)));
     const column = columns.find((c) => c.key === this.sortKey) ?? columns[0]!;
     return lines.map((_, i) => i).filter((i) => matches(lines[i]!))

@@ -21,17 +21,19 @@ function canvas(label: string): { element: HTMLCanvasElement; g: CanvasRendering
 
 /** The image around the line's segment, with the segment. */
 function crop(images: PatchImages, line: Line): HTMLCanvasElement | null {
-  const segment = images.segmentOfLine(0, line) ?? images.projected(0, line);
+  const v = images.areSeveral ? (images.viewsOfLine(line)[0] ?? 0) : 0;
+  const segment = images.segmentsOfLine(v, line)[0] ?? images.projected(v, line);
   if (!segment) return null;
   const { element, g } = canvas(`Image around line ${line.id}`);
   const [x1, y1, x2, y2] = segment;
   const length = Math.hypot(x2 - x1, y2 - y1);
   const scale = Math.min(3, (0.7 * Math.min(...size)) / Math.max(length, 1));
   const toCanvas = (x: number, y: number): [number, number] => [(x - (x1 + x2) / 2) * scale + size[0] / 2, (y - (y1 + y2) / 2) * scale + size[1] / 2];
-  const view = images.images.views[0];
+  const view = images.images.views[v]!;
+  const picture = images.pictures[v]!;
   const draw = (): void => {
     const [left, top] = toCanvas(-0.5, -0.5);
-    g.drawImage(images.pictures[0], left, top, view.width_px * scale, view.height_px * scale);
+    g.drawImage(picture, left, top, view.width_px * scale, view.height_px * scale);
     g.strokeStyle = selectionColour;
     g.lineWidth = 1.5;
     g.beginPath();
@@ -39,8 +41,8 @@ function crop(images: PatchImages, line: Line): HTMLCanvasElement | null {
     g.lineTo(...toCanvas(x2, y2));
     g.stroke();
   };
-  if (images.pictures[0].complete) draw();
-  else images.pictures[0].addEventListener('load', draw);
+  if (picture.complete) draw();
+  else picture.addEventListener('load', draw);
   return element;
 }
 
@@ -113,6 +115,6 @@ export class WorstLines {
         h('figcaption', {}, button(line.id, () => this.state.set({ line: index }), { class: 'plain', title: 'select the line' }),
           ` ${metres(line.mean_distance_m)} m, ${words(line.class)}, ${line.kind ?? ''}${line.flags.length > 0 ? `, ${line.flags.map(words).join(', ')}` : ''}`),
         ...pictures(line))),
-      h('p', { class: 'caption' }, images ? 'Left: the base image. Right: the laser points seen along the line' : 'The laser points seen along the line', ', coloured by plane; the cross is the line. Where a line lies metres from all points, it or the choice of its surface is wrong.'));
+      h('p', { class: 'caption' }, images ? `Left: ${images.areSeveral ? 'the first image that shows the line' : 'the base image'}. Right: the laser points seen along the line` : 'The laser points seen along the line', ', coloured by plane; the cross is the line. Where a line lies metres from all points, it or the choice of its surface is wrong.'));
   }
 }
