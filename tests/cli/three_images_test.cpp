@@ -90,7 +90,8 @@ TEST_F(ThreeImages, AreComparedWithTwoInSpace) {
   const ProgramResult result = run({"compare", "two", "three", "--out", "compared"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("A used 2 images, B 3"), Not(HasSubstr("Warning"))));
-  const auto compared = read_json(path("compared/compare.json"))["comparisons"][0];
+  // joint: the faces beside a short line keep its slope, which two images alone do not.
+  const auto compared = read_json(path("compared/compare.json"))["comparisons"][1];
   EXPECT_GT(compared["n_common"], 3 * compared["n_only_a"].get<int>());
   // Lines of one place are of one edge: their distances from the planes differ by less than the limit of pairing.
   EXPECT_LT(compared["common"].back()["rms_ratio"], 1.5);
