@@ -71,7 +71,7 @@ void take_memory(const Line& attributes,
 
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes) {
   constexpr std::size_t kLeast_bytes = 64U << 20U;
-  constexpr std::size_t kMostGrowth = 28;
+  constexpr std::size_t kMostGrowth = 30;
   LineSet set;
   set.path = path;
   set.format = format;

@@ -11,7 +11,7 @@
 
 namespace ridgeline::io {
 
-/// An empty set for the lines of a file of `n_bytes`. They may take memory of 28 times the file (64
+/// An empty set for the lines of a file of `n_bytes`. They may take memory of 30 times the file (64
 /// MiB at least): far more than the lines of any tool, which state their own ends in digits. Beyond
 /// it append_feature() throws IoError, as small files can repeat vertices and attributes endlessly.
 LineSet lines_for_file(const std::string& path, const std::string& format, std::size_t n_bytes);
