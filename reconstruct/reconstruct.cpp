@@ -240,7 +240,8 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
                                 .connections = connections,
                                 .registrations = registrations,
                                 .height_range_in_local_m = scene.height_range_in_local_m};
-  if (estimation.beyond.shared_errors) scale_by_agreement(tracked, registrations);
+  if (!registrations.empty() && estimation.beyond.shared_errors)
+    scale_by_agreement(tracked, registrations);
   std::vector<ReconstructedLine> lines = reconstruct_lines(
       tracked, estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
   if (estimation.beyond.shared_errors) {

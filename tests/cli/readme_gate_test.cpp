@@ -141,13 +141,17 @@ TEST_F(ListedMetrics, WorkOnARunOrSayWhyNot) {
       listed_metrics(run({"gate", "out", "--gates", "gates.yaml"}).err);
   ASSERT_THAT(metrics, testing::IsSupersetOf({"rms_m", "evaluated_share_by_length", "quality"}));
   const std::string wide = gates_of(metrics, "min: -10, max: 10", "min: 0, max: 1");
-  EXPECT_THAT(failed("out", wide), testing::IsEmpty());
+  // Sample 1 has no reference tracks.
+  EXPECT_THAT(failed("out", wide), testing::UnorderedElementsAre("edge_recall", "sighting_recall",
+                                                                 "sighting_precision"));
+  EXPECT_THAT(read(path("verdicts.json")), HasSubstr("reference_tracks"));
   EXPECT_EQ(failed("out", gates_of(metrics, "min: 50", "min: 1, max: 0")),
             std::set<std::string>(metrics.begin(), metrics.end()));
 
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "judged").exit_code, 0);
   EXPECT_THAT(failed("judged", wide),
-              testing::UnorderedElementsAre("correctness", "completeness", "quality"));
+              testing::UnorderedElementsAre("correctness", "completeness", "quality", "edge_recall",
+                                            "sighting_recall", "sighting_precision"));
   EXPECT_THAT(read(path("verdicts.json")), HasSubstr("evaluate judges lines"));
 }
 
