@@ -42,7 +42,8 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Whether a file's name is that of a temporary file of an AtomicFile whose process, on this computer, has ended.
+/// Whether a name is that of an AtomicFile's temporary file or of a ScratchFolder whose process, on this computer, has
+/// ended.
 bool is_left_by_dead_process(const std::string& file_name);
 
 /// Writes `content` to `path`, whole or not at all. Throws IoError as AtomicFile.

@@ -69,7 +69,10 @@ void remove_left_files(const fs::path& folder) {
        it.increment(error)) {
     constexpr int kDeepest = 1;  // the deepest files are FOLDER/PATCH/FILE
     if (it.depth() >= kDeepest) it.disable_recursion_pending();
-    if (is_left_by_dead_process(it->path().filename().string())) fs::remove(it->path(), error);
+    if (is_left_by_dead_process(it->path().filename().string())) {
+      it.disable_recursion_pending();
+      fs::remove_all(it->path(), error);
+    }
     if (error) break;
   }
 }

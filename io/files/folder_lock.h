@@ -11,8 +11,8 @@ namespace ridgeline::io {
 /// owner in a process removes the file.
 class FolderLock {
  public:
-  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the temporary files in
-  /// the folder that killed processes have left. Throws IoError if another process holds the lock, which it names, or
+  /// The lock of an existing folder, shared by all that ask for it in this process. Removes the temporary files and
+  /// folders in it that killed processes have left. Throws IoError if another process holds the lock, which it names, or
   /// if the folder cannot be written to.
   static std::shared_ptr<FolderLock> of(const std::filesystem::path& folder);
 

@@ -3,13 +3,18 @@
 
 #include "io/error.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 namespace ridgeline::io {
 
 ScratchFolder::ScratchFolder(const std::string& target)
     : target_(std::filesystem::absolute(target)) {
   std::error_code error;  // a failure shows in mkdtemp()
   std::filesystem::create_directories(target_.parent_path(), error);
-  std::string pattern = (target_.parent_path() / ".ridgeline-XXXXXX").string();
+  // The name of a temporary file, by which FolderLock finds what a killed process has left.
+  std::string pattern =
+      (target_.parent_path() / fmt::format(".ridgeline.{}.0.tmp.XXXXXX", getpid())).string();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw IoError(target, "cannot be written: its folder cannot be made or is closed to writing");
   }

@@ -3,6 +3,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/files/folder_lock.h"
+#include "io/files/scratch_folder.h"
 #include "io/files/sha256.h"
 #include "tests/support/temp_folder.h"
 
@@ -10,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -81,6 +83,21 @@ TEST(FolderLock, IsSharedWithinAProcessAndGoneAtItsEnd) {
     EXPECT_FALSE(std::filesystem::exists(left));
   }
   EXPECT_EQ(folder.num_files(), 1U);
+}
+
+TEST(FolderLock, RemovesTheScratchFolderOfAKilledProcess) {
+  const TempFolder folder;
+  const std::string target = folder.file("patch/lines.gpkg");
+  const pid_t child = fork();
+  if (child == 0) {
+    const ScratchFolder scratch(target);
+    write_file(scratch.draft(), "half");
+    _exit(0);  // without destructors, as a killed process
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  EXPECT_FALSE(std::filesystem::is_empty(folder.file("patch")));
+  const auto lock = FolderLock::of(folder.file(""));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("patch")));
 }
 
 TEST(FolderLock, IsRefusedToAnotherProcess) {
