@@ -59,9 +59,8 @@ std::string comparison_text(const Comparison& c, Markup markup) {
   if (c.n_views_a && c.n_views_b) {
     text += fmt::format(
         "A used {} images, B {}, so their lines have ids of their own. They are paired in space: "
-        "at "
-        "most {} m and {} degrees apart, side by side over half of the shorter one. Classes are by "
-        "the base pair.\n\n",
+        "at most {} m and {} degrees apart, side by side over half of the shorter one. "
+        "Classes are by the base pair.\n\n",
         *c.n_views_a, *c.n_views_b, kMaxPairDistance_m, kMaxPairAngle_deg);
   }
   text += fmt::format("Lines evaluated in both {}, only in A {}, only in B {}. Metres.\n\n",
