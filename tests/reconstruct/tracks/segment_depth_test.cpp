@@ -55,6 +55,40 @@ TEST(ProposeTrack, IsMoreCertainWithMoreViews) {
   EXPECT_LT(five->depth.cov_m2.determinant(), three->depth.cov_m2.determinant());
 }
 
+TEST(ProposeTrack, StatesTheErrorsOfItsHeights) {
+  constexpr int kTrials = 200;
+  // The error of the segment itself counts with each view as if it were new, so that the sum is near 2, not equal.
+  constexpr double kLeast = 1.0;
+  constexpr double kMost = 3.0;
+  // Each of four views may be beyond the 99.9 % limit of a hypothesis that another view began.
+  constexpr int kMostUndecided = 5;
+  BlockScene exact;
+  exact.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 4.0}});
+  BlockScene block = exact;
+  TrackOptions options;
+  options.sigma_edge_px = 0.01;  // all views show the same edge
+  test::Random random(205);
+  test::Noise noise = test::scaled({}, 0.2);
+  noise.e_px = 0.0;
+  double sum = 0.0;
+  int n_decided = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    for (std::size_t v = 0; v < block.scene.views.size(); ++v) {
+      const Segment2& image = exact.scene.views[v].segments[0].line.segment;
+      block.scene.views[v].segments[0].line = test::noisy(image, noise, random);
+    }
+    const SearchedViews views(block.scene, {});
+    const auto track = propose_track(views, {0, 0}, {}, options, all_free);
+    if (!track) continue;
+    ++n_decided;
+    const Eigen::Vector2d error = track->depth.heights_m - Eigen::Vector2d::Constant(4.0);
+    sum += error.dot(track->depth.cov_m2.inverse() * error);
+  }
+  ASSERT_GE(n_decided, kTrials - kMostUndecided);
+  EXPECT_GT(sum / n_decided, kLeast);
+  EXPECT_LT(sum / n_decided, kMost);
+}
+
 TEST(ProposeTrack, AViewThatShouldShowTheLineAndDoesNotLowersTheOdds) {
   const Segment3 line{{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}};
   BlockScene hidden;
