@@ -6,7 +6,6 @@
 #include "reconstruct/beyond/extensions.h"
 #include "reconstruct/beyond/guided_matches/guided_matches.h"
 #include "reconstruct/beyond/height_propagation/height_propagation.h"
-#include "reconstruct/beyond/profile_registration/profile_registration.h"
 #include "reconstruct/beyond/roof_planes/faces_beside.h"
 #include "reconstruct/beyond/roof_planes/plane_lines.h"
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
@@ -14,6 +13,7 @@
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
+#include "reconstruct/registrations.h"
 #include "reconstruct/tracks/tracks.h"
 #include "reconstruct/tracks/view_pairs.h"
 #include "reconstruct/views/tracked_lines.h"
@@ -99,70 +99,6 @@ MatchList combined(const std::vector<EdgeSegment>& left,
   return both;
 }
 
-/// How the profiles across the base edge of each track and across its other edges compare, by sighting. The first
-/// one is compared with nothing.
-std::vector<std::vector<ComparedProfiles>> profiles_of(const Scene& scene,
-                                                       std::span<const Track> tracks,
-                                                       double max_angle_deg) {
-  struct Place {
-    std::size_t track, sighting;
-  };
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<Place>> places;  // by pair of views
-  std::vector<std::vector<ComparedProfiles>> profiles;
-  for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<Sighting>& seen = tracks[t].seen;
-    profiles.emplace_back(seen.size());
-    for (std::size_t s = 1; s < seen.size(); ++s) {
-      if (seen[s].view != seen[0].view) places[{seen[0].view, seen[s].view}].push_back({t, s});
-    }
-  }
-  for (const auto& [views, of_pair] : places) {
-    const auto matches = transformed(of_pair, [&](const Place& p) {
-      return LineMatch{tracks[p.track].seen[0].segment, tracks[p.track].seen[p.sighting].segment};
-    });
-    const std::vector<ComparedProfiles> compared =
-        compare_profiles(stereo_pair(scene, {views.first, views.second}), matches, max_angle_deg);
-    for (std::size_t i = 0; i < of_pair.size(); ++i)
-      profiles[of_pair[i].track][of_pair[i].sighting] = compared[i];
-  }
-  return profiles;
-}
-
-/// The registrations of each track by the profiles across its edges, as the options say; empty if they ask for
-/// none. The base edge is as certain as the one that is most like it.
-std::vector<Registrations> registrations_of(const Scene& scene,
-                                            std::span<const Track> tracks,
-                                            const EstimationOptions& options) {
-  const EstimateExtensionOptions& beyond = options.beyond;
-  if (!beyond.register_profiles && !beyond.shared_errors) return {};
-  return transformed(profiles_of(scene, tracks, options.lines.max_aligned_angle_deg),
-                     [&](const std::vector<ComparedProfiles>& by_sighting) {
-                       Registrations all(by_sighting.size());
-                       std::optional<double> best;
-                       for (std::size_t s = 1; s < all.size(); ++s) {
-                         if (beyond.register_profiles)
-                           all[s].shift_px = by_sighting[s].right_shift_px;
-                         const std::optional<double>& similarity = by_sighting[s].similarity;
-                         if (!beyond.shared_errors || !similarity) continue;
-                         all[s].sigma_scale = own_sigma_scale(*similarity);
-                         best = std::min(best.value_or(all[s].sigma_scale), all[s].sigma_scale);
-                       }
-                       all[0].sigma_scale = best.value_or(1.0);
-                       return all;
-                     });
-}
-
-/// Scales the sigmas of each track by how well its sightings agree.
-/// @param registrations  those of `tracked`
-void scale_by_agreement(const TrackedSegments& tracked, std::vector<Registrations>& registrations) {
-  const std::vector<ObservedTrack> lines =
-      tracked_lines(tracked, registered(tracked), LineCovariance::kCentroid).lines;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double scale = agreement_sigma_scale(lines[i]);
-    for (Registration& r : registrations[i]) r.sigma_scale *= scale;
-  }
-}
-
 /// The connections of tracks that two views of a pair show beside each other.
 std::vector<PairConnection> connections_of(const Scene& scene,
                                            std::span<const Track> tracks,
@@ -233,15 +169,13 @@ std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
       scene.views, [](const View& view) { return transformed(view.segments, &EdgeSegment::line); });
   const std::vector<PairConnection> connections =
       connections_of(scene, tracks, pairs, options.matching.pairwise);
-  std::vector<Registrations> registrations = registrations_of(scene, tracks, estimation);
-  const TrackedSegments tracked{.cameras = cameras,
-                                .segments = segments,
-                                .tracks = tracks,
-                                .connections = connections,
-                                .registrations = registrations,
-                                .height_range_in_local_m = scene.height_range_in_local_m};
-  if (!registrations.empty() && estimation.beyond.shared_errors)
-    scale_by_agreement(tracked, registrations);
+  TrackedSegments tracked{.cameras = cameras,
+                          .segments = segments,
+                          .tracks = tracks,
+                          .connections = connections,
+                          .height_range_in_local_m = scene.height_range_in_local_m};
+  const std::vector<Registrations> registrations = registrations_of(scene, tracked, estimation);
+  tracked.registrations = registrations;
   std::vector<ReconstructedLine> lines = reconstruct_lines(
       tracked, estimation.lines, estimate_extensions(estimation, surfaces_of(pairs)));
   if (estimation.beyond.shared_errors) {
