@@ -203,7 +203,7 @@ void validate(const Gate& gate) {
         " is a figure of the matches of two images, so n_images must be left out");
   check(!gate.n_images || (*gate.n_images >= kFewestImages && *gate.n_images <= kMostImages),
         "n_images: ", gate.n_images.value_or(0), "; must be ", kFewestImages, " to ", kMostImages,
-        ", which is ", kMostImages, " and more");
+        "; ", kMostImages, " means ", kMostImages, " and more");
   check(!gate.max_ratio_to_class || !of_matching, "max_ratio_to: ", gate.metric,
         " is a figure of matching, which has no classes to relate to each other");
   check(!gate.max_ratio_to_class || !metric.is_signed, "max_ratio_to: ", gate.metric,
