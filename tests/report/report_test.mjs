@@ -728,3 +728,13 @@ test('gates give the verdict', async () => {
   assert.equal(await page.locator('#gates tbody tr').count(), 3);
   await close(page);
 });
+
+test('tracks are counted by the number of images that show their true edges', async () => {
+  const page = await openFive();
+  const rows = await page.evaluate(() => [...document.querySelectorAll('#table1-tracks tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent)));
+  const judged = JSON.parse(readFileSync(join(work, 'five', 'table1.json'), 'utf8')).tracks[0].cells.filter((c) => c.class === 'total' && c.edges > 0);
+  assert.deepEqual(rows.map((row) => row[1]), judged.map((c) => c.n_images === null ? 'all' : c.n_images === 5 ? '5 and more' : `${c.n_images}`));
+  assert.deepEqual(rows.map((row) => row[2]), judged.map((c) => `${c.edges}`));
+  assert.equal(rows[0][6], (100 * judged[0].sighting_precision).toFixed(1));
+  await close(page);
+});

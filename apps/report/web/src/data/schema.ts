@@ -56,6 +56,24 @@ export interface Table1Row {
   quality_ci95: [number, number] | null;
 }
 
+/** Tracks against the true edges of a class that a number of images show; `n_images` null: all. */
+export interface TrackCell {
+  class: string;
+  n_images: number | null;
+  edges: number;
+  edges_found: number;
+  edge_recall: number | null;
+  sighting_recall: number | null;
+  right: number;
+  wrong: number;
+  sighting_precision: number | null;
+}
+
+export interface PatchTracks {
+  patch: string;
+  cells: TrackCell[];
+}
+
 export interface Accuracy {
   n: number;
   observed_m: number | null;
@@ -284,6 +302,8 @@ export interface Report {
   };
   gates: { passed: boolean; gates: GateResult[]; warnings: string[] } | null;
   table1: Table1Row[];
+  /** Only with reference tracks. */
+  table1_tracks?: PatchTracks[];
   table2: Table2Row[];
   /** Why direct and joint differ on not_aligned lines, where they do by design. */
   table2_footnote: string | null;

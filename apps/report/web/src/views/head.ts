@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gates and Tables 1 and 2.
 import { isOfFiles } from '../data/product';
-import type { Report, Summary, Table1Row, Table2Row } from '../data/schema';
+import type { PatchTracks, Report, Summary, Table1Row, Table2Row, TrackCell } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { excluded, fixed, interval, metres, missing, percent, words } from '../ui/format';
 
@@ -31,6 +31,27 @@ function gateTable(report: Report): HTMLElement | null {
     ...report.gates.warnings.map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)));
 }
 
+const kMostImages = 5; // 5 stands for five and more
+
+function trackTable(tracks: readonly PatchTracks[]): HTMLElement {
+  const rows = tracks.flatMap(({ patch, cells }) =>
+    cells.filter((c) => c.class === 'total' && c.edges > 0).map((cell) => ({ patch, cell })));
+  const share = (title: string, of: (c: TrackCell) => number | null): Column<(typeof rows)[number]> =>
+    ({ title, number: true, cell: (r) => percent(of(r.cell)) });
+  const images = (n: number | null): string => n === null ? 'all' : `${n}${n === kMostImages ? ' and more' : ''}`;
+  return h('section', {}, h('h3', {}, 'Tracks, by true edges'),
+    table([
+      { title: 'patch', cell: (r) => r.patch },
+      { title: 'images', cell: (r) => images(r.cell.n_images) },
+      { title: 'edges', number: true, cell: (r) => String(r.cell.edges) },
+      { title: 'found', number: true, cell: (r) => String(r.cell.edges_found) },
+      share('edge recall %', (c) => c.edge_recall),
+      share('sighting recall %', (c) => c.sighting_recall),
+      share('sighting precision %', (c) => c.sighting_precision),
+    ], rows, { id: 'table1-tracks' }),
+    h('p', { class: 'caption' }, 'Images: how many show the edge. An edge is found if one track lies on it in two images. An edge that no segment shows is missed.'));
+}
+
 function table1(report: Report): HTMLElement | null {
   if (isOfFiles(report)) return null;
   const rows = report.table1;
@@ -51,7 +72,8 @@ function table1(report: Report): HTMLElement | null {
   return h('section', {}, h('h2', {}, 'Table 1. Matching'),
     rows.length > 0 ? table(columns, rows, { id: 'table1' })
       : h('p', { class: 'caption', id: 'table1-missing' }, hasMatches ? 'No reference matches were given, so that matches are not judged. The review below judges them by eye.' : 'Nothing was matched here: the lines were made elsewhere, or images and matches could not be read.'),
-    rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals. Basis: number of matches.') : null);
+    rows.length > 0 ? h('p', { class: 'caption' }, 'In parentheses: 95 % Wilson intervals. Basis: number of matches.') : null,
+    report.table1_tracks ? trackTable(report.table1_tracks) : null);
 }
 
 /** The published form: a row per patch, methods side by side. */
