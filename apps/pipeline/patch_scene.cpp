@@ -33,6 +33,7 @@ std::vector<cv::Mat> patch_images(const io::PatchFile& patch) {
     readers.push_back(
         std::async(std::launch::async, [&patch, i] { return patch_image(patch, i); }));
   std::vector<cv::Mat> images;
+  images.reserve(readers.size());
   for (std::future<cv::Mat>& reader : readers) images.push_back(reader.get());
   return images;
 }
