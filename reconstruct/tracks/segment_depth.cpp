@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/degrees.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -16,84 +17,6 @@ namespace {
 constexpr double kLargestTurn_rad = 15.0 * kRadPerDeg;  // between a segment and its prediction
 constexpr double kShortestOverlap_px = 3.0;
 constexpr double kChiSquare2 = 13.816;  // 99.9 %, 2 degrees of freedom
-
-double square(double x) { return x * x; }
-
-/// Where a view shows the line of a hypothesis.
-struct Prediction {
-  Segment2 segment;
-  std::array<Eigen::Vector2d, 2> per_height;  ///< shift of the ends by height, px/m
-};
-
-Prediction predict(const EndStretches& ends, const Eigen::Vector2d& heights_m) {
-  return {{ends[0].at(heights_m[0]), ends[1].at(heights_m[1])},
-          {ends[0].derivative(heights_m[0]), ends[1].derivative(heights_m[1])}};
-}
-
-/// The interval of a segment's line that another segment covers, as parameters from its start (0) to its end (1).
-std::array<double, 2> span_on(const Segment2& line, const Segment2& other) {
-  const double a = parameter_along(line, other.start);
-  const double b = parameter_along(line, other.end);
-  return {std::min(a, b), std::max(a, b)};
-}
-
-/// Covariance across a regression line of two of its points, given along it from the centroid.
-Eigen::Matrix2d across(const UncertainSegment2& s, const Eigen::Vector2d& from_centroid_px) {
-  return square(s.sigma_q_px) * Eigen::Matrix2d::Ones() +
-         square(s.sigma_phi_rad) * from_centroid_px * from_centroid_px.transpose();
-}
-
-/// How far a prediction is from a segment across it, at two places of the prediction.
-struct Observation {
-  Eigen::Vector2d residual_px;
-  Eigen::Matrix2d by_heights;
-  Eigen::Matrix2d cov_px2;  ///< of both segments, without that of the heights
-
-  [[nodiscard]] Eigen::Matrix2d cov_with(const SegmentDepth& depth) const {
-    return cov_px2 + by_heights * depth.cov_m2 * by_heights.transpose();
-  }
-};
-
-double chi_square(const Observation& o, const Eigen::Matrix2d& cov) {
-  return o.residual_px.dot(cov.inverse() * o.residual_px);
-}
-
-/// @param own  the segment whose line is predicted
-/// @param at   two places as parameters of the prediction
-Observation observe(const UncertainSegment2& own,
-                    const Prediction& p,
-                    const UncertainSegment2& seen,
-                    const std::array<double, 2>& at,
-                    double sigma_edge_px) {
-  const Eigen::Vector2d n = normal(seen.segment);
-  const Eigen::Vector2d u = along(seen.segment);
-  const double own_length_px = length(own.segment);
-  const double own_centroid = parameter_along(own.segment, own.centroid_px);
-  Observation o;
-  Eigen::Vector2d on_seen;
-  Eigen::Vector2d on_own;
-  for (const int i : {0, 1}) {
-    const double t = at[static_cast<std::size_t>(i)];
-    const Eigen::Vector2d x = point_at(p.segment, t);
-    o.residual_px[i] = n.dot(x - seen.segment.start);
-    o.by_heights(i, 0) = (1.0 - t) * n.dot(p.per_height[0]);
-    o.by_heights(i, 1) = t * n.dot(p.per_height[1]);
-    on_seen[i] = u.dot(x - seen.centroid_px);
-    on_own[i] = (t - own_centroid) * own_length_px;
-  }
-  o.cov_px2 = across(seen, on_seen) + across(own, on_own) +
-              square(sigma_edge_px) * Eigen::Matrix2d::Identity();
-  return o;
-}
-
-void update(const Observation& o, SegmentDepth& depth) {
-  const Eigen::Matrix2d gain =
-      depth.cov_m2 * o.by_heights.transpose() * o.cov_with(depth).inverse();
-  depth.heights_m -= gain * o.residual_px;
-  const Eigen::Matrix2d kept = Eigen::Matrix2d::Identity() - gain * o.by_heights;
-  depth.cov_m2 =
-      (kept * depth.cov_m2 * kept.transpose() + gain * o.cov_px2 * gain.transpose()).eval();
-}
 
 /// The search for the line of one segment.
 class Search {
@@ -115,19 +38,38 @@ class Search {
   [[nodiscard]] std::optional<ProposedTrack> best() const {
     std::vector<ProposedTrack> all;
     for (const std::size_t view : views_.others(reference_.view)) {
-      std::vector<ProposedTrack> of_view = hypotheses(view);
+      std::vector<Hypothesis> of_view = hypotheses(view);
       const double start =
           std::log(options_.seen_share / (static_cast<double>(of_view.size()) + 1.0));
-      for (ProposedTrack& track : of_view) {
-        track.log_odds = start + log_look(track.seen[1]);
-        follow(track);
-        all.push_back(std::move(track));
+      for (Hypothesis& h : of_view) {
+        h.said[view].log_odds += start;
+        follow(view, h);
+        if (ask_again(view, h)) all.push_back(track_of(h));
       }
     }
     return decided(all);
   }
 
  private:
+  /// What a view says about a hypothesis.
+  struct Answer {
+    double log_odds = 0.0;  ///< the logarithm of what it multiplies the odds by
+    std::optional<std::pair<int, Observation>> seen;
+  };
+
+  struct Hypothesis {
+    std::vector<Answer> said;  ///< by view
+
+    [[nodiscard]] std::vector<Observation> observations() const {
+      std::vector<Observation> all;
+      for (const Answer& answer : said) {
+        if (answer.seen) all.push_back(answer.seen->second);
+      }
+      return all;
+    }
+    [[nodiscard]] SegmentDepth depth() const { return depth_by(observations()); }
+  };
+
   [[nodiscard]] double log_look(const Sighting& s) const {
     switch (views_.look(reference_, s)) {
       case SearchedViews::Look::kMatched:
@@ -141,7 +83,7 @@ class Search {
 
   /// The interval of the prediction that a segment shares with it; nothing if it is too short or the segment turns
   /// away.
-  [[nodiscard]] std::optional<std::array<double, 2>> overlap(const Prediction& p,
+  [[nodiscard]] std::optional<std::array<double, 2>> overlap(const PredictedLine& p,
                                                              const Segment2& seen) const {
     if (acute_angle_rad(seen, p.segment) > kLargestTurn_rad) return std::nullopt;
     const auto [low, high] = span_on(p.segment, seen);
@@ -165,88 +107,113 @@ class Search {
   }
 
   /// The lines of the segment with each of a view's segments.
-  [[nodiscard]] std::vector<ProposedTrack> hypotheses(std::size_t view) const {
+  [[nodiscard]] std::vector<Hypothesis> hypotheses(std::size_t view) const {
     const auto& [lowest_m, highest_m] = views_.heights_m();
     const EndStretches& ends = ends_[view];
     Eigen::AlignedBox2d band;
     for (const Stretch& end : ends) band.extend(end.at(lowest_m)).extend(end.at(highest_m));
-    std::vector<ProposedTrack> all;
+    std::vector<Hypothesis> all;
     for (const int segment : views_.by_place(view).in_box(band)) {
       const Sighting seen{view, segment};
       if (!is_free_(seen)) continue;
-      if (const auto depth = intersection_with(seen))
-        all.push_back({{reference_, seen}, *depth, 0.0});
+      if (const auto observation = intersection_with(seen)) {
+        all.emplace_back().said.resize(views_.size());
+        all.back().said[view] = {log_look(seen), std::pair{segment, *observation}};
+      }
     }
     return all;
   }
 
-  [[nodiscard]] std::optional<SegmentDepth> intersection_with(const Sighting& seen) const {
+  /// The observation of a segment by the line that it gives, without residuals.
+  [[nodiscard]] std::optional<Observation> intersection_with(const Sighting& seen) const {
     const EndStretches& ends = ends_[seen.view];
     const UncertainSegment2& line = views_.line(seen);
     const Eigen::Vector2d n = normal(line.segment);
     const double offset = n.dot(line.segment.start);
     const Eigen::Vector2d heights_m(ends[0].height_on(n, offset), ends[1].height_on(n, offset));
     if (!is_possible(heights_m)) return std::nullopt;
-    const Prediction p = predict(ends, heights_m);
+    const PredictedLine p = predict(ends, heights_m);
     const double least_sine = std::sin(candidates_.min_epipolar_angle_deg * kRadPerDeg);
     for (const Eigen::Vector2d& by : p.per_height) {
       if (!(std::abs(n.dot(by)) >= least_sine * by.norm())) return std::nullopt;
     }
     if (!overlap(p, line.segment)) return std::nullopt;
-    const Observation o = observe(own_, p, line, {0.0, 1.0}, options_.sigma_edge_px);
-    const Eigen::Matrix2d heights_from_px = o.by_heights.inverse();
-    return SegmentDepth{heights_m, heights_from_px * o.cov_px2 * heights_from_px.transpose()};
+    return observe(own_, heights_m, p, line, {0.0, 1.0}, options_.sigma_edge_px);
   }
 
-  /// Asks all other views for the line of a hypothesis.
-  void follow(ProposedTrack& track) const {
-    const std::size_t first = track.seen[1].view;
+  /// Asks all views but the first for the line of a hypothesis.
+  void follow(std::size_t first, Hypothesis& h) const {
     for (const std::size_t view : views_.others(reference_.view)) {
-      if (view != first) ask(view, track);
+      if (view == first) continue;
+      if (const auto answer = ask(view, h.depth())) h.said[view] = *answer;
     }
   }
 
-  /// Adds what a view shows of the line to the track and to its odds.
-  void ask(std::size_t view, ProposedTrack& track) const {
+  /// Asks each view again with what all other views say together, so that the order in which they were asked decides
+  /// nothing. Two sightings that disagree do not tell which of them is wrong. False if the first view, with which the
+  /// hypothesis began, is contradicted by the others: another view began theirs.
+  [[nodiscard]] bool ask_again(std::size_t first, Hypothesis& h) const {
+    constexpr std::size_t kFewest = 3;
+    for (const std::size_t view : views_.others(reference_.view)) {
+      if (h.observations().size() < kFewest) return true;
+      const Answer before = std::exchange(h.said[view], {});
+      const auto again = ask(view, h.depth());
+      const bool is_other =
+          again && !(before.seen && again->seen && before.seen->first == again->seen->first);
+      if (view == first && is_other) return false;
+      h.said[view] = is_other ? *again : before;
+    }
+    return true;
+  }
+
+  [[nodiscard]] ProposedTrack track_of(const Hypothesis& h) const {
+    ProposedTrack track{{reference_}, h.depth(), 0.0};
+    for (const std::size_t view : views_.others(reference_.view)) {
+      track.log_odds += h.said[view].log_odds;
+      if (h.said[view].seen) track.seen.push_back({view, h.said[view].seen->first});
+    }
+    return track;
+  }
+
+  /// What a view shows of a line; nothing if the line is not in its image.
+  [[nodiscard]] std::optional<Answer> ask(std::size_t view, const SegmentDepth& depth) const {
     constexpr double kWindow_px = 12.0;  // to each side of the prediction, for the density
     constexpr double kWidest_px = 40.0;
     constexpr double kReachSigma = 3.5;
-    const Prediction p = predict(ends_[view], track.depth.heights_m);
-    if (!views_.shows(view, midpoint(p.segment))) return;
+    const PredictedLine p = predict(ends_[view], depth.heights_m);
+    if (!views_.shows(view, midpoint(p.segment))) return std::nullopt;
     double reach_px = kWindow_px;
     for (const int i : {0, 1}) {
       reach_px = std::max(reach_px, kReachSigma * p.per_height[static_cast<std::size_t>(i)].norm() *
-                                        std::sqrt(track.depth.cov_m2(i, i)));
+                                        std::sqrt(depth.cov_m2(i, i)));
     }
     reach_px = std::min(reach_px, kWidest_px);
     int n_parallel = 0;
     double best_ratio = 0.0;
-    std::optional<std::pair<int, Observation>> best;
+    Answer answer;
     for (const int segment : views_.by_place(view).near(p.segment, reach_px)) {
       const UncertainSegment2& line = views_.line({view, segment});
       const auto at = overlap(p, line.segment);
       if (!at) continue;
-      const Observation o = observe(own_, p, line, *at, options_.sigma_edge_px);
+      const Observation o = observe(own_, depth.heights_m, p, line, *at, options_.sigma_edge_px);
       if (o.residual_px.cwiseAbs().maxCoeff() < reach_px) ++n_parallel;
       if (!is_free_({view, segment})) continue;
-      const Eigen::Matrix2d cov = o.cov_with(track.depth);
-      const double chi2 = chi_square(o, cov);
+      const Eigen::Matrix2d cov_px2 = o.cov_with(depth);
+      const double chi2 = chi_square(o, cov_px2);
       if (chi2 > kChiSquare2) continue;
       const double overlap_px = ((*at)[1] - (*at)[0]) * length(p.segment);
       const double area_px2 =
           4.0 * reach_px * std::min(reach_px, std::tan(kLargestTurn_rad) * overlap_px);
       const double ratio = std::exp(-0.5 * chi2 + log_look({view, segment})) * area_px2 /
-                           (2.0 * std::numbers::pi * std::sqrt(cov.determinant()));
+                           (2.0 * std::numbers::pi * std::sqrt(cov_px2.determinant()));
       if (ratio <= best_ratio) continue;
       best_ratio = ratio;
-      best = {segment, o};
+      answer.seen = std::pair{segment, o};
     }
     // One more than are seen, so that a lonely segment is not certain either.
     const double p_seen = options_.seen_share;
-    track.log_odds += std::log(1.0 - p_seen + p_seen * best_ratio / (n_parallel + 0.5));
-    if (!best) return;
-    track.seen.push_back({view, best->first});
-    update(best->second, track.depth);
+    answer.log_odds = std::log(1.0 - p_seen + p_seen * best_ratio / (n_parallel + 0.5));
+    return answer;
   }
 
   /// The track of the largest odds, if it wins over those of other heights.
@@ -297,7 +264,7 @@ void add_pieces(const SearchedViews& views,
   constexpr double kBeside_px = 1.5;
   constexpr double kLeastWithin = 0.7;  // share of a piece within the part that a view shows
   const UncertainSegment2& own = views.line(track.seen[0]);
-  std::vector<Prediction> predictions;
+  std::vector<PredictedLine> predictions;
   std::array<double, 2> part{0.0, 1.0};
   for (std::size_t v = 0; v < views.size(); ++v)
     predictions.push_back(predict(views.stretches(track.seen[0], v), track.depth.heights_m));
@@ -306,7 +273,7 @@ void add_pieces(const SearchedViews& views,
     part = {std::min(part[0], from), std::max(part[1], to)};
   }
   for (std::size_t v = 0; v < views.size(); ++v) {
-    const Prediction& p = predictions[v];
+    const PredictedLine& p = predictions[v];
     const Segment2 whole{point_at(p.segment, part[0]), point_at(p.segment, part[1])};
     std::vector<std::array<double, 2>> known;
     for (const Sighting& s : track.seen) {
@@ -325,7 +292,8 @@ void add_pieces(const SearchedViews& views,
           })) {
         continue;
       }
-      const Observation o = observe(own, p, line, span, options.sigma_edge_px);
+      const Observation o =
+          observe(own, track.depth.heights_m, p, line, span, options.sigma_edge_px);
       if (o.residual_px.cwiseAbs().maxCoeff() > kBeside_px ||
           chi_square(o, o.cov_with(track.depth)) > kChiSquare2) {
         continue;
