@@ -44,7 +44,7 @@ class Search {
       for (Hypothesis& h : of_view) {
         h.said[view].log_odds += start;
         follow(view, h);
-        if (ask_again(view, h)) all.push_back(track_of(h));
+        all.push_back(track_of(h));
       }
     }
     return decided(all);
@@ -147,23 +147,6 @@ class Search {
       if (view == first) continue;
       if (const auto answer = ask(view, h.depth())) h.said[view] = *answer;
     }
-  }
-
-  /// Asks each view again with what all other views say together, so that the order in which they were asked decides
-  /// nothing. Two sightings that disagree do not tell which of them is wrong. False if the first view, with which the
-  /// hypothesis began, is contradicted by the others: another view began theirs.
-  [[nodiscard]] bool ask_again(std::size_t first, Hypothesis& h) const {
-    constexpr std::size_t kFewest = 3;
-    for (const std::size_t view : views_.others(reference_.view)) {
-      if (h.observations().size() < kFewest) return true;
-      const Answer before = std::exchange(h.said[view], {});
-      const auto again = ask(view, h.depth());
-      const bool is_other =
-          again && !(before.seen && again->seen && before.seen->first == again->seen->first);
-      if (view == first && is_other) return false;
-      h.said[view] = is_other ? *again : before;
-    }
-    return true;
   }
 
   [[nodiscard]] ProposedTrack track_of(const Hypothesis& h) const {

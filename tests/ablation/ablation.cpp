@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ablation FOLDER [VAIHINGEN_PATCH]: what each extension beyond the papers is worth. Leaves out one at a time, on the
-// training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other renderer, and prints Markdown
+// training villages (seeds 1 to 8 and 21 to 28) and on seeds 1 to 10 of the other renderer. ablation FOLDER --views VIEWS:
+// on seeds 1 to 3 of both with the views that `simulate --views` knows, strip:3,cross:2 for example. Prints Markdown
 // tables: matches, roof lines found, errors by class against true lines, z against LIDAR, elapsed time, and the difference to the default
 // with a 95 % interval by bootstrap over the scenes. Vaihingen has LIDAR alone: the interval there is that of the
 // clustered bootstrap over planes.
@@ -25,6 +26,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,6 +60,8 @@ constexpr std::array kVariants{
     Variant{"surface", "reconstruct: {surface: false}"},
     Variant{"gable_share", "reconstruct: {gable_share: 0}"},
     Variant{"step_share", "reconstruct: {step_share: 0}"}};
+
+constexpr int kScenesOfManyViews = 3;  // by renderer
 
 /// What one variant reaches on one scene.
 struct SceneFigures {
@@ -253,28 +257,36 @@ void print_set(const std::string& title,
   }
 }
 
-std::vector<std::string> make_villages(const fs::path& folder) {
+/// @param views  as `simulate --views` takes them; empty: a pair
+std::vector<std::string> make_villages(const fs::path& folder, const std::string& views) {
   std::vector<std::string> patches;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < (views.empty() ? 16 : kScenesOfManyViews); ++i) {
     const int seed = i < 8 ? i + 1 : i + 13;  // 1 to 8 and 21 to 28
     const std::string name = std::to_string(seed);
-    const auto result = ridgeline::test::run_program(
-        ridgeline::test::program(),
-        {"simulate", "--out", name, "--seed", name, "--extent-m", "80,80", "--street-azimuth-deg",
-         std::to_string(17 * (seed - 1) % 90)},
-        folder);
+    std::vector<std::string> arguments{"simulate",
+                                       "--out",
+                                       name,
+                                       "--seed",
+                                       name,
+                                       "--extent-m",
+                                       "80,80",
+                                       "--street-azimuth-deg",
+                                       std::to_string(17 * (seed - 1) % 90)};
+    if (!views.empty()) arguments.insert(arguments.end(), {"--views", views});
+    const auto result = ridgeline::test::run_program(ridgeline::test::program(), arguments, folder);
     check(result.exit_code == 0, result.err);
     patches.push_back((folder / name / "patch.yaml").string());
   }
   return patches;
 }
 
-std::vector<std::string> make_other_scenes(const fs::path& folder) {
+std::vector<std::string> make_other_scenes(const fs::path& folder, const std::string& views) {
+  const auto plan = ridgeline::other::flight_plan(views.empty() ? "strip:2" : views);
   std::vector<std::string> patches;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (views.empty() ? 10 : kScenesOfManyViews); ++seed) {
     const fs::path scene = folder / std::to_string(seed);
     fs::create_directories(scene);
-    ridgeline::other::write_scene(scene.string(), seed);
+    ridgeline::other::write_scene(scene.string(), seed, plan);
     patches.push_back((scene / "patch.yaml").string());
   }
   return patches;
@@ -308,16 +320,18 @@ fs::path made(const fs::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::fprintf(stderr, "usage: ablation FOLDER [VAIHINGEN_PATCH]\n");
+  const bool has_views = argc == 4 && std::string_view(argv[2]) == "--views";
+  if (argc != 2 && argc != 3 && !has_views) {
+    std::fprintf(stderr, "usage: ablation FOLDER [VAIHINGEN_PATCH | --views VIEWS]\n");
     return 1;
   }
   try {
     const fs::path folder = argv[1];
+    const std::string views = has_views ? argv[3] : "";
     const fs::path villages = made(folder / "villages");
-    print_set("Training villages", villages, make_villages(villages));
+    print_set("Training villages", villages, make_villages(villages, views));
     const fs::path other = made(folder / "other_scenes");
-    print_set("Other renderer", other, make_other_scenes(other));
+    print_set("Other renderer", other, make_other_scenes(other, views));
     if (argc == 3) print_vaihingen(made(folder / "vaihingen"), fs::absolute(argv[2]).string());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ablation: %s\n", error.what());

@@ -60,8 +60,7 @@ TEST(ProposeTrack, StatesTheErrorsOfItsHeights) {
   // The error of the segment itself counts with each view as if it were new, so that the sum is near 2, not equal.
   constexpr double kLeast = 1.0;
   constexpr double kMost = 3.0;
-  // Each of four views may be beyond the 99.9 % limit of a hypothesis that another view began.
-  constexpr int kMostUndecided = 5;
+  constexpr int kMostUndecided = 5;  // each of four views may be beyond the 99.9 % limit of the others
   BlockScene exact;
   exact.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 4.0}});
   BlockScene block = exact;
@@ -101,6 +100,22 @@ TEST(ProposeTrack, AViewThatShouldShowTheLineAndDoesNotLowersTheOdds) {
   constexpr double kOdds = 1e-9;  // rounding of a sum of logarithms
   EXPECT_NEAR(with_hidden->log_odds,
               with_outside->log_odds + std::log(1.0 - TrackOptions{}.seen_share), kOdds);
+}
+
+TEST(ProposeTrack, LeavesOutTheSegmentThatAllOtherViewsContradict) {
+  // View 1 alone does not predict sharply enough to tell; a hypothesis that begins with a view across the strip does.
+  constexpr double kBeside_m = 0.16;  // 1.6 px
+  const Segment3 line{{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}};
+  BlockScene block;
+  block.add(line, {2});
+  const Eigen::Vector3d beside_m(0.0, kBeside_m, 0.0);
+  block.lines.push_back({line.start + beside_m, line.end + beside_m});
+  block.show(2, 1, 0.0, 1.0);
+  const auto track = proposed(block, {0, 0});
+  ASSERT_TRUE(track);
+  EXPECT_TRUE(std::ranges::none_of(track->seen, [](const Sighting& s) { return s.view == 2; }));
+  EXPECT_NEAR(track->depth.heights_m[0], line.start.z(), kHeight_m);
+  EXPECT_NEAR(track->depth.heights_m[1], line.end.z(), kHeight_m);
 }
 
 TEST(ProposeTrack, OfTwoViewsIsNothing) {
