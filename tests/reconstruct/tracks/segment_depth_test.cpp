@@ -60,7 +60,8 @@ TEST(ProposeTrack, StatesTheErrorsOfItsHeights) {
   // The error of the segment itself counts with each view as if it were new, so that the sum is near 2, not equal.
   constexpr double kLeast = 1.0;
   constexpr double kMost = 3.0;
-  constexpr int kMostUndecided = 5;  // each of four views may be beyond the 99.9 % limit of the others
+  constexpr int kMostUndecided =
+      5;  // each of four views may be beyond the 99.9 % limit of the others
   BlockScene exact;
   exact.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 4.0}});
   BlockScene block = exact;
