@@ -38,6 +38,7 @@ py::dict lines_dict(const Judged& judged) {
   using L = LineEvaluation;
   d["id"] = list_of(lines, [](const L& l) { return l.id; });
   d["line_class"] = list_of(lines, [](const L& l) { return l.line_class; });
+  d["class_base"] = list_of(lines, [](const L& l) { return l.class_base; });
   d["status"] = list_of(lines, [](const L& l) { return std::string(name(l.status)); });
   d["reason"] = list_of(lines, [](const L& l) { return l.reason; });
   d["kind"] = list_of(lines, [](const L& l) { return std::string(name(l.kind)); });
@@ -54,6 +55,9 @@ py::dict lines_dict(const Judged& judged) {
   d["sigma_plane_m"] = number_array(lines, if_evaluated(&L::sigma_plane_m));
   d["sigma_line_m"] = number_array(lines, if_evaluated(&L::sigma_line_m));
   d["z"] = number_array(lines, if_evaluated(&L::z));
+  d["n_images"] = number_array(lines, [](const L& l) {
+    return l.n_images ? std::optional<double>(*l.n_images) : std::nullopt;
+  });
   d["epipolar_angle_deg"] = number_array(lines, [](const L& l) { return l.epipolar_angle_deg; });
   d["horizontal_m"] = number_array(lines, [](const L& l) {
     return l.displacement ? std::optional(l.displacement->horizontal_m) : std::nullopt;

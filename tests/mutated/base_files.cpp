@@ -162,6 +162,15 @@ void write_images(Writer& out) {
 void write_texts(Writer& out) {
   out.add("patch.yaml", kPatchCommands);
   out.add("matches.csv", {{"run", "patch.yaml", "--out", "OUT", "--no-report"}});
+  std::ifstream patch(out.path("patch.yaml"));
+  std::ofstream(out.path("tracked.yaml"))
+      << patch.rdbuf() << "reference_tracks: reference_tracks.csv\n";
+  out.add("reference_tracks.csv",
+          "edge,kind,image,x1_px,y1_px,x2_px,y2_px,visible\n"
+          "1,eave,left,10.5,20,110.25,25,1\n"
+          "1,eave,right,30.5,20.25,130,25.5,0.9\n"
+          "7,ridge,left,200,50,200,80,0.5\n",
+          {{"info", "FILE"}, {"run", "tracked.yaml", "--out", "OUT", "--no-report"}});
   out.add("gates.yaml",
           "gates:\n"
           "  - {class: total, method: joint, metric: rms_m, max: 0.30}\n"

@@ -57,6 +57,17 @@ class EvaluateJudgesAsTheProgramDoes(Case):
         self.assertEqual(ours["options"], theirs["options"])
 
 
+    def test_lines_say_how_many_images_support_them(self):
+        collection = json.loads(LINES.read_text())
+        collection["features"] = collection["features"][:3]
+        collection["features"][0]["properties"].update(n_images=5, class_base="aligned")
+        collection["features"][1]["properties"].update(n_images=2)
+        (self.folder / "lines.geojson").write_text(json.dumps(collection))
+        lines = ridgeline.evaluate(self.folder / "lines.geojson", CLOUD).lines
+        np.testing.assert_array_equal(lines["n_images"], [5, 2, np.nan])
+        np.testing.assert_array_equal(lines["class_base"], ["aligned", "", ""])
+
+
 class EvaluateTakesArrays(Case):
     def setUp(self):
         super().setUp()

@@ -41,13 +41,15 @@ class Result:
         id, line_class, kind: "step", "ridge" or "". status: "evaluated", or why not, with a reason.
         flags, plane_ids: a list for each line.
         length_m, epipolar_angle_deg.
+        n_images: how many images support the line, NaN if its file does not say so; class_base: with three images and
+        more, the class by the base pair alone, else "".
         mean_distance_m: the mean orthogonal distance from the planes beside the line; max_distance_m, signed_mean_m.
         sigma_plane_m, sigma_line_m: standard deviations of planes and line; z: the signed distance over both.
         horizontal_m, vertical_m: the error of a ridge, across it in plan and in height.
         Distances are metres, and NaN for a line that was not evaluated.
         """
         columns = dict(self._judged.lines())
-        for name in ("id", "line_class", "kind", "status", "reason"):
+        for name in ("id", "line_class", "class_base", "kind", "status", "reason"):
             columns[name] = np.array(columns[name], dtype=np.str_)
         for name in ("flags", "plane_ids"):
             column = np.empty(len(columns[name]), dtype=object)

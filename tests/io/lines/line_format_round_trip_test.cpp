@@ -55,7 +55,10 @@ LineSet some_lines() {
     line.right_id = std::to_string(2 * i);
     line.epipolar_angle_deg = 0.5 * i;
     line.n_points = i;
-    line.n_images = 2;
+    line.n_images = 5;
+    line.class_base = i % 2 == 0 ? "aligned" : "not_aligned";
+    for (const char* image : {"strip1", "strip 2", "cross_\xC3\xA4"})
+      line.sightings.push_back({image, {{0.25 * i, 8.5}, {1000.0 - i, 700.125}}});
     line.plane_ids = {i, i + 1};
     line.covariance_m2 = some_covariance(rng);
     set.lines.push_back(line);
@@ -121,6 +124,7 @@ TEST_P(LineFormats, KeepAttributesWhereTheFormatHasThem) {
     if (!has_attributes(GetParam().format)) continue;
     EXPECT_EQ(a.id, b.id);
     EXPECT_EQ(a.line_class, b.line_class);
+    EXPECT_EQ(a.class_base, b.class_base);
     EXPECT_EQ(a.method, b.method);
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.building, b.building);
@@ -143,6 +147,24 @@ TEST_P(LineFormats, KeepTheCovarianceWhereTheFormatHasRoomForIt) {
     if (!has_covariance(GetParam().format)) continue;
     EXPECT_TRUE(actual.lines[i].covariance_m2->isApprox(*expected.lines[i].covariance_m2,
                                                         kCovarianceTolerance));
+  }
+}
+
+TEST_P(LineFormats, KeepTheSightingsWhereTheFormatHasRoomForThem) {
+  const LineSet expected = some_lines();
+  const LineSet actual = written_and_read(expected);
+  ASSERT_EQ(actual.lines.size(), expected.lines.size());
+  const bool has_sightings =
+      GetParam().format == LineFormat::kGeoJson || GetParam().format == LineFormat::kGeoPackage;
+  for (std::size_t i = 0; i < expected.lines.size(); ++i) {
+    const std::vector<LineSighting>& a = actual.lines[i].sightings;
+    const std::vector<LineSighting>& b = expected.lines[i].sightings;
+    ASSERT_EQ(a.size(), has_sightings ? b.size() : 0U);
+    for (std::size_t s = 0; s < a.size(); ++s) {
+      EXPECT_EQ(a[s].image, b[s].image);
+      EXPECT_EQ(a[s].px.start, b[s].px.start);  // three decimals hold them exactly
+      EXPECT_EQ(a[s].px.end, b[s].px.end);
+    }
   }
 }
 
