@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,55 @@ TEST(ManyViews, StateTheirErrors) {
       sum += test::nees(line_of_views(n, kSeenByMany, &random), kSeenByMany);
     EXPECT_NEAR(sum / kTrials, 4.0, test::chi_square_mean_band(4.0, kTrials)) << n;
   }
+}
+
+TEST(ManyViews, EndWhereTwoOfThemShowTheLine) {
+  constexpr double kExact_m =
+      1e-8;  // rays of 800 m, cut by planes that hit the line at 60 degrees and more
+  const std::array<std::array<double, 2>, 3> shown{{{0.0, 1.0}, {0.2, 0.9}, {0.1, 0.7}}};
+  test::BlockScene block({test::kBlock[0], test::kBlock[1], test::kBlock[3]});
+  block.lines.push_back(kSeenByMany);
+  for (std::size_t v = 0; v < shown.size(); ++v) block.show(v, 0, shown[v][0], shown[v][1]);
+  const std::vector<Track> tracks{{{{0, 0}, {1, 0}, {2, 0}}}};
+  const auto cameras = block.cameras();
+  const auto segments = transformed(
+      block.scene.views, [](const View& view) { return std::vector{view.segments[0].line}; });
+  const ReconstructedLine line =
+      reconstruct_lines({cameras, segments, tracks, {}}, test::direct_options().lines).front();
+  EXPECT_LT((test::segment_of(line).start - point_at(kSeenByMany, 0.1)).norm(), kExact_m);
+  EXPECT_LT((test::segment_of(line).end - point_at(kSeenByMany, 0.9)).norm(), kExact_m);
+}
+
+/// An aligned line with a neighbour, which the first n views of a strip show.
+ReconstructedLine aligned_line_of(std::size_t n) {
+  const std::array<Segment3, 2> truth{Segment3{{-6.0, 0.0, 5.0}, {6.0, 0.0, 5.0}},
+                                      Segment3{{-5.8, 0.1, 5.0}, {-5.5, 8.0, 2.0}}};
+  const std::vector<test::BlockCamera> strip(test::kStrip.begin(),
+                                             test::kStrip.begin() + static_cast<int>(n));
+  const auto cameras = test::BlockScene(strip).cameras();
+  const test::Noise noise = test::scaled({}, 0.3);
+  std::vector<std::vector<UncertainSegment2>> segments(n);
+  std::vector<Track> tracks(truth.size());
+  for (std::size_t v = 0; v < n; ++v) {
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const Segment2 image = project(cameras[v], truth[i]);
+      segments[v].push_back(test::exact(image, noise));
+      tracks[i].seen.push_back({v, static_cast<int>(i)});
+    }
+  }
+  const std::vector<PairConnection> connections{{0, 1}};
+  return reconstruct_lines({cameras, segments, tracks, connections}, test::published().lines)
+      .front();
+}
+
+TEST(ManyViews, MakeOneArtificialPointThatIsSharperThanThatOfTwo) {
+  const ReconstructedLine of_two = aligned_line_of(2);
+  const ReconstructedLine of_three = aligned_line_of(3);
+  ASSERT_EQ(of_two.line_class, LineClass::kAligned);
+  ASSERT_EQ(of_three.line_class, LineClass::kAligned);
+  ASSERT_EQ(of_two.points.size(), 1);
+  ASSERT_EQ(of_three.points.size(), 1);
+  EXPECT_LT(of_three.points[0].cov_m2(2, 2), of_two.points[0].cov_m2(2, 2));
 }
 
 TEST(ManyViews, TheLargestAngleOfAllPairsMakesTheClass) {
