@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ridgeline::apps {
 
@@ -13,6 +15,11 @@ namespace ridgeline::apps {
 template <typename... Values>
 void say(fmt::format_string<Values...> format, Values&&... values) {
   if (spdlog::get_level() < spdlog::level::err) fmt::print(format, std::forward<Values>(values)...);
+}
+
+/// Prints warnings to stderr.
+inline void warn_of(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) spdlog::warn("{}", warning);
 }
 
 }  // namespace ridgeline::apps

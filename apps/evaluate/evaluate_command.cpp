@@ -219,7 +219,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   check_points_file(arguments, paths);
 
   const results::JudgedFiles judged = results::judge_files(options, record);
-  for (const std::string& warning : judged.warnings) spdlog::warn("{}", warning);
+  warn_of(judged.warnings);
   record.add_warnings(judged.warnings);
   const std::set<std::string> unread(judged.unread_clouds.begin(), judged.unread_clouds.end());
   for (const results::InputFile& input : inputs) {

@@ -102,7 +102,8 @@ int run_match(MatchArguments a) {
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
   const LocalFrame frame = check_patch(file);
-  reconstruct::Scene scene = load_scene(file, frame, a.max_y_parallax_px);
+  reconstruct::Scene scene = patch_scene(file, frame, patch_images(file));
+  warn_of(check_pairs(file, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
   reconstruct::extract(scene, a.options.extraction);
   reconstruct::PairMatches result = reconstruct::match(scene, kPairOfPatch, a.options);
   add_guided(scene, {&result, 1});

@@ -8,8 +8,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
+#include <array>
+#include <optional>
+#include <utility>
 
 namespace ridgeline::apps {
 namespace {
@@ -20,36 +21,37 @@ using reconstruct::PairReading;
 /// A pair of images with their cameras and the points that were found in both.
 struct CheckedPair {
   const io::PatchFile& patch;
+  std::array<std::string, 2> paths;  ///< of the images
   reconstruct::PairGeometry geometry;
   std::vector<reconstruct::PointMatch> points;
   std::array<Eigen::Vector2i, 2> sizes_px;
   double limit_px;
 };
 
-reconstruct::PairGeometry geometry_of(const reconstruct::Scene& scene) {
-  const reconstruct::View& left = scene.views[0];
-  const reconstruct::View& right = scene.views[1];
+reconstruct::PairGeometry geometry_of(const reconstruct::Scene& scene, const ViewPair& views) {
+  const reconstruct::View& left = scene.views[views.base];
+  const reconstruct::View& right = scene.views[views.search];
   return {{left.image_from_local, right.image_from_local},
           scene.height_range_in_local_m,
           {left.ideal_from_image, right.ideal_from_image}};
 }
 
 /// The images that are at fault: "both images", or the path of one.
-std::string files_text(const io::PatchFile& patch, bool left, bool right) {
+std::string files_text(const CheckedPair& pair, bool left, bool right) {
   if (left && right) return "both images";
-  return patch.images[left ? 0 : 1].path;
+  return pair.paths[left ? 0 : 1];
 }
 
-std::string reading_text(const io::PatchFile& patch, const PairReading& reading) {
+std::string reading_text(const CheckedPair& pair, const PairReading& reading) {
   if (reading.swapped) return "the images swapped";
   const auto& turned = reading.turned_deg;
   if (turned[0] != 0 || turned[1] != 0) {
     return fmt::format("{} turned by {} degrees clockwise",
-                       files_text(patch, turned[0] != 0, turned[1] != 0),
+                       files_text(pair, turned[0] != 0, turned[1] != 0),
                        360 - std::max(turned[0], turned[1]));
   }
   const auto& scale = reading.scale;
-  return fmt::format("{} {}", files_text(patch, scale[0] != 1.0, scale[1] != 1.0),
+  return fmt::format("{} {}", files_text(pair, scale[0] != 1.0, scale[1] != 1.0),
                      std::min(scale[0], scale[1]) < 1.0 ? "doubled in size" : "halved in size");
 }
 
@@ -81,7 +83,7 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
   std::vector<std::string> texts;
   texts.reserve(fitting.size());
   std::string better;
-  for (const PairReading& reading : fitting) texts.push_back(reading_text(pair.patch, reading));
+  for (const PairReading& reading : fitting) texts.push_back(reading_text(pair, reading));
   if (!fitting.empty()) {
     const PairFit best = fit_under(pair, fitting.front());
     better = fmt::format("; they fit ({:.2g} px, {:.0f} %) with {}", best.median_y_parallax_px,
@@ -99,44 +101,76 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
                   "lines of each other (median{}), {:.0f} % of them within height_range{}. "
                   "--max-y-parallax-px 0 leaves this "
                   "check out",
-                  pair.patch.images[0].path, pair.patch.images[1].path, fit.n_points,
-                  fit.median_y_parallax_px, rule, 100.0 * fit.share_that_fits, better));
+                  pair.paths[0], pair.paths[1], fit.n_points, fit.median_y_parallax_px, rule,
+                  100.0 * fit.share_that_fits, better));
 }
 
-}  // namespace
-
-std::optional<std::string> check_pair(const io::PatchFile& patch,
-                                      const reconstruct::Scene& scene,
-                                      double max_y_parallax_px) {
+/// Checks one pair; see check_pairs().
+std::optional<std::string> check_pair(const CheckedPair& pair) {
   constexpr std::size_t kFewestPoints = 30;
   constexpr double kUsualShare = 0.5;
-  if (max_y_parallax_px == 0.0) return std::nullopt;
-  const std::array images{scene.views[0].image, scene.views[1].image};
-  CheckedPair pair{
-      patch, geometry_of(scene), reconstruct::match_points(images), {}, max_y_parallax_px};
-  for (std::size_t i = 0; i < 2; ++i) pair.sizes_px[i] = {images[i].cols, images[i].rows};
   const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
   if (fit.n_points < kFewestPoints) {
     return fmt::format(
         "{}: {} and {} show only {} points that were found in both; whether they fit their cameras "
-        "is not "
-        "checked",
-        patch.path, patch.images[0].path, patch.images[1].path, fit.n_points);
+        "is not checked",
+        pair.patch.path, pair.paths[0], pair.paths[1], fit.n_points);
   }
   const std::vector<PairReading> fitting =
       reconstruct::fitting_readings(pair.points, pair.sizes_px, pair.geometry, pair.limit_px);
   const bool another_fits = std::ranges::any_of(fitting, [&](const PairReading& reading) {
     return fits_far_better(fit_under(pair, reading), fit, reading);
   });
-  if (another_fits || fit.median_y_parallax_px > max_y_parallax_px) refuse(pair, fit, fitting);
+  if (another_fits || fit.median_y_parallax_px > pair.limit_px) refuse(pair, fit, fitting);
   if (fit.share_that_fits < kUsualShare) {
     return fmt::format(
-        "{}: only {:.0f} % of {} points that both images show lie within height_range [{}, {}]; "
+        "{}: only {:.0f} % of {} points that {} and {} show lie within height_range [{}, {}]; "
         "check it",
-        patch.path, 100.0 * fit.share_that_fits, fit.n_points, patch.height_range_m[0],
-        patch.height_range_m[1]);
+        pair.patch.path, 100.0 * fit.share_that_fits, fit.n_points, pair.paths[0], pair.paths[1],
+        pair.patch.height_range_m[0], pair.patch.height_range_m[1]);
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> check_pairs(const io::PatchFile& patch,
+                                     const reconstruct::Scene& scene,
+                                     std::span<const ViewPair> pairs,
+                                     double max_y_parallax_px) {
+  if (max_y_parallax_px == 0.0) return {};
+  std::vector<std::string> doubts;
+  for (const ViewPair& views : pairs) {
+    const std::array numbers{views.base, views.search};
+    CheckedPair pair{patch, {}, geometry_of(scene, views), {}, {}, max_y_parallax_px};
+    std::array<cv::Mat, 2> images;
+    for (std::size_t i = 0; i < 2; ++i) {
+      images[i] = scene.views[numbers[i]].image;
+      pair.paths[i] = patch.images[numbers[i]].path;
+      pair.sizes_px[i] = {images[i].cols, images[i].rows};
+    }
+    pair.points = reconstruct::match_points(images);
+    if (auto doubt = check_pair(pair)) doubts.push_back(std::move(*doubt));
+  }
+  return doubts;
+}
+
+std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
+                                             const reconstruct::Scene& scene,
+                                             const reconstruct::Options& options,
+                                             double max_y_parallax_px) {
+  const std::vector<ViewPair> pairs = pairs_of(scene, options);
+  std::vector<std::string> doubts = check_pairs(patch, scene, pairs, max_y_parallax_px);
+  if (!options.matching.tracks.all_views) return doubts;
+  for (std::size_t i = 0; i < patch.images.size(); ++i) {
+    if (std::ranges::any_of(pairs, [&](const ViewPair& p) { return p.base == i || p.search == i; }))
+      continue;
+    doubts.push_back(
+        fmt::format("{}: {} shows less than a tenth of what each of the other images shows at the "
+                    "middle of height_range; it is matched with none of them",
+                    patch.path, patch.images[i].path));
+  }
+  return doubts;
 }
 
 }  // namespace ridgeline::apps

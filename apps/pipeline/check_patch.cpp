@@ -142,7 +142,7 @@ LocalFrame check_patch(const io::PatchFile& patch) {
   check_image_ids(patch);
   LocalFrame frame;
   int n_bands = 0;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < patch.images.size(); ++i) {
     const io::PatchImage& image = patch.images[i];
     const io::ImageFacts facts = io::image_facts(image.path);
     io::check_image_size(image.path, facts, patch.max_image_mpx);
@@ -152,7 +152,7 @@ LocalFrame check_patch(const io::PatchFile& patch) {
       frame = reconstruct::local_frame(image.image_from_world, {facts.width_px, facts.height_px},
                                        patch.height_range_m);
     } else if (facts.n_bands != n_bands) {
-      throw io::IoError(image.path, fmt::format("{} bands, but {} has {}; both images of a pair "
+      throw io::IoError(image.path, fmt::format("{} bands, but {} has {}; all images of a patch "
                                                 "must have the same bands",
                                                 facts.n_bands, patch.images[0].path, n_bands));
     }

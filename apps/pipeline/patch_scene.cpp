@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/patch_scene.h"
 
-#include "apps/pipeline/check_pair.h"
 #include "io/images/image.h"
 #include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
-#include <spdlog/spdlog.h>
 
 #include <future>
 #include <utility>
@@ -54,14 +52,6 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const std::vector<cv::Mat>& images) {
   reconstruct::Scene scene = patch_scene(patch, frame);
   for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
-  return scene;
-}
-
-reconstruct::Scene load_scene(const io::PatchFile& patch,
-                              const LocalFrame& frame,
-                              double max_y_parallax_px) {
-  reconstruct::Scene scene = patch_scene(patch, frame, patch_images(patch));
-  if (const auto doubt = check_pair(patch, scene, max_y_parallax_px)) spdlog::warn("{}", *doubt);
   return scene;
 }
 

@@ -29,11 +29,6 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
                                const std::vector<cv::Mat>& images);
 
-/// The scene of a patch with its images, after check_pair(), whose warning is printed. Throws IoError.
-reconstruct::Scene load_scene(const io::PatchFile& patch,
-                              const LocalFrame& frame,
-                              double max_y_parallax_px);
-
 /// The names that the files of an image's segments have in the folder of a run: edges_file() holds the extracted segments,
 /// segments_file() these and the ones found while matching.
 std::string edges_file(const io::PatchImage& image);

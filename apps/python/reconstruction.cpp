@@ -17,8 +17,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,13 +53,13 @@ py::dict lines_of(const io::PatchFile& patch,
                   const Read& read) {
   return dict_of(interruptibly([&] {
     reconstruct::Scene scene = in_local_frame(apps::patch_scene(patch, {}, read()));
-    const std::optional<std::string> doubt =
-        apps::check_pair(patch, scene, apps::kDefaultMaxYParallax_px);
+    std::vector<std::string> doubts =
+        apps::check_matched_pairs(patch, scene, options, apps::kDefaultMaxYParallax_px);
     const reconstruct::Reconstruction found = reconstruct::reconstruct(std::move(scene), options);
     io::LineSet set =
         apps::line_set_of(found.lines, found.scene, patch.crs, options.estimation.lines.method,
                           options.estimation.lines.max_aligned_angle_deg);
-    if (doubt) set.warnings.push_back(*doubt);
+    std::ranges::move(doubts, std::back_inserter(set.warnings));
     return set;
   }));
 }

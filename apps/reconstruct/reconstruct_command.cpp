@@ -96,7 +96,8 @@ void write_whole_surface(const std::string& file,
 std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                                      const LocalFrame& frame,
                                                      const ReconstructArguments& a) {
-  reconstruct::Scene scene = load_scene(patch, frame, a.max_y_parallax_px);
+  reconstruct::Scene scene = patch_scene(patch, frame, patch_images(patch));
+  warn_of(check_matched_pairs(patch, scene, a.options, a.max_y_parallax_px));
   find_segments(patch, a, scene);
   const Tracked found = tracked(scene, a);
   if (a.options.estimation.lines.method == reconstruct::Method::kPlanes &&

@@ -61,7 +61,7 @@ class PatchRun {
   }
 
   PatchResult run() {
-    check_pair();
+    check_pairs();
     extract();
     match();
     keep_surface();
@@ -102,13 +102,15 @@ class PatchRun {
     return stage_key(parts);
   }
 
-  void check_pair() {
+  void check_pairs() {
     for (std::size_t i = 0; i < image_keys_.size(); ++i) {
       const io::PatchImage& image = patch_.images[i];
       image_keys_[i] = stage_key({io::sha256_of_file(image.path), lens_text(image)});
     }
-    stage("check pair", stage_key({views_key(), fmt::format("{}", options_.max_y_parallax_px)}), {},
-          [&] { stages_.check_pair(); });
+    stage("check pairs",
+          stage_key({views_key(), parameters_["tracks"].dump(),
+                     fmt::format("{}", options_.max_y_parallax_px)}),
+          {}, [&] { record_.add_warnings(stages_.check_pairs()); });
   }
 
   /// Each image has a stage of its own. The stages that are not done run together.

@@ -31,7 +31,7 @@ struct RunOptions {
   bool local_origin = false;  ///< see io::WriteLinesOptions
   io::Crs assume_crs;         ///< declares or overrides the CRS of patch, cloud and reference lines
   double max_image_mpx = 0.0;                          ///< limit of io::read_image()
-  double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< limit of check_pair()
+  double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< limit of check_pairs()
   std::string config_path;  ///< file of the parameters; empty if there is none
   bool resume = false;
   bool report = true;  ///< report.html and the figures

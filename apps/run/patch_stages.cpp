@@ -168,10 +168,10 @@ std::string PatchStages::pair_folder(const ViewPair& pair) const {
   return fmt::format("pairs/{}-{}/", patch_.images[pair.base].id, patch_.images[pair.search].id);
 }
 
-void PatchStages::check_pair() {
+std::vector<std::string> PatchStages::check_pairs() {
   read_images();
-  const auto doubt = apps::check_pair(patch_, scene_, options_.max_y_parallax_px);
-  if (doubt) spdlog::warn("{}", *doubt);
+  return check_matched_pairs(patch_, scene_, options_.parameters.method,
+                             options_.max_y_parallax_px);
 }
 
 void PatchStages::extract(std::span<const std::size_t> images) {

@@ -34,8 +34,8 @@ class PatchStages {
   static std::string line_file(reconstruct::Method method, std::string_view extension = ".geojson");
   [[nodiscard]] std::vector<std::string> line_files(reconstruct::Method method) const;
 
-  /// Throws IoError unless the images fit their cameras; see apps::check_pair().
-  void check_pair();
+  /// The warnings of check_matched_pairs(), which throws IoError unless the images fit their cameras.
+  [[nodiscard]] std::vector<std::string> check_pairs();
   /// Extracts the segments of these images, all at once. One image alone would leave other cores idle while its edges
   /// are traced in the order of their lengths.
   void extract(std::span<const std::size_t> images);

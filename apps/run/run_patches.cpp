@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 namespace ridgeline::apps {
@@ -90,19 +91,30 @@ nlohmann::ordered_json n_views_by_patch(const std::vector<CheckedPatch>& patches
   return json;
 }
 
-void warn_of_images(const std::vector<CheckedPatch>& patches, bool all_views) {
-  for (const auto& [patch, frame] : patches) {
-    const std::string& left = patch.images[0].path;
-    const std::string& right = patch.images[1].path;
-    if (io::sha256_of_file(left) == io::sha256_of_file(right)) {
-      spdlog::warn("{}: {} and {} hold the same picture; two views are needed", patch.path, left,
-                   right);
-    }
-    if (patch.images.size() == 2 || all_views) continue;
-    spdlog::warn(
-        "{}: {} images; the papers use two: lines are reconstructed from the first ones, {} and {}",
-        patch.path, patch.images.size(), patch.images[0].id, patch.images[1].id);
+/// Images of a patch that hold the same picture, which a copied path or file makes.
+std::vector<std::string> same_pictures(const io::PatchFile& patch) {
+  std::vector<std::string> warnings;
+  std::map<std::string, std::string> path_of_hash;
+  for (const io::PatchImage& image : patch.images) {
+    const auto [other, is_new] = path_of_hash.emplace(io::sha256_of_file(image.path), image.path);
+    if (is_new) continue;
+    warnings.push_back(fmt::format("{}: {} and {} hold the same picture; each view needs its own",
+                                   patch.path, other->second, image.path));
   }
+  return warnings;
+}
+
+std::vector<std::string> warnings_of_images(const std::vector<CheckedPatch>& patches,
+                                            bool all_views) {
+  std::vector<std::string> warnings;
+  for (const auto& [patch, frame] : patches) {
+    std::ranges::move(same_pictures(patch), std::back_inserter(warnings));
+    if (patch.images.size() == 2 || all_views) continue;
+    warnings.push_back(fmt::format(
+        "{}: {} images; the papers use two: lines are reconstructed from the first ones, {} and {}",
+        patch.path, patch.images.size(), patch.images[0].id, patch.images[1].id));
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -114,7 +126,10 @@ void run_patches(const std::string& command,
   results::RunRecord record(command);
   record.set_options(echo_options(options));
   const std::vector<CheckedPatch> patches = read_patches(patch_files, options);
-  warn_of_images(patches, options.parameters.method.matching.tracks.all_views);
+  const std::vector<std::string> early =
+      warnings_of_images(patches, options.parameters.method.matching.tracks.all_views);
+  warn_of(early);  // now, because they may say why the work fails
+  record.add_warnings(early);
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json", "table1.tracks.csv"})
@@ -140,7 +155,9 @@ void run_patches(const std::string& command,
     n_skipped += result.n_skipped_stages;
   }
   progress.clear();
-  for (const std::string& warning : record.warnings()) spdlog::warn("{}", warning);
+  for (const std::string& warning : record.warnings()) {
+    if (std::ranges::find(early, warning) == early.end()) spdlog::warn("{}", warning);
+  }
   if (options.resume) spdlog::info("{} finished stages skipped", n_skipped);
 
   // Table 1 is always written: an old table beside new ones would mislead.

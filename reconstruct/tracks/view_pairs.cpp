@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <optional>
 #include <tuple>
 
@@ -34,22 +35,33 @@ double shown_share(const View& view, const View& other, double height_m) {
   return static_cast<double>(n_shown) / (kPerSide * kPerSide);
 }
 
-/// How far the base-to-height ratio of a pair is from the best one; nothing for a pair that shows no place in
-/// common.
-std::optional<double> cost_of(const Scene& scene, const ViewPair& pair) {
+/// What is against a pair: less is better.
+struct PairCost {
+  bool is_makeshift = false;  ///< the views show little in common
+  /// How far the base-to-height ratio is from the best one; of a makeshift how little the views show in common.
+  double value = 0.0;
+
+  auto operator<=>(const PairCost&) const = default;
+};
+
+/// Nothing for a pair that shows no place in common.
+std::optional<PairCost> cost_of(const Scene& scene, const ViewPair& pair) {
   constexpr double kBest = 0.3;
-  constexpr double kLeastShown = 0.3;
+  constexpr double kUsualShare = 0.3;
+  constexpr double kLeastShare = 0.1;
   const View& a = scene.views[pair.base];
   const View& b = scene.views[pair.search];
   const double height_m = middle_height_m(scene);
-  if (std::min(shown_share(a, b, height_m), shown_share(b, a, height_m)) < kLeastShown)
-    return std::nullopt;
+  const double share = std::min(shown_share(a, b, height_m), shown_share(b, a, height_m));
+  if (share < kLeastShare) return std::nullopt;
   const Eigen::Vector3d centre_a = projection_centre(a.image_from_local).hnormalized();
   const Eigen::Vector3d centre_b = projection_centre(b.image_from_local).hnormalized();
-  const double height_above_m = 0.5 * (centre_a.z() + centre_b.z()) - height_m;
-  const double ratio = (centre_b - centre_a).norm() / height_above_m;
+  // cameras that look up are below what they show
+  const double way_m = std::abs(0.5 * (centre_a.z() + centre_b.z()) - height_m);
+  const double ratio = (centre_b - centre_a).norm() / way_m;
   if (!(ratio > 0.0)) return std::nullopt;
-  return std::abs(std::log(ratio / kBest));
+  if (share < kUsualShare) return PairCost{true, -share};
+  return PairCost{false, std::abs(std::log(ratio / kBest))};
 }
 
 }  // namespace
@@ -64,10 +76,10 @@ std::vector<ViewPair> choose_pairs(const Scene& scene) {
   is_connected[0] = is_connected[1] = true;
   while (true) {
     std::optional<ViewPair> best;
-    const auto key = [&](const ViewPair& p, double cost) {
+    const auto key = [&](const ViewPair& p, const PairCost& cost) {
       return std::tuple(cost, scene.views[p.base].id, scene.views[p.search].id);
     };
-    std::optional<std::tuple<double, std::string, std::string>> best_key;
+    std::optional<std::tuple<PairCost, std::string, std::string>> best_key;
     for (std::size_t a = 0; a < n; ++a) {
       for (std::size_t b = 0; b < n; ++b) {
         if (!is_connected[a] || is_connected[b]) continue;

@@ -2,9 +2,13 @@
 // Patches of three images and more.
 #include "tests/cli/cli_fixture.h"
 
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <set>
 #include <sstream>
 
@@ -125,6 +129,64 @@ TEST_F(ThreeImages, AreTwoForThePapers) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("the papers use two"));
   EXPECT_EQ(n_lines_with("out/patch/lines.direct.geojson", "\"n_images\":3"), 0U);
+}
+
+/// Three images, of which the third one does not fit.
+class WrongThirdImage : public ThreeImages {
+ protected:
+  static constexpr const char* kThird =
+      "patch/strip1.tif";  // the patch begins with strip2 and strip3
+
+  void SetUp() override {
+    ThreeImages::SetUp();
+    ASSERT_LT(read(path("patch/patch.yaml")).find("strip3.tif"),
+              read(path("patch/patch.yaml")).find("strip1.tif"));
+  }
+  void change(const std::function<void(const cv::Mat&, cv::Mat&)>& how) const {
+    cv::Mat changed;
+    how(cv::imread(path(kThird).string(), cv::IMREAD_UNCHANGED), changed);
+    ASSERT_TRUE(cv::imwrite(path(kThird).string(), changed));
+  }
+};
+
+TEST_F(WrongThirdImage, IsRefusedIfItIsTurned) {
+  change([](const cv::Mat& in, cv::Mat& out) { cv::rotate(in, out, cv::ROTATE_180); });
+  const auto names_it = AllOf(HasSubstr("strip1.tif"), HasSubstr("do not fit their cameras"),
+                              HasSubstr("turned by 180 degrees"));
+  EXPECT_REFUSED(run_patch("out"), names_it);
+  EXPECT_REFUSED(run({"reconstruct", "patch/patch.yaml", "--out", "l.geojson"}), names_it);
+  EXPECT_EQ(run({"match", "patch/patch.yaml", "--out", "m.csv"}).exit_code, 0);  // the base pair
+  EXPECT_EQ(run_patch("papers", {"--preset", "published"}).exit_code, 0);
+}
+
+TEST_F(WrongThirdImage, IsRefusedForItsBandsBeforeAnyWork) {
+  change([](const cv::Mat& in, cv::Mat& out) { cv::cvtColor(in, out, cv::COLOR_BGR2GRAY); });
+  EXPECT_REFUSED(run_patch("out"), AllOf(HasSubstr("strip1.tif"), HasSubstr("1 bands")));
+  EXPECT_FALSE(std::filesystem::exists(path("out/patch/edges.strip2.csv")));
+}
+
+TEST_F(WrongThirdImage, IsNamedIfItHoldsThePictureOfAnother) {
+  std::filesystem::copy_file(path("patch/strip3.tif"), path(kThird),
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THAT(run_patch("out", {"--max-y-parallax-px", "0"}).err,
+              AllOf(HasSubstr("strip3.tif and"), HasSubstr("strip1.tif hold the same picture")));
+}
+
+TEST_F(WrongThirdImage, IsNamedIfItShowsAnotherPlace) {
+  std::string text = read(path("patch/patch.yaml"));
+  const std::size_t image = text.find("id: strip1");
+  const std::size_t begin = text.find("projection_matrix:", image);
+  std::size_t end = begin;
+  for (int row = 0; row < 3; ++row) end = text.find("]", end + 1);
+  text.replace(begin, end + 1 - begin,  // 500 m to the east
+               "projection_matrix: [[7000, 0, -300, -3594200000], [0, -7000, -300, 37821300000], "
+               "[0, 0, -1, 1000]]");
+  write(path("patch/patch.yaml"), text);
+  const ProgramResult result = run_patch("out");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("strip1.tif shows less than a tenth"),
+                                HasSubstr("it is matched with none of them")));
+  EXPECT_THAT(read_json(path("out/run.json"))["warnings"].dump(), HasSubstr("less than a tenth"));
 }
 
 /// The report of three images; its page holds one patch with one method.

@@ -95,11 +95,7 @@ TEST(ChoosePairs, LeavesOutAViewThatShowsNothingOfTheOthers) {
   }
 }
 
-TEST(ChoosePairs, NeedsThreeTenthsOfBothImages) {
-  // The third view is 0.75 of the width away from the first one and more from the second: they share less than 0.3.
-  const Scene scene =
-      scene_of({{"a", {0.0, 0.0, 807.5}}, {"b", {-100.0, 0.0, 807.5}}, {"c", {300.0, 0.0, 807.5}}});
-  EXPECT_THAT(pairs_by_id(scene), UnorderedElementsAre(std::pair("a", "b")));
+TEST(ChoosePairs, NeedsATenthOfBothImages) {
   // A view of a small part of the first one: all of it is shown, but it shows a hundredth.
   Scene zoomed =
       scene_of({{"a", {0.0, 0.0, 807.5}}, {"b", {-100.0, 0.0, 807.5}}, {"c", {50.0, 0.0, 807.5}}});
@@ -110,6 +106,28 @@ TEST(ChoosePairs, NeedsThreeTenthsOfBothImages) {
   const Eigen::Vector2d by = Eigen::Vector2d::Constant(0.5 * test::kBlockImage_px) - middle;
   zoomed.views[2].image_from_local.topRows<2>() += by * zoomed.views[2].image_from_local.row(2);
   EXPECT_EQ(choose_pairs(zoomed).size(), 1);
+}
+
+TEST(ChoosePairs, ConnectsAViewThatShowsLessThanThreeTenthsWithWhatShowsTheMostOfIt) {
+  // c is 0.75 of the width away from a and farther from b, whose base-to-height ratio is no better.
+  const std::vector<BlockCamera> cameras{
+      {"a", {0.0, 0.0, 807.5}}, {"b", {-30.0, 0.0, 807.5}}, {"c", {300.0, 0.0, 807.5}}};
+  EXPECT_THAT(pairs_by_id(scene_of(cameras)),
+              UnorderedElementsAre(std::pair("a", "b"), std::pair("a", "c")));
+  // d shows enough of c: it is connected to c, and not to a with a ratio of 0.3 where little is in common.
+  std::vector<BlockCamera> more = cameras;
+  more.push_back({"d", {420.0, 0.0, 807.5}});
+  EXPECT_THAT(pairs_by_id(scene_of(more)),
+              UnorderedElementsAre(std::pair("a", "b"), std::pair("a", "c"), std::pair("c", "d")));
+}
+
+TEST(ChoosePairs, TakesCamerasThatLookUp) {
+  Scene scene = BlockScene().scene;
+  const PairsById expected = pairs_by_id(scene);
+  for (View& view : scene.views) view.image_from_local.col(2) *= -1.0;
+  scene.height_range_in_local_m = {-scene.height_range_in_local_m[1],
+                                   -scene.height_range_in_local_m[0]};
+  EXPECT_EQ(pairs_by_id(scene), expected);
 }
 
 TEST(ChoosePairs, ThrowsIfTheFirstTwoOfThreeViewsDoNotShowTheSamePlace) {
