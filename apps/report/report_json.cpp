@@ -75,6 +75,16 @@ std::string aligned_base64(const ReportPatch& patch, std::size_t view, std::size
   return base64(bits);
 }
 
+/// Focal lengths and principal point in pixels of the file, and the coefficients of the distortion; null without one.
+Json lens_json(const io::PatchImage& view) {
+  if (!view.interior || view.interior->distortion.is_zero()) return nullptr;
+  const Eigen::Vector2d& focal_length_px = view.interior->focal_length_px;
+  const Eigen::Vector2d centre_px = view.interior->principal_point_px - view.window_px;
+  const BrownDistortion& d = view.interior->distortion;
+  return Json::array({focal_length_px.x(), focal_length_px.y(), centre_px.x(), centre_px.y(), d.k1,
+                      d.k2, d.k3, d.p1, d.p2});
+}
+
 Json view_json(const ReportPatch& patch, std::size_t i) {
   constexpr int kQuality = 80;
   const io::PatchImage& view = patch.patch->images[i];
@@ -87,7 +97,7 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
           {"file", std::filesystem::path(view.path).filename().string()},
           {"width_px", static_cast<int>(patch.images->sizes_px[i].x())},
           {"height_px", static_cast<int>(patch.images->sizes_px[i].y())},
-          {"is_distorted", view.interior && !view.interior->distortion.is_zero()},
+          {"lens", lens_json(view)},
           {"projection", matrix_json(camera_of(patch, i))},
           {"segments", segments_base64(patch.images->segments[i])},
           {"aligned", std::move(aligned)},

@@ -527,6 +527,60 @@ test('a report made later, when the data is gone, says what is missing', async (
   await close(page);
 });
 
+/** Sample 1 with cameras of a lens that moves its pixels by one to three pixels. The pictures are not distorted so: all lines are
+ * wrong a little, but those of two segments fit both of them. */
+function lensPatch() {
+  const camera = (id, position, angles, window) => `  - id: ${id}
+    path: ${join(samples, '1', `${id}.tif`)}
+    interior: {focal_length_mm: 120, pixel_size_um: 12, size_px: [7681, 13825], k1: -0.1, p1: 0.002}
+    exterior: {position_m: [${position}], omega_phi_kappa_deg: [${angles}]}
+    window_px: [${window}]
+`;
+  const file = join(work, 'lens.yaml');
+  writeFileSync(file, 'id: lens\ncrs: EPSG:25832\nheight_range: [220, 290]\nimages:\n'
+    + camera('left', '512928.620, 5403034.364, 1050.927', '-0.545313, 0.856515, 0.237101', '4903, 6463')
+    + camera('right', '513136.040, 5403031.240, 1049.419', '-0.357483, -0.083388, -0.394998', '2146, 6457'));
+  return file;
+}
+
+test('draws projected lines and epipolar lines where a lens with distortion shows them', async () => {
+  ridgeline('run', lensPatch(), '--out', join(work, 'lens'), '--methods', 'direct');
+  const page = await openReport('lens');
+  const { lines, n, seen, epipolar, moved } = await page.evaluate(() => {
+    const images = globalThis.ridgeline.images();
+    const distance = (curve, [x, y]) => Math.min(...curve.slice(1).map(([x2, y2], i) => {
+      const [x1, y1] = curve[i];
+      const t = Math.max(0, Math.min(1, ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / ((x2 - x1) ** 2 + (y2 - y1) ** 2)));
+      return Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1));
+    }));
+    const project = ([a, b, c, d, e, f, g, h, i, j, k, l], [x, y, z]) => [(a * x + b * y + c * z + d) / (i * x + j * y + k * z + l), (e * x + f * y + g * z + h) / (i * x + j * y + k * z + l)];
+    const isWithin = ({ projection, width_px, height_px }, x) => { const [c, r] = project(projection, x); return c > 20 && r > 20 && c < width_px - 20 && r < height_px - 20; };
+    const isWhole = (l) => images.images.views.every((view) => isWithin(view, l.start) && isWithin(view, l.end));
+    const found = { lines: 0, n: 0, seen: 0, epipolar: 0, moved: [] };
+    for (const line of globalThis.ridgeline.state.method.lines.filter((l) => l.start && l.class === 'not_aligned' && l.construction === 'direct' && isWhole(l))) {
+      ++found.lines;
+      for (const v of [0, 1]) {
+        const [x1, y1, x2, y2] = images.segmentsOfLine(v, line)[0];
+        const middle = [(x1 + x2) / 2, (y1 + y2) / 2];
+        ++found.n;
+        found.seen += distance(images.projectedCurve(v, line), middle) < 0.7;
+        const there = images.projected(v, line);
+        const ideal = project(images.images.views[v].projection, line.start);
+        found.moved.push(Math.hypot(there[0] - ideal[0], there[1] - ideal[1]));
+        // the point of the other image at which the line is seen lies on the epipolar line of this one
+        const other = images.projected(1 - v, line);
+        found.epipolar += distance(images.epipolarCurve(1 - v, v, [there[0], there[1]]), [other[0], other[1]]) < 0.05;
+      }
+    }
+    return found;
+  });
+  assert.ok(lines > 20, `${lines} lines`);
+  assert.ok(seen > 0.9 * n, `${seen} of ${n} segments on the projected line`);
+  assert.equal(epipolar, n);
+  assert.ok(moved.sort((a, b) => a - b)[Math.floor(moved.length / 2)] > 1.5, 'the lens moves pixels');
+  await close(page);
+});
+
 /** A small village in five images of two crossing strips, with a line that an image contradicts. */
 function fiveImages() {
   const patch = join(work, 'five_patch');
@@ -588,8 +642,11 @@ test('epipolar lines pass through the mates in any pair of images', async () => 
         for (let other = 0; other < images.count; ++other) {
           if (other === v) continue;
           const [x, y] = images.projected(v, line);
-          const [a, b, c] = images.epipolar(v, other, images.projected(other, line).slice(0, 2));
-          result.farthest_px = Math.max(result.farthest_px, Math.abs(a * x + b * y + c) / Math.hypot(a, b));
+          const curve = images.epipolarCurve(v, other, images.projected(other, line).slice(0, 2));
+          if (!curve) continue; // beside the image
+          const [[x1, y1], [x2, y2]] = curve; // without distortion a straight line
+          const off_px = Math.abs((x2 - x1) * (y - y1) - (y2 - y1) * (x - x1)) / Math.hypot(x2 - x1, y2 - y1);
+          result.farthest_px = Math.max(result.farthest_px, off_px);
           ++result.n;
         }
       }

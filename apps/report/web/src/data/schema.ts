@@ -201,12 +201,16 @@ export interface Method {
   plane_of_point: string;
 }
 
+/** Focal lengths and principal point in pixels of the file, then k1, k2, k3, p1, p2. */
+export type Lens = [number, number, number, number, number, number, number, number, number];
+
 export interface View {
   id: string;
   file: string;
   width_px: number;
   height_px: number;
-  is_distorted: boolean;
+  /** Null for a lens without distortion. */
+  lens: Lens | null;
   projection: number[];
   segments: string;
   /** By the other image: one bit a segment, whether it is aligned with its epipolar line. */

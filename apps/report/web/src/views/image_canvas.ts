@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One image with drawings on it, to be zoomed and moved.
-import { clipToBox, type LineCoefficients, type Point2 } from '../data/geometry';
+import type { Point2 } from '../data/geometry';
 import type { ImageSegment } from '../data/schema';
 import { h } from '../ui/dom';
 
@@ -124,25 +124,23 @@ export class ImageCanvas {
   }
 
   segment([x1, y1, x2, y2]: ImageSegment, stroke: Stroke): void {
+    this.curve([[x1, y1], [x2, y2]], stroke);
+  }
+
+  curve(points: readonly Point2[], stroke: Stroke): void {
     const g = this.context;
-    const a = this.toScreen([x1, y1]);
-    const b = this.toScreen([x2, y2]);
-    if (![...a, ...b].every((v) => Number.isFinite(v) && Math.abs(v) < 1e5)) return;
+    const [first, ...rest] = points.map((x) => this.toScreen(x));
+    if (!first || ![first, ...rest].flat().every((v) => Number.isFinite(v) && Math.abs(v) < 1e5)) return;
     const line = (style: string, width: number, dash: number[]): void => {
       g.strokeStyle = style;
       g.lineWidth = width;
       g.setLineDash(dash);
       g.beginPath();
-      g.moveTo(...a);
-      g.lineTo(...b);
+      g.moveTo(...first);
+      for (const x of rest) g.lineTo(...x);
       g.stroke();
     };
     if (stroke.halo) line('#ffffffc0', stroke.width + 3, []);
     line(stroke.colour, stroke.width, stroke.dash ?? []);
-  }
-
-  infiniteLine(line: LineCoefficients, stroke: Stroke): void {
-    const clipped = clipToBox(line, this.size[0] - 1, this.size[1] - 1);
-    if (clipped) this.segment(clipped, stroke);
   }
 }

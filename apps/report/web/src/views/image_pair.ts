@@ -48,7 +48,6 @@ export class ImagePair {
   private readonly choices = h('div', { class: 'controls', id: 'image-choice' });
   private readonly box = h('div', { class: 'pair' });
   private readonly legend = h('p', { class: 'legend' });
-  private readonly note = h('p', { class: 'caption' });
   private shown: ShownImage[] = []; // by image
   private images: PatchImages | null = null;
   private layer: Layer = 'matches';
@@ -58,7 +57,7 @@ export class ImagePair {
   private further = new Set<number>(); // images beside the pair
 
   constructor(private readonly state: State, private readonly review: Review) {
-    append(this.element, h('h3', {}, 'Images'), this.controls, this.choices, this.box, this.legend, this.note);
+    append(this.element, h('h3', {}, 'Images'), this.controls, this.choices, this.box, this.legend);
     state.onChange((now, before) => {
       if (now.line !== before.line || now.method !== before.method) this.followLine();
       if (now.pair !== before.pair && now.patch === before.patch) this.showPair();
@@ -78,7 +77,6 @@ export class ImagePair {
       replace(this.controls);
       replace(this.choices);
       replace(this.legend);
-      this.note.textContent = '';
       replace(this.box, h('p', { class: 'caption' }, this.state.patch.notes.length > 0 ? 'The images of this patch are not in the report; see the notes above.' : 'This run had no images.'));
       return;
     }
@@ -91,8 +89,6 @@ export class ImagePair {
       choice<Layer>('show', [{ value: 'matches', text: 'matches (Fig. 7)' }, { value: 'segments', text: 'segments (Fig. 1)' }, { value: 'lines', text: '3D lines, projected' }, { value: 'none', text: 'nothing' }],
         this.layer, (layer) => { this.layer = layer; this.updateLegend(); this.draw(); }),
       button('Fit', () => this.shown.forEach((s) => s.canvas.fit())));
-    this.note.textContent = images.images.views.some((v) => v.is_distorted)
-      ? 'Segments are drawn where the image shows them; epipolar lines and projected lines are without the distortion of the lens.' : '';
     this.showPair();
   }
 
@@ -226,8 +222,8 @@ export class ImagePair {
 
   private paintLines(v: number, canvas: ImageCanvas, images: PatchImages): void {
     for (const line of this.state.method.lines) {
-      const seen = images.projected(v, line);
-      if (seen) canvas.segment(seen, line.class === 'aligned' ? { colour: okabeIto.vermillion, width: 1.6, dash: [7, 4] } : { colour: okabeIto.skyBlue, width: 1.6 });
+      const seen = images.projectedCurve(v, line);
+      if (seen) canvas.curve(seen, line.class === 'aligned' ? { colour: okabeIto.vermillion, width: 1.6, dash: [7, 4] } : { colour: okabeIto.skyBlue, width: 1.6 });
     }
   }
 
@@ -299,8 +295,8 @@ export class ImagePair {
 /** Draws a line: its projection, its segments and, if wanted, the epipolar lines of its first segment. */
 export function paintLine(v: number, canvas: ImageCanvas, images: PatchImages, line: Line, width: number, halo: boolean, epipolar = true): void {
   if (epipolar) paintEpipolar(v, canvas, images, images.partnerOf(v, line));
-  const seen = images.projected(v, line);
-  if (seen) canvas.segment(seen, { colour: okabeIto.black, width: 1.5, dash: [3, 3], halo: true });
+  const seen = images.projectedCurve(v, line);
+  if (seen) canvas.curve(seen, { colour: okabeIto.black, width: 1.5, dash: [3, 3], halo: true });
   for (const own of images.segmentsOfLine(v, line)) canvas.segment(own, { colour: selectionColour, width, halo });
 }
 
@@ -309,6 +305,7 @@ function paintEpipolar(v: number, canvas: ImageCanvas, images: PatchImages, othe
   if (!other) return;
   const [x1, y1, x2, y2] = other.segment;
   for (const end of [[x1, y1], [x2, y2]] as Point2[]) {
-    canvas.infiniteLine(images.epipolar(v, other.view, end), { colour: okabeIto.purple, width: 1.2, dash: [4, 4] });
+    const curve = images.epipolarCurve(v, other.view, end);
+    if (curve) canvas.curve(curve, { colour: okabeIto.purple, width: 1.2, dash: [4, 4] });
   }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The decoded images of a patch with their segments, shared by the images, the chips and the review.
 import { float32, uint8 } from '../data/decode';
-import { epipolarLine, project, type LineCoefficients, type Point2 } from '../data/geometry';
+import { epipolarLine, project, type Point2 } from '../data/geometry';
+import { clipLine, clipSegment, curveOf, distorted, idealBox, undistorted, type Box } from '../data/lens';
 import type { Images, ImageSegment, Line, Match, PairOfViews, Patch } from '../data/schema';
 
 /** Which segment of a match an image shows; null for an image that is none of the pair's. */
@@ -13,6 +14,7 @@ export class PatchImages {
   readonly pairs: PairOfViews[];
   private readonly segments: Float32Array[];
   private readonly aligned: (Uint8Array | null)[][];
+  private readonly boxes: Box[];
 
   constructor(readonly images: Images, onload: () => void) {
     this.pictures = images.views.map((view) => {
@@ -23,6 +25,7 @@ export class PatchImages {
     });
     this.segments = images.views.map((view) => float32(view.segments));
     this.aligned = images.views.map((view) => view.aligned.map((bits) => (bits ? uint8(bits) : null)));
+    this.boxes = images.views.map((view) => idealBox(view.lens, view.width_px, view.height_px));
     this.pairs = [...images.pairs];
     for (let base = 0; base < this.count; ++base) {
       for (let search = base + 1; search < this.count; ++search) {
@@ -84,7 +87,12 @@ export class PatchImages {
   /** The line's segments in an image: the extracted ones, else those that its file states. */
   segmentsOfLine(view: number, line: Line): ImageSegment[] {
     return (line.sightings ?? []).filter((s) => s[0] === view)
-      .map(([, index, px]) => (index === null ? null : this.segment(view, index)) ?? px).filter((s) => s !== null);
+      .map(([, index, px]) => (index === null ? null : this.segment(view, index)) ?? this.inPicture(view, px)).filter((s) => s !== null);
+  }
+  /** A segment of ideal pixels as the picture shows its ends. */
+  private inPicture(view: number, px: ImageSegment | null): ImageSegment | null {
+    const { lens } = this.images.views[view]!;
+    return px && [...distorted(lens, [px[0], px[1]]), ...distorted(lens, [px[2], px[3]])];
   }
 
   /** The images that show a line, the first of its segments first. */
@@ -99,15 +107,27 @@ export class PatchImages {
     return other === undefined || !segment ? null : { view: other, segment };
   }
 
-  /** The 3D line as the camera sees it. */
-  projected(view: number, line: Line): ImageSegment | null {
+  /** The 3D line as the camera sees it, in ideal pixels: the part of it that the picture may show if the lens distorts. */
+  private ideal(view: number, line: Line): ImageSegment | null {
     if (!line.start || !line.end) return null;
-    const P = this.images.views[view]!.projection;
-    return [...project(P, line.start), ...project(P, line.end)];
+    const { projection, lens } = this.images.views[view]!;
+    const whole: ImageSegment = [...project(projection, line.start), ...project(projection, line.end)];
+    return lens ? clipSegment(whole, this.boxes[view]!) : whole;
+  }
+  /** The ends of the 3D line in the picture. */
+  projected(view: number, line: Line): ImageSegment | null {
+    return this.inPicture(view, this.ideal(view, line));
+  }
+  /** The 3D line in the picture: a curve if the lens distorts. */
+  projectedCurve(view: number, line: Line): Point2[] | null {
+    const ideal = this.ideal(view, line);
+    return ideal && curveOf(this.images.views[view]!.lens, ideal);
   }
 
-  /** Epipolar line in `view` of a point of another image. */
-  epipolar(view: number, other: number, xInOther: Point2): LineCoefficients {
-    return epipolarLine(this.images.views[view]!.projection, this.images.views[other]!.projection, xInOther);
+  /** The epipolar line in `view` of a point in the picture of another image: a curve if the lens distorts. */
+  epipolarCurve(view: number, other: number, xInOther: Point2): Point2[] | null {
+    const [own, from] = [this.images.views[view]!, this.images.views[other]!];
+    const part = clipLine(epipolarLine(own.projection, from.projection, undistorted(from.lens, xInOther)), this.boxes[view]!);
+    return part && curveOf(own.lens, part);
   }
 }
