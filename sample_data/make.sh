@@ -1,8 +1,16 @@
 #!/usr/bin/env bash
-# Makes the three sample patches again; the same bytes every time. Usage: sample_data/make.sh PROGRAM
+# Makes the sample patches again; the same bytes every time. Usage: sample_data/make.sh PROGRAM [FOLDER]
 set -euo pipefail
 program=$(realpath "$1")
-cd "$(dirname "$0")"
-"$program" simulate --out 1 --seed 4 --aligned-share 0.9 --extent-m 65,65
-"$program" simulate --out 2 --seed 24 --aligned-share 0.5 --extent-m 65,65
-"$program" simulate --out 3 --seed 2 --aligned-share 0.5 --street-azimuth-deg 3 --extent-m 65,65
+cd "${2:-$(dirname "$0")}"
+
+make() {
+  rm -rf "$1"
+  "$program" --quiet simulate --out "$@"
+  rm "$1/simulate.json"
+}
+
+make 1 --seed 4 --aligned-share 0.9 --extent-m 65,65
+make 2 --seed 24 --aligned-share 0.5 --extent-m 65,65
+make 3 --seed 2 --aligned-share 0.5 --street-azimuth-deg 3 --extent-m 65,65
+make 4 --seed 19 --aligned-share 0.9 --extent-m 56,56 --focal-length-px 7000 --views strip:3,cross:2

@@ -40,7 +40,7 @@ async function downloadOf(page, action) {
 
 before(async () => {
   freshWork();
-  ridgeline('demo', '--out', join(work, 'demo'));
+  ridgeline('run', ...['1', '2', '3'].map((patch) => join(samples, patch, 'patch.yaml')), '--out', join(work, 'demo'));
   browser = await launch();
 });
 after(async () => browser?.close());
