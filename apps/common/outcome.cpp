@@ -67,11 +67,11 @@ std::string statuses_text(std::span<const Evaluation> evaluations) {
 }
 
 std::string why_none_is_judged(const PatchCounts& counts, std::span<const Evaluation> evaluations) {
-  if (counts.n_matches == 0) {
-    return fmt::format("no line was reconstructed: 0 of {} of the left image found a match",
-                       counted(counts.n_left_segments, "segment", "segments"));
-  }
   if (none_is_reconstructed(evaluations)) {
+    if (counts.n_matches == 0) {
+      return fmt::format("no line was reconstructed: 0 of {} of the left image found a match",
+                         counted(counts.n_left_segments, "segment", "segments"));
+    }
     return fmt::format("no line was reconstructed: 0 of {} gave one",
                        counted(counts.n_matches, "match", "matches"));
   }

@@ -132,6 +132,31 @@ std::optional<std::string> check_pair(const CheckedPair& pair) {
   return std::nullopt;
 }
 
+/// How long a pixel in the middle of a view is on the object, at the middle of the heights.
+double pixel_on_object_m(const reconstruct::View& view, const std::array<double, 2>& heights_m) {
+  const Plane3 level(Eigen::Vector3d::UnitZ(), -0.5 * (heights_m[0] + heights_m[1]));
+  const Eigen::Vector2d middle_px(0.5 * view.image.cols, 0.5 * view.image.rows);
+  const auto on_object = [&](const Eigen::Vector2d& x_px) {
+    return point_on_plane(view.image_from_local, x_px, level);
+  };
+  return (on_object(middle_px + Eigen::Vector2d::UnitX()) - on_object(middle_px)).norm();
+}
+
+/// A warning of images so close or so far that the units of the patch are hardly metres, as many limits of the program are.
+std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
+                                          const reconstruct::Scene& scene) {
+  constexpr double kSmallest_m = 0.002;
+  constexpr double kLargest_m = 5.0;
+  const reconstruct::View& view = scene.views[0];
+  const double pixel_m = pixel_on_object_m(view, scene.height_range_in_local_m);
+  if (pixel_m >= kSmallest_m && pixel_m <= kLargest_m) return std::nullopt;
+  return fmt::format(
+      "{}: a pixel of image {} is {:.2g} m long on the object; lengths of a patch are metres, as "
+      "are "
+      "the limits of the program: check the units of cameras and heights",
+      patch.path, view.id, pixel_m);
+}
+
 }  // namespace
 
 std::vector<std::string> check_pairs(const io::PatchFile& patch,
@@ -161,6 +186,7 @@ std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
                                              double max_y_parallax_px) {
   const std::vector<ViewPair> pairs = pairs_of(scene, options);
   std::vector<std::string> doubts = check_pairs(patch, scene, pairs, max_y_parallax_px);
+  if (auto doubt = doubt_of_units(patch, scene)) doubts.push_back(std::move(*doubt));
   if (!options.matching.tracks.all_views) return doubts;
   for (std::size_t i = 0; i < patch.images.size(); ++i) {
     if (std::ranges::any_of(pairs, [&](const ViewPair& p) { return p.base == i || p.search == i; }))

@@ -4,6 +4,9 @@
 
 #include <opencv2/core.hpp>
 
+#include <string>
+#include <utility>
+
 namespace ridgeline::cli {
 namespace {
 
@@ -42,6 +45,25 @@ TEST_F(FlatPatch, ImagesWithoutTextureAreNotCheckedAgainstTheirCameras) {
   const ProgramResult result = run({"match", "flat/patch.yaml", "--out", "m.csv"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.err, AllOf(HasSubstr("only 0 points"), HasSubstr("is not checked")));
+}
+
+TEST_F(FlatPatch, UnitsThatAreHardlyMetresAreNamed) {
+  write_flat(400, 300);
+  EXPECT_THAT(run({"run", "flat/patch.yaml", "--out", "metres", "--no-report"}).err,
+              Not(HasSubstr("units")));
+  std::string text = read(path("flat/patch.yaml"));
+  for (const auto& [metres, hundreds] :
+       {std::pair("[0, 50]", "[0, 0.5]"), std::pair("-100, 80000]", "-100, 800]"),
+        std::pair("-100, 80000]", "-100, 800]"), std::pair("-100, 80000]", "-100, 800]"),
+        std::pair("-2000000", "-20000"), std::pair("-1, 800]", "-1, 8]"),
+        std::pair("-1, 800]", "-1, 8]")}) {
+    text.replace(text.find(metres), std::string(metres).size(), hundreds);
+  }
+  write(path("flat/patch.yaml"), text);
+  const ProgramResult result = run({"run", "flat/patch.yaml", "--out", "out", "--no-report"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("a pixel of image left is 0.00077 m long"),
+                                HasSubstr("check the units of cameras and heights")));
 }
 
 TEST_F(FlatPatch, RunWithoutLinesSaysSoInPlaceOfATable) {

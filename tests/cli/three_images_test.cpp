@@ -131,6 +131,20 @@ TEST_F(ThreeImages, AreTwoForThePapers) {
   EXPECT_EQ(n_lines_with("out/patch/lines.direct.geojson", "\"n_images\":3"), 0U);
 }
 
+TEST_F(ThreeImages, OfWhichTheFirstTwoHaveNoMatchStillGiveLines) {
+  const cv::Mat seen = cv::imread(path("patch/strip3.tif").string());
+  ASSERT_TRUE(cv::imwrite(path("patch/strip3.tif").string(),
+                          cv::Mat(seen.size(), CV_8UC3, cv::Scalar(90, 90, 90))));
+  std::string text = read(path("patch/patch.yaml"));
+  text.erase(text.find("lidar:"), text.find("reference_matches") - text.find("lidar:"));
+  write(path("patch/patch.yaml"), text);
+  const ProgramResult result = run_patch("out");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(n_lines_with("out/patch/matches.csv", "pairwise"), 0U);
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("no LIDAR is given"), Not(HasSubstr("no line was reconstructed"))));
+}
+
 /// Three images, of which the third one does not fit.
 class WrongThirdImage : public ThreeImages {
  protected:
