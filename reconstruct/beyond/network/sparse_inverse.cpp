@@ -10,14 +10,16 @@ namespace ridgeline::reconstruct {
 
 std::optional<SparseInverse> SparseInverse::of(const Eigen::SparseMatrix<double>& lower) {
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt(lower);
-  if (ldlt.info() != Eigen::Success || !(ldlt.vectorD().minCoeff() > 0.0)) return std::nullopt;
+  if (ldlt.info() != Eigen::Success) return std::nullopt;
+  const Eigen::VectorXd diagonal = ldlt.vectorD();  // which copies all of it
+  if (!(diagonal.minCoeff() > 0.0)) return std::nullopt;
   SparseInverse result;
   const Eigen::SparseMatrix<double> factor = ldlt.matrixL();
   const auto n = static_cast<std::size_t>(factor.cols());
   result.columns_.resize(n);
   for (std::size_t j = 0; j < n; ++j) {
     Column& column = result.columns_[j];
-    column.diagonal = ldlt.vectorD()(static_cast<Eigen::Index>(j));
+    column.diagonal = diagonal(static_cast<Eigen::Index>(j));
     for (Eigen::SparseMatrix<double>::InnerIterator it(factor, static_cast<Eigen::Index>(j)); it;
          ++it) {
       if (it.row() == it.col()) continue;
