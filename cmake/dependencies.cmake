@@ -16,7 +16,7 @@ find_package(embree 3 REQUIRED)
 pkg_check_modules(PCL REQUIRED IMPORTED_TARGET
   pcl_common pcl_kdtree pcl_search pcl_sample_consensus)
 pkg_check_modules(PROJ_PC REQUIRED IMPORTED_TARGET proj)
-find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc features2d calib3d)
+find_package(OpenCV 4 REQUIRED COMPONENTS core imgproc features2d)
 
 if(RIDGELINE_BUILD_PYTHON)
   find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
@@ -29,7 +29,7 @@ option(RIDGELINE_STATIC_OPENCV "Link OpenCV's archives, for a program that needs
 if(RIDGELINE_STATIC_OPENCV)
   find_package(LAPACK REQUIRED)
   find_package(ZLIB REQUIRED)
-  foreach(module core flann imgproc features2d calib3d)
+  foreach(module core flann imgproc features2d)
     find_library(ridgeline_opencv_${module} NAMES libopencv_${module}.a REQUIRED)
     set_target_properties(opencv_${module} PROPERTIES IMPORTED_LOCATION_RELEASE ${ridgeline_opencv_${module}})
   endforeach()

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/beyond/surface/surface.h"
 
+#include "reconstruct/beyond/surface/hierarchical_matching.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/views/edge_look.h"
 #include "reconstruct/views/strip_look.h"
 
-#include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
 
@@ -17,27 +17,9 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kBlock_px = 5;
-constexpr int kStep = 16;  // SGBM counts disparities in sixteenths, and takes multiples of 16
-
 /// Most disparities of a tile. A tile stays unknown if the range of heights has more, or if its rays do not
 /// reach this range.
 constexpr double kMostDisparities = 4096.0;
-/// Most memory for the costs of SGM. Eight paths keep two costs per pixel and disparity, of two bytes each.
-/// If that is more than this, five paths are used, which keep a few rows only.
-constexpr std::size_t kMostCosts_bytes = 400'000'000;
-
-cv::Ptr<cv::StereoSGBM> matcher(int n_disparities, const cv::Mat& image) {
-  constexpr int kPreFilterCap = 63;
-  constexpr int kUniquenessPercent = 5;
-  constexpr int kLeftToRight_px = 1;
-  const int block = image.channels() * kBlock_px * kBlock_px;
-  const std::size_t costs_bytes = 4 * image.total() * static_cast<std::size_t>(n_disparities);
-  return cv::StereoSGBM::create(
-      0, n_disparities, kBlock_px, 8 * block, 32 * block, kLeftToRight_px, kPreFilterCap,
-      kUniquenessPercent, 0, 0,
-      costs_bytes <= kMostCosts_bytes ? cv::StereoSGBM::MODE_HH : cv::StereoSGBM::MODE_SGBM);
-}
 
 /// Disparities of a tile, [least, least + n).
 struct Range {
@@ -61,11 +43,12 @@ Range range_of(const Rectification& r,
   Range range;
   if (!(high - low < kMostDisparities)) return range;
   range.least = static_cast<int>(std::floor(low)) - 1;
+  constexpr int kStep = kHierarchicalStep;
   range.n = (static_cast<int>(std::ceil(high)) + 1 - range.least + kStep - 1) / kStep * kStep;
   return range;
 }
 
-/// A view in 8 bits, with one band or three, because SGBM takes no other number.
+/// A view in 8 bits, with one band or three, as the matching takes no other number.
 cv::Mat in_8_bits(const cv::Mat& image, const Radiometry& left_from_image) {
   const int n_bands = image.channels() < 3 ? 1 : 3;
   cv::Mat bytes(image.size(), CV_8UC(n_bands));
@@ -98,20 +81,19 @@ class Matching {
     const cv::Rect around = (tile + cv::Size(2 * m, 2 * m) - cv::Point(m, m)) & whole;
     const Range range = range_of(rectification_, around, pair_.height_range_in_local_m);
     if (range.n == 0) return;
-    // SGBM gives nothing for the first columns, whose largest disparity is outside.
-    const cv::Rect left_part(around.x - range.n, around.y, around.width + range.n, around.height);
-    const Part left = rectified(0, left_part);
-    const Part right = rectified(1, left_part - cv::Point(range.least, 0));
-    cv::Mat found;  // disparities in sixteenths
-    matcher(range.n, left.image)->compute(left.image, right.image, found);
+    const Part left = rectified(0, around);
+    const Part right = rectified(
+        1, {around.x - range.least - range.n, around.y, around.width + range.n, around.height});
+    const cv::Mat found = hierarchical_disparities(left.image, right.image, range.n);
     for (int y = tile.y; y < tile.y + tile.height; ++y) {
-      const int row = y - left_part.y;
+      const int row = y - around.y;
       for (int x = tile.x; x < tile.x + tile.width; ++x) {
-        const int column = x - left_part.x;
-        const short d = found.at<short>(row, column);
-        if (d < 0 || !left.shows(row, column) || !right.shows(row, column - d / kStep)) continue;
-        disparity_px.at<float>(y, x) =
-            static_cast<float>(range.least) + static_cast<float>(d) / kStep;
+        const int column = x - around.x;
+        const float d = found.at<float>(row, column);
+        if (d < 0.0F || !left.shows(row, column) ||
+            !right.shows(row, column + range.n - static_cast<int>(d)))
+          continue;
+        disparity_px.at<float>(y, x) = static_cast<float>(range.least) + d;
       }
     }
   }

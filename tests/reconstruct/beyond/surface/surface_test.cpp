@@ -117,7 +117,7 @@ TEST(DenseSurface, HardlyDependsOnTheTiles) {
 TEST(DenseSurface, TakesAnyRangeOfHeights) {
   const test::PaintedRoofs roofs = scene();
   test::OwnedPair pair = roofs.pair();
-  pair.height_range_in_local_m = {-300.0, 300.0};  // searched by five paths
+  pair.height_range_in_local_m = {-300.0, 300.0};  // thousands of disparities
   const auto wide = dense_surface(pair);
   ASSERT_TRUE(wide);
   EXPECT_GT(errors_of(roofs, pair, *wide).known, kKnown);
