@@ -75,6 +75,19 @@ TEST(SemiGlobal, SearchesTheRangesOfTheCells) {
   EXPECT_EQ(cv::countNonZero(cv::abs(found - 13.0) > kPart_px), 0);
 }
 
+TEST(SemiGlobal, CarriesDisparitiesIntoOtherRanges) {
+  const auto views = test::rectified_views(kPathSize, 1, kAllPaths, [](int, int) { return 13; });
+  const cv::Rect plain(40, 20, 40, 40);  // only paths from around tell the disparity here
+  views.left(plain).setTo(90);
+  views.right(plain + cv::Point(kAllPaths - 13, 0)).setTo(90);
+  DisparityRanges ranges = all_disparities(kPathSize, kAllPaths);
+  for (std::size_t cell = 0; cell < ranges.of_cells.size(); ++cell)
+    ranges.of_cells[cell] =
+        cell % 3 == 0 ? DisparityRange{8, 16} : DisparityRange{0, cell % 2 == 0 ? 24 : 32};
+  const cv::Mat found = found_with(views, ranges);
+  EXPECT_EQ(cv::countNonZero(cv::abs(found(plain) - 13.0) > kPart_px), 0);
+}
+
 TEST(SemiGlobal, KnowsNothingInEmptyRanges) {
   const auto views = test::rectified_views(kPathSize, 1, kAllPaths, [](int, int) { return 13; });
   DisparityRanges ranges = all_disparities(kPathSize, kAllPaths);
