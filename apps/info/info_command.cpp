@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
+#include "apps/info/orientation_facts.h"
 #include "apps/info/own_files.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
@@ -30,7 +31,8 @@ namespace {
 constexpr const char* kKnownKinds =
     "known are point clouds (LAS, LAZ, COPC, PCD, PLY, text), lines (GeoJSON, GeoPackage, "
     "Shapefile, DXF, CSV, WKT, OBJ, "
-    "PLY), images (TIFF, PNG, JPEG), patch, gates and config files, tables of matches and "
+    "PLY), images (TIFF, PNG, JPEG), orientations (omega-phi-kappa, OpenSfM, Pix4D, Inpho, PAT-B, "
+    "BlocksExchange, Metashape, COLMAP), patch, gates and config files, tables of matches and "
     "segments, and folders of "
     "patches and of results";
 
@@ -254,9 +256,20 @@ void print_by_name(const std::string& path, const io::FileKind& kind, double max
   refuse(path, kind);
 }
 
-void print_facts(const std::string& path, double max_resolution_m) {
+/// What the options of the command say.
+struct Arguments {
+  std::vector<std::string> files;
+  double max_resolution_m = 0.0;
+  OrientationArguments orientation;
+};
+
+void print_facts(const std::string& path, const Arguments& arguments) {
+  const double max_resolution_m = arguments.max_resolution_m;
   const io::FileKind kind = io::kind_of_path(path);
   if (is_own_file(kind.group)) return print_own_file(path, kind);
+  if (kind.group == io::FileGroup::kOrientation) {
+    return print_orientation(path, arguments.orientation);
+  }
   switch (kind.group) {
     case io::FileGroup::kPatch:
       return print_patch(path);
@@ -280,25 +293,45 @@ void print_facts(const std::string& path, double max_resolution_m) {
 
 }  // namespace
 
-Run add_info(CLI::App& subcommand) {
-  struct Arguments {
-    std::vector<std::string> files;
-    double max_resolution_m = 0.0;
+namespace {
+
+void add_orientation_options(CLI::App& subcommand, OrientationArguments& a) {
+  constexpr const char* kGroup = "Orientations";
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    return subcommand.add_option(name, value, help)->group(kGroup);
   };
+  add("--cameras", a.cameras, "file of cameras (YAML), for orientations that state none");
+  add("--images", a.images,
+      "folder of the images, which decide what the file leaves open; else that of the orientation");
+  add("--angles", a.angles, "unit of the angles: deg, gon or rad")
+      ->check(CLI::IsMember({"deg", "gon", "rad"}));
+  add("--rotation", a.rotation, "order of the rotations: opk (omega, phi, kappa) or pok")
+      ->check(CLI::IsMember({"opk", "pok"}));
+  add("--matrix", a.matrix, "what matrices of PAT-B turn: world_from_camera or camera_from_world")
+      ->check(CLI::IsMember({"world_from_camera", "camera_from_world"}));
+  add("--crs", a.crs,
+      "reference system of a file that states none, or to convert geocentric poses to");
+  add("--map", a.map,
+      "GeoPackage to write: footprints, camera positions, number of images a place");
+  add("--ground-height", a.ground_height_m, "height of the ground for the map, m");
+}
+
+}  // namespace
+
+Run add_info(CLI::App& subcommand) {
   auto arguments = std::make_shared<Arguments>();
   subcommand
       .add_option("files", arguments->files,
-                  "clouds, images, line files, patch files, gates, results, folders")
+                  "clouds, images, orientations, line files, patch files, gates, results, folders")
       ->required();
   subcommand
       .add_option("--max-resolution", arguments->max_resolution_m,
                   "quick look: of COPC only the levels down to this point distance, m; 0: all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  add_orientation_options(subcommand, arguments->orientation);
   return [arguments] {
-    for (const std::string& file : arguments->files) {
-      print_facts(file, arguments->max_resolution_m);
-    }
+    for (const std::string& file : arguments->files) print_facts(file, *arguments);
     return static_cast<int>(kDone);
   };
 }

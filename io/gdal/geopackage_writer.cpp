@@ -55,6 +55,10 @@ void set_value(const Value& value, int field, ColumnType type, OGRFeature& featu
 
 std::unique_ptr<OGRGeometry> geometry_of(const MapFeature& feature, MapGeometry kind) {
   if (feature.vertices.empty()) return nullptr;
+  if (kind == MapGeometry::kPoint) {
+    const Eigen::Vector3d& x = feature.vertices.front();
+    return std::make_unique<OGRPoint>(x.x(), x.y(), x.z());
+  }
   const auto add_vertices = [&](OGRSimpleCurve& curve) {
     for (const Eigen::Vector3d& x : feature.vertices) curve.addPoint(x.x(), x.y(), x.z());
   };
@@ -69,6 +73,11 @@ std::unique_ptr<OGRGeometry> geometry_of(const MapFeature& feature, MapGeometry 
   auto polygon = std::make_unique<OGRPolygon>();
   polygon->addRingDirectly(ring.release());
   return polygon;
+}
+
+OGRwkbGeometryType ogr_type(MapGeometry geometry) {
+  if (geometry == MapGeometry::kPoint) return wkbPoint25D;
+  return geometry == MapGeometry::kLine ? wkbLineString25D : wkbPolygon25D;
 }
 
 class GeopackageWriter {
@@ -115,9 +124,8 @@ class GeopackageWriter {
   }
 
   void write_layer(const MapLayer& layer, OGRSpatialReference& reference) {
-    const OGRwkbGeometryType type =
-        layer.geometry == MapGeometry::kLine ? wkbLineString25D : wkbPolygon25D;
-    OGRLayer& target = create_layer(layer.name, layer.description, &reference, type, layer.columns);
+    OGRLayer& target = create_layer(layer.name, layer.description, &reference,
+                                    ogr_type(layer.geometry), layer.columns);
     for (const MapFeature& source : layer.features) {
       OGRFeature feature(target.GetLayerDefn());
       for (const auto& [column, value] : source.values) {

@@ -12,10 +12,10 @@
 
 namespace ridgeline::io {
 
-enum class MapGeometry : std::uint8_t { kLine, kPolygon };
+enum class MapGeometry : std::uint8_t { kPoint, kLine, kPolygon };
 
 struct MapFeature {
-  /// Vertices in the map's CRS. A polygon's ring need not be closed. Without vertices the feature has no geometry.
+  /// Vertices in the map's CRS; one for a point. A polygon's ring need not be closed. Without vertices the feature has no geometry.
   std::vector<Eigen::Vector3d> vertices;
   SparseRow values;
 };

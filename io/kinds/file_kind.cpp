@@ -30,6 +30,8 @@ std::string advice_on(FileGroup group) {
       return "name it as reference_tracks in a patch file";
     case kSegments:
       return "leave it beside its matches.csv, where reconstruct finds it";
+    case kOrientation:
+      return "ridgeline info shows it";
     case kEvaluation:
     case kResult:
       return "give the folder that it lies in, to gate, compare or report";

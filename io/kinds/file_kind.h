@@ -22,8 +22,9 @@ enum class FileGroup : std::uint8_t {
   kReferenceMatches,
   kReferenceTracks,
   kSegments,
-  kEvaluation,  ///< evaluation.METHOD.json
-  kResult,      ///< another file of a folder of results
+  kOrientation,  ///< where images were taken, by an aerotriangulation
+  kEvaluation,   ///< evaluation.METHOD.json
+  kResult,       ///< another file of a folder of results
   kResultFolder,
   kPatchFolder,
   kLineFolder,  ///< LIMAP's tracks

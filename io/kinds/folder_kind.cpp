@@ -121,7 +121,7 @@ FileKind kind_of_folder(const fs::path& folder) {
             .advice = advice_on(kLineFolder)};
   }
   if (holds_colmap(folder)) {
-    return {.group = kOther,
+    return {.group = kOrientation,
             .what = "a model of COLMAP",
             .advice = "name it as colmap in a patch file"};
   }

@@ -119,6 +119,12 @@ constexpr std::array kReaders{
            {kSegments, kNumbers},
            "a table of segments (segments.IMAGE.csv)",
            "a table of segments (segments.IMAGE.csv) is expected"},
+    Reader{Expected::kOrientation,
+           {kOrientation, kNumbers},
+           "an orientation of images",
+           "an orientation is read from a table of omega, phi and kappa, OpenSfM, Pix4D, Inpho, "
+           "PAT-B, "
+           "BlocksExchange, Metashape's XML and COLMAP"},
     Reader{Expected::kResults,
            {kResultFolder},
            "a folder of results",

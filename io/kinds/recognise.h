@@ -22,6 +22,7 @@ enum class Expected : std::uint8_t {
   kReferenceMatches,
   kReferenceTracks,
   kSegments,
+  kOrientation,
   kResults
 };
 

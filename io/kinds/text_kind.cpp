@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/kinds/text_kind.h"
 
+#include "io/kinds/orientation_kind.h"
 #include "io/text/text.h"
 #include "io/text/wkt.h"
 
@@ -163,6 +164,13 @@ FileKind kind_of_rows(std::span<const TextRow> rows) {
   return {};
 }
 
+FileKind kind_of_orientation(OrientationFormat format) {
+  if (format == OrientationFormat::kRollPitchYaw) {
+    return not_read(what_is(format), "give omega, phi and kappa");
+  }
+  return ours(kOrientation, what_is(format));
+}
+
 bool is_aside(const TextRow& row) {
   return row.text.starts_with('#') || row.text.starts_with("//") || row.text.starts_with("sep=");
 }
@@ -178,6 +186,7 @@ FileKind kind_of_document(const TopKeys& keys) {
 
 FileKind kind_of_text(std::string_view start, bool is_whole) {
   std::vector<TextRow> rows = rows_of(start);
+  if (const auto format = orientation_format(start)) return kind_of_orientation(*format);
   if (!rows.empty() && rows.front().text.starts_with('<')) return kind_of_xml(start);
   if (start.find("\"CityJSONFeature\"") != std::string_view::npos) {
     return not_read("a sequence of CityJSON, a city model");

@@ -2,7 +2,7 @@
 #include "io/project/patch.h"
 
 #include "io/files/yaml_check.h"
-#include "io/project/colmap.h"
+#include "io/orientation/colmap.h"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>

@@ -23,7 +23,7 @@ const std::map<std::string, Folders>& lists() {
   static const std::map<std::string, Folders> lists{
       {"<readers>",
        {"io/error.h", "io/text", "io/kinds", "io/files", "io/crs", "io/gdal", "io/images",
-        "io/project", "io/cloud", "io/lines"}},
+        "io/orientation", "io/project", "io/cloud", "io/lines"}},
       {"<judge>", {"evaluate", "io/results"}},
       {"<method>", {"reconstruct"}}};
   return lists;
@@ -58,7 +58,11 @@ const std::map<std::string, Folders>& allowed() {
       {"io/crs", {"reconstruct/geometry", "io/error.h"}},
       {"io/gdal", {"io/error.h", "io/text", "io/files", "io/crs"}},
       {"io/images", {"reconstruct/geometry", "io/error.h", "io/kinds", "io/files", "io/gdal"}},
-      {"io/project", {"reconstruct/geometry", "io/error.h", "io/text", "io/files", "io/crs"}},
+      {"io/orientation",
+       {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs",
+        "io/gdal"}},
+      {"io/project",
+       {"reconstruct/geometry", "io/error.h", "io/text", "io/files", "io/crs", "io/orientation"}},
       {"io/cloud",
        {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs"}},
       {"io/lines",

@@ -165,5 +165,42 @@ TEST_F(Info, BytesAtRandomAreRefusedByEveryReader) {
   EXPECT_TOLD(info("noise.obj", noise), HasSubstr("holds no lines"));
 }
 
+std::string oriented(const std::string& name) {
+  return test::source_dir() + "/tests/io/orientation/fixtures/" + name;
+}
+
+TEST_F(Info, TellsAnOrientationAndDrawsItsPlan) {
+  EXPECT_TOLD(
+      run({"info", oriented("blocks_exchange_enu.xml"), "--map", "plan.gpkg"}),
+      AllOf(HasSubstr("BlocksExchange\n"), HasSubstr("images      4, D:/flight 1/a b_1.tif"),
+            HasSubstr("group 1: 1200 x 900 px, focal length 1300.00 px"),
+            HasSubstr("crs         WGS 84 / UTM zone 32N"), HasSubstr("decided     Poses were"),
+            HasSubstr("map         plan.gpkg, footprints at 10.")));
+  EXPECT_TRUE(fs::exists(path("plan.gpkg")));
+  EXPECT_TOLD(run({"info", oriented("opk_rad.csv"), "--angles", "rad", "--cameras",
+                   oriented("cameras.yaml"), "--crs", "EPSG:25832"}),
+              AllOf(HasSubstr("cam 1: 1200 x 900 px"), HasSubstr("ETRS89 / UTM zone 32N")));
+}
+
+TEST_F(Info, AsksForWhatAnOrientationLeavesOpen) {
+  const ProgramResult open = run({"info", oriented("pat_b_camera_from_world.ori")});
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_THAT(open.err, HasSubstr("give one of: matrix: world_from_camera"));
+  const ProgramResult no_height =
+      run({"info", oriented("metashape_utm.xml"), "--map", "plan.gpkg"});
+  EXPECT_EQ(no_height.exit_code, 1);
+  EXPECT_THAT(no_height.err, HasSubstr("give --ground-height"));
+}
+
+/// Images lie beside the tables: points in them tell degrees from gon.
+TEST_F(Info, DecidesByTheImagesOfARealOrientation) {
+  const fs::path folder = shared_data("orientations/ngi");
+  if (!fs::exists(folder)) GTEST_SKIP() << "../shared/data/orientations/ngi is absent";
+  EXPECT_TOLD(run({"info", (folder / "ngi_xyz_opk.csv").string(), "--cameras",
+                   (folder / "ngi_int_param.yaml").string()}),
+              AllOf(HasSubstr("4 of them in"), HasSubstr("with angles in deg rays meet to 0."),
+                    HasSubstr("crs         +proj=tmerc")));
+}
+
 }  // namespace
 }  // namespace ridgeline::cli

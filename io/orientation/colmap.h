@@ -12,7 +12,8 @@ namespace ridgeline::io {
 /// One registered image of a COLMAP model.
 struct ColmapImage {
   std::uint32_t id = 0;
-  std::string name;  ///< path below the model's image folder
+  std::string name;          ///< path below the model's image folder
+  std::uint32_t camera = 0;  ///< id of the camera
   InteriorOrientation interior;
   ExteriorOrientation exterior;
 };

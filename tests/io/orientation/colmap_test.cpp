@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/project/colmap.h"
+#include "io/orientation/colmap.h"
 
 #include "io/project/patch.h"
 #include "tests/support/temp_folder.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/project/colmap.h"
+#include "io/orientation/colmap.h"
 
 #include "io/error.h"
 #include "io/files/input_file.h"
+#include "io/orientation/readers.h"
 #include "io/text/text.h"
 
 #include <Eigen/Geometry>
@@ -10,9 +11,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <optional>
 #include <type_traits>
 
 namespace ridgeline::io {
@@ -68,6 +70,15 @@ ExteriorOrientation exterior_of(const std::array<double, 7>& q_and_t, const std:
   return {-(world_from_cam * translation), world_from_cam * flip.asDiagonal()};
 }
 
+Eigen::Vector2i size_of(double width_px, double height_px, const std::string& where) {
+  constexpr double kMost_px = 1e6;
+  if (width_px >= 1.0 && height_px >= 1.0 && width_px <= kMost_px && height_px <= kMost_px) {
+    return Eigen::Vector2d(width_px, height_px).cast<int>();
+  }
+  throw IoError(where,
+                fmt::format("a camera of {} x {} px; must be positive", width_px, height_px));
+}
+
 const InteriorOrientation& camera_of(const Cameras& cameras,
                                      std::uint32_t id,
                                      const std::string& where) {
@@ -76,17 +87,47 @@ const InteriorOrientation& camera_of(const Cameras& cameras,
   return it->second;
 }
 
-/// Rows that are no comments. Blank ones stay, as an image without points has a blank second row.
-std::vector<TextRow> rows_with_blanks(std::string_view content) {
-  std::vector<TextRow> rows;
-  for (int number = 1; !content.empty(); ++number) {
-    const std::size_t end = content.find('\n');
-    const std::string_view text = trimmed(content.substr(0, end));
-    if (!text.starts_with('#')) rows.push_back({number, text});
-    content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
+/// Rows of a text file that are no comments, one after another, so that files of any size take little memory. Blank ones
+/// count, as an image without points has a blank second row.
+class ColmapRows {
+ public:
+  explicit ColmapRows(const std::string& path) : path_(path) {
+    require_regular_file(path);
+    stream_.open(path, std::ios::binary);
   }
-  return rows;
-}
+
+  /// The next row; nothing at the end of the file. The text holds until the next call.
+  std::optional<TextRow> next() {
+    while (read_row()) {
+      ++number_;
+      const std::string_view text = trimmed(row_);
+      if (!text.starts_with('#')) return TextRow{number_, text};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// A row is at most as long as that of an image with 100,000 points. A zero byte ends the reading.
+  bool read_row() {
+    constexpr std::size_t kLongest = std::size_t{8} << 20U;
+    row_.clear();
+    bool any = false;
+    for (int c = buffer_->sbumpc(); c != std::char_traits<char>::eof(); c = buffer_->sbumpc()) {
+      any = true;
+      if (c == '\n') return true;
+      if (c == '\0' || row_.size() == kLongest) {
+        throw IoError(place(path_, number_ + 1), "is no text; the file is damaged");
+      }
+      row_ += static_cast<char>(c);
+    }
+    return any;
+  }
+
+  std::string path_, row_;
+  std::ifstream stream_;
+  std::filebuf* buffer_ = stream_.rdbuf();
+  int number_ = 0;
+};
 
 std::uint32_t id_of(std::string_view word, const std::string& where) {
   const std::optional<long> id = to_integer(word);
@@ -97,12 +138,12 @@ std::uint32_t id_of(std::string_view word, const std::string& where) {
 }
 
 Cameras read_cameras_text(const std::string& path) {
-  const std::string content = read_input(path);
+  ColmapRows rows(path);
   Cameras cameras;
-  for (const TextRow& row : rows_of(content)) {
-    if (row.text.starts_with('#')) continue;
-    const std::string where = place(path, row.number);
-    const std::vector<std::string_view> words = words_of(row.text);
+  while (const std::optional<TextRow> row = rows.next()) {
+    if (row->text.empty()) continue;
+    const std::string where = place(path, row->number);
+    const std::vector<std::string_view> words = words_of(row->text);
     const std::string_view name = words.size() > 1 ? words[1] : std::string_view();
     const auto* const model = std::find_if(kModels.begin(), kModels.end(),
                                            [&](const CameraModel& m) { return m.name == name; });
@@ -114,31 +155,36 @@ Cameras read_cameras_text(const std::string& path) {
     InteriorOrientation interior =
         interior_of(*model, to_doubles({words.begin() + 4, words.end()}, where), where);
     const std::vector<double> size = to_doubles({words.begin() + 2, words.begin() + 4}, where);
-    interior.size_px = Eigen::Vector2d(size[0], size[1]).cast<int>();
+    interior.size_px = size_of(size[0], size[1], where);
     cameras[id_of(words[0], where)] = interior;
   }
   return cameras;
 }
 
+ColmapImage image_of(const TextRow& row, const std::string& where, const Cameras& cameras) {
+  const std::vector<std::string_view> words = words_of(row.text);
+  if (words.size() < 10) {
+    throw IoError(where,
+                  "an image is ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then a row of points");
+  }
+  const std::vector<double> numbers = to_doubles({words.begin() + 1, words.begin() + 8}, where);
+  std::array<double, 7> q_and_t{};
+  std::copy(numbers.begin(), numbers.end(), q_and_t.begin());
+  const std::string name(words[9].data(), row.text.end() - words[9].begin());
+  const std::uint32_t camera = id_of(words[8], where);
+  return {id_of(words[0], where), name, camera, camera_of(cameras, camera, where),
+          exterior_of(q_and_t, where)};
+}
+
 std::vector<ColmapImage> read_images_text(const std::string& path, const Cameras& cameras) {
-  const std::string content = read_input(path);
-  const std::vector<TextRow> rows = rows_with_blanks(content);
+  ColmapRows rows(path);
   std::vector<ColmapImage> images;
-  for (std::size_t i = 0; i < rows.size(); i += 2) {  // each second row lists 2D points
-    const std::string where = place(path, rows[i].number);
-    const std::vector<std::string_view> words = words_of(rows[i].text);
-    if (words.empty() && i + 1 == rows.size()) break;
-    if (words.size() < 10) {
-      throw IoError(where,
-                    "an image is ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then a row of points");
-    }
-    const std::vector<double> numbers = to_doubles({words.begin() + 1, words.begin() + 8}, where);
-    std::array<double, 7> q_and_t{};
-    std::copy(numbers.begin(), numbers.end(), q_and_t.begin());
-    const std::string name(words[9].data(), rows[i].text.end() - words[9].begin());
-    images.push_back({id_of(words[0], where), name,
-                      camera_of(cameras, id_of(words[8], where), where),
-                      exterior_of(q_and_t, where)});
+  while (const std::optional<TextRow> row = rows.next()) {
+    const std::string where = place(path, row->number);
+    const std::string text(row->text);
+    const std::optional<TextRow> points = rows.next();  // each second row lists 2D points
+    if (text.empty() && !points) break;
+    images.push_back(image_of({row->number, text}, where, cameras));
   }
   return images;
 }
@@ -146,37 +192,44 @@ std::vector<ColmapImage> read_images_text(const std::string& path, const Cameras
 /// Little-endian values one after another, as on every machine that COLMAP runs on.
 class BinaryReader {
  public:
-  explicit BinaryReader(const std::string& path) : path_(path), bytes_(read_input(path)) {}
+  explicit BinaryReader(const std::string& path) : path_(path) {
+    require_regular_file(path);
+    stream_.open(path, std::ios::binary);
+    left_ = std::filesystem::file_size(path);
+  }
 
   template <typename T>
   T next() {
     static_assert(std::is_trivially_copyable_v<T>);
     T value;
-    std::memcpy(&value, take(sizeof(T)).data(), sizeof(T));
+    take(sizeof(T));
+    stream_.read(reinterpret_cast<char*>(&value), sizeof(T));
     return value;
   }
   std::string next_text() {
-    const std::size_t end = bytes_.find('\0', next_);
-    if (end == std::string::npos) throw IoError(path_, "is truncated");
-    std::string text(take(end - next_));
-    take(1);
+    constexpr std::size_t kLongest = 4096;  // of a path
+    std::string text;
+    while (const char c = next<char>()) {
+      text += c;
+      if (text.size() > kLongest) throw IoError(path_, "has a name of more than 4096 bytes");
+    }
     return text;
   }
   void skip(std::uint64_t count, std::size_t size) {
-    if (count > (bytes_.size() - next_) / size) throw IoError(path_, "is truncated");
-    next_ += count * size;
+    if (count > left_ / size) throw IoError(path_, "is truncated");
+    take(count * size);
+    stream_.seekg(static_cast<std::streamoff>(count * size), std::ios::cur);
   }
 
  private:
-  std::string_view take(std::size_t size) {
-    if (size > bytes_.size() - next_) throw IoError(path_, "is truncated");
-    next_ += size;
-    return std::string_view(bytes_).substr(next_ - size, size);
+  void take(std::uint64_t size) {
+    if (size > left_) throw IoError(path_, "is truncated");
+    left_ -= size;
   }
 
   std::string path_;
-  std::string bytes_;
-  std::size_t next_ = 0;
+  std::ifstream stream_;
+  std::uint64_t left_ = 0;
 };
 
 Cameras read_cameras_binary(const std::string& path) {
@@ -194,7 +247,7 @@ Cameras read_cameras_binary(const std::string& path) {
     std::vector<double> params(model->n_params);
     for (double& param : params) param = reader.next<double>();
     InteriorOrientation interior = interior_of(*model, params, path);
-    interior.size_px = Eigen::Vector2i(static_cast<int>(width), static_cast<int>(height));
+    interior.size_px = size_of(static_cast<double>(width), static_cast<double>(height), path);
     cameras[id] = interior;
   }
   return cameras;
@@ -211,7 +264,8 @@ std::vector<ColmapImage> read_images_binary(const std::string& path, const Camer
     std::array<double, 7> q_and_t{};
     for (double& value : q_and_t) value = reader.next<double>();
     image.exterior = exterior_of(q_and_t, path);
-    image.interior = camera_of(cameras, reader.next<std::uint32_t>(), path);
+    image.camera = reader.next<std::uint32_t>();
+    image.interior = camera_of(cameras, image.camera, path);
     image.name = reader.next_text();
     reader.skip(reader.next<std::uint64_t>(), kPointSize);
     images.push_back(std::move(image));
@@ -233,6 +287,20 @@ std::vector<ColmapImage> read_colmap(const std::string& folder) {
   std::sort(images.begin(), images.end(),
             [](const ColmapImage& a, const ColmapImage& b) { return a.id < b.id; });
   return images;
+}
+
+Orientation read_colmap_orientation(const std::string& folder, const OrientationOptions&) {
+  Orientation orientation;
+  orientation.format = "COLMAP model";
+  std::map<std::uint32_t, std::size_t> numbers;
+  for (const ColmapImage& image : read_colmap(folder)) {
+    const auto [number, is_new] = numbers.try_emplace(image.camera, orientation.cameras.size());
+    if (is_new) {
+      orientation.cameras.push_back({fmt::format("camera {}", image.camera), image.interior});
+    }
+    orientation.images.push_back({image.name, number->second, image.exterior});
+  }
+  return orientation;
 }
 
 }  // namespace ridgeline::io

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/kinds/orientation_kind.h"
+
+#include "io/text/table_row.h"
+#include "io/text/text.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+namespace {
+
+bool has_part(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+bool all_numbers(std::span<const std::string_view> words) {
+  return std::ranges::all_of(words,
+                             [](std::string_view word) { return to_double(word).has_value(); });
+}
+
+std::optional<OrientationFormat> format_of_xml(std::string_view start) {
+  if (has_part(start, "<BlocksExchange")) return OrientationFormat::kBlocksExchange;
+  if (has_part(start, "<document") && has_part(start, "<chunk"))
+    return OrientationFormat::kMetashape;
+  return std::nullopt;
+}
+
+/// Number and position, then five and four elements of a matrix that are at most 1.
+bool is_pat_b(std::span<const TextRow> rows) {
+  if (rows.size() < 3) return false;
+  const std::vector<std::string_view> head = words_of(rows[0].text);
+  if (head.size() != 4 && head.size() != 5) return false;
+  if (!all_numbers(std::span(head).subspan(1))) return false;
+  for (const std::size_t row : {1U, 2U}) {
+    const std::vector<std::string_view> words = words_of(rows[row].text);
+    const bool is_element = std::ranges::all_of(words, [](std::string_view word) {
+      const std::optional<double> value = to_double(word);
+      return value && *value >= -1.0 && *value <= 1.0;
+    });
+    if (words.size() != 6 - row || !is_element) return false;
+  }
+  return true;
+}
+
+/// A row of a table without names of columns: a name that is no number, perhaps with blanks, six numbers and perhaps a
+/// camera.
+bool is_opk_row(std::string_view row) {
+  constexpr int kNumbers = 6;
+  const std::vector<std::string> fields = table_fields(row, separator_of(row));
+  if (fields.size() < kNumbers + 1 || to_double(fields[0])) return false;
+  const auto is_number = [](const std::string& field) { return to_double(field).has_value(); };
+  if (std::ranges::count_if(fields, is_number) > kNumbers + 1) return false;  // of something else
+  return std::all_of(fields.begin() + 1, fields.begin() + 1 + kNumbers, is_number) ||
+         std::all_of(fields.end() - kNumbers, fields.end(), is_number);
+}
+
+bool is_roll_pitch_yaw(std::string_view row) {
+  const std::string text = lower_case(row);
+  return has_part(text, "roll") && has_part(text, "pitch") && has_part(text, "yaw");
+}
+
+std::optional<OrientationFormat> format_of_rows(std::span<const TextRow> rows) {
+  for (const TextRow& row : rows) {
+    if (!opk_columns(row.text).empty()) return OrientationFormat::kOpkTable;
+    if (is_roll_pitch_yaw(row.text)) return OrientationFormat::kRollPitchYaw;
+    if (!row.text.starts_with('#')) break;
+  }
+  const auto first = std::ranges::find_if(rows, [](const TextRow& row) {
+    return !row.text.starts_with('#') && !row.text.starts_with("//");
+  });
+  if (first == rows.end()) return std::nullopt;
+  if (is_pat_b(rows.subspan(static_cast<std::size_t>(first - rows.begin()))))
+    return OrientationFormat::kPatB;
+  if (is_opk_row(first->text)) return OrientationFormat::kOpkTable;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<OrientationFormat> orientation_format(std::string_view start) {
+  const std::vector<TextRow> rows = rows_of(start);
+  if (rows.empty()) return std::nullopt;
+  const std::string_view first = rows.front().text;
+  if (first.starts_with('<')) return format_of_xml(start);
+  if (first.starts_with('[')) {
+    const bool is_opensfm =
+        has_part(start, "\"cameras\"") &&
+        (has_part(start, "\"projection_type\"") || has_part(start, "\"shots\""));
+    return is_opensfm ? std::optional(OrientationFormat::kOpensfm) : std::nullopt;
+  }
+  if (first.starts_with("fileName imageWidth imageHeight")) return OrientationFormat::kPix4d;
+  if (first.starts_with("$PROJECT") || first.starts_with("$CAMERA") ||
+      first.starts_with("$PHOTO")) {
+    return OrientationFormat::kInpho;
+  }
+  return format_of_rows(rows);
+}
+
+const char* what_is(OrientationFormat format) {
+  switch (format) {
+    case OrientationFormat::kOpensfm:
+      return "an orientation of images (OpenSfM)";
+    case OrientationFormat::kPix4d:
+      return "an orientation of images (Pix4D)";
+    case OrientationFormat::kInpho:
+      return "an orientation of images (Inpho project)";
+    case OrientationFormat::kPatB:
+      return "an orientation of images (PAT-B)";
+    case OrientationFormat::kBlocksExchange:
+      return "an orientation of images (BlocksExchange)";
+    case OrientationFormat::kMetashape:
+      return "an orientation of images (Metashape)";
+    case OrientationFormat::kRollPitchYaw:
+      return "a table of roll, pitch and yaw";
+    default:
+      return "an orientation of images (omega, phi, kappa)";
+  }
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace ridgeline::io {
+
+/// Formats in which programs write where images were taken.
+enum class OrientationFormat : std::uint8_t {
+  kOpkTable,
+  kRollPitchYaw,  ///< refused: it tells of the aircraft
+  kOpensfm,
+  kPix4d,
+  kInpho,
+  kPatB,
+  kBlocksExchange,
+  kMetashape,
+};
+
+/// The format of an orientation by the beginning of its file, without a byte order mark; nothing if it is none.
+std::optional<OrientationFormat> orientation_format(std::string_view start);
+
+/// "an orientation of images (OpenSfM)".
+const char* what_is(OrientationFormat format);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/error.h"
+#include "io/orientation/camera_file.h"
+#include "io/orientation/orientation_text.h"
+#include "io/orientation/readers.h"
+#include "io/text/text.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace ridgeline::io {
+namespace {
+
+/// A row "$KEY : value" with the rows below it, up to the next key.
+struct Entry {
+  int row = 0;  ///< for messages
+  std::string value;
+  std::vector<TextRow> rows;
+};
+
+/// What stands between $PHOTO or $CAMERA and the next such block. Of a key that stands several times the first counts.
+struct InphoBlock {
+  std::string name;
+  int row = 0;
+  bool is_closed = false;
+  std::map<std::string, Entry, std::less<>> entries;
+
+  [[nodiscard]] const Entry* find(std::string_view key) const {
+    const auto entry = entries.find(key);
+    return entry == entries.end() ? nullptr : &entry->second;
+  }
+  [[nodiscard]] std::string text(std::string_view key) const {
+    const Entry* const entry = find(key);
+    return entry == nullptr ? "" : entry->value;
+  }
+};
+
+/// Reads blocks. A new one begins at a key without blanks before it, and at each $PHOTO and $CAMERA_DEFINITION.
+class InphoParser {
+ public:
+  explicit InphoParser(std::string_view content) {
+    for (int number = 1; !content.empty(); ++number) {
+      const std::size_t end = content.find('\n');
+      take({number, content.substr(0, end)});
+      content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
+    }
+  }
+
+  [[nodiscard]] std::vector<InphoBlock> take_blocks() { return std::move(blocks_); }
+
+ private:
+  void take(const TextRow& row) {
+    const std::string_view text = trimmed(row.text);
+    if (text.empty()) return;
+    if (!text.starts_with('$')) {
+      if (last_ != nullptr) last_->rows.push_back({row.number, text});
+      return;
+    }
+    const std::size_t colon = text.find_first_of(": \t");
+    const std::string key(text.substr(0, colon));
+    if (key.starts_with("$END")) return close();
+    const bool begins = row.text.front() == '$' || key == "$PHOTO" || key == "$CAMERA_DEFINITION";
+    if (begins) blocks_.push_back({key, row.number, false, {}});
+    if (blocks_.empty()) return;
+    if (key == "$CALIBRATION_SET") return begin_calibration();
+    const std::size_t value = text.find(':');
+    Entry entry{row.number,
+                value == std::string_view::npos ? "" : std::string(trimmed(text.substr(value + 1))),
+                {}};
+    last_ = &blocks_.back().entries.try_emplace(prefix_ + key, std::move(entry)).first->second;
+  }
+
+  void close() {
+    last_ = nullptr;
+    prefix_.clear();
+    if (!blocks_.empty()) blocks_.back().is_closed = true;
+  }
+
+  /// Calibrations of one camera are numbered; their keys are kept apart.
+  void begin_calibration() {
+    last_ = nullptr;
+    const auto n = std::ranges::count_if(
+        blocks_.back().entries, [](const auto& entry) { return entry.first.ends_with("/$ID"); });
+    prefix_ = fmt::format("{}/", n);
+  }
+
+  std::vector<InphoBlock> blocks_;
+  Entry* last_ = nullptr;
+  std::string prefix_;
+};
+
+class InphoReader {
+ public:
+  explicit InphoReader(std::string path) : path_(std::move(path)) {
+    InphoParser parser(content_ = read_orientation_text(path_));
+    blocks_ = parser.take_blocks();
+  }
+
+  [[nodiscard]] Orientation read() {
+    orientation_.format = "Inpho project";
+    for (const InphoBlock& block : blocks_) {
+      if (block.name == "$CAMERA" || block.name == "$CAMERA_DEFINITION") add_camera(block);
+      read_units(block);
+    }
+    for (const InphoBlock& block : blocks_) {
+      if (block.name == "$PHOTO") add_photo(block);
+    }
+    if (n_unposed_ > 0) {
+      orientation_.warnings.push_back(
+          fmt::format("photos without $EXT_ORI, which are left out: {}", n_unposed_));
+    }
+    if (n_heights_ > 0) orientation_.ground_height_m = sum_of_heights_m_ / n_heights_;
+    return std::move(orientation_);
+  }
+
+ private:
+  [[noreturn]] void fail(int row, const std::string& message) const {
+    throw IoError(place(path_, row), message);
+  }
+
+  void read_units(const InphoBlock& block) {
+    const std::string unit = lower_case(block.text("$LINEAR_UNITS_OF_OBJECT"));
+    if (!unit.empty() && unit != "m" && unit != "meter" && unit != "metre" && unit != "meters") {
+      fail(block.row, "$LINEAR_UNITS_OF_OBJECT : " + unit + "; metres are read");
+    }
+    const Entry* const system = block.find("$COORDINATE_SYSTEM");
+    if (system == nullptr || orientation_.crs.known()) return;
+    std::string definition = system->value;
+    for (const TextRow& row : system->rows) definition += std::string(row.text);
+    const std::size_t bracket = definition.find('[');
+    if (bracket != std::string::npos) orientation_.crs.definition = definition;
+  }
+
+  /// `n_rows` rows of `n` numbers each, below a key.
+  [[nodiscard]] Eigen::MatrixXd matrix(const InphoBlock& block,
+                                       const std::string& key,
+                                       std::size_t n_rows,
+                                       std::size_t n) const {
+    const Entry* const entry = block.find(key);
+    if (entry == nullptr) fail(block.row, fmt::format("{} has no {}", block.name, key));
+    if (entry->rows.size() < n_rows) {
+      fail(entry->row, fmt::format("{} is cut off; {} rows of numbers are needed", key, n_rows));
+    }
+    Eigen::MatrixXd values(n_rows, n);
+    for (std::size_t i = 0; i < n_rows; ++i) {
+      const std::string where = place(path_, entry->rows[i].number);
+      const std::vector<double> numbers = to_doubles(words_of(entry->rows[i].text), where);
+      if (numbers.size() != n)
+        fail(entry->rows[i].number, fmt::format("{} numbers; {} has {}", numbers.size(), key, n));
+      values.row(static_cast<Eigen::Index>(i)) =
+          Eigen::Map<const Eigen::RowVectorXd>(numbers.data(), static_cast<Eigen::Index>(n));
+    }
+    if (!values.allFinite()) fail(entry->row, key + " must have finite numbers");
+    return values;
+  }
+
+  [[nodiscard]] std::vector<double> numbers(const InphoBlock& block,
+                                            const std::string& key,
+                                            std::size_t n) const {
+    const Entry* const entry = block.find(key);
+    if (entry == nullptr) fail(block.row, fmt::format("{} has no {}", block.name, key));
+    const std::vector<double> values = to_doubles(words_of(entry->value), place(path_, entry->row));
+    const bool is_finite = std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+    if (values.size() != n || !is_finite) {
+      fail(entry->row, fmt::format("{} : {}; {} numbers are needed", key, entry->value, n));
+    }
+    return values;
+  }
+
+  /// Where the keys of the calibration in use stand: none, or the number of its $CALIBRATION_SET.
+  [[nodiscard]] static std::string calibration_of(const InphoBlock& block) {
+    const std::string active = block.text("$ACTIVE_CALIBRATION");
+    std::string first;
+    for (const auto& [key, entry] : block.entries) {
+      if (!key.ends_with("/$ID")) continue;
+      const std::string prefix = key.substr(0, key.find('/') + 1);
+      if (first.empty()) first = prefix;
+      if (entry.value == active) return prefix;
+    }
+    return first;
+  }
+
+  void add_camera(const InphoBlock& block) {
+    require_closed(block);
+    const std::string id = block.text(block.name == "$CAMERA" ? "$TYPE" : "$ID");
+    const std::string prefix = calibration_of(block);
+    const auto key = [&](const char* name) {
+      return block.find(prefix + name) != nullptr ? prefix + name : std::string(name);
+    };
+    const Eigen::MatrixXd px_from_mm = matrix(block, key("$CCD_INTERIOR_ORIENTATION"), 2, 3);
+    const double focal_mm = numbers(block, key("$FOCAL_LENGTH"), 1)[0];
+    const std::vector<double> point = block.find(key("$PRINCIPAL_POINT_PPA")) != nullptr
+                                          ? numbers(block, key("$PRINCIPAL_POINT_PPA"), 2)
+                                          : std::vector{0.0, 0.0};
+    Camera camera{id, {}};
+    camera.interior.size_px = size_of(block, key("$CCD_COLUMNS"), key("$CCD_ROWS"));
+    const Eigen::Matrix2d scale = axes_of(block, px_from_mm.leftCols<2>());
+    camera.interior.focal_length_px = focal_mm * scale.diagonal();
+    if (!(camera.interior.focal_length_px.minCoeff() > 0.0))
+      fail(block.row, "$FOCAL_LENGTH must be positive");
+    camera.interior.principal_point_px =
+        px_from_mm.leftCols<2>() * Eigen::Vector2d(point[0], point[1]) + px_from_mm.col(2) -
+        Eigen::Vector2d::Constant(corner_offset(block, key("$PIXEL_REFERENCE")));
+    for (const char* const name : {"$RADIAL_COEFFS", "$DECENTRE_COEFFS"}) {
+      refuse_distortion(block, key(name), camera.interior, focal_mm);
+    }
+    orientation_.cameras.push_back(std::move(camera));
+  }
+
+  [[nodiscard]] Eigen::Vector2i size_of(const InphoBlock& block,
+                                        const std::string& columns,
+                                        const std::string& rows) const {
+    constexpr double kMost_px = 1e6;
+    const Eigen::Vector2d size(numbers(block, columns, 1)[0], numbers(block, rows, 1)[0]);
+    if (size.minCoeff() < 1.0 || size.maxCoeff() > kMost_px)
+      fail(block.row, "$CCD_COLUMNS and $CCD_ROWS must be positive");
+    return size.cast<int>();
+  }
+
+  /// Pixels a millimetre along columns and rows, on the diagonal. Keeps how the camera's axes lie in the image.
+  Eigen::Matrix2d axes_of(const InphoBlock& block, const Eigen::Matrix2d& px_from_mm) {
+    constexpr double kSkew = 1e-4;  // a pixel in 10,000
+    const Eigen::Vector2d px_per_mm = px_from_mm.rowwise().norm();
+    if (!(px_per_mm.minCoeff() > 0.0))
+      fail(block.row, "$CCD_INTERIOR_ORIENTATION must have rank 2");
+    const Eigen::Vector2d up_and_right(1.0, -1.0);  // rows run down
+    const Eigen::Matrix2d turn = (up_and_right.cwiseQuotient(px_per_mm)).asDiagonal() * px_from_mm;
+    const bool is_turn = (turn * turn.transpose() - Eigen::Matrix2d::Identity()).norm() < kSkew;
+    if (!is_turn || turn.determinant() < 0.0) {
+      fail(block.row,
+           "$CCD_INTERIOR_ORIENTATION is mirrored or skew; rows must run down and the axes "
+           "be perpendicular");
+    }
+    Eigen::Matrix3d ours_from_camera = Eigen::Matrix3d::Identity();
+    ours_from_camera.topLeftCorner<2, 2>() = turn;
+    ours_from_camera_.push_back(ours_from_camera);
+    return px_per_mm.asDiagonal();
+  }
+
+  [[nodiscard]] double corner_offset(const InphoBlock& block, const std::string& key) const {
+    const std::string reference = block.text(key);
+    if (reference.empty() || reference == "CenterTopLeft") return 0.0;
+    if (reference == "TopLeft" || reference == "CornerTopLeft") return 0.5;
+    fail(block.row, "$PIXEL_REFERENCE : " + reference + "; CenterTopLeft and TopLeft are read");
+  }
+
+  /// The sign of the coefficients is not known from the file: whether they are added to measured or ideal coordinates.
+  void refuse_distortion(const InphoBlock& block,
+                         const std::string& key,
+                         const InteriorOrientation& interior,
+                         double focal_mm) const {
+    const Entry* const entry = block.find(key);
+    if (entry == nullptr) return;
+    const double r_mm = largest_radius(interior) * focal_mm;
+    const double px_per_mm = interior.focal_length_px.maxCoeff() / focal_mm;
+    double power = key.ends_with("$RADIAL_COEFFS") ? r_mm : r_mm * r_mm;
+    double effect_px = 0.0;
+    for (const TextRow& row : entry->rows) {
+      for (const double value : to_doubles(words_of(row.text), place(path_, row.number))) {
+        effect_px += std::abs(value) * power * px_per_mm;
+        power *= r_mm * r_mm;
+      }
+    }
+    if (effect_px <= kLeftOut_px) return;
+    fail(entry->row, fmt::format("{} moves pixels by up to {:.3g} px, and whether it is added to "
+                                 "measured or to ideal coordinates is not stated; give undistorted "
+                                 "images and a camera without it",
+                                 key.substr(key.find('$')), effect_px));
+  }
+
+  void require_closed(const InphoBlock& block) const {
+    if (!block.is_closed) fail(block.row, block.name + " has no $END; the file is cut off");
+  }
+
+  void add_photo(const InphoBlock& block) {
+    require_closed(block);
+    if (block.find("$EXT_ORI") == nullptr) {
+      ++n_unposed_;
+      return;
+    }
+    OrientedImage image;
+    image.name = block.text("$PHOTO_FILE");
+    if (image.name.empty()) image.name = block.text("$PHOTO_NUM");
+    image.camera = camera_number(block);
+    add_pose(block, image);
+    if (block.find("$TERRAIN_HEIGHT") != nullptr) {
+      sum_of_heights_m_ += numbers(block, "$TERRAIN_HEIGHT", 1)[0];
+      ++n_heights_;
+    }
+    orientation_.images.push_back(std::move(image));
+  }
+
+  [[nodiscard]] std::size_t camera_number(const InphoBlock& block) const {
+    const std::string id = block.text("$CAMERA_ID");
+    const auto& cameras = orientation_.cameras;
+    const auto camera = std::ranges::find(cameras, id, &Camera::name);
+    if (camera != cameras.end()) return static_cast<std::size_t>(camera - cameras.begin());
+    if (cameras.size() == 1 && id.empty()) return 0;
+    fail(block.row, fmt::format("$CAMERA_ID : {}; the file has no such camera", id));
+  }
+
+  /// Focal length and position, then the matrix of the camera from the world, row by row.
+  void add_pose(const InphoBlock& block, OrientedImage& image) const {
+    const Entry& entry = *block.find("$EXT_ORI");
+    if (entry.rows.size() < 4)
+      fail(entry.row, "$EXT_ORI is cut off; four rows of numbers are needed");
+    const std::vector<double> position =
+        to_doubles(words_of(entry.rows[0].text), place(path_, entry.rows[0].number));
+    if (position.size() != 4) fail(entry.rows[0].number, "focal length, X, Y and Z are needed");
+    image.exterior.position_m = {position[1], position[2], position[3]};
+    Eigen::Matrix3d camera_from_world;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::vector<double> row =
+          to_doubles(words_of(entry.rows[i + 1].text), place(path_, entry.rows[i + 1].number));
+      if (row.size() != 3) fail(entry.rows[i + 1].number, "a row of the matrix has three numbers");
+      camera_from_world.row(static_cast<Eigen::Index>(i)) =
+          Eigen::Map<const Eigen::RowVector3d>(row.data());
+    }
+    image.exterior.world_from_camera_axes =
+        camera_from_world.transpose() * ours_from_camera_[*image.camera].transpose();
+  }
+
+  std::string path_, content_;
+  std::vector<InphoBlock> blocks_;
+  Orientation orientation_;
+  std::vector<Eigen::Matrix3d> ours_from_camera_;
+  double sum_of_heights_m_ = 0.0;
+  int n_heights_ = 0;
+  int n_unposed_ = 0;
+};
+
+}  // namespace
+
+Orientation read_inpho(const std::string& path, const OrientationOptions&) {
+  return InphoReader(path).read();
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/error.h"
+#include "io/orientation/geocentric_poses.h"
+#include "io/orientation/orientation_text.h"
+#include "io/orientation/readers.h"
+#include "io/text/json_text.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace ridgeline::io {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Whether a key of a reconstruction, or of one of its shots, takes many bytes and is not needed.
+bool is_key_left_out(const Json& key) {
+  constexpr std::array kLeftOut{"points", "biases", "vertices", "faces", "covariance"};
+  return std::ranges::any_of(kLeftOut, [&](const char* name) { return key == name; });
+}
+
+/// Parses without the points. A name that stands twice in an object is an error; the parser would keep the last one.
+Json parse_without_points(const std::string& path) {
+  constexpr int kOfReconstruction = 2;  // within the list and the object
+  const std::string text = read_orientation_text(path, std::uint64_t{4} * kMostOrientation_bytes);
+  if (!is_shallow_json(text)) throw IoError(path, "is nested more than 64 levels deep");
+  std::set<std::string> names;
+  const auto keep = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (event != Json::parse_event_t::key) return true;
+    if (depth == kOfReconstruction) names.clear();
+    if (depth == kOfReconstruction + 1 && !names.insert(parsed.get<std::string>()).second) {
+      throw IoError(path, fmt::format("states {} twice", excerpt(parsed)));
+    }
+    return !is_key_left_out(parsed);
+  };
+  try {
+    return Json::parse(text, keep);
+  } catch (const Json::exception& error) {
+    throw IoError(path, fmt::format("is no JSON: {}", excerpt(error.what())));
+  }
+}
+
+class OpensfmReader {
+ public:
+  OpensfmReader(std::string path, const OrientationOptions& options)
+      : path_(std::move(path)), options_(options) {}
+
+  [[nodiscard]] Orientation read() {
+    const Json file = parse_without_points(path_);
+    const Json& reconstruction = largest_of(file);
+    Orientation orientation;
+    orientation.format = "OpenSfM reconstruction";
+    for (const auto& [name, camera] : member(reconstruction, "cameras").items()) {
+      orientation.cameras.push_back({name, interior_of(name, camera)});
+    }
+    for (const auto& [name, shot] : member(reconstruction, "shots").items()) {
+      orientation.images.push_back(image_of(name, shot, orientation.cameras));
+    }
+    if (file.size() > 1) {
+      orientation.warnings.push_back(
+          fmt::format("holds {} reconstructions; the one with most images is read", file.size()));
+    }
+    place_on_earth(reconstruction, orientation);
+    return orientation;
+  }
+
+ private:
+  [[nodiscard]] const Json& largest_of(const Json& file) const {
+    if (!file.is_array() || file.empty()) fail("is no list of reconstructions");
+    const Json* largest = &file[0];
+    for (const Json& one : file) {
+      if (member(one, "shots").size() > member(*largest, "shots").size()) largest = &one;
+    }
+    return *largest;
+  }
+
+  [[nodiscard]] const Json& member(const Json& parent, const char* name) const {
+    if (!parent.is_object() || !parent.contains(name) || !parent[name].is_object()) {
+      fail(fmt::format("has no object \"{}\"", name));
+    }
+    return parent[name];
+  }
+
+  [[nodiscard]] double number(const Json& parent, const char* name) const {
+    const bool is_number = parent.contains(name) && parent[name].is_number();
+    const double value = is_number ? parent[name].get<double>() : std::nan("");
+    if (!std::isfinite(value))
+      fail(fmt::format("{} must be a number in {}", name, excerpt(parent)));
+    return value;
+  }
+
+  [[nodiscard]] double number_or_zero(const Json& parent, const char* name) const {
+    return parent.contains(name) ? number(parent, name) : 0.0;
+  }
+
+  [[nodiscard]] Eigen::Vector3d vector(const Json& parent, const char* name) const {
+    const Json* const list = parent.contains(name) ? &parent[name] : nullptr;
+    if (list == nullptr || !list->is_array() || list->size() != 3) {
+      fail(fmt::format("{} must be three numbers in {}", name, excerpt(parent)));
+    }
+    Eigen::Vector3d x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(*list)[i].is_number()) fail(fmt::format("{} must be three numbers", name));
+      x[static_cast<Eigen::Index>(i)] = (*list)[i].get<double>();
+    }
+    return x;
+  }
+
+  /// Focal lengths and the principal point are in units of the longer side, from the middle of the image.
+  [[nodiscard]] InteriorOrientation interior_of(const std::string& name, const Json& camera) const {
+    const std::string type = camera.is_object() && camera.contains("projection_type") &&
+                                     camera["projection_type"].is_string()
+                                 ? camera["projection_type"].get<std::string>()
+                                 : "";
+    const bool has_one_focal = type == "perspective" || type == "simple_radial";
+    if (!has_one_focal && type != "brown" && type != "radial") {
+      fail(
+          fmt::format("camera {} is of type '{}'; perspective, simple_radial, radial and brown are "
+                      "read",
+                      name, type));
+    }
+    InteriorOrientation interior;
+    interior.size_px = size_of(camera);
+    const Eigen::Vector2d size_px = interior.size_px->cast<double>();
+    interior.focal_length_px = size_px.maxCoeff() * focal_of(camera);
+    const Eigen::Vector2d offset(number_or_zero(camera, "c_x"), number_or_zero(camera, "c_y"));
+    interior.principal_point_px =
+        0.5 * (size_px - Eigen::Vector2d::Ones()) + size_px.maxCoeff() * offset;
+    const auto value = [&](const char* key) { return number_or_zero(camera, key); };
+    interior.distortion = {value("k1"), value("k2"), value("k3"), value("p1"), value("p2")};
+    return interior;
+  }
+
+  [[nodiscard]] Eigen::Vector2i size_of(const Json& camera) const {
+    constexpr double kMost_px = 1e6;
+    const Eigen::Vector2d size(number(camera, "width"), number(camera, "height"));
+    if (size.minCoeff() < 1.0 || size.maxCoeff() > kMost_px)
+      fail("a camera's size must be positive");
+    return size.cast<int>();
+  }
+
+  [[nodiscard]] Eigen::Vector2d focal_of(const Json& camera) const {
+    const bool is_one = camera.contains("focal");
+    const Eigen::Vector2d focal(number(camera, is_one ? "focal" : "focal_x"),
+                                number(camera, is_one ? "focal" : "focal_y"));
+    if (!(focal.minCoeff() > 0.0))
+      fail(fmt::format("focal length {}; must be positive", focal.x()));
+    return focal;
+  }
+
+  [[nodiscard]] OrientedImage image_of(const std::string& name,
+                                       const Json& shot,
+                                       const std::vector<Camera>& cameras) const {
+    OrientedImage image;
+    image.name = name;
+    const Json camera = shot.is_object() ? shot.value("camera", Json()) : Json();
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      if (camera == cameras[i].name) image.camera = i;
+    }
+    if (!image.camera) fail(fmt::format("image {} names no camera of the file", name));
+    const Eigen::Vector3d turn = vector(shot, "rotation");
+    const double angle_rad = turn.norm();
+    const Eigen::Matrix3d cam_from_world =
+        angle_rad > 0.0 ? Eigen::AngleAxisd(angle_rad, turn / angle_rad).toRotationMatrix()
+                        : Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d flip(1.0, -1.0, -1.0);
+    image.exterior.position_m = -(cam_from_world.transpose() * vector(shot, "translation"));
+    image.exterior.world_from_camera_axes = cam_from_world.transpose() * flip.asDiagonal();
+    return image;
+  }
+
+  /// Poses are topocentric, about a place that stands in the file or in reference_lla.json beside it.
+  void place_on_earth(const Json& reconstruction, Orientation& orientation) const {
+    Json reference = reconstruction.value("reference_lla", Json());
+    if (!reference.is_object()) {
+      const std::string text = text_beside(path_, "reference_lla.json");
+      reference = Json::parse(text, nullptr, false);
+    }
+    if (!reference.is_object()) {
+      orientation.warnings.emplace_back(
+          "states no reference_lla; the coordinates are local and have no reference system");
+      return;
+    }
+    const GeodeticPlace place{number(reference, "latitude"), number(reference, "longitude"),
+                              number(reference, "altitude")};
+    if (std::abs(place.lat_deg) > 90.0 || std::abs(place.lon_deg) > 360.0) {
+      fail("reference_lla must be degrees of latitude and longitude");
+    }
+    convert_to_map(path_, geocentric_from_enu(place), options_.crs, orientation);
+  }
+
+  [[noreturn]] void fail(const std::string& message) const { throw IoError(path_, message); }
+
+  std::string path_;
+  const OrientationOptions& options_;
+};
+
+}  // namespace
+
+Orientation read_opensfm(const std::string& path, const OrientationOptions& options) {
+  return OpensfmReader(path, options).read();
+}
+
+}  // namespace ridgeline::io

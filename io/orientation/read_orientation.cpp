@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/orientation/read_orientation.h"
+
+#include "io/error.h"
+#include "io/files/input_file.h"
+#include "io/kinds/orientation_kind.h"
+#include "io/kinds/recognise.h"
+#include "io/orientation/readers.h"
+#include "io/text/table_row.h"
+#include "io/text/text.h"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace ridgeline::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// The beginning of a file without the byte order mark of UTF-8.
+std::string text_at_beginning(const std::string& path) {
+  std::string start = beginning_of(path);
+  if (start.starts_with("\xEF\xBB\xBF")) start.erase(0, 3);
+  return start;
+}
+
+/// Whether the first row is of numbers alone and long enough for a table whose images have numbers for names.
+bool is_numbered_table(std::string_view start) {
+  const std::vector<TextRow> rows = rows_of(start);
+  if (rows.empty()) return false;
+  const std::vector<std::string> fields = table_fields(rows[0].text, separator_of(rows[0].text));
+  return fields.size() >= 7 && std::ranges::all_of(fields, [](const std::string& field) {
+           return to_double(field).has_value();
+         });
+}
+
+OrientationFormat format_of(const std::string& path) {
+  require_regular_file(path);
+  const std::string start = text_at_beginning(path);
+  if (start.empty()) throw IoError(path, "is empty");
+  if (const auto format = orientation_format(start)) return *format;
+  if (is_numbered_table(start)) return OrientationFormat::kOpkTable;
+  refuse_other_kind(path, start, Expected::kOrientation);
+  throw IoError(path,
+                "is no orientation that is known: a table of omega, phi and kappa, OpenSfM, Pix4D, "
+                "Inpho, PAT-B, BlocksExchange, Metashape's XML or a COLMAP folder");
+}
+
+Orientation read_by_format(const std::string& path, const OrientationOptions& options) {
+  if (fs::is_directory(path)) return read_colmap_orientation(path, options);
+  switch (format_of(path)) {
+    case OrientationFormat::kOpensfm:
+      return read_opensfm(path, options);
+    case OrientationFormat::kPix4d:
+      return read_pix4d(path, options);
+    case OrientationFormat::kInpho:
+      return read_inpho(path, options);
+    case OrientationFormat::kPatB:
+      return read_pat_b(path, options);
+    case OrientationFormat::kBlocksExchange:
+      return read_blocks_exchange(path, options);
+    case OrientationFormat::kMetashape:
+      return read_metashape(path, options);
+    default:
+      return read_opk_table(path, options);
+  }
+}
+
+/// Nearest-rotation residual that rounding to five digits leaves.
+constexpr double kRotationTolerance = 1e-4;
+
+void check_pose(const std::string& path, const OrientedImage& image) {
+  const Eigen::Matrix3d& R = image.exterior.world_from_camera_axes;
+  const bool is_rotation = R.allFinite() &&
+                           (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <
+                               kRotationTolerance &&
+                           R.determinant() > 0.0;
+  if (!is_rotation) {
+    throw IoError(path, fmt::format("the matrix of image {} is no rotation", image.name));
+  }
+  constexpr double kFarthest_m = 1e8;
+  if (!(image.exterior.position_m.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+    throw IoError(path, fmt::format("the position of image {} is nowhere on Earth", image.name));
+  }
+}
+
+void check_images(const std::string& path, const Orientation& orientation) {
+  if (orientation.images.empty()) throw IoError(path, "holds no oriented image");
+  std::set<std::string> names;
+  for (const OrientedImage& image : orientation.images) {
+    if (image.name.empty()) throw IoError(path, "has an image without a name");
+    if (!names.insert(image.name).second) {
+      throw IoError(path, fmt::format("two images are called {}", image.name));
+    }
+    check_pose(path, image);
+  }
+}
+
+void check_cameras(const std::string& path, const Orientation& orientation) {
+  for (const Camera& camera : orientation.cameras) {
+    const InteriorOrientation& interior = camera.interior;
+    const BrownDistortion& d = interior.distortion;
+    const bool is_finite = interior.focal_length_px.allFinite() &&
+                           interior.principal_point_px.allFinite() &&
+                           std::isfinite(d.k1 + d.k2 + d.k3 + d.p1 + d.p2);
+    if (is_finite && interior.focal_length_px.minCoeff() > 0.0) continue;
+    throw IoError(
+        path,
+        fmt::format("camera {} must have finite numbers and a positive focal length", camera.name));
+  }
+}
+
+/// Declares the system of a file that states none, and refuses coordinates in degrees.
+void settle_crs(const std::string& path,
+                const OrientationOptions& options,
+                Orientation& orientation) {
+  std::string& definition = orientation.crs.definition;
+  const bool is_proj_string = definition.starts_with('+');
+  if (is_proj_string && definition.find("+type=crs") == std::string::npos)
+    definition += " +type=crs";
+  if (orientation.crs.known()) {
+    try {
+      describe(orientation.crs);
+    } catch (const std::invalid_argument& error) {
+      orientation.warnings.push_back(std::string("its reference system is left out: ") +
+                                     error.what());
+      orientation.crs = {};
+    }
+  }
+  if (!orientation.crs.known()) orientation.crs = options.crs;
+  if (!orientation.crs.known()) return;
+  const CrsFacts facts = describe(orientation.crs);
+  if (facts.is_geographic) {
+    throw IoError(path,
+                  fmt::format("has positions in degrees ({}); let the program that wrote it use a "
+                              "projected system",
+                              facts.name));
+  }
+  if (!same_unit(facts.horizontal_unit_m, 1.0) || !same_unit(facts.vertical_unit_m, 1.0)) {
+    throw IoError(path, fmt::format("has positions in {}; orientations in metres are read",
+                                    facts.horizontal_unit_name));
+  }
+}
+
+}  // namespace
+
+std::string file_name_of(const OrientedImage& image) {
+  return image.name.substr(image.name.find_last_of("/\\") + 1);
+}
+
+Orientation read_orientation(const std::string& path, const OrientationOptions& options) {
+  Orientation orientation = read_by_format(path, options);
+  check_images(path, orientation);
+  check_cameras(path, orientation);
+  settle_crs(path, options, orientation);
+  return orientation;
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/orientation/orientation.h"
+#include "io/project/patch.h"
+
+#include <string>
+
+namespace ridgeline::io {
+
+/// An image of an orientation as an image of a patch that shows its whole frame. `path` is the image file; `id` the last
+/// part of the image's name without its extension.
+/// Throws std::invalid_argument if the image has no camera.
+PatchImage oriented_patch_image(const Orientation& orientation,
+                                const OrientedImage& image,
+                                const std::string& path);
+
+}  // namespace ridgeline::io
