@@ -71,6 +71,7 @@ std::vector<ImagePair> nearest_pairs(const io::Orientation& orientation,
   }
   std::ranges::sort(pairs);
   std::vector<ImagePair> sorted;
+  sorted.reserve(pairs.size());
   for (const auto& [distance_m, pair] : pairs) sorted.push_back(pair);
   return sorted;
 }

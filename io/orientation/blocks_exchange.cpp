@@ -69,8 +69,7 @@ double focal_px(const XmlElement& photogroup, double longer_side_px) {
   if (const auto size_mm = photogroup.number_if_there("SensorSize")) {
     return photogroup.number("FocalLength") / *size_mm * longer_side_px;
   }
-  constexpr double kFilmWidth_mm = 36.0;
-  return photogroup.number("FocalLength35mmEq") / kFilmWidth_mm * longer_side_px;
+  return photogroup.number("FocalLength35mmEq") / 36.0 * longer_side_px;
 }
 
 /// Pixels are counted from the corner of the image.

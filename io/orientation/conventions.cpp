@@ -94,10 +94,23 @@ std::optional<std::size_t> decided_by(const Evidence& evidence) {
   return std::ranges::min_element(evidence.values) - evidence.values.begin();
 }
 
+/// The most that right rays miss each other by. Points are found in images reduced to 1500 pixels, so in large frames they
+/// are less exact.
+double most_ray_distance_px(const Orientation& orientation) {
+  constexpr double kLeast_px = 5.0;
+  constexpr double kOfLongerSide = 0.002;
+  double most_px = kLeast_px;
+  for (const Camera& camera : orientation.cameras) {
+    if (!camera.interior.size_px) continue;
+    most_px = std::max(most_px, kOfLongerSide * camera.interior.size_px->maxCoeff());
+  }
+  return most_px;
+}
+
 Evidence ray_evidence(const std::vector<const RotationReading*>& readings,
                       const std::vector<PointObservation>& observations,
                       Orientation& orientation) {
-  Evidence evidence{"rays meet to {:.2g} px", 5.0, 0.5, {}};
+  Evidence evidence{"rays meet to {:.2g} px", most_ray_distance_px(orientation), 0.5, {}};
   for (const RotationReading* reading : readings) {
     turn_images(*reading, orientation);
     const auto distance_px = median_ray_distance_px(orientation, observations);
@@ -137,6 +150,7 @@ std::string evidence_text(const Evidence& evidence,
                               const std::vector<const RotationReading*>& readings,
                               const std::vector<Evidence>& evidences) {
   std::vector<std::string> options;
+  options.reserve(readings.size());
   for (const RotationReading* reading : readings) options.push_back(reading->option);
   std::vector<std::string> texts;
   for (const Evidence& evidence : evidences) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
 #include "io/orientation/camera_file.h"
+#include "io/orientation/inpho_blocks.h"
 #include "io/orientation/orientation_text.h"
 #include "io/orientation/readers.h"
 #include "io/text/text.h"
@@ -9,97 +10,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace ridgeline::io {
 namespace {
 
-/// A row "$KEY : value" with the rows below it, up to the next key.
-struct Entry {
-  int row = 0;  ///< for messages
-  std::string value;
-  std::vector<TextRow> rows;
-};
-
-/// What stands between $PHOTO or $CAMERA and the next such block. Of a key that stands several times the first counts.
-struct InphoBlock {
-  std::string name;
-  int row = 0;
-  bool is_closed = false;
-  std::map<std::string, Entry, std::less<>> entries;
-
-  [[nodiscard]] const Entry* find(std::string_view key) const {
-    const auto entry = entries.find(key);
-    return entry == entries.end() ? nullptr : &entry->second;
-  }
-  [[nodiscard]] std::string text(std::string_view key) const {
-    const Entry* const entry = find(key);
-    return entry == nullptr ? "" : entry->value;
-  }
-};
-
-/// Reads blocks. A new one begins at a key without blanks before it, and at each $PHOTO and $CAMERA_DEFINITION.
-class InphoParser {
- public:
-  explicit InphoParser(std::string_view content) {
-    for (int number = 1; !content.empty(); ++number) {
-      const std::size_t end = content.find('\n');
-      take({number, content.substr(0, end)});
-      content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
-    }
-  }
-
-  [[nodiscard]] std::vector<InphoBlock> take_blocks() { return std::move(blocks_); }
-
- private:
-  void take(const TextRow& row) {
-    const std::string_view text = trimmed(row.text);
-    if (text.empty()) return;
-    if (!text.starts_with('$')) {
-      if (last_ != nullptr) last_->rows.push_back({row.number, text});
-      return;
-    }
-    const std::size_t colon = text.find_first_of(": \t");
-    const std::string key(text.substr(0, colon));
-    if (key.starts_with("$END")) return close();
-    const bool begins = row.text.front() == '$' || key == "$PHOTO" || key == "$CAMERA_DEFINITION";
-    if (begins) blocks_.push_back({key, row.number, false, {}});
-    if (blocks_.empty()) return;
-    if (key == "$CALIBRATION_SET") return begin_calibration();
-    const std::size_t value = text.find(':');
-    Entry entry{row.number,
-                value == std::string_view::npos ? "" : std::string(trimmed(text.substr(value + 1))),
-                {}};
-    last_ = &blocks_.back().entries.try_emplace(prefix_ + key, std::move(entry)).first->second;
-  }
-
-  void close() {
-    last_ = nullptr;
-    prefix_.clear();
-    if (!blocks_.empty()) blocks_.back().is_closed = true;
-  }
-
-  /// Calibrations of one camera are numbered; their keys are kept apart.
-  void begin_calibration() {
-    last_ = nullptr;
-    const auto n = std::ranges::count_if(
-        blocks_.back().entries, [](const auto& entry) { return entry.first.ends_with("/$ID"); });
-    prefix_ = fmt::format("{}/", n);
-  }
-
-  std::vector<InphoBlock> blocks_;
-  Entry* last_ = nullptr;
-  std::string prefix_;
-};
-
 class InphoReader {
  public:
-  explicit InphoReader(std::string path) : path_(std::move(path)) {
-    InphoParser parser(content_ = read_orientation_text(path_));
-    blocks_ = parser.take_blocks();
-  }
+  explicit InphoReader(std::string path)
+      : path_(std::move(path)),
+        content_(read_orientation_text(path_)),
+        blocks_(inpho_blocks(content_)) {}
 
   [[nodiscard]] Orientation read() {
     orientation_.format = "Inpho project";
@@ -128,7 +49,7 @@ class InphoReader {
     if (!unit.empty() && unit != "m" && unit != "meter" && unit != "metre" && unit != "meters") {
       fail(block.row, "$LINEAR_UNITS_OF_OBJECT : " + unit + "; metres are read");
     }
-    const Entry* const system = block.find("$COORDINATE_SYSTEM");
+    const InphoEntry* const system = block.find("$COORDINATE_SYSTEM");
     if (system == nullptr || orientation_.crs.known()) return;
     std::string definition = system->value;
     for (const TextRow& row : system->rows) definition += std::string(row.text);
@@ -141,7 +62,7 @@ class InphoReader {
                                        const std::string& key,
                                        std::size_t n_rows,
                                        std::size_t n) const {
-    const Entry* const entry = block.find(key);
+    const InphoEntry* const entry = block.find(key);
     if (entry == nullptr) fail(block.row, fmt::format("{} has no {}", block.name, key));
     if (entry->rows.size() < n_rows) {
       fail(entry->row, fmt::format("{} is cut off; {} rows of numbers are needed", key, n_rows));
@@ -162,9 +83,9 @@ class InphoReader {
   [[nodiscard]] std::vector<double> numbers(const InphoBlock& block,
                                             const std::string& key,
                                             std::size_t n) const {
-    const Entry* const entry = block.find(key);
+    const InphoEntry* const entry = block.find(key);
     if (entry == nullptr) fail(block.row, fmt::format("{} has no {}", block.name, key));
-    const std::vector<double> values = to_doubles(words_of(entry->value), place(path_, entry->row));
+    std::vector<double> values = to_doubles(words_of(entry->value), place(path_, entry->row));
     const bool is_finite = std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
     if (values.size() != n || !is_finite) {
       fail(entry->row, fmt::format("{} : {}; {} numbers are needed", key, entry->value, n));
@@ -178,7 +99,7 @@ class InphoReader {
     std::string first;
     for (const auto& [key, entry] : block.entries) {
       if (!key.ends_with("/$ID")) continue;
-      const std::string prefix = key.substr(0, key.find('/') + 1);
+      std::string prefix = key.substr(0, key.find('/') + 1);
       if (first.empty()) first = prefix;
       if (entry.value == active) return prefix;
     }
@@ -254,7 +175,7 @@ class InphoReader {
                          const std::string& key,
                          const InteriorOrientation& interior,
                          double focal_mm) const {
-    const Entry* const entry = block.find(key);
+    const InphoEntry* const entry = block.find(key);
     if (entry == nullptr) return;
     const double r_mm = largest_radius(interior) * focal_mm;
     const double px_per_mm = interior.focal_length_px.maxCoeff() / focal_mm;
@@ -306,7 +227,7 @@ class InphoReader {
 
   /// Focal length and position, then the matrix of the camera from the world, row by row.
   void add_pose(const InphoBlock& block, OrientedImage& image) const {
-    const Entry& entry = *block.find("$EXT_ORI");
+    const InphoEntry& entry = *block.find("$EXT_ORI");
     if (entry.rows.size() < 4)
       fail(entry.row, "$EXT_ORI is cut off; four rows of numbers are needed");
     const std::vector<double> position =

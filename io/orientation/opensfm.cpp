@@ -147,8 +147,8 @@ class OpensfmReader {
 
   [[nodiscard]] Eigen::Vector2d focal_of(const Json& camera) const {
     const bool is_one = camera.contains("focal");
-    const Eigen::Vector2d focal(number(camera, is_one ? "focal" : "focal_x"),
-                                number(camera, is_one ? "focal" : "focal_y"));
+    Eigen::Vector2d focal(number(camera, is_one ? "focal" : "focal_x"),
+                          number(camera, is_one ? "focal" : "focal_y"));
     if (!(focal.minCoeff() > 0.0))
       fail(fmt::format("focal length {}; must be positive", focal.x()));
     return focal;

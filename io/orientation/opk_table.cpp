@@ -37,7 +37,8 @@ void refuse_other_angles(const std::string& path, const TextRow& row) {
 /// What a table says before its first row of data.
 struct TableHead {
   std::vector<std::string> columns;  ///< empty without a header
-  std::string text;                  ///< names of columns and comments, where units may stand
+  std::string text;  ///< names of columns and comments in lower case, where units may stand
+  std::string crs;   ///< of a comment "CoordinateSystem: WKT", as Metashape writes it
 };
 
 class OpkTable {
@@ -69,11 +70,18 @@ class OpkTable {
       const std::vector<std::string> columns = opk_columns(row->text);
       if (columns.empty() && !is_comment_row(row->text)) break;
       head_.text += lower_case(row->text) + "\n";
+      read_crs(row->text);
       if (columns.empty()) continue;
       head_.columns = columns;
       rows_.erase(rows_.begin(), row + 1);
       return;
     }
+  }
+
+  void read_crs(std::string_view row) {
+    constexpr std::string_view kName = "CoordinateSystem:";
+    const std::size_t at = row.find(kName);
+    if (at != std::string_view::npos) head_.crs = trimmed(row.substr(at + kName.size()));
   }
 
   [[nodiscard]] const std::vector<std::string>& columns() const {
@@ -210,7 +218,9 @@ Orientation read_opk_table(const std::string& path, const OrientationOptions& op
   Orientation orientation = table.read();
   if (orientation.images.empty()) return orientation;
   const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".prj");
-  orientation.crs.definition = text_beside(path, beside.filename().string());
+  const std::string& stated = table.head().crs;
+  orientation.crs.definition =
+      stated.empty() ? text_beside(path, beside.filename().string()) : stated;
   add_stated_cameras(path, options, table.cameras(), orientation);
   std::vector<RotationReading> readings = readings_of(table, options, orientation);
   if (readings.empty()) {

@@ -11,15 +11,15 @@ namespace {
 
 struct Synonyms {
   const char* name;
-  std::array<std::string_view, 8> spellings;
+  std::array<std::string_view, 9> spellings;
 };
 
 constexpr std::array kColumns{
     Synonyms{"name",
-             {"filename", "name", "image", "imagename", "label", "photoid", "nom", "photo"}},
-    Synonyms{"x", {"x", "e", "easting", "east", "x0"}},
-    Synonyms{"y", {"y", "n", "northing", "north", "y0"}},
-    Synonyms{"z", {"z", "h", "height", "altitude", "elevation", "z0", "alt"}},
+             {"filename", "name", "image", "imagename", "label", "photoid", "nom", "photo", "id"}},
+    Synonyms{"x", {"x", "e", "easting", "east", "x0", "x/easting"}},
+    Synonyms{"y", {"y", "n", "northing", "north", "y0", "y/northing"}},
+    Synonyms{"z", {"z", "h", "height", "altitude", "elevation", "z0", "alt", "z/altitude"}},
     Synonyms{"omega", {"omega", "o", "w", "om"}},
     Synonyms{"phi", {"phi", "p", "ph"}},
     Synonyms{"kappa", {"kappa", "k", "kap", "ka"}},

@@ -180,6 +180,30 @@ void write_texts(Writer& out) {
           kGatesCommands);
 }
 
+/// An orientation of every format, as the fixtures of its readers.
+void write_orientations(Writer& out) {
+  const fs::path fixtures = fs::path(test::source_dir()) / "tests/io/orientation/fixtures";
+  const auto content = [&](const std::string& name) {
+    std::ifstream stream(fixtures / name, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
+  };
+  const Command info{"info", "FILE", "--angles", "deg", "--matrix", "world_from_camera"};
+  Command map = info;
+  map.insert(map.end(), {"--map", "OUT.gpkg", "--ground-height", "6"});
+  for (const char* name :
+       {"block_calibrated_camera_parameters.txt", "blocks_exchange_angles.xml",
+        "blocks_exchange_enu.xml", "inpho.prj", "metashape_utm.xml", "opensfm.json"}) {
+    out.add(name, content(name), {info, map});
+  }
+  for (const char* name : {"opk_deg.csv", "opk_bare.txt", "pat_b_world_from_camera.ori"}) {
+    Command with_cameras = map;
+    with_cameras.insert(with_cameras.end(), {"--cameras", "cameras.yaml"});
+    out.add(name, content(name), {info, with_cameras});
+  }
+  Command of_cameras{"info", "opk_deg.csv", "--cameras", "FILE"};
+  out.add("cameras.yaml", content("cameras.yaml"), {of_cameras});
+}
+
 /// What `run` has written into `results`, read back by other commands.
 void add_results(Writer& out, const std::string& patch) {
   const Commands readers{{"gate", "results", "--gates", "gates.yaml"},
@@ -209,6 +233,7 @@ std::vector<BaseFile> write_base_files(const fs::path& folder, const std::string
   write_laz_files(out);
   write_images(out);
   write_texts(out);
+  write_orientations(out);
   add_results(out, patch);
   return std::move(out.files);
 }

@@ -51,6 +51,30 @@ TEST(KindOfContent, TellsBinaryFilesByTheirMarks) {
   }
 }
 
+TEST(KindOfContent, TellsOrientations) {
+  for (const auto& [content, what] : std::vector<std::pair<std::string, std::string>>{
+           {"filename,x,y,z,omega,phi,kappa\na,1,2,3,4,5,6\n", "omega, phi, kappa"},
+           {"NOM\tX\tY\tZ\tO\tP\tK\tCAMERA\n", "omega, phi, kappa"},
+           {"a b.tif 1 2 3 4 5 6\n", "omega, phi, kappa"},
+           {"[ {\"cameras\": {\"c\": {\"projection_type\": \"brown\"}}}]", "OpenSfM"},
+           {"fileName imageWidth imageHeight \ncamera matrix K [3x3]\n", "Pix4D"},
+           {"$PROJECT 6.0.0\n$END\n", "Inpho project"},
+           {"  17   1000.0 2000.0 300.0\n 1 0 0 0 1\n 0 0 0 1\n", "PAT-B"},
+           {"<?xml version='1.0'?>\n<BlocksExchange version='3.2'>", "BlocksExchange"},
+           {"<?xml version='1.0'?>\n<document version='2.0.0'><chunk label='a'>", "Metashape"}}) {
+    const FileKind kind = kind_of_content(content, "a.txt");
+    EXPECT_EQ(kind.group, FileGroup::kOrientation) << content;
+    EXPECT_EQ(kind.what, "an orientation of images (" + what + ")");
+  }
+  EXPECT_EQ(kind_of_content("name lat lon alt roll pitch yaw\n", "a.csv").what,
+            "a table of roll, pitch and yaw");
+  // matrices of Pix4D and lines of numbers are no table of angles
+  EXPECT_NE(kind_of_content("a.jpg 1 2 3 4 5 6 7 8 9 10 11 12\n", "a.txt").group,
+            FileGroup::kOrientation);
+  EXPECT_NE(kind_of_content("1 2 3 4 5 6 7\n8 9 1 2 3 4 5\n", "a.txt").group,
+            FileGroup::kOrientation);
+}
+
 TEST(KindOfContent, TellsTextsByTheirFirstRows) {
   for (const auto& [content, what] : std::vector<std::pair<std::string, std::string>>{
            {R"({"type":"FeatureCollection","features":[]})", "GeoJSON"},

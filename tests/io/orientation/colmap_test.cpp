@@ -154,6 +154,21 @@ TEST(ReadColmap, NoticesEveryTruncationOfABinaryModel) {
   }
 }
 
+/// A hole of 10 GB behind good images takes neither time nor memory.
+TEST(ReadColmap, RefusesAHoleAtOnce) {
+  constexpr std::uintmax_t kHuge_bytes = 10'000'000'000U;
+  const TempFolder text;
+  (void)folder_of(text);
+  std::filesystem::resize_file(text.file("sparse/images.txt"), kHuge_bytes);
+  EXPECT_THAT(io_error_of([&] { read_colmap(text.file("sparse")); }), HasSubstr("is no text"));
+  const TempFolder binary;
+  (void)binary.write("cameras.bin", binary_cameras());
+  (void)binary.write("images.bin", "\x7f" + binary_images().substr(1));
+  std::filesystem::resize_file(binary.file("images.bin"), kHuge_bytes);
+  EXPECT_THAT(io_error_of([&] { read_colmap(binary.file(".")); }),
+              HasSubstr("rotation quaternion"));
+}
+
 TEST(ReadPatch, TakesAColmapModelInPlaceOfImages) {
   const TempFolder folder;
   (void)folder_of(folder);

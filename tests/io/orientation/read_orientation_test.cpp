@@ -155,6 +155,39 @@ TEST(ReadOrientation, NamesTheOptionsWhereNothingDecides) {
               HasSubstr("give one of: angles: deg | angles: gon | angles: rad"));
 }
 
+/// The fixture's table with other names of columns, in the order of the fixture's columns.
+double worst_px_of_table(const std::string& header, const std::string& more_columns = "") {
+  std::ifstream stream(fixture::path_of("opk_deg.csv"));
+  std::string text = header + "\n";
+  std::string row;
+  std::getline(stream, row);
+  while (std::getline(stream, row)) text += row.substr(0, row.rfind(',')) + more_columns + "\n";
+  const TempFolder folder;
+  OrientationOptions options = with_cameras();
+  options.angles = AngleUnit::kDegree;
+  const Orientation orientation = read_orientation(folder.write("a.txt", text), options);
+  return fixture::worst_px(orientation, fixture::observations());
+}
+
+TEST(ReadOpkTable, KnowsTheHeadersOfOtherWriters) {
+  EXPECT_LT(worst_px_of_table("# Cameras (4)\n#PhotoID, X, Y, Z, Omega, Phi, Kappa, r11, r12",
+                              ",0.1,0.2"),
+            kExact_px);
+  EXPECT_LT(worst_px_of_table("imageName,X,Y,Z,Omega,Phi,Kappa"), kExact_px);
+  EXPECT_LT(worst_px_of_table("ID,EASTING,NORTHING,ELEVATION,OMEGA,PHI,KAPPA"), kExact_px);
+  EXPECT_LT(
+      worst_px_of_table("\"Label\",\"X/Easting\",\"Y/Northing\",\"Z/Altitude\",Omega,Phi,Kappa"),
+      kExact_px);
+}
+
+TEST(ReadOpkTable, TakesTheSystemOfAComment) {
+  const TempFolder folder;
+  const std::string file = folder.write(
+      "a.txt",
+      "# CoordinateSystem: EPSG:25832\n#Label X Y Z Omega[deg] Phi Kappa\na 1 2 3 4 5 6\n");
+  EXPECT_EQ(read_orientation(file).crs.definition, "EPSG:25832");
+}
+
 std::string error_of_text(const std::string& name, const std::string& text) {
   const TempFolder folder;
   return io_error_of([&] { read_orientation(folder.write(name, text)); });
@@ -169,6 +202,41 @@ std::string replaced(std::string text, const std::string& old, const std::string
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   return text.replace(at, old.size(), with);
+}
+
+struct Variant {
+  const char* file;
+  std::vector<std::pair<std::string, std::string>> replacements;
+};
+
+/// What other versions and programs write in place of parts of the fixture.
+TEST(ReadOrientation, ReadsWhatOtherWritersWrite) {
+  const std::vector<Variant> variants{
+      {"blocks_exchange_XRightYDown.xml",
+       {{"<SensorSize>36</SensorSize>", "<FocalLengthPixels>1300</FocalLengthPixels>"},
+        {"<CameraOrientation>XRightYDown</CameraOrientation>", ""}}},
+      {"metashape_local.xml",
+       {{"<components next_id=\"1\" active_id=\"0\"><component id=\"0\" label=\"Component 1\">",
+         ""},
+        {"</component></components>", ""}}},
+      {"block_calibrated_camera_parameters.txt", {}}};
+  for (const Variant& variant : variants) {
+    std::string text = text_of_fixture(variant.file);
+    for (const auto& [old, with] : variant.replacements) text = replaced(text, old, with);
+    const TempFolder folder;
+    (void)folder.write("block_offset.xyz", text_of_fixture("block_offset.xyz"));
+    const Orientation orientation = read_orientation(folder.write(variant.file, text));
+    EXPECT_LT(fixture::worst_px(orientation, fixture::observations()), kExact_px) << variant.file;
+  }
+}
+
+TEST(ReadInpho, TakesCamerasOfOlderProjects) {
+  const TempFolder folder;
+  const std::string text =
+      replaced(text_of_fixture("inpho.prj"), "$CAMERA_DEFINITION\n  $ID", "$CAMERA\n  $TYPE");
+  Orientation orientation = read_orientation(folder.write("a.prj", text));
+  orientation.cameras.at(0).interior.distortion = fixture::kDistortion;
+  EXPECT_LT(fixture::worst_px(orientation, fixture::observations()), kExact_px);
 }
 
 TEST(ReadOrientation, RefusesFisheyeByName) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/text/text.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// A row "$KEY : value" with the rows below it, up to the next key.
+struct InphoEntry {
+  int row = 0;  ///< for messages
+  std::string value;
+  std::vector<TextRow> rows;
+};
+
+/// What stands between $PHOTO or $CAMERA and the next such block. Of a key that stands several times the first counts.
+struct InphoBlock {
+  std::string name;
+  int row = 0;
+  bool is_closed = false;
+  std::map<std::string, InphoEntry, std::less<>> entries;
+
+  [[nodiscard]] const InphoEntry* find(std::string_view key) const {
+    const auto entry = entries.find(key);
+    return entry == entries.end() ? nullptr : &entry->second;
+  }
+  [[nodiscard]] std::string text(std::string_view key) const {
+    const InphoEntry* const entry = find(key);
+    return entry == nullptr ? "" : entry->value;
+  }
+};
+
+/// The blocks of a project file of Inpho. A new one begins at a key without blanks before it, and at each $PHOTO and
+/// $CAMERA_DEFINITION. Of cameras with several calibrations the keys of each have its number before them: "0/$ID". The
+/// rows point into `content`.
+std::vector<InphoBlock> inpho_blocks(std::string_view content);
+
+}  // namespace ridgeline::io
