@@ -107,7 +107,7 @@ class ColmapRows {
   }
 
  private:
-  /// A row is at most as long as that of an image with 100,000 points. A zero byte ends the reading.
+  /// A row is at most as long as that of an image with 100,000 points.
   bool read_row() {
     constexpr std::size_t kLongest = std::size_t{8} << 20U;
     row_.clear();
@@ -115,7 +115,7 @@ class ColmapRows {
     for (int c = buffer_->sbumpc(); c != std::char_traits<char>::eof(); c = buffer_->sbumpc()) {
       any = true;
       if (c == '\n') return true;
-      if (c == '\0' || row_.size() == kLongest) {
+      if (row_.size() == kLongest) {
         throw IoError(place(path_, number_ + 1), "is no text; the file is damaged");
       }
       row_ += static_cast<char>(c);

@@ -98,7 +98,8 @@ class OpkTable {
       fields[0] += " " + fields[1];
       fields.erase(fields.begin() + 1);
     }
-    const bool camera_is_missing = fields.size() + 1 == fewest && columns().back() == "camera";
+    const bool camera_is_missing =
+        !head_.columns.empty() && fields.size() + 1 == fewest && head_.columns.back() == "camera";
     if (fields.size() < fewest && !camera_is_missing) {
       throw IoError(
           where,

@@ -314,6 +314,13 @@ TEST(ReadOrientation, ReadsNoImageThatIsCutOff) {
   }
 }
 
+TEST(ReadOpkTable, RefusesRowsWithTooFewFields) {
+  EXPECT_THAT(error_of_text("a.txt", "a 1 2 3 4 5 6\nb 1 2 3 4 5\n"),
+              HasSubstr("a.txt:2: 6 fields"));
+  EXPECT_THAT(error_of_text("a.txt", "name,x,y,z,omega,phi,kappa,camera\na,1,2,3,4,5\n"),
+              HasSubstr("a.txt:2: 6 fields; name, x, y, z, omega, phi and kappa are needed in 8"));
+}
+
 TEST(ReadOrientation, RefusesWhatIsNoOrientation) {
   EXPECT_THAT(error_of_text("a.prj", ""), HasSubstr("is empty"));
   EXPECT_THAT(error_of_text("a.opk", "nothing here\n"),
