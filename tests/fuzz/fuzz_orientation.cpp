@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as an orientation of any format but COLMAP's, told apart as read_orientation() does, or as a file of cameras.
+// Any bytes as an orientation of any format but COLMAP's, told apart as read_orientation() does.
 #include "io/error.h"
-#include "io/orientation/camera_file.h"
 #include "io/orientation/read_orientation.h"
 #include "tests/fuzz/input_file.h"
 
@@ -13,10 +12,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.matrix = ridgeline::io::MatrixDirection::kWorldFromCamera;
   try {
     ridgeline::io::read_orientation(path, options);
-  } catch (const ridgeline::io::IoError&) {
-  }
-  try {
-    ridgeline::io::read_cameras(path);
   } catch (const ridgeline::io::IoError&) {
   }
   return 0;
