@@ -3,11 +3,14 @@
 
 #include "io/error.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -29,33 +32,50 @@ std::string class_of(const io::Line& line,
   return *epipolar_angle_deg <= max_aligned_angle_deg ? "aligned" : "not_aligned";
 }
 
-/// The segments that two images of the patch show of a line: the first two, or the first ones of its sightings.
-std::vector<io::LineSighting> two_sightings(const io::Line& line, const io::PatchFile& patch) {
-  if (line.left_px && line.right_px)
-    return {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
-  std::vector<io::LineSighting> two;
-  for (const io::LineSighting& s : line.sightings) {
-    if (two.size() < 2 && (two.empty() || two[0].image != s.image)) two.push_back(s);
+/// A segment that an image shows of a line, with its camera.
+struct SeenSegment {
+  ProjectionMatrix image_from_local;
+  Segment2 px;
+};
+
+/// The segments that the images of the patch show of a line.
+std::vector<SeenSegment> seen_segments(const io::Line& line,
+                                       const LocalFrame& frame,
+                                       const io::PatchFile& patch) {
+  std::vector<io::LineSighting> sightings = line.sightings;
+  if (sightings.empty() && line.left_px && line.right_px)
+    sightings = {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
+  std::vector<SeenSegment> seen;
+  for (const io::LineSighting& s : sightings) {
+    const auto image = std::ranges::find(patch.images, s.image, &io::PatchImage::id);
+    if (image == patch.images.end()) continue;
+    seen.push_back({image_from_local(image->image_from_world, frame.origin_m), s.px});
   }
-  return two;
+  return seen;
 }
 
-/// The image segments of a line that states them, with the cameras of their images.
+/// How well two images tell where a line lies: how far its segments are across the epipolar lines, pixels.
+double across_epipolar_px(const SeenSegment& a, const SeenSegment& b) {
+  if (a.image_from_local == b.image_from_local) return -1.0;
+  const std::array cameras{a.image_from_local, b.image_from_local};
+  return std::sin(epipolar_angle_rad(cameras, a.px, b.px)) * std::min(length(a.px), length(b.px));
+}
+
+/// The image segments of a line that states them: that of its first image, and of the image that together with it
+/// tells best where the line lies.
 std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::PatchFile>& patch) {
   if (!patch) return std::nullopt;
-  const std::vector<io::LineSighting> seen = two_sightings(line, *patch);
+  const std::vector<SeenSegment> seen = seen_segments(line, frame, *patch);
   if (seen.size() < 2) return std::nullopt;
-  evaluate::ImageEvidence evidence;
-  evidence.height_range_m = io::heights_in_local_m(*patch, frame);
-  for (const std::size_t i : {0U, 1U}) {
-    const auto image = std::ranges::find(patch->images, seen[i].image, &io::PatchImage::id);
-    if (image == patch->images.end()) return std::nullopt;
-    evidence.image_from_local[i] = image_from_local(image->image_from_world, frame.origin_m);
-    evidence.segments_px[i] = seen[i].px;
-  }
-  return evidence;
+  const auto other = std::ranges::max_element(
+      seen.begin() + 1, seen.end(), {},
+      [&](const SeenSegment& s) { return across_epipolar_px(seen[0], s); });
+  if (other->image_from_local == seen[0].image_from_local) return std::nullopt;
+  return evaluate::ImageEvidence{{seen[0].image_from_local, other->image_from_local},
+                                 {seen[0].px, other->px},
+                                 io::heights_in_local_m(*patch, frame)};
 }
 
 JudgedLine judged_line(const io::Line& line,
