@@ -17,6 +17,11 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
   if (spdlog::get_level() < spdlog::level::err) fmt::print(format, std::forward<Values>(values)...);
 }
 
+/// Prints what was decided to stderr.
+inline void inform_of(const std::vector<std::string>& decisions) {
+  for (const std::string& decision : decisions) spdlog::info("{}", decision);
+}
+
 /// Prints warnings to stderr.
 inline void warn_of(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) spdlog::warn("{}", warning);

@@ -4,6 +4,7 @@
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
+#include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
@@ -160,7 +161,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.line_paths = a.lines;
   options.cloud_paths = a.clouds;
   if (!a.patch.empty()) {
-    options.patch = io::read_patch(a.patch);
+    options.patch = read_patch(a.patch);
     options.patch_name = options.patch->id;
     if (!a.assume_crs.empty()) options.patch->crs.definition = a.assume_crs;
     if (options.cloud_paths.empty()) options.cloud_paths = options.patch->lidar;
@@ -192,7 +193,11 @@ std::vector<results::InputFile> inputs_of(const EvaluateArguments& a,
   for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
     inputs.push_back({"cloud", path});
   }
-  if (!a.patch.empty()) inputs.push_back({"patch", a.patch});
+  if (options.patch) {
+    inputs.push_back({"patch", a.patch});
+    for (const std::string& path : options.patch->orientation_files)
+      inputs.push_back({"orientation", path});
+  }
   if (options.reference_lines) inputs.push_back({"reference", *options.reference_lines});
   if (!a.parameters.config.empty()) inputs.push_back({"config", a.parameters.config});
   return inputs;
@@ -211,6 +216,11 @@ int run_evaluate(const EvaluateArguments& arguments) {
   results::RunRecord record("evaluate");
   const results::JudgeFilesOptions options = judge_files_options(arguments);
   record.set_options(echo(options));
+  if (options.patch) {
+    inform_of(options.patch->decisions);
+    warn_of(options.patch->warnings);
+    record.add_warnings(notes_on(*options.patch));
+  }
   const std::vector<results::InputFile> inputs = inputs_of(arguments, options);
   const std::vector<std::string> paths = results::paths_of(inputs);
   const results::OutputFolder out(arguments.out, paths);

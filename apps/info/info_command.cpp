@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/info/orientation_facts.h"
 #include "apps/info/own_files.h"
+#include "apps/pipeline/read_patch.h"
 #include "io/cloud/cloud_facts.h"
 #include "io/cloud/read_cloud.h"
 #include "io/crs/grid_scale.h"
@@ -172,7 +173,7 @@ std::vector<std::string> missing_files(const io::PatchFile& patch) {
 }
 
 void print_patch(const std::string& path) {
-  const io::PatchFile patch = io::read_patch(path);
+  const io::PatchFile patch = read_patch(path);
   fmt::print("{}: patch {}\n  heights     {:g} .. {:g} m\n", path, patch.id,
              patch.height_range_m[0], patch.height_range_m[1]);
   for (const io::PatchImage& image : patch.images) {
@@ -181,8 +182,12 @@ void print_patch(const std::string& path) {
                image.path, image_text(image.path), centre.x() / centre.w(), centre.y() / centre.w(),
                centre.z() / centre.w());
   }
+  if (!patch.orientation_files.empty())
+    fmt::print("  orientation {}\n", fmt::join(patch.orientation_files, " "));
   fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));
   print_crs(patch.crs);
+  for (const std::string& decision : patch.decisions) fmt::print("  decided     {}\n", decision);
+  print_warnings(patch.warnings);
   print_warnings(missing_files(patch));
   print_use(fmt::format("ridgeline run {} --out results", path));
 }
@@ -218,7 +223,7 @@ void print_patches(const std::string& folder, const io::FileKind& kind) {
   if (files.size() == 1) return print_patch(files.front());
   fmt::print("{}: {}\n", folder, kind.what.substr(2));
   for (const std::string& file : files) {
-    const io::PatchFile patch = io::read_patch(file);
+    const io::PatchFile patch = read_patch(file);
     fmt::print("  patch       {}: {}, {} images\n", patch.id, file, patch.images.size());
   }
   print_use(fmt::format("ridgeline run {} --out results", fmt::join(files, " ")));

@@ -5,6 +5,7 @@
 #include "apps/pipeline/image_points.h"
 #include "io/error.h"
 #include "io/orientation/footprints.h"
+#include "io/orientation/option_words.h"
 #include "io/orientation/read_orientation.h"
 
 #include <Eigen/Geometry>
@@ -13,16 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace ridgeline::apps {
 namespace {
-
-template <typename Value>
-std::optional<Value> value_of(const std::map<std::string, Value>& values, const std::string& word) {
-  const auto found = values.find(word);
-  return found == values.end() ? std::nullopt : std::optional(found->second);
-}
 
 /// The folder that the images are looked for in.
 std::string image_folder(const std::string& path, const OrientationArguments& arguments) {
@@ -35,17 +29,9 @@ io::OrientationOptions options_of(const std::string& path, const OrientationArgu
   io::OrientationOptions options;
   options.cameras = arguments.cameras;
   options.crs = {arguments.crs};
-  options.angles = value_of<io::AngleUnit>({{"deg", io::AngleUnit::kDegree},
-                                            {"gon", io::AngleUnit::kGon},
-                                            {"rad", io::AngleUnit::kRadian}},
-                                           arguments.angles);
-  options.rotation = value_of<io::RotationOrder>(
-      {{"opk", io::RotationOrder::kOmegaPhiKappa}, {"pok", io::RotationOrder::kPhiOmegaKappa}},
-      arguments.rotation);
-  options.matrix =
-      value_of<io::MatrixDirection>({{"world_from_camera", io::MatrixDirection::kWorldFromCamera},
-                                     {"camera_from_world", io::MatrixDirection::kCameraFromWorld}},
-                                    arguments.matrix);
+  options.angles = io::angle_unit_named(arguments.angles);
+  options.rotation = io::rotation_order_named(arguments.rotation);
+  options.matrix = io::matrix_direction_named(arguments.matrix);
   options.find_observations =
       [folder = image_folder(path, arguments)](const io::Orientation& orientation) {
         return find_image_points(orientation, folder);

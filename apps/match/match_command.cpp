@@ -7,6 +7,7 @@
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/match_tables.h"
 #include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/read_patch.h"
 #include "io/files/atomic_file.h"
 #include "io/images/png_writer.h"
 #include "io/project/matches_file.h"
@@ -98,7 +99,9 @@ void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
 int run_match(MatchArguments a) {
   a.options = read_parameters(a.parameters).method;
   a.options.matching.matchers = matchers_named(a.matchers);
-  io::PatchFile file = io::read_patch(a.patch);
+  io::PatchFile file = read_patch(a.patch);
+  inform_of(file.decisions);
+  warn_of(file.warnings);
   file.max_image_mpx = a.max_image_mpx;
   check_outputs(a, file);
   const LocalFrame frame = check_patch(file);

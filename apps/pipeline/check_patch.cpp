@@ -120,6 +120,7 @@ void check_image_ids(const io::PatchFile& patch) {
 
 std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
   std::vector<results::InputFile> files{{"patch", patch.path}};
+  for (const std::string& file : patch.orientation_files) files.push_back({"orientation", file});
   for (const io::PatchImage& image : patch.images) files.push_back({"image", image.path});
   for (const std::string& file : io::expand_patterns(patch.lidar)) files.push_back({"cloud", file});
   if (patch.reference_matches) files.push_back({"reference", *patch.reference_matches});

@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/images/image.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/pair_check/point_matches.h"
 #include "reconstruct/views/normalised_image.h"
 
@@ -27,11 +28,10 @@ struct Candidate {
 
 std::optional<Candidate> candidate_of(const io::Orientation& orientation,
                                       std::size_t number,
-                                      const std::string& folder) {
+                                      const std::optional<std::string>& file) {
   constexpr double kMost_mpx = 130.0;  // a whole image is decoded
   constexpr double kSameShape = 0.01;
   const io::OrientedImage& image = orientation.images[number];
-  const std::optional<std::string> file = image_file_in(folder, image);
   if (!file || !image.camera) return std::nullopt;
   const std::optional<Eigen::Vector2i>& size = orientation.cameras[*image.camera].interior.size_px;
   try {
@@ -48,11 +48,11 @@ std::optional<Candidate> candidate_of(const io::Orientation& orientation,
 
 /// The candidates that have files, at most `most`.
 std::vector<Candidate> candidates_of(const io::Orientation& orientation,
-                                     const std::string& folder) {
+                                     const io::ImageFiles& files) {
   constexpr std::size_t kMost = 200;
   std::vector<Candidate> found;
   for (std::size_t i = 0; i < orientation.images.size() && found.size() < kMost; ++i) {
-    if (auto candidate = candidate_of(orientation, i, folder)) found.push_back(*candidate);
+    if (auto candidate = candidate_of(orientation, i, files[i])) found.push_back(*candidate);
   }
   return found;
 }
@@ -105,9 +105,9 @@ std::optional<std::string> image_file_in(const std::string& folder,
 }
 
 std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
-                                                    const std::string& folder) {
+                                                    const io::ImageFiles& files) {
   constexpr std::size_t kMostPairs = 4;
-  const std::vector<Candidate> candidates = candidates_of(orientation, folder);
+  const std::vector<Candidate> candidates = candidates_of(orientation, files);
   std::vector<io::PointObservation> points;
   std::size_t n_points = 0;
   std::size_t n_pairs = 0;
@@ -122,6 +122,14 @@ std::vector<io::PointObservation> find_image_points(const io::Orientation& orien
     }
   }
   return points;
+}
+
+std::vector<io::PointObservation> find_image_points(const io::Orientation& orientation,
+                                                    const std::string& folder) {
+  return find_image_points(orientation,
+                           transformed(orientation.images, [&](const io::OrientedImage& image) {
+                             return image_file_in(folder, image);
+                           }));
 }
 
 }  // namespace ridgeline::apps

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/pipeline/parameters.h"
+#include "apps/pipeline/read_patch.h"
 #include "apps/python/bindings.h"
 #include "apps/python/clouds.h"
 #include "apps/python/entries.h"
@@ -16,6 +17,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,7 +72,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   std::string patch;
   take(entries, "patch", patch);
   if (!patch.empty()) {
-    options.patch = io::read_patch(patch);
+    options.patch = apps::read_patch(patch);
     if (options.cloud.assume_crs.known()) options.patch->crs = options.cloud.assume_crs;
     if (options.patch_name.empty()) options.patch_name = options.patch->id;
   } else if (entries.contains("views")) {
@@ -117,6 +119,8 @@ std::vector<results::InputFile> input_files(const LineSource& lines,
   }
   if (options.patch && options.patch->path != kViewsInMemory) {
     files.push_back({"patch", options.patch->path});
+    for (const std::string& path : options.patch->orientation_files)
+      files.push_back({"orientation", path});
   }
   if (references) add("reference", *references);
   std::string config;
@@ -157,6 +161,9 @@ Judged evaluate_lines(const py::object& lines,
     if (truth) take_crs(files.crs(), *truth, *to_judge.references);
     judged.files = results::judge_lines(std::move(to_judge), files, options, judged.record);
   });
+  if (options.patch) {
+    std::ranges::move(apps::notes_on(*options.patch), std::back_inserter(judged.files.warnings));
+  }
   std::erase_if(judged.inputs, [&](const results::InputFile& file) {
     return std::ranges::find(judged.files.unread_clouds, file.path) !=
            judged.files.unread_clouds.end();

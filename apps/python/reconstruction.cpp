@@ -3,6 +3,7 @@
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/parameters.h"
 #include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/read_patch.h"
 #include "apps/pipeline/reconstructed_lines.h"
 #include "apps/python/bindings.h"
 #include "apps/python/entries.h"
@@ -59,6 +60,7 @@ py::dict lines_of(const io::PatchFile& patch,
     io::LineSet set =
         apps::line_set_of(found.lines, found.scene, patch.crs, options.estimation.lines.method,
                           options.estimation.lines.max_aligned_angle_deg);
+    std::ranges::move(apps::notes_on(patch), std::back_inserter(set.warnings));
     std::ranges::move(doubts, std::back_inserter(set.warnings));
     return set;
   }));
@@ -76,7 +78,7 @@ py::dict reconstruct_views(const py::dict& entries) {
 }
 
 py::dict reconstruct_patch(const std::string& path, const py::dict& entries) {
-  const io::PatchFile patch = io::read_patch(path);
+  const io::PatchFile patch = apps::read_patch(path);
   return lines_of(patch, options_of(entries), [&] {
     (void)apps::check_patch(patch);
     return apps::patch_images(patch);

@@ -6,6 +6,7 @@
 #include "apps/pipeline/check_patch.h"
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/read_patch.h"
 #include "apps/pipeline/reconstructed_lines.h"
 #include "io/cloud/labelled_points.h"
 #include "io/cloud/las_writer.h"
@@ -156,7 +157,9 @@ int run_reconstruct(ReconstructArguments a) {
   a.options.matching.matchers = matchers_named(a.matchers);
   a.options.estimation.lines.method = method_named(a.method);
   check_preset(a.parameters, {a.options.estimation.lines.method});
-  io::PatchFile patch = io::read_patch(a.patch);
+  io::PatchFile patch = read_patch(a.patch);
+  inform_of(patch.decisions);
+  warn_of(patch.warnings);
   patch.max_image_mpx = a.max_image_mpx;
   const LocalFrame frame = check_patch(patch);
   check_out(a, results::paths_of(input_files(patch)));

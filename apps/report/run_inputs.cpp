@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/run_inputs.h"
 
+#include "apps/pipeline/read_patch.h"
 #include "io/error.h"
 #include "io/results/judge_files.h"
 #include "reconstruct/geometry/epipolar.h"
@@ -86,7 +87,8 @@ std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
   std::optional<io::IoError> first_error;  // thrown only if no patch has the id
   for (const std::string& path : paths("patch")) {
     try {
-      io::PatchFile patch = io::read_patch(unchanged(path));
+      io::PatchFile patch = read_patch(unchanged(path));
+      for (const std::string& file : patch.orientation_files) (void)unchanged(file);
       patch.max_image_mpx = options_.value("max_image_mpx", 0.0);
       if (patch.id == id) return patch;
     } catch (const io::IoError& error) {

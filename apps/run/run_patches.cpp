@@ -4,6 +4,7 @@
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
 #include "apps/pipeline/parameters.h"
+#include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
@@ -28,7 +29,8 @@ std::vector<CheckedPatch> read_patches(const std::vector<std::string>& files,
   std::vector<CheckedPatch> patches;
   std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
-    io::PatchFile patch = io::read_patch(file);
+    io::PatchFile patch = read_patch(file);
+    inform_of(patch.decisions);
     if (options.assume_crs.known()) patch.crs = options.assume_crs;
     patch.max_image_mpx = options.max_image_mpx;
     const auto [other, is_new] = file_of_id.emplace(io::lower_case(patch.id), file);
@@ -104,10 +106,10 @@ std::vector<std::string> same_pictures(const io::PatchFile& patch) {
   return warnings;
 }
 
-std::vector<std::string> warnings_of_images(const std::vector<CheckedPatch>& patches,
-                                            bool all_views) {
+std::vector<std::string> early_warnings(const std::vector<CheckedPatch>& patches, bool all_views) {
   std::vector<std::string> warnings;
   for (const auto& [patch, frame] : patches) {
+    std::ranges::copy(patch.warnings, std::back_inserter(warnings));
     std::ranges::move(same_pictures(patch), std::back_inserter(warnings));
     if (patch.images.size() == 2 || all_views) continue;
     warnings.push_back(fmt::format(
@@ -126,9 +128,11 @@ void run_patches(const std::string& command,
   results::RunRecord record(command);
   record.set_options(echo_options(options));
   const std::vector<CheckedPatch> patches = read_patches(patch_files, options);
-  const std::vector<std::string> early =
-      warnings_of_images(patches, options.parameters.method.matching.tracks.all_views);
+  std::vector<std::string> early =
+      early_warnings(patches, options.parameters.method.matching.tracks.all_views);
   warn_of(early);  // now, because they may say why the work fails
+  for (const auto& [patch, frame] : patches)
+    early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
   record.add_warnings(early);
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));

@@ -9,13 +9,15 @@ namespace ridgeline::io {
 
 PatchImage oriented_patch_image(const Orientation& orientation,
                                 const OrientedImage& image,
-                                const std::string& path) {
+                                const std::string& path,
+                                const Eigen::Vector2d& window_px) {
   check(image.camera.has_value(), "image ", image.name, ", must have a camera");
   const InteriorOrientation& interior = orientation.cameras[*image.camera].interior;
   PatchImage made;
   made.id = std::filesystem::path(file_name_of(image)).stem().string();
   made.path = path;
-  made.image_from_world = projection_matrix(interior, image.exterior);
+  made.window_px = window_px;
+  made.image_from_world = window_from_world(projection_matrix(interior, image.exterior), window_px);
   made.interior = interior;
   return made;
 }

@@ -8,11 +8,12 @@
 
 namespace ridgeline::io {
 
-/// An image of an orientation as an image of a patch that shows its whole frame. `path` is the image file; `id` the last
-/// part of the image's name without its extension.
+/// An image of an orientation as an image of a patch. `path` is the image file, which shows the frame from `window_px` on;
+/// `id` the last part of the image's name without its extension.
 /// Throws std::invalid_argument if the image has no camera.
 PatchImage oriented_patch_image(const Orientation& orientation,
                                 const OrientedImage& image,
-                                const std::string& path);
+                                const std::string& path,
+                                const Eigen::Vector2d& window_px = Eigen::Vector2d::Zero());
 
 }  // namespace ridgeline::io

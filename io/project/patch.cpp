@@ -3,6 +3,7 @@
 
 #include "io/files/yaml_check.h"
 #include "io/orientation/colmap.h"
+#include "io/project/patch_orientation.h"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -32,15 +33,17 @@ class PatchReader {
         folder_(std::filesystem::path(path).parent_path()),
         map_(path,
              load_yaml(path, Expected::kPatch),
-             {"id", "crs", "height_range", "images", "colmap", "colmap_images", "lidar",
-              "reference_matches", "reference_tracks", "reference_lines"}) {}
+             {"id", "crs", "height_range", "images", "orientation", "cameras", "angles", "rotation",
+              "matrix", "colmap", "colmap_images", "lidar", "reference_matches", "reference_tracks",
+              "reference_lines"}) {}
 
-  [[nodiscard]] PatchFile read() const {
+  [[nodiscard]] PatchFile read(const FindPatchPoints& find) {
     PatchFile patch;
     patch.path = path_;
     patch.id = map_.text("id");
     patch.crs = crs();
     patch.height_range_m = height_range();
+    read_orientation(find, patch);
     patch.images = images();
     check_images(patch.images);
     if (map_.has("lidar")) {
@@ -72,6 +75,43 @@ class PatchReader {
     return crs;
   }
 
+  /// Reads the orientation if the patch names one. The patch takes its reference system if it states none itself.
+  void read_orientation(const FindPatchPoints& find, PatchFile& patch) {
+    if (!map_.has("orientation")) {
+      for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
+        if (map_.has(key)) map_.fail(key, fmt::format("{} needs orientation", key));
+      }
+      return;
+    }
+    if (map_.has("colmap")) map_.fail("orientation", "orientation needs images, not colmap");
+    orientation_.emplace(map_, folder_, patch.crs, images_to_orient(), find);
+    if (!patch.crs.known()) patch.crs = orientation_->crs();
+    patch.orientation_files = orientation_->files();
+    patch.decisions = orientation_->decisions();
+    patch.warnings = orientation_->warnings();
+  }
+
+  [[nodiscard]] std::vector<ImageToOrient> images_to_orient() const {
+    std::vector<ImageToOrient> images;
+    for (const YAML::Node& node : image_list()) {
+      const YamlMap map = image_map(node);
+      if (takes_orientation(map)) images.push_back(image_to_orient(map));
+    }
+    return images;
+  }
+
+  [[nodiscard]] static bool takes_orientation(const YamlMap& image) {
+    return !image.has("projection_matrix") && !image.has("interior") && !image.has("exterior");
+  }
+
+  [[nodiscard]] ImageToOrient image_to_orient(const YamlMap& map) const {
+    const std::string path = resolved(map.text("path"));
+    return {.name = map.has("name") ? map.text("name")
+                                    : std::filesystem::path(path).filename().string(),
+            .path = path,
+            .is_whole = !map.has("window_px")};
+  }
+
   [[nodiscard]] std::array<double, 2> height_range() const {
     const std::vector<double> range = map_.numbers("height_range", 2);
     if (range[0] >= range[1]) {
@@ -89,11 +129,21 @@ class PatchReader {
     }
     if (map_.has("colmap")) return colmap_images();
     if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images needs colmap");
-    const YAML::Node list = map_.node("images");
-    if (!list.IsSequence()) map_.fail("images", "images must be a list");
     std::vector<PatchImage> images;
-    for (const YAML::Node& node : list) images.push_back(image(node));
+    for (const YAML::Node& node : image_list()) images.push_back(image(image_map(node)));
     return images;
+  }
+
+  [[nodiscard]] YAML::Node image_list() const {
+    YAML::Node list = map_.node("images");
+    if (!list.IsSequence()) map_.fail("images", "images must be a list");
+    return list;
+  }
+
+  [[nodiscard]] YamlMap image_map(const YAML::Node& node) const {
+    return {path_,
+            node,
+            {"id", "path", "projection_matrix", "interior", "exterior", "window_px", "name"}};
   }
 
   [[nodiscard]] std::vector<PatchImage> colmap_images() const {
@@ -111,9 +161,27 @@ class PatchReader {
     return images;
   }
 
-  [[nodiscard]] PatchImage image(const YAML::Node& node) const {
-    const YamlMap map(path_, node,
-                      {"id", "path", "projection_matrix", "interior", "exterior", "window_px"});
+  [[nodiscard]] static Eigen::Vector2d window_px(const YamlMap& map) {
+    if (!map.has("window_px")) return Eigen::Vector2d::Zero();
+    const std::vector<double> window = map.numbers("window_px", 2);
+    return {window[0], window[1]};
+  }
+
+  [[nodiscard]] PatchImage oriented_image(const YamlMap& map) const {
+    try {
+      PatchImage image = orientation_->oriented(image_to_orient(map), window_px(map));
+      image.id = map.has("id") ? map.text("id") : std::filesystem::path(image.path).stem().string();
+      return image;
+    } catch (const std::invalid_argument& error) {
+      map.fail(map.has("name") ? "name" : "path", error.what());
+    }
+  }
+
+  [[nodiscard]] PatchImage image(const YamlMap& map) const {
+    if (orientation_ && takes_orientation(map)) return oriented_image(map);
+    if (map.has("name")) {
+      map.fail("name", "name needs an orientation, and an image without a camera of its own");
+    }
     PatchImage image;
     image.id = map.text("id");
     image.path = resolved(map.text("path"));
@@ -126,13 +194,12 @@ class PatchReader {
       return image;
     }
     if (!map.has("interior") || !map.has("exterior")) {
-      map.fail("interior", "projection_matrix is missing, or interior and exterior in its place");
+      map.fail("interior",
+               "projection_matrix is missing, or in its place interior and exterior, or the "
+               "orientation of the patch");
     }
     image.interior = interior(map.node("interior"));
-    if (map.has("window_px")) {
-      const std::vector<double> window = map.numbers("window_px", 2);
-      image.window_px = {window[0], window[1]};
-    }
+    image.window_px = window_px(map);
     image.image_from_world = window_from_world(
         projection_matrix(*image.interior, exterior(map.node("exterior"))), image.window_px);
     return image;
@@ -208,6 +275,7 @@ class PatchReader {
   std::string path_;
   std::filesystem::path folder_;
   YamlMap map_;
+  std::optional<PatchOrientation> orientation_;
 };
 
 }  // namespace
@@ -231,6 +299,8 @@ std::array<double, 2> heights_in_local_m(const PatchFile& patch, const LocalFram
           patch.height_range_m[1] - frame.origin_m.z()};
 }
 
-PatchFile read_patch(const std::string& path) { return PatchReader(path).read(); }
+PatchFile read_patch(const std::string& path, const FindPatchPoints& find) {
+  return PatchReader(path).read(find);
+}
 
 }  // namespace ridgeline::io

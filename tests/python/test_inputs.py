@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import copy
 import pickle
+import re
 import unittest
 import warnings
 
@@ -122,7 +123,46 @@ class LinesInFiles(Case):
             ridgeline.write_lines(self.folder / "lines.doc", np.zeros((1, 6)))
 
 
+def pose_and_camera(matrix, size_px):
+    """The row of a table of orientations, and the entry of a file of cameras, of a projection matrix without skew."""
+    m = matrix / np.linalg.norm(matrix[2, :3])
+    m *= np.sign(np.linalg.det(m[:, :3]))
+    centre = np.linalg.solve(m[:, :3], -m[:, 3])
+    point_px = m[:2, :3] @ m[2, :3]
+    axes = m[:, :3].copy()
+    axes[:2] -= np.outer(point_px, m[2, :3])
+    focal_px = np.linalg.norm(axes[0])
+    axes[:2] /= focal_px
+    r = axes.T @ np.diag([1.0, -1.0, -1.0])
+    angles = np.degrees([np.arctan2(-r[1, 2], r[2, 2]), np.arcsin(r[0, 2]), np.arctan2(-r[0, 1], r[0, 0])])
+    right, down = point_px - (np.array(size_px) - 1) / 2
+    camera = (f"{{focal_length_mm: {focal_px!r}, pixel_size_um: 1000, size_px: {list(size_px)}, "
+              f"principal_point_mm: [{right!r}, {-down!r}]}}")
+    return ",".join(repr(float(number)) for number in (*centre, *angles)), camera
+
+
 class Reconstruct(Case):
+    def test_a_patch_takes_its_cameras_from_an_orientation(self):
+        numbers = re.findall(r"- \[(.*)\]", PATCH.read_text())
+        matrices = np.array([row.split(",") for row in numbers], dtype=float).reshape(2, 3, 4)
+        sizes = re.findall(r"(\d+) x (\d+) px", program("info", PATCH).stdout.decode())
+        table, cameras = "name,x,y,z,omega,phi,kappa,camera\n", ""
+        for name, matrix, size in zip(("left", "right"), matrices, sizes):
+            pose, camera = pose_and_camera(matrix, tuple(map(int, size)))
+            table += f"{name},{pose},{name}\n"
+            cameras += f"{name}: {camera}\n"
+        (self.folder / "opk.csv").write_text(table)
+        (self.folder / "cameras.yaml").write_text(cameras)
+        patch = self.folder / "patch.yaml"
+        patch.write_text("id: 1\ncrs: EPSG:25832\nheight_range: [229, 280]\norientation: opk.csv\n"
+                         f"cameras: cameras.yaml\nimages: [path: {SAMPLE}/left.tif, path: {SAMPLE}/right.tif]\n")
+        with self.assertWarnsRegex(UserWarning, "opk.csv: .*Decided: angles in deg "):
+            lines = ridgeline.reconstruct(patch, method="direct")
+        self.assertEqual(len(lines), len(ridgeline.reconstruct(PATCH, method="direct")))
+        (self.folder / "opk.csv").unlink()
+        with self.assertRaisesRegex(Exception, "opk.csv: no such file"):
+            ridgeline.reconstruct(patch)
+
     def test_a_patch_gives_the_lines_of_the_program(self):
         file = self.folder / "lines.geojson"
         program("reconstruct", PATCH, "--method", "network", "--out", file)

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/orientation/orientation.h"
+
+#include <cstddef>
+#include <string>
+
+namespace ridgeline::io {
+
+/// The number in Orientation::images of the image that `name` means: the one of this name; else the one with its last
+/// part, behind folders; else the one with its last part without the extension, as many programs leave that out.
+/// Throws std::invalid_argument, which names images of the orientation, if no image or several are meant.
+std::size_t image_of_name(const Orientation& orientation, const std::string& name);
+
+}  // namespace ridgeline::io

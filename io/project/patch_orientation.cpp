@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/project/patch_orientation.h"
+
+#include "io/orientation/option_words.h"
+#include "io/project/image_of_name.h"
+#include "io/project/oriented_patch_image.h"
+#include "reconstruct/geometry/transformed.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+
+namespace ridgeline::io {
+namespace fs = std::filesystem;
+namespace {
+
+std::string resolved(const fs::path& folder, const std::string& file) {
+  return (folder / file).lexically_normal().string();
+}
+
+/// What a word of the patch file means. Throws IoError for a word that is not known.
+template <typename Meaning>
+auto stated(const YamlMap& patch, const char* key, const Meaning& meaning, const char* known)
+    -> decltype(meaning("")) {
+  if (!patch.has(key)) return std::nullopt;
+  const std::string word = patch.text(key);
+  const auto value = meaning(word);
+  if (!value) patch.fail(key, fmt::format("{} = {}; must be {}", key, word, known));
+  return value;
+}
+
+/// The files of the images of an orientation, where the patch has them whole.
+ImageFiles files_of(const Orientation& orientation, const std::vector<ImageToOrient>& images) {
+  ImageFiles files(orientation.images.size());
+  for (const ImageToOrient& image : images) {
+    if (!image.is_whole) continue;
+    try {
+      files[image_of_name(orientation, image.name)] = image.path;
+    } catch (const std::invalid_argument&) {
+      continue;  // oriented() says so
+    }
+  }
+  return files;
+}
+
+std::vector<std::string> with_path(const std::string& path, const std::vector<std::string>& texts) {
+  return transformed(texts, [&](const std::string& text) { return path + ": " + text; });
+}
+
+}  // namespace
+
+PatchOrientation::PatchOrientation(const YamlMap& patch,
+                                   const fs::path& folder,
+                                   const Crs& crs,
+                                   const std::vector<ImageToOrient>& images,
+                                   const FindPatchPoints& find)
+    : path_(resolved(folder, patch.text("orientation"))),
+      cameras_(patch.has("cameras") ? resolved(folder, patch.text("cameras")) : "") {
+  OrientationOptions options = stated_options(patch);
+  options.crs = crs;
+  if (find) {
+    options.find_observations = [&](const Orientation& orientation) {
+      return find(orientation, files_of(orientation, images));
+    };
+  }
+  orientation_ = read_orientation(path_, options);
+  compare_systems(patch, crs);
+}
+
+OrientationOptions PatchOrientation::stated_options(const YamlMap& patch) const {
+  OrientationOptions options;
+  options.cameras = cameras_;
+  options.angles = stated(patch, "angles", angle_unit_named, "deg, gon or rad");
+  options.rotation = stated(patch, "rotation", rotation_order_named, "opk or pok");
+  options.matrix =
+      stated(patch, "matrix", matrix_direction_named, "world_from_camera or camera_from_world");
+  return options;
+}
+
+void PatchOrientation::compare_systems(const YamlMap& patch, const Crs& crs) {
+  if (!crs.known() || !orientation_.crs.known()) return;
+  const CrsAgreement agreement = compare(crs, orientation_.crs);
+  if (!agreement.compatible) {
+    patch.fail("crs",
+               fmt::format("patch and orientation {} do not match: {}; transform one of them",
+                           path_, agreement.reason));
+  }
+  if (!agreement.warning.empty()) orientation_.warnings.push_back(agreement.warning);
+}
+
+PatchImage PatchOrientation::oriented(const ImageToOrient& image,
+                                      const Eigen::Vector2d& window_px) const {
+  try {
+    const OrientedImage& found = orientation_.images[image_of_name(orientation_, image.name)];
+    if (!found.camera) {
+      throw std::invalid_argument(fmt::format(
+          "does not state the camera of image {}; name a file of cameras by the key cameras",
+          found.name));
+    }
+    return oriented_patch_image(orientation_, found, image.path, window_px);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("orientation {} {}", path_, error.what()));
+  }
+}
+
+std::vector<std::string> PatchOrientation::files() const {
+  std::vector<std::string> files;
+  if (fs::is_directory(path_)) {
+    for (const char* name : {"cameras.bin", "cameras.txt", "images.bin", "images.txt"}) {
+      if (const fs::path file = fs::path(path_) / name; fs::exists(file))
+        files.push_back(file.string());
+    }
+  } else {
+    files.push_back(path_);
+  }
+  if (!cameras_.empty()) files.push_back(cameras_);
+  return files;
+}
+
+std::vector<std::string> PatchOrientation::decisions() const {
+  return with_path(path_, orientation_.decisions);
+}
+
+std::vector<std::string> PatchOrientation::warnings() const {
+  return with_path(path_, orientation_.warnings);
+}
+
+}  // namespace ridgeline::io
