@@ -31,7 +31,7 @@ std::string advice_on(FileGroup group) {
     case kSegments:
       return "leave it beside its matches.csv, where reconstruct finds it";
     case kOrientation:
-      return "ridgeline info shows it";
+      return "ridgeline info shows it, and a patch file names it as orientation";
     case kEvaluation:
     case kResult:
       return "give the folder that it lies in, to gate, compare or report";

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -79,6 +80,35 @@ TEST_F(DroneImages, AreAllUsedAndThoseOfThreeLieOnTheSurface) {
   EXPECT_EQ(three["gross_share"], 0.0);
   EXPECT_GT(two["n_lines"], 350);
   EXPECT_LT(three["median_m"].get<double>(), two["median_m"].get<double>());
+}
+
+/// The same patch, of which the table itself is the orientation.
+std::string oriented_patch_of(const std::filesystem::path& folder) {
+  std::string text = fmt::format(
+      "id: drone\ncrs: EPSG:32651\nheight_range: [85, 112]\norientation: {}\ncameras: "
+      "cameras.yaml\nangles: deg\nimages:\n",
+      (folder / "odm_xyz_opk.csv").string());
+  for (const char* name : {"0142", "0018", "0136", "0140"})
+    text += fmt::format("  - path: {}/100_0005_{}.tif\n", folder.string(), name);
+  return text;
+}
+
+TEST_F(DroneImages, AreMatchedAlikeByTheirTableOfOrientations) {
+  const std::filesystem::path folder = shared_data("drone_odm");
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  const nlohmann::json cameras = read_json(folder / "reconstruction.json")[0]["cameras"];
+  write(path("cameras.yaml"), "FC6310R: " + interior_of(*cameras.begin()) + "\n");
+  write(path("typed.yaml"), patch_of(folder));
+  write(path("oriented.yaml"), oriented_patch_of(folder));
+  for (const char* name : {"typed", "oriented"}) {
+    const ProgramResult result =
+        run({"match", std::string(name) + ".yaml", "--out", std::string(name) + "/matches.csv"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  const std::string matches = read(path("oriented/matches.csv"));
+  EXPECT_GT(std::ranges::count(matches, '\n'), 10);
+  EXPECT_EQ(std::ranges::count(matches, '\n'),
+            std::ranges::count(read(path("typed/matches.csv")), '\n'));
 }
 
 }  // namespace

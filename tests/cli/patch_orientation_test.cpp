@@ -16,6 +16,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Camera and pose of a projection matrix without skew.
 struct DecomposedCamera {
@@ -128,6 +129,13 @@ TEST_F(OrientedPatch, IsMatchedAnewIfThePosesHaveChanged) {
   const ProgramResult raised = run_oriented({"--resume"});
   EXPECT_EQ(raised.exit_code, 0) << raised.err;
   EXPECT_THAT(raised.err, HasSubstr("2 finished stages skipped"));  // the segments of two images
+}
+
+TEST_F(OrientedPatch, IsNotReportedOnIfTheTableHasChanged) {
+  ASSERT_EQ(run_oriented().exit_code, 0);
+  EXPECT_THAT(run({"report", "out"}).err, Not(HasSubstr("opk.csv")));
+  write(path("patch/opk.csv"), read(path("patch/opk.csv")) + "further,1,2,3,0,0,0,of_left\n");
+  EXPECT_THAT(run({"report", "out"}).err, HasSubstr("opk.csv: has changed since the run"));
 }
 
 TEST_F(OrientedPatch, ServesEveryCommandThatTakesPatches) {
