@@ -156,10 +156,14 @@ std::string evidence_text(const Evidence& evidence,
   for (const Evidence& evidence : evidences) {
     if (!evidence.values.empty()) texts.push_back(evidence_text(evidence, readings));
   }
+  const std::string tried =
+      texts.empty()
+          ? "points need images and cameras (cameras: FILE), strips three images that look down"
+          : fmt::format("{}", fmt::join(texts, "; "));
   throw IoError(path,
                 fmt::format("does not state how its rotations are meant, and neither points in "
                             "images nor strips tell ({}); give one of: {}",
-                            fmt::join(texts, "; "), fmt::join(options, " | ")));
+                            tried, fmt::join(options, " | ")));
 }
 
 }  // namespace

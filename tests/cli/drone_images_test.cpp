@@ -52,7 +52,13 @@ std::string patch_of(const std::filesystem::path& folder) {
   return text;
 }
 
-class DroneImages : public Cli {};
+class DroneImages : public Cli {
+ protected:
+  void SetUp() override {
+    Cli::SetUp();
+    if (test::kIsSanitized) GTEST_SKIP() << "takes minutes there; three_images_test.cpp is short";
+  }
+};
 
 TEST_F(DroneImages, AreAllUsedAndThoseOfThreeLieOnTheSurface) {
   const std::filesystem::path folder = shared_data("drone_odm");

@@ -123,6 +123,15 @@ TEST(DecideRotations, AsksWhereTheStripsDoNotTell) {
               HasSubstr("give one of: angles: deg | angles: gon"));
 }
 
+TEST(DecideRotations, SaysWhatWouldTellWhereThereIsNothing) {
+  Orientation block = strips(33.0);
+  block.images.resize(2);
+  const std::vector<RotationReading> readings{reading_of(block, "deg", 1.0),
+                                              reading_of(block, "gon", 0.9)};
+  EXPECT_THAT(io_error_of([&] { decide_rotations("a.csv", readings, {}, block); }),
+              HasSubstr("(points need images and cameras (cameras: FILE)"));
+}
+
 TEST(DecideRotations, TakesTheFirstOfThoseThatMeanTheSame) {
   Orientation block = strips(0.0);
   block.images.resize(4);
