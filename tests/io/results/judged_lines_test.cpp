@@ -52,6 +52,14 @@ TEST(JudgedLines, EvidenceIsOfTheImageThatTellsBestWhereTheLineLies) {
             patch.images[1].image_from_world);
 }
 
+TEST(JudgedLines, EvidenceIsNotOfAShortPieceWhereAWholeSegmentTellsAsMuch) {
+  const Segment3 across_both{{10, 20, 5}, {30, 40, 5}};
+  io::LineSet set = lines_seen_by(across_both, {"a", "c", "b"});
+  Segment2& piece = set.lines[0].sightings[1].px;
+  piece.end = point_at(piece, 0.2);
+  EXPECT_EQ(evidence_beside_the_first(set), patch_of_three().images[1].image_from_world);
+}
+
 TEST(JudgedLines, EvidenceNeedsTwoImagesOfThePatch) {
   EXPECT_FALSE(judged_lines_of(lines_seen_by(kAlongX, {"a", "a"}), {}, patch_of_three())[0].images);
   io::LineSet set = lines_seen_by(kAlongX, {"a", "b"});

@@ -24,7 +24,7 @@ struct BlockCamera {
   double tilt_deg = 0.0;  ///< about both axes
 };
 
-inline constexpr int kBlockImage_px = 4000;
+inline constexpr int kBlockImage_px = 5000;  // all views show what lies near the origin
 
 /// 0.1 m on the ground from 800 m above it.
 inline ProjectionMatrix block_camera(const BlockCamera& camera) {

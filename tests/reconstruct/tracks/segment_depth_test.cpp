@@ -119,6 +119,24 @@ TEST(ProposeTrack, LeavesOutTheSegmentThatAllOtherViewsContradict) {
   EXPECT_NEAR(track->depth.heights_m[1], line.end.z(), kHeight_m);
 }
 
+TEST(ProposeTrack, ParallelSegmentsBesideTheLineLowerTheOddsByTheirDensity) {
+  const Segment3 line{{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}};
+  BlockScene lone;
+  lone.add(line);
+  BlockScene crowded = lone;
+  for (const double beside_m : {-0.8, 0.8}) {  // 7 px across, which is no sighting
+    const Eigen::Vector3d by_m(0.0, beside_m, 0.0);
+    crowded.lines.push_back({line.start + by_m, line.end + by_m});
+    crowded.show(3, static_cast<int>(crowded.lines.size()) - 1, 0.0, 1.0);
+  }
+  const auto among_none = proposed(lone, {0, 0});
+  const auto among_two = proposed(crowded, {0, 0});
+  ASSERT_TRUE(among_none && among_two);
+  EXPECT_EQ(among_none->seen, among_two->seen);
+  constexpr double kLess = 0.1;  // the share 1 - seen_share = 0.3 beside odds of 3 and more
+  EXPECT_NEAR(among_none->log_odds - among_two->log_odds, std::log(3.5 / 1.5), kLess);
+}
+
 TEST(ProposeTrack, OfTwoViewsIsNothing) {
   BlockScene block;
   block.add({{-5.0, -3.0, 4.0}, {5.0, 4.0, 5.0}}, {2, 3, 4});
