@@ -52,9 +52,9 @@ TEST(JudgedLines, EvidenceIsOfTheImageThatTellsBestWhereTheLineLies) {
             patch.images[1].image_from_world);
 }
 
-TEST(JudgedLines, EvidenceIsNotOfAShortPieceWhereAWholeSegmentTellsAsMuch) {
-  const Segment3 across_both{{10, 20, 5}, {30, 40, 5}};
-  io::LineSet set = lines_seen_by(across_both, {"a", "c", "b"});
+TEST(JudgedLines, EvidenceIsOfAWholeSegmentBeforeAShortPiece) {
+  const Segment3 rather_across_c{{10, 20, 5}, {40, 35, 5}};
+  io::LineSet set = lines_seen_by(rather_across_c, {"a", "c", "b"});
   Segment2& piece = set.lines[0].sightings[1].px;
   piece.end = point_at(piece, 0.2);
   EXPECT_EQ(evidence_beside_the_first(set), patch_of_three().images[1].image_from_world);
