@@ -74,7 +74,8 @@ constexpr std::array kCommands{
             add_reconstruct},
     Command{"simulate", "a synthetic village: images, LIDAR, true lines",
             "  ridgeline simulate --out village\n"
-            "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7",
+            "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7\n"
+            "  ridgeline simulate --out block --frame-px 7680,13824 --orientation inpho",
             add_simulate},
     Command{"info", "what a file or folder is, and what to do with it",
             "  ridgeline info lidar.laz roofs.gpkg\n"

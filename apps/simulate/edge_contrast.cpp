@@ -7,11 +7,12 @@
 namespace ridgeline::simulate {
 namespace {
 
-/// Value of a band in [0, 1], bilinear; outside of the image that of the nearest pixel.
-double sample(const cv::Mat& image, const Eigen::Vector2d& x_px, int band) {
+/// Value of a band in [0, 1], bilinear; outside of the window that of the nearest pixel.
+double sample(const ImageWindow& window, const Eigen::Vector2d& x_px, int band) {
+  const cv::Mat& image = window.pixels;
   const auto at = [&](int column, int row) -> double {
-    const int c = std::clamp(column, 0, image.cols - 1);
-    const int r = std::clamp(row, 0, image.rows - 1);
+    const int c = std::clamp(column - window.corner_px.x(), 0, image.cols - 1);
+    const int r = std::clamp(row - window.corner_px.y(), 0, image.rows - 1);
     const std::size_t i = static_cast<std::size_t>(c) * image.channels() + band;
     return image.depth() == CV_8U ? image.ptr<std::uint8_t>(r)[i] / 255.0
                                   : image.ptr<std::uint16_t>(r)[i] / 65535.0;
@@ -26,16 +27,16 @@ double sample(const cv::Mat& image, const Eigen::Vector2d& x_px, int band) {
 
 }  // namespace
 
-double contrast_across(const cv::Mat& image, const Segment2& segment_px) {
+double contrast_across(const ImageWindow& window, const Segment2& segment_px) {
   constexpr double kBesidePx = 1.5;
   const Eigen::Vector2d side = kBesidePx * normal(segment_px);
   const int samples = 1 + static_cast<int>(length(segment_px));
   double largest = 0.0;
-  for (int band = 0; band < image.channels(); ++band) {
+  for (int band = 0; band < window.pixels.channels(); ++band) {
     double sum = 0.0;
     for (int i = 0; i < samples; ++i) {
       const Eigen::Vector2d x = point_at(segment_px, (i + 0.5) / samples);
-      sum += sample(image, x + side, band) - sample(image, x - side, band);
+      sum += sample(window, x + side, band) - sample(window, x - side, band);
     }
     largest = std::max(largest, std::abs(sum) / samples);
   }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/simulate/image_window.h"
 #include "reconstruct/geometry/segment.h"
-
-#include <opencv2/core/mat.hpp>
 
 namespace ridgeline::simulate {
 
 /// Mean difference of the two sides of a segment in the band where it is largest, as a share of the image's range.
-/// `image`: CV_8UC(n) or CV_16UC(n).
-double contrast_across(const cv::Mat& image, const Segment2& segment_px);
+/// `segment_px`: in pixels of the image, where the window shows it with two pixels beside it.
+double contrast_across(const ImageWindow& window, const Segment2& segment_px);
 
 }  // namespace ridgeline::simulate

@@ -10,12 +10,10 @@
 namespace ridgeline::simulate {
 namespace {
 
-ShownEdge with_clear_sightings(const ShownEdge& edge,
-                               std::span<const cv::Mat> images,
-                               const ReferenceOptions& options) {
+ShownEdge with_clear_sightings(const ShownEdge& edge, const ReferenceOptions& options) {
   ShownEdge clear{edge.kind, edge.rank, {}};
   std::ranges::copy_if(edge.sightings, std::back_inserter(clear.sightings),
-                       [&](const Sighting& s) { return is_clear(s, images, options); });
+                       [&](const Sighting& s) { return is_clear(s, options); });
   return clear;
 }
 
@@ -27,11 +25,10 @@ bool is_in_two_views(const ShownEdge& edge) {
 }  // namespace
 
 std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
-                                   std::span<const cv::Mat> images,
                                    const ReferenceOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
-    ShownEdge clear = with_clear_sightings(edge, images, options);
+    ShownEdge clear = with_clear_sightings(edge, options);
     if (is_in_two_views(clear)) candidates.push_back(std::move(clear));
   }
   return without_duplicates(std::move(candidates));

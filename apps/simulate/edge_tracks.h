@@ -4,8 +4,6 @@
 #include "apps/simulate/flight.h"
 #include "apps/simulate/shown_edge.h"
 
-#include <opencv2/core/mat.hpp>
-
 #include <span>
 #include <string>
 #include <vector>
@@ -13,9 +11,8 @@
 namespace ridgeline::simulate {
 
 /// The true tracks: the edges that two views or more show clearly, with their clear sightings and without duplicates.
-/// `images`: of all views, as written.
+/// Their contrast must have been measured.
 std::vector<ShownEdge> edge_tracks(std::span<const ShownEdge> edges,
-                                   std::span<const cv::Mat> images,
                                    const ReferenceOptions& options = {});
 
 /// The text of tracks.csv: edge,kind,image,x1_px,y1_px,x2_px,y2_px,visible, one row for each sighting. Edges are numbered

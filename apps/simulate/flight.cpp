@@ -39,13 +39,25 @@ Eigen::AlignedBox2d frame_window(const Scene& scene,
   return window;
 }
 
-/// Limits the memory that light and grey values need to some gigabytes.
+/// Limits the memory that grey values need, the size of the files and the time.
 void check_num_pixels(const Eigen::Vector2d& size_px) {
   constexpr double kMostPixels = 3e8;
   check(size_px.prod() <= kMostPixels, "images of ", size_px.x(), " x ", size_px.y(),
-        " pixels; must be of 300 megapixels at most: choose a smaller extent, a greater camera "
-        "height or no images");
+        " pixels; must be of 300 megapixels at most: choose smaller frames, a smaller extent, a "
+        "greater camera height or no images");
 }
+
+void check_frame_size(const Eigen::Vector2i& size_px) {
+  check(size_px.minCoeff() >= kLeastFrame_px && size_px.maxCoeff() <= kMostFrame_px,
+        "frame_px = ", size_px.x(), ",", size_px.y(), ", must be in [", kLeastFrame_px, ", ",
+        kMostFrame_px, "] each");
+}
+
+/// Where an image lies in the full frame, whose principal point is pixel (0, 0).
+struct Window {
+  Eigen::Vector2d corner_px;  ///< the top-left pixel
+  Eigen::Vector2i size_px;
+};
 
 /// Where a view is in fact, with the errors of the flight.
 ExteriorOrientation flown(const Scene& scene,
@@ -65,13 +77,15 @@ ExteriorOrientation flown(const Scene& scene,
               world_from_camera_axes(angles_rad.x(), angles_rad.y(), angles_rad.z())};
 }
 
-AerialView aerial_view(const Scene& scene,
-                       const FlightOptions& options,
-                       const PlannedView& planned) {
-  InteriorOrientation interior;
-  interior.focal_length_px.setConstant(options.focal_length_px);
-  const ExteriorOrientation exterior = flown(scene, options, planned);
-  const ProjectionMatrix frame_from_world = projection_matrix(interior, exterior);
+/// The whole frame, or the part of it that shows the plan.
+Window window_of(const Scene& scene,
+                 const FlightOptions& options,
+                 const PlannedView& planned,
+                 const ProjectionMatrix& frame_from_world) {
+  if (options.frame_px) {
+    check_num_pixels(options.frame_px->cast<double>());
+    return {-0.5 * (options.frame_px->cast<double>() - Eigen::Vector2d::Ones()), *options.frame_px};
+  }
   Eigen::AlignedBox2d window = frame_window(scene, frame_from_world, options.margin_m);
   if (!options.size_px.empty()) {
     const Eigen::Vector2i& size_px = options.size_px[planned.number];
@@ -80,17 +94,82 @@ AerialView aerial_view(const Scene& scene,
     window = {corner, corner + steps.cast<double>()};
   }
   const Eigen::Vector2d corner_px = window.min().array().floor();
+  const Eigen::Vector2d last_px = (window.max() - corner_px).array().ceil();
+  check_num_pixels(last_px);
+  return {corner_px, last_px.cast<int>().array() + 1};
+}
 
+/// The pixels of a frame around the image of the mesh; a side looks a little beyond an edge.
+Eigen::AlignedBox2i pixels_of_mesh(const Mesh& mesh, const AerialView& view) {
+  constexpr double kBeside_px = 4.0;
+  Eigen::AlignedBox2d seen_px;
+  for (const Eigen::Vector3d& x : mesh.vertices) seen_px.extend(project(view.image_from_local, x));
+  if (seen_px.isEmpty()) return {};
+  const Eigen::AlignedBox2d frame_px(Eigen::Vector2d::Zero(),
+                                     view.size_px.cast<double>() - Eigen::Vector2d::Ones());
+  const Eigen::Vector2d beside_px = Eigen::Vector2d::Constant(kBeside_px);
+  const Eigen::AlignedBox2d shown_px =
+      Eigen::AlignedBox2d(seen_px.min() - beside_px, seen_px.max() + beside_px)
+          .intersection(frame_px);
+  if (shown_px.isEmpty()) return {};
+  return {shown_px.min().array().floor().cast<int>(), shown_px.max().array().ceil().cast<int>()};
+}
+
+/// Rays near the horizon meet the ground nowhere or far beyond what a landscape can be taken to be plane for.
+void check_looks_down(const Scene& scene, const AerialView& view) {
+  constexpr double kLeastSinking = 0.1;  // height over way: ten flying heights away
+  const Eigen::Vector2d last_px = view.size_px.cast<double>() - Eigen::Vector2d::Ones();
+  for (const double column : {0.0, last_px.x()}) {
+    for (const double row : {0.0, last_px.y()}) {
+      const Eigen::Vector3d ray = view.ray({column, row});
+      const double sinking = scene.mean_terrain.gradient.dot(ray.head<2>()) - ray.z();
+      check(std::min(sinking, -ray.z()) >= kLeastSinking, "frames of ", view.size_px.x(), " x ",
+            view.size_px.y(), " pixels: ", view.id,
+            " looks at the horizon; choose smaller frames, a smaller tilt or a greater focal "
+            "length");
+    }
+  }
+}
+
+void check_shows_middle(const Scene& scene, const AerialView& view) {
+  const Eigen::Vector2d middle = 0.5 * scene.extent_m;
+  const Eigen::Vector2d x_px =
+      project(view.image_from_local, {middle.x(), middle.y(), scene.mean_terrain(middle)});
+  const Eigen::AlignedBox2d frame_px(Eigen::Vector2d::Zero(),
+                                     view.size_px.cast<double>() - Eigen::Vector2d::Ones());
+  check(frame_px.contains(x_px), "frames of ", view.size_px.x(), " x ", view.size_px.y(),
+        " pixels: ", view.id,
+        " does not show the middle of the plan; choose larger frames, fewer views in a strip or a "
+        "smaller base");
+}
+
+AerialView aerial_view(const Scene& scene,
+                       const FlightOptions& options,
+                       const PlannedView& planned) {
+  InteriorOrientation interior;
+  interior.focal_length_px.setConstant(options.focal_length_px);
+  const ExteriorOrientation exterior = flown(scene, options, planned);
+  const ProjectionMatrix frame_from_world = projection_matrix(interior, exterior);
+  const Window window = window_of(scene, options, planned, frame_from_world);
   AerialView view;
   view.id = planned.id;
   view.number = planned.number;
-  const Eigen::Vector2d last_px = (window.max() - corner_px).array().ceil();
-  check_num_pixels(last_px);
-  view.size_px = last_px.cast<int>().array() + 1;
-  view.image_from_world = window_from_world(frame_from_world, corner_px);
+  view.size_px = window.size_px;
+  view.interior = interior;
+  view.interior.principal_point_px = -window.corner_px;
+  view.interior.size_px = window.size_px;
+  view.exterior = exterior;
+  view.image_from_world = window_from_world(frame_from_world, window.corner_px);
   view.image_from_local = image_from_local(view.image_from_world, scene.frame.origin_m);
   view.centre_in_local = scene.frame.local_from_world(exterior.position_m);
   view.ray_from_pixel = view.image_from_local.leftCols<3>().inverse();
+  if (options.frame_px) {
+    check_looks_down(scene, view);
+    check_shows_middle(scene, view);
+    view.village_px = pixels_of_mesh(scene.mesh, view);
+  } else {
+    view.village_px = {Eigen::Vector2i::Zero(), view.size_px - Eigen::Vector2i::Ones()};
+  }
   return view;
 }
 
@@ -102,6 +181,8 @@ std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& op
   check(options.size_px.empty() || options.size_px.size() == planned.size(), "size_px has ",
         options.size_px.size(), " sizes for ", planned.size(),
         " views; must have one for each or none");
+  check(options.size_px.empty() || !options.frame_px, "size_px and frame_px, must not both be set");
+  if (options.frame_px) check_frame_size(*options.frame_px);
   std::vector<AerialView> views;
   std::ranges::transform(planned, std::back_inserter(views), [&](const PlannedView& view) {
     return aerial_view(scene, options, view);

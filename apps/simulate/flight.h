@@ -4,8 +4,10 @@
 #include "apps/simulate/flight_options.h"
 #include "apps/simulate/scene.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "reconstruct/geometry/orientation.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstddef>
@@ -15,7 +17,7 @@
 
 namespace ridgeline::simulate {
 
-/// A perspective image of the scene: a window of a full frame, without distortion.
+/// A perspective image of the scene: a whole frame or a window of one, without distortion.
 struct AerialView {
   std::string id;
   std::size_t number = 0;  ///< place in the flight, from 0; the key of its random streams
@@ -23,6 +25,11 @@ struct AerialView {
   ProjectionMatrix image_from_world;
   Eigen::Vector3d centre_in_local = Eigen::Vector3d::Zero();
   Eigen::Vector2i size_px = Eigen::Vector2i::Zero();  ///< columns, rows
+  InteriorOrientation interior;                       ///< of the image: off the middle in a window
+  ExteriorOrientation exterior;                       ///< world
+  /// The pixels (first and last column and row) that may show the village: all of them, but in a frame those
+  /// around its mesh. Empty if a frame shows none.
+  Eigen::AlignedBox2i village_px;
 
   /// Unit vector from the projection centre through a pixel, local axes.
   [[nodiscard]] Eigen::Vector3d ray(const Eigen::Vector2d& x_px) const {
@@ -34,9 +41,10 @@ struct AerialView {
 };
 
 /// The views of a flight in the order of planned_views(): the first two are the pair. Each window is the smallest that
-/// shows the plan on the mean terrain with the margin, or has the size asked for. Deterministic by seed. Throws
-/// std::invalid_argument for an option outside its range, for sizes of other than all views, for images of more than 300
-/// megapixels and where the plan reaches behind a tilted view.
+/// shows the plan on the mean terrain with the margin, or has the size asked for; or all are whole frames. Deterministic
+/// by seed. Throws std::invalid_argument for an option outside its range, for sizes of other than all views or beside
+/// frames, for images of more than 300 megapixels, where the plan reaches behind a tilted view, and for a frame that does
+/// not show the middle of the plan or looks at the horizon.
 std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options);
 
 /// Two heights (world) between which the whole scene lies: whole metres, 50 m apart or more.

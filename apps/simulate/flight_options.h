@@ -7,9 +7,14 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ridgeline::simulate {
+
+/// The sides that a whole frame may have.
+inline constexpr int kLeastFrame_px = 100;
+inline constexpr int kMostFrame_px = 30000;
 
 /// A flight over the scene; defaults: the DMC block of Ok et al. 2011, section 4 (GSD 8 cm).
 struct FlightOptions {
@@ -26,6 +31,8 @@ struct FlightOptions {
   double margin_m = -2.0;
   /// Columns and rows of each image, around the middle of the plan. Empty: the images show the whole plan.
   std::vector<Eigen::Vector2i> size_px;
+  /// Columns and rows of whole frames, whose principal point is the middle, in place of images around the plan.
+  std::optional<Eigen::Vector2i> frame_px;
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {

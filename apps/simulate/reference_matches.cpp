@@ -42,12 +42,11 @@ std::vector<std::pair<Sighting, Sighting>> paired(const std::vector<Sighting>& l
 }  // namespace
 
 std::vector<io::ReferenceEdge> reference_matches(std::span<const ShownEdge> edges,
-                                                 std::span<const cv::Mat> images,
                                                  const ReferenceOptions& options) {
   std::vector<ShownEdge> candidates;
   for (const ShownEdge& edge : edges) {
     for (const auto& [left, right] : paired(edge.in_view(0), edge.in_view(1))) {
-      if (!is_clear(left, images, options) || !is_clear(right, images, options)) continue;
+      if (!is_clear(left, options) || !is_clear(right, options)) continue;
       candidates.push_back({edge.kind, edge.rank, {left, right}});
     }
   }

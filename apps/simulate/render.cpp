@@ -3,6 +3,7 @@
 
 #include "apps/simulate/noise.h"
 #include "apps/simulate/point_spread.h"
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -112,13 +113,12 @@ class RowBlock {
  public:
   RowBlock(const Renderer& renderer,
            const AerialView& view,
-           const SubPixelLattice& lattice,
            const PointSpread& spread,
            int first_row,
            int end_row)
       : renderer_(renderer),
         view_(view),
-        lattice_(lattice),
+        in_village_(renderer.options_.samples_per_side),
         spread_(spread),
         first_row_(first_row),
         end_row_(end_row),
@@ -126,7 +126,8 @@ class RowBlock {
         sums_(static_cast<std::size_t>(end_row - first_row) * static_cast<std::size_t>(columns_),
               Sum{Spectrum::Zero(), 0.0F}) {}
 
-  void render(cv::Mat& radiance) {
+  /// `radiance`: the rows of the block.
+  void render(cv::Mat radiance) {
     constexpr int kReach = PointSpread::kReachPx;
     constexpr int kPixelsAtOnce = 16;
     for (int row = first_row_ - kReach; row < end_row_ + kReach; ++row) {
@@ -135,7 +136,7 @@ class RowBlock {
       }
     }
     for (int row = first_row_; row < end_row_; ++row) {
-      auto* out = radiance.ptr<cv::Vec4f>(row);
+      auto* out = radiance.ptr<cv::Vec4f>(row - first_row_);
       for (int column = 0; column < columns_; ++column) {
         const Sum& sum = sums_[index(row, column)];
         for (int band = 0; band < 4; ++band) out[column][band] = sum.light[band] / sum.weight;
@@ -153,14 +154,32 @@ class RowBlock {
     int column, sub_x, sub_y;
   };
 
+  /// The rays of a pixel.
+  struct Sampling {
+    explicit Sampling(int n) : lattice(n), samples_per_side(n) {}
+    SubPixelLattice lattice;
+    int samples_per_side;
+  };
+
   [[nodiscard]] std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
   }
 
+  /// Beyond the village is lawn alone, which has no detail below the distance of its rays: one ray will do there.
+  [[nodiscard]] const Sampling& sampling(int row, int begin_column, int end_column) const {
+    constexpr int kReach = PointSpread::kReachPx;
+    const Eigen::AlignedBox2i& village = view_.village_px;
+    const bool is_beyond = row < village.min().y() - kReach || row > village.max().y() + kReach ||
+                           end_column <= village.min().x() - kReach ||
+                           begin_column > village.max().x() + kReach;
+    return is_beyond ? beyond_ : in_village_;
+  }
+
   /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted at random from pixel to
   /// pixel, so that what the rays miss shows as noise and not as a pattern.
   void cast(int row, int begin_column, int end_column) {
+    const Sampling& sampled = sampling(row, begin_column, end_column);
     rays_.clear();
     origins_.clear();
     for (int column = begin_column; column < end_column; ++column) {
@@ -168,7 +187,7 @@ class RowBlock {
           hash(row, column, static_cast<std::uint32_t>(renderer_.options_.seed));
       const int shift_x = static_cast<int>(h & 0xffU);
       const int shift_y = static_cast<int>((h >> 8U) & 0xffU);
-      for (const SubPixelLattice::Position& position : lattice_.positions) {
+      for (const SubPixelLattice::Position& position : sampled.lattice.positions) {
         const int sx = (position.x + shift_x) % kSubPixels;
         const int sy = (position.y + shift_y) % kSubPixels;
         origins_.push_back({column, sx, sy});
@@ -177,8 +196,7 @@ class RowBlock {
       }
     }
     const double way_m = (rays_.front().origin - view_.centre_in_local).norm();
-    const double footprint_m =
-        way_m * view_.pixel_angle_rad() / renderer_.options_.samples_per_side;
+    const double footprint_m = way_m * view_.pixel_angle_rad() / sampled.samples_per_side;
     const std::vector<Spectrum> light =
         renderer_.seen_along(rays_, static_cast<float>(footprint_m));
     for (std::size_t i = 0; i < light.size(); ++i) {
@@ -217,7 +235,8 @@ class RowBlock {
 
   const Renderer& renderer_;
   const AerialView& view_;
-  const SubPixelLattice& lattice_;
+  Sampling in_village_;
+  Sampling beyond_{1};
   const PointSpread& spread_;
   int first_row_, end_row_, columns_;
   std::vector<Sum> sums_;
@@ -226,16 +245,22 @@ class RowBlock {
 };
 
 cv::Mat Renderer::radiance(const AerialView& view) const {
+  return radiance(view, 0, view.size_px.y());
+}
+
+cv::Mat Renderer::radiance(const AerialView& view, int first_row, int end_row) const {
   constexpr int kRowsPerBlock = 32;
-  const SubPixelLattice lattice(options_.samples_per_side);
+  check(0 <= first_row && first_row < end_row && end_row <= view.size_px.y(), "rows ", first_row,
+        " to ", end_row, ", must be rows of the view");
   const PointSpread spread(options_.psf_sigma_px);
-  const int rows = view.size_px.y();
+  const int rows = end_row - first_row;
   cv::Mat result(rows, view.size_px.x(), CV_32FC4);
   const int blocks = (rows + kRowsPerBlock - 1) / kRowsPerBlock;
   tbb::parallel_for(0, blocks, [&](int block) {
     const int first = block * kRowsPerBlock;
-    RowBlock(*this, view, lattice, spread, first, std::min(first + kRowsPerBlock, rows))
-        .render(result);
+    const int end = std::min(first + kRowsPerBlock, rows);
+    RowBlock(*this, view, spread, first_row + first, first_row + end)
+        .render(result.rowRange(first, end));
   });
   return result;
 }

@@ -38,13 +38,14 @@ template <typename Number>
 void expose_row(const cv::Mat& radiance,
                 const SensorOptions& options,
                 std::uint64_t view,
+                int first_row,
                 int row,
                 cv::Mat& image) {
   const Radiometry radiometry = radiometry_of(options, view);
   const std::vector<int> bands = file_bands(options.bands);
   const double well = options.full_well_electrons;
   constexpr double kLargest = std::numeric_limits<Number>::max();
-  Random random({options.seed, kNoiseStream, view, static_cast<std::uint64_t>(row)});
+  Random random({options.seed, kNoiseStream, view, static_cast<std::uint64_t>(first_row + row)});
   const auto* in = radiance.ptr<cv::Vec4f>(row);
   auto* out = image.ptr<Number>(row);
   for (int column = 0; column < radiance.cols; ++column) {
@@ -77,7 +78,10 @@ double tone(double radiance, std::size_t band, const SensorOptions& options, con
   return toned(recorded(radiance, band, options, r), options, r);
 }
 
-cv::Mat expose(const cv::Mat& radiance, const SensorOptions& options, std::uint64_t view) {
+cv::Mat expose(const cv::Mat& radiance,
+               const SensorOptions& options,
+               std::uint64_t view,
+               int first_row) {
   validate(options);
   check(options.bits == 8 || options.bits == 16, "bits = ", options.bits, ", must be 8 or 16");
   const int depth = options.bits == 8 ? CV_8U : CV_16U;
@@ -85,9 +89,9 @@ cv::Mat expose(const cv::Mat& radiance, const SensorOptions& options, std::uint6
   cv::Mat image(radiance.rows, radiance.cols, CV_MAKETYPE(depth, bands));
   tbb::parallel_for(0, radiance.rows, [&](int row) {
     if (options.bits == 8) {
-      expose_row<std::uint8_t>(radiance, options, view, row, image);
+      expose_row<std::uint8_t>(radiance, options, view, first_row, row, image);
     } else {
-      expose_row<std::uint16_t>(radiance, options, view, row, image);
+      expose_row<std::uint16_t>(radiance, options, view, first_row, row, image);
     }
   });
   return image;

@@ -51,7 +51,11 @@ double tone(double radiance, std::size_t band, const SensorOptions& options, con
 
 /// The image that view number `view` takes: CV_8UC(n) or CV_16UC(n) from a radiance as of
 /// Renderer::radiance(), n = 3 or 4 bands in the order of `bands`. Byte-identical for any number
-/// of threads. Throws std::invalid_argument for an option outside its range.
-cv::Mat expose(const cv::Mat& radiance, const SensorOptions& options, std::uint64_t view);
+/// of threads. `first_row`: the row of the image that the radiance begins with, which its noise depends on. Throws
+/// std::invalid_argument for an option outside its range.
+cv::Mat expose(const cv::Mat& radiance,
+               const SensorOptions& options,
+               std::uint64_t view,
+               int first_row = 0);
 
 }  // namespace ridgeline::simulate

@@ -82,11 +82,17 @@ std::vector<ShownEdge> shown_edges(const Scene& scene,
   return result;
 }
 
-bool is_clear(const Sighting& sighting,
-              std::span<const cv::Mat> images,
-              const ReferenceOptions& options) {
+void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges) {
+  tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    for (Sighting& s : edges[i].sightings) {
+      if (s.view == view) s.contrast = contrast_across(village, s.segment_px);
+    }
+  });
+}
+
+bool is_clear(const Sighting& sighting, const ReferenceOptions& options) {
   return length(sighting.segment_px) >= options.shortest_px &&
-         contrast_across(images[sighting.view], sighting.segment_px) >= options.least_contrast;
+         sighting.contrast >= options.least_contrast;
 }
 
 std::vector<ShownEdge> without_duplicates(std::vector<ShownEdge> edges) {

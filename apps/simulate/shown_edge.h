@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/simulate/image_window.h"
 #include "apps/simulate/visible_runs.h"
-
-#include <opencv2/core/mat.hpp>
 
 #include <cstddef>
 #include <span>
@@ -19,6 +18,7 @@ struct Sighting {
   Segment2
       segment_px;  ///< its image, pixels of the file; all sightings of an edge have one direction
   double visible_share = 0.0;  ///< share of the edge's length that the view sees, all runs together
+  double contrast = 0.0;       ///< contrast_across() in the image; measure_contrast() sets it
 };
 
 /// A physical edge as the views show it.
@@ -35,11 +35,11 @@ std::vector<ShownEdge> shown_edges(const Scene& scene,
                                    const SurfaceOracle& oracle,
                                    const ReferenceOptions& options = {});
 
-/// Whether a sighting is long enough and has enough contrast in the image of its view; `images`: as written,
-/// CV_8UC(n) or CV_16UC(n).
-bool is_clear(const Sighting& sighting,
-              std::span<const cv::Mat> images,
-              const ReferenceOptions& options);
+/// Measures the contrast of all sightings in a view. `village`: what its image shows of the village.
+void measure_contrast(std::size_t view, const ImageWindow& village, std::span<ShownEdge> edges);
+
+/// Whether a sighting is long enough and has enough contrast.
+bool is_clear(const Sighting& sighting, const ReferenceOptions& options);
 
 /// The edges without those that coincide in all their sightings, within a pixel, with an edge of lower rank or a longer
 /// one of equal rank. Ordered by the first view that shows them and there from left to right by their first point.

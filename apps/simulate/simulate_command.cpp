@@ -12,6 +12,7 @@
 #include "io/cloud/las_writer.h"
 #include "io/crs/crs.h"
 #include "io/lines/write_lines.h"
+#include "io/orientation/write_orientation.h"
 #include "io/results/output_folder.h"
 
 #include <fmt/core.h>
@@ -33,6 +34,7 @@ struct SimulateArguments {
   simulate::VillageOptions village;
   simulate::AlsOptions als;
   ViewOptions views;
+  std::vector<int> frame_px;  ///< empty: images around the plan
   bool no_images = false;
 };
 
@@ -121,9 +123,37 @@ void set_view_groups(SimulateArguments& a, const std::string& text) {
   }
 }
 
+void set_orientation(SimulateArguments& a, const std::string& format) {
+  try {
+    (void)io::orientation_files(format);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--orientation", error.what());
+  }
+  a.views.orientation = format;
+}
+
+/// Whole frames and the files that state their cameras.
+void add_frame_options(CLI::App& app, SimulateArguments& a, const char* group) {
+  app.add_option("--frame-px", a.frame_px,
+                 "columns,rows: whole frames of one camera with the village amid lawn, as tiled "
+                 "TIFF; 7680,13824 is the DMC's. Without: images of the plan alone")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(in_range(simulate::kLeastFrame_px, simulate::kMostFrame_px))
+      ->excludes("--no-images")
+      ->group(group);
+  app.add_option_function<std::string>(
+         "--orientation", [&a](const std::string& format) { set_orientation(a, format); },
+         "writes the cameras in a format of orientations and not as matrices: opk, opensfm, pix4d, "
+         "inpho, pat_b, blocks_exchange, metashape or colmap")
+      ->excludes("--no-images")
+      ->group(group);
+}
+
 void add_image_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Images";
   app.add_flag("--no-images", a.no_images, "only LIDAR and lines")->group(group);
+  add_frame_options(app, a, group);
   app.add_option_function<std::string>(
          "--views", [&a](const std::string& text) { set_view_groups(a, text); },
          "groups of images: strip:N along x, cross:N of a strip along y, oblique:N from all sides; "
@@ -156,7 +186,7 @@ std::vector<std::string> file_names(const SimulateArguments& a) {
   std::vector<std::string> names{"lidar.las", "lines.good.geojson", "lines.fair.geojson",
                                  "lines.poor.geojson", "truth.geojson"};
   if (a.no_images) return names;
-  std::ranges::move(view_file_names(a.views.flight), std::back_inserter(names));
+  std::ranges::move(view_file_names(a.views), std::back_inserter(names));
   return names;
 }
 
@@ -166,6 +196,8 @@ void check_image_sizes(const simulate::FlightOptions& flight) {
   check(flight.size_px.empty() || flight.size_px.size() == num_views, "--views has ", num_views,
         " views; must have ", flight.size_px.size(),
         " with --geometry, which sets the size of each image");
+  check(flight.size_px.empty() || !flight.frame_px,
+        "--frame-px and --geometry, must not both be given: each sets the size of the images");
 }
 
 int run_simulate(SimulateArguments a) {
@@ -176,6 +208,9 @@ int run_simulate(SimulateArguments a) {
   a.views.sensor.seed = a.seed;
   a.village.extent_m = {a.extent_m[0], a.extent_m[1]};
   a.village.origin_m = {a.origin_m[0], a.origin_m[1], a.origin_m[2]};
+  if (!a.frame_px.empty()) {
+    a.views.flight.frame_px = Eigen::Vector2i(a.frame_px[0], a.frame_px[1]);
+  }
   check_image_sizes(a.views.flight);
   const io::CrsFacts crs = io::describe({a.village.crs});
   check(!crs.is_geographic, "--crs = ", a.village.crs, " (", crs.name,

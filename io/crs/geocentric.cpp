@@ -76,6 +76,16 @@ Eigen::Vector3d GeocentricMap::map_from_geocentric(const Eigen::Vector3d& x_in_g
   return {x.xyz.x, x.xyz.y, x.xyz.z};
 }
 
+Eigen::Vector3d GeocentricMap::geocentric_from_map(const Eigen::Vector3d& x_in_map_m) const {
+  const PJ_COORD place =
+      proj_trans(transforms_->map_from_geographic.get(), PJ_INV,
+                 proj_coord(x_in_map_m.x(), x_in_map_m.y(), x_in_map_m.z(), HUGE_VAL));
+  const PJ_COORD x = proj_trans(
+      transforms_->cart.get(), PJ_FWD,
+      proj_coord(place.xyz.x / kDegPerRadian, place.xyz.y / kDegPerRadian, place.xyz.z, 0.0));
+  return {x.xyz.x, x.xyz.y, x.xyz.z};
+}
+
 Eigen::Isometry3d GeocentricMap::geocentric_from_enu(const GeodeticPlace& place) const {
   const double lat = place.lat_deg / kDegPerRadian;
   const double lon = place.lon_deg / kDegPerRadian;

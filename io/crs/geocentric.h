@@ -29,6 +29,7 @@ class GeocentricMap {
   [[nodiscard]] const Crs& crs() const;
 
   [[nodiscard]] Eigen::Vector3d map_from_geocentric(const Eigen::Vector3d& x_in_geocentric_m) const;
+  [[nodiscard]] Eigen::Vector3d geocentric_from_map(const Eigen::Vector3d& x_in_map_m) const;
   [[nodiscard]] GeodeticPlace place_of(const Eigen::Vector3d& x_in_geocentric_m) const;
 
   /// The frame with axes east, north and up at a place.

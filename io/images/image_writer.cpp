@@ -8,51 +8,125 @@
 
 #include <cpl_error.h>
 #include <cpl_string.h>
-#include <fmt/format.h>
 #include <gdal_priv.h>
+
+#include <string>
 
 namespace ridgeline::io {
 namespace {
 
-GDALDatasetUniquePtr create(const std::string& path, const cv::Mat& image) {
-  register_gdal_drivers();
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+CPLStringList options_of(TiffLayout layout, int channels) {
   CPLStringList options;
-  options.SetNameValue("COMPRESS", "DEFLATE");
-  options.SetNameValue("PREDICTOR", "2");
+  if (layout == TiffLayout::kTiles) {
+    const std::string side = std::to_string(kTile_px);
+    options.SetNameValue("TILED", "YES");
+    options.SetNameValue("BLOCKXSIZE", side.c_str());
+    options.SetNameValue("BLOCKYSIZE", side.c_str());
+  } else {
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("PREDICTOR", "2");
+  }
   options.SetNameValue("INTERLEAVE", "PIXEL");
-  options.SetNameValue("PHOTOMETRIC", image.channels() >= 3 ? "RGB" : "MINISBLACK");
-  const GDALDataType type = image.depth() == CV_8U ? GDT_Byte : GDT_UInt16;
-  return GDALDatasetUniquePtr(driver == nullptr
-                                  ? nullptr
-                                  : driver->Create(path.c_str(), image.cols, image.rows,
-                                                   image.channels(), type, options.List()));
+  options.SetNameValue("PHOTOMETRIC", channels >= 3 ? "RGB" : "MINISBLACK");
+  return options;
 }
 
-CPLErr write_pixels(GDALDataset& dataset, const cv::Mat& image) {
-  const GDALDataType type = image.depth() == CV_8U ? GDT_Byte : GDT_UInt16;
-  cv::Mat pixels = image;  // RasterIO takes no constant buffer
+GDALDataType gdal_type(int type) { return CV_MAT_DEPTH(type) == CV_8U ? GDT_Byte : GDT_UInt16; }
+
+GDALDatasetUniquePtr create(const std::string& path,
+                            const cv::Size& size_px,
+                            int type,
+                            TiffLayout layout) {
+  register_gdal_drivers();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  const CPLStringList options = options_of(layout, CV_MAT_CN(type));
+  return GDALDatasetUniquePtr(driver == nullptr ? nullptr
+                                                : driver->Create(path.c_str(), size_px.width,
+                                                                 size_px.height, CV_MAT_CN(type),
+                                                                 gdal_type(type), options.List()));
+}
+
+CPLErr write_pixels(GDALDataset& dataset, int first_row, const cv::Mat& rows) {
+  cv::Mat pixels = rows;  // RasterIO takes no constant buffer
   return dataset.RasterIO(
-      GF_Write, 0, 0, image.cols, image.rows, pixels.data, image.cols, image.rows, type,
-      image.channels(), nullptr, static_cast<GSpacing>(image.elemSize()),
-      static_cast<GSpacing>(image.step[0]), static_cast<GSpacing>(image.elemSize1()), nullptr);
+      GF_Write, 0, first_row, rows.cols, rows.rows, pixels.data, rows.cols, rows.rows,
+      gdal_type(rows.type()), rows.channels(), nullptr, static_cast<GSpacing>(rows.elemSize()),
+      static_cast<GSpacing>(rows.step[0]), static_cast<GSpacing>(rows.elemSize1()), nullptr);
+}
+
+/// Writes what GDAL keeps of the pixels and forgets it. GDALDataset::FlushCache() would write the header anew too.
+CPLErr flush_pixels(GDALDataset& dataset) {
+  for (int band = 1; band <= dataset.GetRasterCount(); ++band) {
+    if (dataset.GetRasterBand(band)->FlushCache(false) != CE_None) return CE_Failure;
+  }
+  return CE_None;
 }
 
 }  // namespace
 
-void write_tiff(const std::string& path, const cv::Mat& image) {
-  const bool known_depth = image.depth() == CV_8U || image.depth() == CV_16U;
-  check(!image.empty() && image.dims == 2, "write_tiff: image is empty");
-  check(known_depth && image.channels() <= 4, "write_tiff: OpenCV type ", image.type(),
+struct TiffWriter::File {
+  std::string path;
+  cv::Size size_px;
+  int type = 0;
+  TiffLayout layout = TiffLayout::kStrips;
+  AtomicFile file;
+  GDALDatasetUniquePtr dataset;
+  int next_row = 0;
+
+  [[noreturn]] void fail(const QuietGdal& gdal) const {
+    throw IoError(path, "could not be written: " + gdal.complaints("is the disk full?"));
+  }
+};
+
+TiffWriter::TiffWriter(const std::string& path,
+                       const cv::Size& size_px,
+                       int type,
+                       TiffLayout layout) {
+  const bool known_depth = CV_MAT_DEPTH(type) == CV_8U || CV_MAT_DEPTH(type) == CV_16U;
+  check(size_px.width > 0 && size_px.height > 0, "TiffWriter: image is empty");
+  check(known_depth && CV_MAT_CN(type) <= 4, "TiffWriter: OpenCV type ", type,
         ", must be 8 or 16 bit unsigned with 1 to 4 bands");
-  AtomicFile file(path);
+  file_.reset(new File{path, size_px, type, layout, AtomicFile(path), nullptr, 0});
+  const QuietGdal gdal;
+  file_->dataset = create(file_->file.temporary_path(), size_px, type, layout);
+  if (file_->dataset == nullptr) file_->fail(gdal);
+}
+
+TiffWriter::~TiffWriter() {
+  const QuietGdal gdal;  // of a file that could not be written
+  file_.reset();
+}
+
+void TiffWriter::write_rows(const cv::Mat& rows) {
+  File& f = *file_;
+  const int end_row = f.next_row + rows.rows;
+  check(rows.type() == f.type && rows.cols == f.size_px.width && end_row <= f.size_px.height,
+        "write_rows: ", rows.rows, " rows of ", rows.cols, " pixels after row ", f.next_row,
+        ", must be rows of an image of ", f.size_px.height, " of ", f.size_px.width);
+  check(f.layout == TiffLayout::kStrips || rows.rows % kTile_px == 0 || end_row == f.size_px.height,
+        "write_rows: ", rows.rows, " rows, must be whole tiles of ", kTile_px);
+  const QuietGdal gdal;
+  bool good = write_pixels(*f.dataset, f.next_row, rows) == CE_None;
+  if (f.layout == TiffLayout::kTiles) good = good && flush_pixels(*f.dataset) == CE_None;
+  if (!good) f.fail(gdal);
+  f.next_row = end_row;
+}
+
+void TiffWriter::commit() {
+  check(file_->next_row == file_->size_px.height, "commit: ", file_->next_row, " rows, must be ",
+        file_->size_px.height);
+  const QuietGdal gdal;
   CPLErrorReset();
-  GDALDatasetUniquePtr dataset = create(file.temporary_path(), image);
-  bool good = dataset != nullptr && write_pixels(*dataset, image) == CE_None;
-  dataset.reset();  // what is still buffered is written here, and fails here
-  good = good && CPLGetLastErrorType() < CE_Failure;
-  if (!good) throw IoError(path, fmt::format("could not be written: {}", CPLGetLastErrorMsg()));
-  file.commit();
+  file_->dataset.reset();  // what is still buffered is written here, and fails here
+  if (CPLGetLastErrorType() >= CE_Failure) file_->fail(gdal);
+  file_->file.commit();
+}
+
+void write_tiff(const std::string& path, const cv::Mat& image) {
+  check(image.dims == 2, "write_tiff: image is empty");
+  TiffWriter writer(path, image.size(), image.type(), TiffLayout::kStrips);
+  writer.write_rows(image);
+  writer.commit();
 }
 
 }  // namespace ridgeline::io

@@ -179,6 +179,13 @@ Eigen::Matrix3d rotation_of(const Angles& angles, AngleUnit unit, RotationOrder 
       .toRotationMatrix();
 }
 
+Angles angles_deg(const Eigen::Matrix3d& world_from_camera_axes) {
+  const Eigen::Matrix3d& R = world_from_camera_axes;
+  return {kDegPerRad * std::atan2(-R(1, 2), R(2, 2)),
+          kDegPerRad * std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
+          kDegPerRad * std::atan2(-R(0, 1), R(0, 0))};
+}
+
 std::vector<AngleUnit> possible_units(const std::vector<Angles>& angles) {
   constexpr double kRounding = 1e-3;
   double largest = 0.0;

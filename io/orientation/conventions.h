@@ -48,6 +48,9 @@ struct Angles {
 /// Turns camera axes (x right, y up, looking along -z) into world axes.
 Eigen::Matrix3d rotation_of(const Angles& angles, AngleUnit unit, RotationOrder order);
 
+/// The angles in degrees of Rx(omega) Ry(phi) Rz(kappa); phi is in [-90, 90].
+Angles angles_deg(const Eigen::Matrix3d& world_from_camera_axes);
+
 /// The units in which the angles can be: those that are at most a full turn.
 std::vector<AngleUnit> possible_units(const std::vector<Angles>& angles);
 

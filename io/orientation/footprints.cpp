@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/gdal/geopackage_writer.h"
+#include "io/orientation/conventions.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace ridgeline::io {
 namespace {
@@ -48,13 +48,6 @@ bool is_within(const Ring& ring, const Eigen::Vector2d& x) {
   return within;
 }
 
-Eigen::Vector3d omega_phi_kappa_deg(const Eigen::Matrix3d& R) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  return kDegrees * Eigen::Vector3d(std::atan2(-R(1, 2), R(2, 2)),
-                                    std::asin(std::clamp(R(0, 2), -1.0, 1.0)),
-                                    std::atan2(-R(0, 1), R(0, 0)));
-}
-
 MapLayer camera_layer(const Orientation& orientation) {
   MapLayer layer{.name = "cameras",
                  .description = "where the images were taken",
@@ -67,8 +60,8 @@ MapLayer camera_layer(const Orientation& orientation) {
                  .features = {},
                  .style = {}};
   for (const OrientedImage& image : orientation.images) {
-    const Eigen::Vector3d angles = omega_phi_kappa_deg(image.exterior.world_from_camera_axes);
-    SparseRow row{{0, image.name}, {2, angles.x()}, {3, angles.y()}, {4, angles.z()}};
+    const Angles angles = angles_deg(image.exterior.world_from_camera_axes);
+    SparseRow row{{0, image.name}, {2, angles.omega}, {3, angles.phi}, {4, angles.kappa}};
     if (image.camera) row.emplace_back(1, orientation.cameras[*image.camera].name);
     layer.features.push_back({{image.exterior.position_m}, row});
   }

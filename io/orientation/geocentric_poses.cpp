@@ -64,6 +64,28 @@ void convert_to_map(const std::string& path,
   }
 }
 
+TopocentricPoses topocentric_poses(const Orientation& orientation) {
+  const GeocentricMap map(orientation.crs);
+  std::vector<Eigen::Vector3d> centres;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const OrientedImage& image : orientation.images) {
+    centres.push_back(map.geocentric_from_map(image.exterior.position_m));
+    sum += centres.back();
+  }
+  TopocentricPoses poses;
+  poses.place = wgs84_place_of(sum / static_cast<double>(centres.size()));
+  poses.place.height_m = 0.0;
+  poses.geocentric_from_enu = geocentric_from_enu(poses.place);
+  const Eigen::Isometry3d enu_from_geocentric = poses.geocentric_from_enu.inverse();
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    poses.exterior.push_back(
+        {enu_from_geocentric * centres[i],
+         enu_from_geocentric.linear() * map.map_rotation_at(centres[i]).transpose() *
+             orientation.images[i].exterior.world_from_camera_axes});
+  }
+  return poses;
+}
+
 Eigen::Isometry3d geocentric_from_enu(const GeodeticPlace& place) {
   return GeocentricMap(utm_zone_of(place)).geocentric_from_enu(place);
 }

@@ -5,6 +5,7 @@
 #include "io/orientation/orientation.h"
 
 #include <string>
+#include <vector>
 
 namespace ridgeline::io {
 
@@ -17,6 +18,17 @@ void convert_to_map(const std::string& path,
                     const Eigen::Isometry3d& geocentric_from_block,
                     const Crs& map,
                     Orientation& orientation);
+
+/// The poses of a block in the frame with axes east, north, up at a place amid its images.
+struct TopocentricPoses {
+  GeodeticPlace place;  ///< height 0
+  Eigen::Isometry3d geocentric_from_enu;
+  std::vector<ExteriorOrientation> exterior;  ///< one an image
+};
+
+/// The poses from which convert_to_map() makes those of `orientation`, which has images. Throws std::invalid_argument if
+/// its system is not projected.
+TopocentricPoses topocentric_poses(const Orientation& orientation);
 
 /// The frame with axes east, north, up at a place on the ellipsoid of WGS 84.
 Eigen::Isometry3d geocentric_from_enu(const GeodeticPlace& place);

@@ -4,6 +4,7 @@
 #include "io/orientation/readers.h"
 #include "io/orientation/stated_cameras.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -75,8 +76,8 @@ Orientation read_pat_b(const std::string& path, const OrientationOptions& option
   PatBReader reader(path);
   Orientation orientation = reader.read();
   if (orientation.images.empty()) return orientation;
-  add_stated_cameras(path, options, std::vector<std::string>(orientation.images.size()),
-                     orientation);
+  const auto names = transformed(orientation.images, &OrientedImage::name);
+  add_stated_cameras(path, options, names, orientation);  // of several each is named by its image
   std::vector<RotationReading> readings;
   if (options.matrix.value_or(MatrixDirection::kWorldFromCamera) ==
       MatrixDirection::kWorldFromCamera) {

@@ -20,7 +20,7 @@ FlightOptions flight_of(const char* groups) {
 }
 
 std::vector<ShownEdge> tracks_of(const test::ObservedScene& o) {
-  return edge_tracks(shown_edges(o.scene, SurfaceOracle(o.scene, o.views)), o.images);
+  return edge_tracks(test::measured_edges(o, SurfaceOracle(o.scene, o.views)));
 }
 
 /// Largest distance of the ends of two segments, whatever their direction.

@@ -3,11 +3,13 @@
 
 #include "tests/support/scene.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace ridgeline::simulate {
@@ -146,6 +148,81 @@ TEST(AerialViews, RefusesSizesOfOtherThanAllImages) {
   EXPECT_NO_THROW((void)aerial_views(test::flat_house(), options));
   options.groups = {{ViewGroupKind::kStrip, 3}};
   EXPECT_THROW((void)aerial_views(test::flat_house(), options), std::invalid_argument);
+}
+
+FlightOptions frame_flight(int columns, int rows) {
+  FlightOptions options;
+  options.frame_px = Eigen::Vector2i(columns, rows);
+  return options;
+}
+
+TEST(AerialViews, FramesAreOfOneCameraWithThePrincipalPointInTheMiddle) {
+  const Scene scene = test::flat_house();
+  const std::vector<AerialView> views = aerial_views(scene, frame_flight(7680, 13824));
+  ASSERT_EQ(views.size(), 2U);
+  for (const AerialView& view : views) {
+    EXPECT_EQ(view.size_px, Eigen::Vector2i(7680, 13824));
+    EXPECT_EQ(view.interior.principal_point_px, Eigen::Vector2d(3839.5, 6911.5));
+    EXPECT_EQ(view.interior.focal_length_px, Eigen::Vector2d(10000.0, 10000.0));
+  }
+  // the base of 208 m lies between the two nadirs: the village is 1300 px right and left of the middle
+  EXPECT_NEAR(views[0].village_px.center().x() - views[1].village_px.center().x(), 2600.0, 300.0);
+}
+
+TEST(AerialViews, InteriorAndExteriorMakeTheMatrixOfAnyImage) {
+  constexpr double kTolPx = 1e-6;  // map coordinates take 7 digits of 16
+  const Scene scene = test::flat_house();
+  for (const FlightOptions& options : {FlightOptions(), frame_flight(7680, 13824)}) {
+    for (const AerialView& view : aerial_views(scene, options)) {
+      const Eigen::Vector3d x = scene.frame.world_from_local(Eigen::Vector3d(12.0, 31.0, 4.5));
+      const ProjectionMatrix P = projection_matrix(view.interior, view.exterior);
+      EXPECT_LT((project(P, x) - project(view.image_from_world, x)).norm(), kTolPx);
+    }
+  }
+}
+
+TEST(AerialViews, OfAFrameKnowWhereTheVillageIs) {
+  const Scene scene = test::gabled_house(35.0);
+  for (const AerialView& view : aerial_views(scene, frame_flight(7680, 13824))) {
+    Eigen::AlignedBox2d shown;
+    for (const Eigen::Vector3d& x : scene.mesh.vertices) {
+      shown.extend(project(view.image_from_local, x));
+    }
+    EXPECT_GT((shown.min() - view.village_px.min().cast<double>()).minCoeff(), 3.0);
+    EXPECT_LT((shown.min() - view.village_px.min().cast<double>()).maxCoeff(), 6.0);
+    EXPECT_GT((view.village_px.max().cast<double>() - shown.max()).minCoeff(), 3.0);
+    EXPECT_LT((view.village_px.max().cast<double>() - shown.max()).maxCoeff(), 6.0);
+  }
+  const AerialView window = aerial_views(scene, {}).front();
+  EXPECT_EQ(window.village_px.min(), Eigen::Vector2i(0, 0));
+  EXPECT_EQ(window.village_px.max() + Eigen::Vector2i(1, 1), window.size_px);
+}
+
+std::string frame_refusal(FlightOptions options, const char* groups = "strip:2") {
+  options.groups = parse_view_groups(groups);
+  try {
+    (void)aerial_views(test::flat_house(), options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AerialViews, RefusesFramesThatCannotBe) {
+  using ::testing::HasSubstr;
+  EXPECT_EQ(frame_refusal(frame_flight(7680, 13824)), "");
+  EXPECT_THAT(frame_refusal(frame_flight(99, 13824)), HasSubstr("must be in [100, 30000]"));
+  EXPECT_THAT(frame_refusal(frame_flight(7680, 30001)), HasSubstr("must be in [100, 30000]"));
+  EXPECT_THAT(frame_refusal(frame_flight(30000, 30000)), HasSubstr("300 megapixels"));
+  EXPECT_THAT(frame_refusal(frame_flight(2000, 2000)),
+              HasSubstr("left does not show the middle of the plan"));
+  FlightOptions tilted = frame_flight(7680, 13824);
+  EXPECT_EQ(frame_refusal(tilted, "oblique:4"), "");
+  tilted.oblique_tilt_deg = 55.0;
+  EXPECT_THAT(frame_refusal(tilted, "oblique:4"), HasSubstr("oblique1 looks at the horizon"));
+  FlightOptions sized = chio_wang_flight();
+  sized.frame_px = Eigen::Vector2i(7680, 13824);
+  EXPECT_THAT(frame_refusal(sized), HasSubstr("must not both be set"));
 }
 
 TEST(HeightRange, HoldsTheSceneInWholeMetresAndIsFiftyWide) {

@@ -4,9 +4,11 @@
 #include "apps/simulate/flight.h"
 #include "apps/simulate/render.h"
 #include "apps/simulate/sensor.h"
+#include "apps/simulate/shown_edge.h"
 
 #include <opencv2/core/mat.hpp>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,16 @@ inline ObservedScene observed(simulate::Scene scene, const simulate::FlightOptio
     o.images.push_back(simulate::expose(renderer.radiance(view), {}, view.number));
   }
   return o;
+}
+
+/// The edges of the scene with their contrast in the images.
+inline std::vector<simulate::ShownEdge> measured_edges(const ObservedScene& o,
+                                                       const simulate::SurfaceOracle& oracle) {
+  std::vector<simulate::ShownEdge> edges = simulate::shown_edges(o.scene, oracle);
+  for (std::size_t view = 0; view < o.images.size(); ++view) {
+    simulate::measure_contrast(view, {o.images[view]}, edges);
+  }
+  return edges;
 }
 
 }  // namespace ridgeline::test

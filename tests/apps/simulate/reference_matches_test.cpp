@@ -109,7 +109,7 @@ TEST(ReferenceMatches, HoldTheRoofOfAHouse) {
   const test::ObservedScene o = test::observed(test::gabled_house(35.0, 20.0));
   const SurfaceOracle oracle(o.scene, o.views);
   std::map<std::string, int> kinds;
-  for (const io::ReferenceEdge& match : reference_matches(shown_edges(o.scene, oracle), o.images)) {
+  for (const io::ReferenceEdge& match : reference_matches(test::measured_edges(o, oracle))) {
     ++kinds[match.kind];
   }
   EXPECT_EQ(kinds["ridge"], 1);
@@ -126,7 +126,7 @@ TEST(ReferenceMatches, ShowOneSurfaceInBothImages) {
   add_fittings(village, 3);
   const test::ObservedScene o = test::observed(std::move(village));
   const SurfaceOracle oracle(o.scene, o.views);
-  const auto matches = reference_matches(shown_edges(o.scene, oracle), o.images);
+  const auto matches = reference_matches(test::measured_edges(o, oracle));
   ASSERT_GT(matches.size(), 50U);
   std::size_t good = 0;
   for (const io::ReferenceEdge& match : matches) {

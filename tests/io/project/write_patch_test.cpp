@@ -51,6 +51,24 @@ TEST(WritePatch, IsReadBackWithoutLoss) {
   EXPECT_EQ(read.reference_lines, folder.file("truth.geojson"));
 }
 
+TEST(WritePatch, NamesAnOrientationInPlaceOfMatricesAndTheArea) {
+  const TempFolder folder;
+  PatchFile patch = sample_patch();
+  patch.lidar.clear();
+  patch.reference_matches = patch.reference_tracks = patch.reference_lines = std::nullopt;
+  PatchKeys keys;
+  keys.area_m = {513002.0, 5403002.5, 513118.0, 5403118.0};
+  keys.orientation = "pat_b.ori";
+  keys.cameras = "cameras.yaml";
+  keys.matrix = "world_from_camera";
+  write_patch(folder.file("patch.yaml"), patch, keys);
+  EXPECT_EQ(folder.read("patch.yaml"),
+            "id: \"7\"\ncrs: EPSG:25832\nheight_range: [229, 280]\n"
+            "area: [513002, 5403002.5, 513118, 5403118]\n"
+            "orientation: pat_b.ori\ncameras: cameras.yaml\nmatrix: world_from_camera\n"
+            "images:\n  - path: left.tif\n  - path: right.tif\n");
+}
+
 TEST(WritePatch, RefusesAnImageWithDistortion) {
   const TempFolder folder;
   PatchFile patch = sample_patch();
