@@ -154,20 +154,13 @@ class RowBlock {
     int column, sub_x, sub_y;
   };
 
-  /// The rays of a pixel.
-  struct Sampling {
-    explicit Sampling(int n) : lattice(n), samples_per_side(n) {}
-    SubPixelLattice lattice;
-    int samples_per_side;
-  };
-
   [[nodiscard]] std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
   }
 
-  /// Beyond the village is lawn alone, which has no detail below the distance of its rays: one ray will do there.
-  [[nodiscard]] const Sampling& sampling(int row, int begin_column, int end_column) const {
+  /// Beyond the village is lawn alone, without edges: one ray a pixel will do there.
+  [[nodiscard]] const SubPixelLattice& lattice(int row, int begin_column, int end_column) const {
     constexpr int kReach = PointSpread::kReachPx;
     const Eigen::AlignedBox2i& village = view_.village_px;
     const bool is_beyond = row < village.min().y() - kReach || row > village.max().y() + kReach ||
@@ -179,7 +172,8 @@ class RowBlock {
   /// Casts the rays of some neighbouring pixels of a row. The lattice is shifted at random from pixel to
   /// pixel, so that what the rays miss shows as noise and not as a pattern.
   void cast(int row, int begin_column, int end_column) {
-    const Sampling& sampled = sampling(row, begin_column, end_column);
+    const std::vector<SubPixelLattice::Position>& positions =
+        lattice(row, begin_column, end_column).positions;
     rays_.clear();
     origins_.clear();
     for (int column = begin_column; column < end_column; ++column) {
@@ -187,7 +181,7 @@ class RowBlock {
           hash(row, column, static_cast<std::uint32_t>(renderer_.options_.seed));
       const int shift_x = static_cast<int>(h & 0xffU);
       const int shift_y = static_cast<int>((h >> 8U) & 0xffU);
-      for (const SubPixelLattice::Position& position : sampled.lattice.positions) {
+      for (const SubPixelLattice::Position& position : positions) {
         const int sx = (position.x + shift_x) % kSubPixels;
         const int sy = (position.y + shift_y) % kSubPixels;
         origins_.push_back({column, sx, sy});
@@ -196,7 +190,8 @@ class RowBlock {
       }
     }
     const double way_m = (rays_.front().origin - view_.centre_in_local).norm();
-    const double footprint_m = way_m * view_.pixel_angle_rad() / sampled.samples_per_side;
+    const double footprint_m =
+        way_m * view_.pixel_angle_rad() / renderer_.options_.samples_per_side;
     const std::vector<Spectrum> light =
         renderer_.seen_along(rays_, static_cast<float>(footprint_m));
     for (std::size_t i = 0; i < light.size(); ++i) {
@@ -235,8 +230,8 @@ class RowBlock {
 
   const Renderer& renderer_;
   const AerialView& view_;
-  Sampling in_village_;
-  Sampling beyond_{1};
+  SubPixelLattice in_village_;
+  SubPixelLattice beyond_{1};
   const PointSpread& spread_;
   int first_row_, end_row_, columns_;
   std::vector<Sum> sums_;

@@ -90,8 +90,8 @@ TEST(Photograph, FillsAFrameWithTheLawnThatLiesAroundTheVillage) {
   const auto [dense_mean, dense_sigma] = green(all_rays);
   EXPECT_GT(sigma, 3.0);  // it has texture
   EXPECT_NEAR(mean, dense_mean, 0.5);
-  EXPECT_NEAR(sigma / dense_sigma, 1.0, 0.25);  // a coarser ray leaves out the finest texture
-  EXPECT_NEAR(green(image.rowRange(1000, 1300)).first, mean, 3.0);
+  EXPECT_NEAR(sigma / dense_sigma, 1.0, 0.25);  // one ray sees the finest texture sharper
+  EXPECT_NEAR(green(image.rowRange(1000, 1300)).first, mean, 10.0);  // dry spots
 }
 
 TEST(ContrastAcross, IsThatOfTheImageInAWindowOfIt) {

@@ -26,7 +26,7 @@ using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAreArray;
 
 /// Sums of seven digits before the point and nine after it.
-constexpr double kRounding_px = 1e-6;
+constexpr double kDigitsOfMap_px = 1e-6;
 /// PROJ's derivative, from which the rotation to the map follows, is good to 1e-10.
 constexpr double kGeocentric_px = 1e-5;
 /// As in read_orientation_test.cpp: digits of the fixture, and what a rotation cannot take in of a map.
@@ -105,7 +105,7 @@ TEST(WriteOrientation, IsReadBackInEveryFormat) {
     ASSERT_EQ(read.cameras.size(), 1U);
     EXPECT_EQ(read.cameras[0].interior.size_px, Eigen::Vector2i(1200, 900));
     EXPECT_LT(largest_distance_px(block, read),
-              format.is_geocentric ? kGeocentric_px : kRounding_px);
+              format.is_geocentric ? kGeocentric_px : kDigitsOfMap_px);
     EXPECT_TRUE(compare(read.crs, block.crs).compatible);
   }
 }
@@ -140,7 +140,7 @@ TEST(WriteOrientation, KeepsACameraForEachImageInEveryFormat) {
     const Orientation read = written_and_read(block, format.name, folder.file("o"));
     ASSERT_EQ(read.cameras.size(), 4U);
     EXPECT_LT(largest_distance_px(block, read),
-              format.is_geocentric ? kGeocentric_px : kRounding_px);
+              format.is_geocentric ? kGeocentric_px : kDigitsOfMap_px);
   }
 }
 
