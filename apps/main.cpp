@@ -72,6 +72,13 @@ constexpr std::array kCommands{
             "  ridgeline reconstruct patch.yaml --matches matches.csv --method network --out "
             "lines.geojson",
             add_reconstruct},
+    Command{
+        "patch", "write a patch file of an orientation, an area and images",
+        "  ridgeline patch --init roofs.yaml --orientation block.xml --images frames --area "
+        "513000,5403000,513100,5403100 --lidar 'tiles/*.laz'\n"
+        "  ridgeline patch --init roofs.yaml --orientation opk.csv --cameras cameras.yaml --images "
+        "'frames/*.tif' --area area.gpkg --height-range 230,290",
+        add_patch},
     Command{"simulate", "a synthetic village: images, LIDAR, true lines",
             "  ridgeline simulate --out village\n"
             "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7\n"
@@ -175,7 +182,9 @@ std::string footer_of(const Command& command, bool writes) {
 int print_answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream text;
   const int code = app.exit(error, text, std::cerr);
-  fmt::print("{}", text.str());
+  std::string answer = text.str();
+  if (answer.ends_with("\n\n")) answer.pop_back();
+  fmt::print("{}", answer);
   return code;
 }
 

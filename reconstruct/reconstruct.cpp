@@ -16,6 +16,7 @@
 #include "reconstruct/registrations.h"
 #include "reconstruct/tracks/tracks.h"
 #include "reconstruct/tracks/view_pairs.h"
+#include "reconstruct/views/edges_of_no_data.h"
 #include "reconstruct/views/tracked_lines.h"
 
 #include <tbb/parallel_for_each.h>
@@ -220,8 +221,11 @@ void check_scene(const Scene& scene, std::span<const ViewPair> pairs) {
 const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pairwise" : "chio"; }
 
 std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options) {
-  return extract_segments(view.image, view.ideal_from_image, options.edges,
-                          edge_refinement(options));
+  const ImagePart image(view.image, {view.corner_px.x(), view.corner_px.y()});
+  std::vector<EdgeSegment> segments =
+      extract_segments(image, view.ideal_from_image, options.edges, edge_refinement(options));
+  remove_edges_of_no_data(segments, view.is_valid);
+  return segments;
 }
 
 void extract(Scene& scene, const ExtractionOptions& options) {

@@ -35,6 +35,7 @@ Run add_run(CLI::App& subcommand);
 Run add_extract(CLI::App& subcommand);
 Run add_match(CLI::App& subcommand);
 Run add_reconstruct(CLI::App& subcommand);
+Run add_patch(CLI::App& subcommand);
 Run add_simulate(CLI::App& subcommand);
 Run add_info(CLI::App& subcommand);
 Run add_config(CLI::App& subcommand);

@@ -3,24 +3,25 @@
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/extract/segment_overlay.h"
+#include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/read_patch.h"
 #include "io/error.h"
-#include "io/images/image.h"
 #include "io/images/png_writer.h"
 #include "io/project/patch.h"
 #include "io/project/segments_file.h"
 #include "io/results/output_folder.h"
 #include "reconstruct/reconstruct.h"
-#include "reconstruct/views/normalised_image.h"
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace ridgeline::apps {
 namespace {
 
 struct ExtractArguments {
   std::string image, out, overlay, patch, image_id;
+  std::vector<int> window_px;
   double max_image_mpx = 0.0;
   ParameterArguments parameters;
 };
@@ -41,16 +42,19 @@ io::PatchImage camera_of(const ExtractArguments& a) {
                                  : "has no image of id " + a.image_id);
 }
 
-PixelMap pixel_map(const ExtractArguments& a) {
+/// What is to be read, with its camera if there is one.
+io::PatchImage image_of(const ExtractArguments& a) {
+  io::PatchImage image;
   if (a.patch.empty()) {
     check(a.image_id.empty(), "--image-id = ", a.image_id, ", needs --patch");
-    return {};
+  } else {
+    image = camera_of(a);
   }
-  io::PatchImage camera = camera_of(a);
-  if (!camera.interior) return {};
-  return [camera = std::move(camera)](const Eigen::Vector2d& x_px) {
-    return io::undistorted_px(camera, x_px);
-  };
+  image.path = a.image;
+  if (a.window_px.empty()) return image;
+  check(!image.window, "--window: the patch says what is read of the image");
+  io::read_window_only(image, {a.window_px[0], a.window_px[1], a.window_px[2], a.window_px[3]});
+  return image;
 }
 
 /// Refuses an output path that names an input, the other output or a file that this program did not write.
@@ -64,9 +68,11 @@ void check_outputs(const ExtractArguments& a) {
 int run_extract(const ExtractArguments& a) {
   const reconstruct::ExtractionOptions options = read_parameters(a.parameters).method.extraction;
   check_outputs(a);
-  reconstruct::View view;
-  view.ideal_from_image = pixel_map(a);
-  view.image = reconstruct::normalised_image(io::read_image(a.image, a.max_image_mpx));
+  const io::PatchImage image = image_of(a);
+  reconstruct::View view = view_of(image, LocalFrame{});
+  const PatchPicture picture = read_image(image, a.max_image_mpx);
+  view.image = picture.image;
+  view.is_valid = picture.is_valid;
   const std::vector<EdgeSegment> segments = reconstruct::extract(view, options);
   io::write_segments(a.out, segments);
   if (!a.overlay.empty()) {
@@ -83,7 +89,8 @@ int run_extract(const ExtractArguments& a) {
 
 Run add_extract(CLI::App& subcommand) {
   auto a = std::make_shared<ExtractArguments>();
-  subcommand.add_option("image", a->image, "TIFF, PNG or JPEG, 8 or 16 bit, 1 to 4 bands")
+  subcommand
+      .add_option("image", a->image, "TIFF, PNG, JPEG or JPEG 2000, 8 or 16 bit, 1 to 4 bands")
       ->required();
   subcommand
       .add_option("--out", a->out,
@@ -92,6 +99,12 @@ Run add_extract(CLI::App& subcommand) {
   subcommand.add_option("--overlay", a->overlay, "PNG of the image with its segments");
   subcommand.add_option("--patch", a->patch, "patch file: removes the distortion of its camera");
   subcommand.add_option("--image-id", a->image_id, "of the camera; default: the one of this file");
+  subcommand
+      .add_option(
+          "--window", a->window_px,
+          "part of the image to be read: column,row,columns,rows; segments are in its pixels")
+      ->delimiter(',')
+      ->expected(4);
   add_image_size_option(subcommand, a->max_image_mpx);
   add_preset_option(subcommand, a->parameters.preset);
   add_config_option(subcommand, a->parameters.config);

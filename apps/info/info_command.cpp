@@ -16,6 +16,7 @@
 #include "io/project/patch.h"
 #include "io/results/judged_lines.h"
 #include "io/text/text.h"
+#include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -32,7 +33,8 @@ namespace {
 constexpr const char* kKnownKinds =
     "known are point clouds (LAS, LAZ, COPC, PCD, PLY, text), lines (GeoJSON, GeoPackage, "
     "Shapefile, DXF, CSV, WKT, OBJ, "
-    "PLY), images (TIFF, PNG, JPEG), orientations (omega-phi-kappa, OpenSfM, Pix4D, Inpho, PAT-B, "
+    "PLY), images (TIFF, PNG, JPEG, JPEG 2000), orientations (omega-phi-kappa, OpenSfM, Pix4D, "
+    "Inpho, PAT-B, "
     "BlocksExchange, Metashape, COLMAP), patch, gates and config files, tables of matches and "
     "segments, and folders of "
     "patches and of results";
@@ -145,10 +147,31 @@ std::string image_text(const std::string& path) {
                      facts.n_bands, facts.bits, facts.format);
 }
 
+/// Prints the values that are stretched to 0 and 1, unless much would have to be decoded for them.
+void print_radiometry(const std::string& path, const io::ImageFacts& facts) {
+  constexpr int kSmall_px = 2;
+  if (facts.width_px < kSmall_px || facts.height_px < kSmall_px) return;
+  const io::Window last{facts.width_px - kSmall_px, facts.height_px - kSmall_px, kSmall_px,
+                        kSmall_px};
+  try {
+    if (const auto slow = io::slow_reading(path, last)) return print_warnings({*slow});
+    std::vector<std::string> ranges;
+    for (const auto& [low, high] :
+         reconstruct::band_ranges(io::read_picture(path, {.window = last}).sample))
+      ranges.push_back(fmt::format("[{:g}, {:g}]", low, high));
+    fmt::print("  radiometry  [{}]\n", fmt::join(ranges, ", "));
+  } catch (const io::IoError& error) {
+    print_warnings({error.what()});
+  }
+}
+
 void print_image(const std::string& path) {
   const io::ImageFacts facts = io::image_facts(path);
   fmt::print("{}: {}\n  size        {} x {} px\n  bands       {} of {} bit\n", path, facts.format,
              facts.width_px, facts.height_px, facts.n_bands, facts.bits);
+  if (facts.turn != io::ImageTurn::kNone)
+    fmt::print("  turn        EXIF orientation {}\n", static_cast<int>(facts.turn));
+  print_radiometry(path, facts);
   print_use(
       fmt::format("name it under images in a patch file; ridgeline extract {} --out FILE", path));
 }
@@ -172,16 +195,21 @@ std::vector<std::string> missing_files(const io::PatchFile& patch) {
   return warnings;
 }
 
+void print_image_of_patch(const io::PatchImage& image) {
+  const Eigen::Vector3d centre = projection_centre(image.image_from_world).hnormalized();
+  const std::string window =
+      image.window ? fmt::format(", window {} x {} at {}, {}", image.window->width,
+                                 image.window->height, image.window->column, image.window->row)
+                   : "";
+  fmt::print("  image       {}: {}, {}{}, projection centre {:.3f} {:.3f} {:.3f}\n", image.id,
+             image.path, image_text(image.path), window, centre.x(), centre.y(), centre.z());
+}
+
 void print_patch(const std::string& path) {
   const io::PatchFile patch = read_patch(path);
   fmt::print("{}: patch {}\n  heights     {:g} .. {:g} m\n", path, patch.id,
              patch.height_range_m[0], patch.height_range_m[1]);
-  for (const io::PatchImage& image : patch.images) {
-    const Eigen::Vector4d centre = projection_centre(image.image_from_world);
-    fmt::print("  image       {}: {}, {}, projection centre {:.3f} {:.3f} {:.3f}\n", image.id,
-               image.path, image_text(image.path), centre.x() / centre.w(), centre.y() / centre.w(),
-               centre.z() / centre.w());
-  }
+  for (const io::PatchImage& image : patch.images) print_image_of_patch(image);
   if (!patch.orientation_files.empty())
     fmt::print("  orientation {}\n", fmt::join(patch.orientation_files, " "));
   fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));

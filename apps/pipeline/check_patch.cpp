@@ -22,31 +22,65 @@
 namespace ridgeline::apps {
 namespace {
 
+/// Columns and rows of a file as it is read, turned or not.
+Eigen::Vector2i size_of_file(const io::PatchImage& image, const io::ImageFacts& facts) {
+  return swaps_axes(image.turn) ? Eigen::Vector2i(facts.height_px, facts.width_px)
+                                : Eigen::Vector2i(facts.width_px, facts.height_px);
+}
+
+/// Columns and rows of what is read of a file.
+Eigen::Vector2i size_of_image(const io::PatchImage& image, const io::ImageFacts& facts) {
+  return image.window ? Eigen::Vector2i(image.window->width, image.window->height)
+                      : size_of_file(image, facts);
+}
+
+/// The file must be the frame, or lie within it where it is cut out of it.
 void check_size(const io::PatchImage& image, const io::ImageFacts& facts) {
   if (!image.interior || !image.interior->size_px) return;
   const Eigen::Vector2i frame = *image.interior->size_px;
-  const Eigen::Vector2i size(facts.width_px, facts.height_px);
-  const Eigen::Vector2d end = image.window_px + size.cast<double>();
-  const bool whole = image.window_px.isZero();
-  const bool fits = whole ? size == frame
-                          : (image.window_px.array() >= 0.0).all() &&
-                                (end.array() <= frame.cast<double>().array()).all();
+  const Eigen::Vector2i size = size_of_file(image, facts);
+  const Eigen::Vector2d in_file(image.window ? image.window->column : 0,
+                                image.window ? image.window->row : 0);
+  const Eigen::Vector2d corner = image.window_px - in_file;
+  const Eigen::Vector2d end = corner + size.cast<double>();
+  const bool whole = corner.isZero();
+  const bool fits =
+      whole ? size == frame
+            : (corner.array() >= 0.0).all() && (end.array() <= frame.cast<double>().array()).all();
   if (fits) return;
   throw io::IoError(image.path,
                     fmt::format("{} x {} pixels; its camera has {} x {}{}", size.x(), size.y(),
                                 frame.x(), frame.y(),
                                 whole ? "; an image cut out of the frame needs window_px"
                                       : fmt::format(", which does not hold the window at {}, {}",
-                                                    image.window_px.x(), image.window_px.y())));
+                                                    corner.x(), corner.y())));
+}
+
+void check_window(const io::PatchImage& image, const io::ImageFacts& facts) {
+  if (!image.window) return;
+  const Eigen::Vector2i size = size_of_file(image, facts);
+  const io::Window& window = *image.window;
+  if (window.column + window.width <= size.x() && window.row + window.height <= size.y()) return;
+  throw io::IoError(
+      image.path,
+      fmt::format("{} x {} pixels do not hold the window of {} x {} at {}, {}", size.x(), size.y(),
+                  window.width, window.height, window.column, window.row));
+}
+
+void check_radiometry(const io::PatchImage& image, const io::ImageFacts& facts) {
+  const std::size_t n = image.radiometry.size();
+  if (n == 0 || n == static_cast<std::size_t>(facts.n_bands)) return;
+  throw io::IoError(image.path,
+                    fmt::format("has {} bands; radiometry states {}", facts.n_bands, n));
 }
 
 /// Both limits of height must lie in front of the camera, on the ray through the middle of the image.
 void check_heights(const io::PatchFile& patch,
                    const io::PatchImage& image,
-                   const io::ImageFacts& facts) {
+                   const Eigen::Vector2i& size_px) {
   const Eigen::Matrix3d m = image.image_from_world.leftCols<3>();
   const Eigen::Vector3d centre = projection_centre(image.image_from_world).hnormalized();
-  const Eigen::Vector2d middle(0.5 * (facts.width_px - 1), 0.5 * (facts.height_px - 1));
+  const Eigen::Vector2d middle = 0.5 * (size_px.cast<double>().array() - 1.0);
   const double side = m.determinant() > 0.0 ? 1.0 : -1.0;  // a matrix may have either sign
   const Eigen::Vector3d ray = side * m.inverse() * middle.homogeneous();
   for (const double z : patch.height_range_m) {
@@ -145,12 +179,15 @@ LocalFrame check_patch(const io::PatchFile& patch) {
   int n_bands = 0;
   for (std::size_t i = 0; i < patch.images.size(); ++i) {
     const io::PatchImage& image = patch.images[i];
-    const io::ImageFacts facts = io::image_facts(image.path);
-    io::check_image_size(image.path, facts, patch.max_image_mpx);
+    const io::ImageFacts facts = image.facts ? *image.facts : io::image_facts(image.path);
+    io::check_image_size(image.path, facts, patch.max_image_mpx, image.window);
     check_size(image, facts);
-    check_heights(patch, image, facts);
+    check_window(image, facts);
+    check_radiometry(image, facts);
+    const Eigen::Vector2i size_px = size_of_image(image, facts);
+    check_heights(patch, image, size_px);
     if (i == 0) {
-      frame = reconstruct::local_frame(image.image_from_world, {facts.width_px, facts.height_px},
+      frame = reconstruct::local_frame(image.image_from_world, size_px.cast<double>(),
                                        patch.height_range_m);
     } else if (facts.n_bands != n_bands) {
       throw io::IoError(image.path, fmt::format("{} bands, but {} has {}; all images of a patch "

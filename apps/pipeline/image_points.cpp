@@ -23,13 +23,14 @@ using ImagePair = std::array<std::size_t, 2>;
 struct Candidate {
   std::size_t image = 0;
   std::string file;
-  double camera_per_file = 1.0;  ///< pixels of the camera a pixel of the file
+  int reduction = 1;              ///< by which the file is read, as points need no larger image
+  double camera_per_pixel = 1.0;  ///< pixels of the camera a pixel that is read
 };
 
 std::optional<Candidate> candidate_of(const io::Orientation& orientation,
                                       std::size_t number,
                                       const std::optional<std::string>& file) {
-  constexpr double kMost_mpx = 130.0;  // a whole image is decoded
+  constexpr double kMost_mpx = 16.0;
   constexpr double kSameShape = 0.01;
   const io::OrientedImage& image = orientation.images[number];
   if (!file || !image.camera) return std::nullopt;
@@ -37,10 +38,12 @@ std::optional<Candidate> candidate_of(const io::Orientation& orientation,
   try {
     const io::ImageFacts facts = io::image_facts(*file);
     const Eigen::Vector2d file_px(facts.width_px, facts.height_px);
-    if (!size || file_px.prod() > 1e6 * kMost_mpx) return std::nullopt;
+    if (!size) return std::nullopt;
     const Eigen::Vector2d scale = size->cast<double>().cwiseQuotient(file_px);
     if (std::abs(scale.x() / scale.y() - 1.0) > kSameShape) return std::nullopt;
-    return Candidate{number, *file, scale.x()};
+    const int reduction =
+        std::max(1, static_cast<int>(std::ceil(std::sqrt(file_px.prod() / (1e6 * kMost_mpx)))));
+    return Candidate{number, *file, reduction, reduction * scale.x()};
   } catch (const io::IoError&) {
     return std::nullopt;
   }
@@ -78,13 +81,14 @@ std::vector<ImagePair> nearest_pairs(const io::Orientation& orientation,
 
 Eigen::Vector2d in_camera_px(const Candidate& candidate, const Eigen::Vector2d& x_px) {
   const Eigen::Vector2d half(0.5, 0.5);
-  return candidate.camera_per_file * (x_px + half) - half;
+  return candidate.camera_per_pixel * (x_px + half) - half;
 }
 
 std::vector<reconstruct::PointMatch> matches_of(const Candidate& a, const Candidate& b) {
   try {
-    return reconstruct::match_points({reconstruct::normalised_image(io::read_image(a.file)),
-                                      reconstruct::normalised_image(io::read_image(b.file))});
+    return reconstruct::match_points(
+        {reconstruct::normalised_image(io::read_reduced_image(a.file, a.reduction)),
+         reconstruct::normalised_image(io::read_reduced_image(b.file, b.reduction))});
   } catch (const io::IoError&) {
     return {};
   }

@@ -21,9 +21,26 @@ std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
   return transformed(segments, &EdgeSegment::in_image);
 }
 
-std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges) {
+/// A segment in pixels of the file in those of the window that is read of it.
+Segment2 in_window(const Segment2& in_file, const io::PatchImage& image) {
+  if (!image.window) return in_file;
+  const Eigen::Vector2d corner(image.window->column, image.window->row);
+  return {in_file.start - corner, in_file.end - corner};
+}
+
+/// Whether the middle of a segment lies in what is read of the image.
+bool is_read(const Segment2& in_window, const io::PatchImage& image) {
+  if (!image.window) return true;
+  const Eigen::Vector2d middle = midpoint(in_window);
+  return middle.x() >= 0.0 && middle.y() >= 0.0 && middle.x() <= image.window->width - 1.0 &&
+         middle.y() <= image.window->height - 1.0;
+}
+
+std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges,
+                                                const io::PatchFile& patch) {
   return transformed(edges, [&](const io::ReferenceEdge& edge) -> evaluate::EdgeInBoth {
-    return {edge.left, edge.right, edge.is_wrong_pair};
+    return {in_window(edge.left, patch.images[0]), in_window(edge.right, patch.images[1]),
+            edge.is_wrong_pair};
   });
 }
 
@@ -49,10 +66,12 @@ std::vector<evaluate::TrueEdge> true_edges(const io::PatchFile& patch,
   std::vector<evaluate::TrueEdge> edges;
   const std::vector<std::string> images = transformed(patch.images, &io::PatchImage::id);
   for (const io::ReferenceTrack& track :
-       io::read_reference_tracks(*patch.reference_tracks, images)) {
+       io::read_reference_tracks(*patch.reference_tracks, images, patch.chooses_images)) {
     evaluate::TrueEdge edge;
     for (const io::ReferenceSighting& s : track.sightings) {
-      if (s.view < n_views) edge.runs.push_back({s.view, s.segment});
+      if (s.view >= n_views) continue;
+      const Segment2 segment = in_window(s.segment, patch.images[s.view]);
+      if (is_read(segment, patch.images[s.view])) edge.runs.push_back({s.view, segment});
     }
     const bool is_in_two = std::ranges::any_of(edge.runs, [&](const evaluate::TrueEdge::Run& run) {
       return run.view != edge.runs.front().view;
@@ -107,7 +126,7 @@ std::optional<evaluate::MatchingScore> score_patch_matches(
   }
   return evaluate::score_matches(
       in_image(segments[0]), in_image(segments[1]), matches,
-      edges_in_both(std::get<std::vector<io::ReferenceEdge>>(reference)));
+      edges_in_both(std::get<std::vector<io::ReferenceEdge>>(reference), patch));
 }
 
 std::optional<evaluate::TracksScore> score_patch_tracks(

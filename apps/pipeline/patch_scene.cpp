@@ -20,38 +20,52 @@ PixelMap ideal_from_image(const io::PatchImage& view) {
 
 }  // namespace
 
-cv::Mat patch_image(const io::PatchFile& patch, std::size_t i) {
-  return reconstruct::normalised_image(
-      io::read_image(patch.images.at(i).path, patch.max_image_mpx));
+PatchPicture patch_image(const io::PatchFile& patch, std::size_t i) {
+  return read_image(patch.images.at(i), patch.max_image_mpx);
 }
 
-std::vector<cv::Mat> patch_images(const io::PatchFile& patch) {
-  std::vector<std::future<cv::Mat>> readers;
+PatchPicture read_image(const io::PatchImage& image, double max_mpx) {
+  const io::Picture picture =
+      io::read_picture(image.path, {image.window, image.turn, image.radiometry.empty(), max_mpx});
+  const reconstruct::BandRanges ranges =
+      image.radiometry.empty() ? reconstruct::band_ranges(picture.sample) : image.radiometry;
+  return {reconstruct::stretched_image(picture.pixels, ranges), picture.is_valid};
+}
+
+std::vector<PatchPicture> patch_images(const io::PatchFile& patch) {
+  std::vector<std::future<PatchPicture>> readers;
   for (std::size_t i = 0; i < patch.images.size(); ++i)
     readers.push_back(
         std::async(std::launch::async, [&patch, i] { return patch_image(patch, i); }));
-  std::vector<cv::Mat> images;
+  std::vector<PatchPicture> images;
   images.reserve(readers.size());
-  for (std::future<cv::Mat>& reader : readers) images.push_back(reader.get());
+  for (std::future<PatchPicture>& reader : readers) images.push_back(reader.get());
   return images;
+}
+
+reconstruct::View view_of(const io::PatchImage& image, const LocalFrame& frame) {
+  reconstruct::View view;
+  view.id = image.id;
+  view.image_from_local = image_from_local(image.image_from_world, frame.origin_m);
+  view.ideal_from_image = ideal_from_image(image);
+  view.corner_px = image.window_px.array().round().cast<int>();
+  return view;
 }
 
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame) {
   reconstruct::Scene scene{{}, io::heights_in_local_m(patch, frame), frame};
-  for (const io::PatchImage& image : patch.images) {
-    scene.views.push_back({image.id,
-                           image_from_local(image.image_from_world, frame.origin_m),
-                           {},
-                           ideal_from_image(image)});
-  }
+  for (const io::PatchImage& image : patch.images) scene.views.push_back(view_of(image, frame));
   return scene;
 }
 
 reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
-                               const std::vector<cv::Mat>& images) {
+                               const std::vector<PatchPicture>& images) {
   reconstruct::Scene scene = patch_scene(patch, frame);
-  for (std::size_t i = 0; i < images.size(); ++i) scene.views[i].image = images[i];
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    scene.views[i].image = images[i].image;
+    scene.views[i].is_valid = images[i].is_valid;
+  }
   return scene;
 }
 

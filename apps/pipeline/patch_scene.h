@@ -15,11 +15,20 @@ namespace ridgeline::apps {
 /// The first two images of a patch are its base pair, the one that Table 1 and the PNG figures of the report show.
 inline constexpr ViewPair kPairOfPatch{0, 1};
 
-/// An image of the patch, normalised.
-cv::Mat patch_image(const io::PatchFile& patch, std::size_t i);
+/// What is read of an image of a patch.
+struct PatchPicture {
+  cv::Mat
+      image;  ///< normalised, by the radiometry that the patch states, else by that of the whole file
+  cv::Mat is_valid;  ///< reconstruct::View::is_valid
+};
+PatchPicture read_image(const io::PatchImage& image, double max_mpx);
+PatchPicture patch_image(const io::PatchFile& patch, std::size_t i);
 
-/// The images of the patch, normalised, read in parallel. If several cannot be read, the error names the first.
-std::vector<cv::Mat> patch_images(const io::PatchFile& patch);
+/// The images of the patch, read in parallel. If several cannot be read, the error names the first.
+std::vector<PatchPicture> patch_images(const io::PatchFile& patch);
+
+/// The view of an image in a frame, without image and segments. `image` must outlive it.
+reconstruct::View view_of(const io::PatchImage& image, const LocalFrame& frame);
 
 /// The views of a patch in a frame, without images and segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
@@ -27,7 +36,7 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& fra
 /// The views of a patch in a frame, with images and without segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
-                               const std::vector<cv::Mat>& images);
+                               const std::vector<PatchPicture>& images);
 
 /// The names that the files of an image's segments have in the folder of a run: edges_file() holds the extracted segments,
 /// segments_file() these and the ones found while matching.

@@ -73,8 +73,11 @@ py::dict reconstruct_views(const py::dict& entries) {
   std::vector<cv::Mat> raw;
   for (std::size_t i = 0; i < patch.images.size(); ++i)
     raw.push_back(image_of(arrays.at(i), patch.images[i].id));
-  return lines_of(patch, options_of(entries),
-                  [&] { return transformed(raw, reconstruct::normalised_image); });
+  return lines_of(patch, options_of(entries), [&] {
+    return transformed(raw, [](const cv::Mat& image) {
+      return apps::PatchPicture{reconstruct::normalised_image(image), {}};
+    });
+  });
 }
 
 py::dict reconstruct_patch(const std::string& path, const py::dict& entries) {

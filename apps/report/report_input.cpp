@@ -83,7 +83,7 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
   ReportImages shown;
   for (std::size_t i = 0; i < patch.patch->images.size(); ++i) {
     (void)inputs.unchanged(patch.patch->images[i].path);
-    const cv::Mat image = patch_image(*patch.patch, i);
+    const cv::Mat image = patch_image(*patch.patch, i).image;
     shown.pictures.push_back(display_image(image));
     shown.sizes_px.emplace_back(image.cols, image.rows);
     if (i < shown.base_pair.size()) shown.base_pair[i] = image;

@@ -97,6 +97,8 @@ Json view_json(const ReportPatch& patch, std::size_t i) {
           {"file", std::filesystem::path(view.path).filename().string()},
           {"width_px", static_cast<int>(patch.images->sizes_px[i].x())},
           {"height_px", static_cast<int>(patch.images->sizes_px[i].y())},
+          {"corner_px", Json::array({view.window ? view.window->column : 0,
+                                     view.window ? view.window->row : 0})},
           {"lens", lens_json(view)},
           {"projection", matrix_json(camera_of(patch, i))},
           {"segments", segments_base64(patch.images->segments[i])},

@@ -8,7 +8,6 @@
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "io/cloud/cloud_files.h"
-#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/lines/read_lines.h"
 #include "io/results/judge_files.h"
@@ -35,6 +34,16 @@ std::string lens_text(const io::PatchImage& image) {
   return fmt::format("{} {} {} {} {} {} {} {}", matrix_text(focal_length_px),
                      matrix_text(principal_point_px), matrix_text(image.window_px), distortion.k1,
                      distortion.k2, distortion.k3, distortion.p1, distortion.p2);
+}
+
+/// What is read of a file and how, as text.
+std::string reading_text(const io::PatchImage& image) {
+  const io::Window window = image.window.value_or(io::Window{});
+  std::string text =
+      fmt::format("{} {} {} {} {} {}", window.column, window.row, window.width, window.height,
+                  static_cast<int>(image.turn), matrix_text(image.window_px));
+  for (const auto& [low, high] : image.radiometry) text += fmt::format(" {} {}", low, high);
+  return text;
 }
 
 /// One patch on its way through the stages. A stage runs, or is skipped if an earlier run has finished it. The
@@ -105,7 +114,8 @@ class PatchRun {
   void check_pairs() {
     for (std::size_t i = 0; i < image_keys_.size(); ++i) {
       const io::PatchImage& image = patch_.images[i];
-      image_keys_[i] = stage_key({io::sha256_of_file(image.path), lens_text(image)});
+      image_keys_[i] =
+          stage_key({record_.hash_of(image.path), lens_text(image), reading_text(image)});
     }
     stage("check pairs",
           stage_key({views_key(), parameters_["tracks"].dump(),
@@ -190,7 +200,7 @@ class PatchRun {
 
   [[nodiscard]] std::string evaluation_key() const {
     std::vector<std::string> parts = lines_keys_;
-    parts.push_back(io::sha256_of_file(patch_.path));
+    parts.push_back(record_.hash_of(patch_.path));
     parts.push_back(options_.assume_crs.definition);
     parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
@@ -199,7 +209,7 @@ class PatchRun {
                                 options_.summary.bootstrap.seed));
     if (!patch_.lidar.empty()) {
       for (const std::string& file : io::expand_patterns(patch_.lidar)) {
-        parts.push_back(io::sha256_of_file(file));
+        parts.push_back(record_.hash_of(file));
       }
     }
     return stage_key(parts);

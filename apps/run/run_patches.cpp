@@ -8,7 +8,6 @@
 #include "apps/report/write_report.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
-#include "io/files/sha256.h"
 #include "io/results/judged_map.h"
 #include "io/results/write_results.h"
 #include "io/text/text.h"
@@ -93,12 +92,26 @@ nlohmann::ordered_json n_views_by_patch(const std::vector<CheckedPatch>& patches
   return json;
 }
 
+/// What was read of the images of each patch, [column, row, columns, rows], if it was not all.
+nlohmann::ordered_json windows_by_patch(const std::vector<CheckedPatch>& patches) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const CheckedPatch& patch : patches) {
+    for (const io::PatchImage& image : patch.file.images) {
+      if (!image.window) continue;
+      const io::Window& w = *image.window;
+      json[patch.file.id][image.id] = {w.column, w.row, w.width, w.height};
+    }
+  }
+  return json;
+}
+
 /// Images of a patch that hold the same picture, which a copied path or file makes.
-std::vector<std::string> same_pictures(const io::PatchFile& patch) {
+std::vector<std::string> same_pictures(const io::PatchFile& patch,
+                                       const results::RunRecord& record) {
   std::vector<std::string> warnings;
   std::map<std::string, std::string> path_of_hash;
   for (const io::PatchImage& image : patch.images) {
-    const auto [other, is_new] = path_of_hash.emplace(io::sha256_of_file(image.path), image.path);
+    const auto [other, is_new] = path_of_hash.emplace(record.hash_of(image.path), image.path);
     if (is_new) continue;
     warnings.push_back(fmt::format("{}: {} and {} hold the same picture; each view needs its own",
                                    patch.path, other->second, image.path));
@@ -106,11 +119,13 @@ std::vector<std::string> same_pictures(const io::PatchFile& patch) {
   return warnings;
 }
 
-std::vector<std::string> early_warnings(const std::vector<CheckedPatch>& patches, bool all_views) {
+std::vector<std::string> early_warnings(const std::vector<CheckedPatch>& patches,
+                                        bool all_views,
+                                        const results::RunRecord& record) {
   std::vector<std::string> warnings;
   for (const auto& [patch, frame] : patches) {
     std::ranges::copy(patch.warnings, std::back_inserter(warnings));
-    std::ranges::move(same_pictures(patch), std::back_inserter(warnings));
+    std::ranges::move(same_pictures(patch, record), std::back_inserter(warnings));
     if (patch.images.size() == 2 || all_views) continue;
     warnings.push_back(fmt::format(
         "{}: {} images; the papers use two: lines are reconstructed from the first ones, {} and {}",
@@ -128,20 +143,20 @@ void run_patches(const std::string& command,
   results::RunRecord record(command);
   record.set_options(echo_options(options));
   const std::vector<CheckedPatch> patches = read_patches(patch_files, options);
-  std::vector<std::string> early =
-      early_warnings(patches, options.parameters.method.matching.tracks.all_views);
-  warn_of(early);  // now, because they may say why the work fails
-  for (const auto& [patch, frame] : patches)
-    early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
-  record.add_warnings(early);
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json", "table1.tracks.csv"})
     (void)out.path(name);
   for (const std::string& name : results::result_names({})) (void)out.path(name);
-  for (const CheckedPatch& patch : patches) check_run(patch, options, out);
   for (const results::InputFile& input : inputs) record.add_input(input);
   record.end_stage("hash_inputs");
+  std::vector<std::string> early =
+      early_warnings(patches, options.parameters.method.matching.tracks.all_views, record);
+  warn_of(early);  // now, because they may say why the work fails
+  for (const auto& [patch, frame] : patches)
+    early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
+  record.add_warnings(early);
+  for (const CheckedPatch& patch : patches) check_run(patch, options, out);
 
   Progress progress(patches.size() * count_steps(options));
   evaluate::Table1 table1;
@@ -178,6 +193,8 @@ void run_patches(const std::string& command,
   record.set("page", to_json(options.page));
   record.set("n_views",
              n_views_by_patch(patches, options.parameters.method.matching.tracks.all_views));
+  if (const auto windows = windows_by_patch(patches); !windows.empty())
+    record.set("windows_px", windows);
   out.write("run.json", record.to_json());
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());

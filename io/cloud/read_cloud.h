@@ -3,6 +3,7 @@
 
 #include "io/cloud/plan_mask.h"
 #include "io/cloud/point_cloud.h"
+#include "io/files/expand_patterns.h"
 
 #include <Eigen/Geometry>
 
@@ -61,9 +62,5 @@ PointCloud read_cloud(const std::vector<std::string>& paths_or_patterns,
 /// has points, rounded to 100 m by axis. Points are sampled, as header bounds may be wrong.
 LocalFrame suggest_frame(const std::vector<std::string>& paths_or_patterns,
                          const ReadOptions& options = {});
-
-/// Replaces patterns by the sorted names they match, and keeps plain paths.
-/// Throws IoError naming a pattern that matches nothing.
-std::vector<std::string> expand_patterns(const std::vector<std::string>& paths_or_patterns);
 
 }  // namespace ridgeline::io

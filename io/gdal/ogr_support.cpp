@@ -27,7 +27,12 @@ FixedDate::~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", null
 
 void register_gdal_drivers() {
   static std::once_flag registered;
-  std::call_once(registered, [] { GDALAllRegister(); });
+  // Blocks of images are wanted once; the default cache is a share of the machine's memory.
+  constexpr GIntBig kCacheBytes = GIntBig{64} << 20U;
+  std::call_once(registered, [] {
+    GDALAllRegister();
+    GDALSetCacheMax64(kCacheBytes);
+  });
 }
 
 QuietGdal::QuietGdal() { CPLPushErrorHandlerEx(collect, &complaints_); }

@@ -2,126 +2,209 @@
 #include "io/images/image.h"
 
 #include "io/error.h"
-#include "io/gdal/ogr_support.h"
-#include "io/kinds/recognise.h"
+#include "io/images/open_image.h"
+#include "io/images/tiff_tag.h"
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
-#include <gdal_priv.h>
+#include <opencv2/core.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace ridgeline::io {
 namespace {
 
-/// Sets options of GDAL for this thread while it lives.
-class GdalOptions {
+constexpr double kMega = 1e6;
+
+/// Side of the blocks of Picture::sample.
+constexpr int kSampleBlock_px = 64;
+
+Window whole_of(int width_px, int height_px) { return {0, 0, width_px, height_px}; }
+
+double pixels_of(const Window& window) { return double(window.width) * window.height; }
+
+/// The window of an image that is wanted, in stored pixels. Throws IoError if it is not within the image.
+Window wanted(const std::string& path, const ImageFacts& facts, const ImageReading& reading) {
+  const bool swaps = swaps_axes(reading.turn);
+  const int width = swaps ? facts.height_px : facts.width_px;
+  const int height = swaps ? facts.width_px : facts.height_px;
+  const Window window = reading.window.value_or(whole_of(width, height));
+  if (window.width < 2 || window.height < 2) {
+    throw IoError(
+        path, fmt::format("{} x {} pixels; must be at least 2 x 2", window.width, window.height));
+  }
+  const bool is_within = window.column >= 0 && window.row >= 0 && window.width <= width &&
+                         window.height <= height && window.column <= width - window.width &&
+                         window.row <= height - window.height;
+  if (!is_within) {
+    throw IoError(path,
+                  fmt::format("{} x {} pixels do not hold the window of {} x {} at {}, {}", width,
+                              height, window.width, window.height, window.column, window.row));
+  }
+  return stored_window(window, reading.turn, facts.width_px, facts.height_px);
+}
+
+/// Appends the pixels of a list that are valid; all of them if `valid` is empty.
+void append(const cv::Mat& list, const cv::Mat& valid, cv::Mat& pixels) {
+  if (valid.empty()) return pixels.push_back(list);
+  const cv::Mat is_valid = valid.reshape(0, list.rows);
+  for (int i = 0; i < list.rows; ++i) {
+    if (is_valid.at<std::uint8_t>(i) != 0) pixels.push_back(list.row(i));
+  }
+}
+
+/// An open image whose windows can be read. Windows are in stored pixels.
+class OpenImage {
  public:
-  GdalOptions() {
-    for (const auto& [name, value] : kOptions) CPLSetThreadLocalConfigOption(name, value);
+  OpenImage(const std::string& path, const ImageSession& session)
+      : path_(path), session_(session), dataset_(session.open(path)) {
+    facts_ = facts_of(path, *dataset_);
   }
-  ~GdalOptions() {
-    for (const auto& [name, value] : kOptions) CPLSetThreadLocalConfigOption(name, nullptr);
+
+  [[nodiscard]] const ImageFacts& facts() const { return facts_; }
+
+  /// The pixels of a window whose sides are multiples of `factor`, each the mean of `factor` x `factor`.
+  [[nodiscard]] cv::Mat pixels(const Window& window, int factor = 1) const {
+    const int depth = facts_.bits == 8 ? CV_8U : CV_16U;
+    cv::Mat image(window.height / factor, window.width / factor,
+                  CV_MAKETYPE(depth, facts_.n_bands));
+    const auto band_step = static_cast<GSpacing>(image.elemSize1());
+    GDALRasterIOExtraArg means;
+    INIT_RASTERIO_EXTRA_ARG(means);
+    means.eResampleAlg = GRIORA_Average;
+    const CPLErr error = dataset_->RasterIO(
+        GF_Read, window.column, window.row, window.width, window.height, image.data, image.cols,
+        image.rows, facts_.bits == 8 ? GDT_Byte : GDT_UInt16, facts_.n_bands, nullptr,
+        band_step * facts_.n_bands, static_cast<GSpacing>(image.step[0]), band_step, &means);
+    if (error != CE_None) session_.fail_to_decode(path_);
+    return image;
   }
-  GdalOptions(const GdalOptions&) = delete;
-  GdalOptions& operator=(const GdalOptions&) = delete;
+
+  /// Where the pixels have data; empty if they have it everywhere.
+  [[nodiscard]] cv::Mat is_valid(const Window& window, const cv::Mat& pixels) const {
+    cv::Mat valid;
+    for (int number = 1; number <= facts_.n_bands; ++number) {
+      GDALRasterBand& band = *dataset_->GetRasterBand(number);
+      const int flags = band.GetMaskFlags();
+      if ((flags & GMF_PER_DATASET) != 0 && (flags & GMF_ALPHA) == 0) return mask(window, band);
+      if ((flags & GMF_NODATA) == 0) return {};
+      cv::Mat of_band;
+      cv::extractChannel(pixels, of_band, number - 1);
+      of_band = of_band != band.GetNoDataValue();
+      valid = valid.empty() ? of_band : valid | of_band;
+    }
+    return cv::countNonZero(valid) == static_cast<int>(valid.total()) ? cv::Mat() : valid;
+  }
+
+  /// Picture::sample. `whole` holds the pixels of the whole image, if they have been read.
+  [[nodiscard]] cv::Mat sample(const cv::Mat& whole) const {
+    cv::Mat valid_ones;
+    cv::Mat all;
+    for (const Window& place : sample_places()) {
+      const cv::Rect area(place.column, place.row, place.width, place.height);
+      const cv::Mat block = whole.empty() ? pixels(place) : whole(area).clone();
+      const cv::Mat list = block.reshape(0, static_cast<int>(block.total()));
+      const cv::Mat valid = is_valid(place, block);
+      append(list, valid, valid_ones);
+      if (valid_ones.empty()) all.push_back(list);
+    }
+    return valid_ones.empty() ? all : valid_ones;
+  }
+
+  /// How many pixels GDAL decodes for a window.
+  [[nodiscard]] double decoded_pixels(const Window& window) const {
+    int width = 0;
+    int height = 0;
+    dataset_->GetRasterBand(1)->GetBlockSize(&width, &height);
+    const int end_row = window.row + window.height;
+    if (const std::optional<int> rows = rows_in_sequence()) {
+      return double(facts_.width_px) * (end_row - window.row / *rows * *rows);
+    }
+    const auto covered = [](int first, int end, int block, int limit) {
+      return std::min((end + block - 1) / block * block, limit) - first / block * block;
+    };
+    return double(covered(window.column, window.column + window.width, width, facts_.width_px)) *
+           covered(window.row, end_row, height, facts_.height_px);
+  }
 
  private:
-  static constexpr std::array<std::pair<const char*, const char*>, 3> kOptions{{
-      // a JPEG that ends early is grey from there on; libjpeg calls that a warning
-      {"GDAL_ERROR_ON_LIBJPEG_WARNING", "TRUE"},
-      // Files beside an image, such as .aux.xml, were not given by the user, so none is read and none is left behind.
-      {"GDAL_PAM_ENABLED", "NO"},
-      {"GDAL_DISABLE_READDIR_ON_OPEN", "EMPTY_DIR"},
-  }};
+  [[nodiscard]] cv::Mat mask(const Window& window, GDALRasterBand& band) const {
+    cv::Mat valid(window.height, window.width, CV_8UC1);
+    const CPLErr error = band.GetMaskBand()->RasterIO(
+        GF_Read, window.column, window.row, window.width, window.height, valid.data, window.width,
+        window.height, GDT_Byte, 1, static_cast<GSpacing>(valid.step[0]), nullptr);
+    if (error != CE_None) session_.fail_to_decode(path_);
+    return valid;
+  }
+
+  /// The number of rows of which each is decoded after those before it: all of PNG and JPEG, those of a compressed strip, which
+  /// GDAL may call blocks of one row.
+  [[nodiscard]] std::optional<int> rows_in_sequence() const {
+    constexpr std::uint64_t kUncompressed = 1;
+    if (facts_.format == "PNG" || facts_.format == "JPEG") return facts_.height_px;
+    if (facts_.format != "GTiff" || tiff_tag(path_, kTiffCompression) == kUncompressed)
+      return std::nullopt;
+    const std::optional<std::uint64_t> rows = tiff_tag(path_, kTiffRowsPerStrip);
+    if (!rows || *rows == 0) return std::nullopt;
+    return static_cast<int>(std::min(*rows, static_cast<std::uint64_t>(facts_.height_px)));
+  }
+
+  /// At most 256 blocks that are spread evenly over the image; all of a small image.
+  [[nodiscard]] std::vector<Window> sample_places() const {
+    constexpr int kPerSide = 16;
+    constexpr int kMost_px = kPerSide * kSampleBlock_px * kPerSide * kSampleBlock_px;
+    const Window whole = whole_of(facts_.width_px, facts_.height_px);
+    if (pixels_of(whole) <= kMost_px) return {whole};
+    const int n_columns = std::clamp(facts_.width_px / kSampleBlock_px, 1, kPerSide);
+    const int n_rows = std::clamp(facts_.height_px / kSampleBlock_px, 1, kPerSide);
+    std::vector<Window> places;
+    for (int row = 0; row < n_rows; ++row) {
+      for (int column = 0; column < n_columns; ++column) {
+        places.push_back({place(column, n_columns, facts_.width_px),
+                          place(row, n_rows, facts_.height_px),
+                          std::min(kSampleBlock_px, facts_.width_px),
+                          std::min(kSampleBlock_px, facts_.height_px)});
+      }
+    }
+    return places;
+  }
+
+  /// The first pixel of block i of n in a row of blocks. It is a multiple of the blocks' side, so that a block lies in one
+  /// tile of a file, whose sides are multiples of it, too.
+  static int place(int i, int n, int size_px) {
+    const int first = static_cast<int>((i + 0.5) / n * size_px) - kSampleBlock_px / 2;
+    return std::max(0, first / kSampleBlock_px * kSampleBlock_px);
+  }
+
+  const std::string& path_;
+  const ImageSession& session_;
+  GDALDatasetUniquePtr dataset_;
+  ImageFacts facts_;
 };
-
-/// Shortens a message, as GDAL repeats itself for every block of a damaged file.
-std::string shortened(std::string text) {
-  constexpr std::size_t kLongest = 200;
-  if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // UTF-8
-  return text.substr(0, end) + "...";
-}
-
-GDALDatasetUniquePtr open(const std::string& path, const QuietGdal& quiet) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
-  if (std::filesystem::is_directory(status)) {
-    refuse_other_kind(path, Expected::kImage);
-    throw IoError(path, "is a folder, not an image");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw IoError(path, "is a device, pipe or socket; an image must be a file");
-  }
-  register_gdal_drivers();
-  // Only these drivers are used, as others of GDAL follow references to more files and to addresses.
-  const char* const drivers[] = {"GTiff", "PNG", "JPEG", nullptr};
-  GDALDatasetUniquePtr dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
-  if (!dataset) {
-    refuse_other_kind(path, Expected::kImage);
-    throw IoError(path, "is no readable TIFF, PNG or JPEG image: " +
-                            shortened(quiet.complaints("its content is none of these")));
-  }
-  return dataset;
-}
-
-int bits_of(const std::string& path, GDALRasterBand& band, int number) {
-  switch (band.GetRasterDataType()) {
-    case GDT_Byte:
-      return 8;
-    case GDT_UInt16:
-      return 16;
-    default:
-      throw IoError(path, fmt::format("band {} is {}; must be 8 or 16 bit unsigned", number,
-                                      GDALGetDataTypeName(band.GetRasterDataType())));
-  }
-}
-
-ImageFacts facts_of(const std::string& path, GDALDataset& dataset) {
-  ImageFacts facts{.format = dataset.GetDriver()->GetDescription(),
-                   .width_px = dataset.GetRasterXSize(),
-                   .height_px = dataset.GetRasterYSize(),
-                   .n_bands = dataset.GetRasterCount()};
-  if (facts.n_bands < 1 || facts.n_bands > 4) {
-    throw IoError(path, fmt::format("has {} bands; must be 1 to 4", facts.n_bands));
-  }
-  if (std::int64_t{facts.width_px} * facts.height_px > kMaxImagePixels) {
-    throw IoError(path, fmt::format("is {} x {} pixels; at most {} pixels can be read",
-                                    facts.width_px, facts.height_px, kMaxImagePixels));
-  }
-  for (int number = 1; number <= facts.n_bands; ++number) {
-    GDALRasterBand& band = *dataset.GetRasterBand(number);
-    const int bits = bits_of(path, band, number);
-    if (number > 1 && bits != facts.bits) {
-      throw IoError(path, fmt::format("band {} has {} bits, band 1 has {}; all must have the same",
-                                      number, bits, facts.bits));
-    }
-    facts.bits = bits;
-    if (band.GetColorTable() != nullptr) {
-      throw IoError(path, "has a colour table; expand it to bands (gdal_translate -expand rgb)");
-    }
-  }
-  return facts;
-}
 
 }  // namespace
 
-void check_image_size(const std::string& path, const ImageFacts& facts, double max_mpx) {
-  constexpr double kMega = 1e6;
-  const double mpx = double(facts.width_px) * facts.height_px / kMega;
+void check_image_size(const std::string& path,
+                      const ImageFacts& facts,
+                      double max_mpx,
+                      const std::optional<Window>& window) {
+  const Window read = window.value_or(whole_of(facts.width_px, facts.height_px));
+  const double mpx = pixels_of(read) / kMega;
+  if (pixels_of(read) > double(kMaxImagePixels)) {
+    throw IoError(path, fmt::format("is {} x {} pixels; at most {} pixels can be read at once",
+                                    read.width, read.height, kMaxImagePixels));
+  }
   const auto refuse = [&](const std::string& rule) {
     throw IoError(
         path, fmt::format(
                   "{} x {} pixels are {:.4g} million; {}. If the image is meant, allow its size by "
                   "--max-image-mpx {:.0f}",
-                  facts.width_px, facts.height_px, mpx, rule, std::ceil(mpx)));
+                  read.width, read.height, mpx, rule, std::ceil(mpx)));
   };
   if (max_mpx > 0.0) {
     if (mpx > max_mpx) refuse(fmt::format("at most {:g} million are allowed", max_mpx));
@@ -140,34 +223,53 @@ void check_image_size(const std::string& path, const ImageFacts& facts, double m
 }
 
 ImageFacts image_facts(const std::string& path) {
-  const QuietGdal quiet;
-  const GdalOptions options;
-  const GDALDatasetUniquePtr dataset = open(path, quiet);
-  return facts_of(path, *dataset);
+  const ImageSession session;
+  return facts_of(path, *session.open(path));
+}
+
+Picture read_picture(const std::string& path, const ImageReading& reading) {
+  const ImageSession session;
+  const OpenImage image(path, session);
+  check_image_size(path, image.facts(), reading.max_mpx, reading.window);
+  const Window window = wanted(path, image.facts(), reading);
+  const cv::Mat pixels = image.pixels(window);
+  const cv::Mat valid = image.is_valid(window, pixels);
+  const cv::Mat sample =
+      reading.samples ? image.sample(reading.window ? cv::Mat() : pixels) : cv::Mat();
+  return {turned(pixels, reading.turn), valid.empty() ? valid : turned(valid, reading.turn),
+          sample};
 }
 
 cv::Mat read_image(const std::string& path, double max_mpx) {
-  const QuietGdal quiet;
-  const GdalOptions options;
-  const GDALDatasetUniquePtr dataset = open(path, quiet);
-  const ImageFacts facts = facts_of(path, *dataset);
-  check_image_size(path, facts, max_mpx);
-  if (facts.width_px < 2 || facts.height_px < 2) {
-    throw IoError(path, fmt::format("{} x {} pixels; must be at least 2 x 2", facts.width_px,
-                                    facts.height_px));
-  }
-  const int depth = facts.bits == 8 ? CV_8U : CV_16U;
-  cv::Mat image(facts.height_px, facts.width_px, CV_MAKETYPE(depth, facts.n_bands));
-  const auto band_step = static_cast<GSpacing>(image.elemSize1());
-  const CPLErr error = dataset->RasterIO(
-      GF_Read, 0, 0, facts.width_px, facts.height_px, image.data, facts.width_px, facts.height_px,
-      facts.bits == 8 ? GDT_Byte : GDT_UInt16, facts.n_bands, nullptr, band_step * facts.n_bands,
-      static_cast<GSpacing>(image.step[0]), band_step, nullptr);
-  if (error != CE_None) {
-    throw IoError(path,
-                  "cannot be decoded: " + shortened(quiet.complaints("its pixels are damaged")));
-  }
-  return image;
+  const ImageSession session;
+  const OpenImage image(path, session);
+  check_image_size(path, image.facts(), max_mpx);
+  return image.pixels(wanted(path, image.facts(), {}));
+}
+
+cv::Mat read_reduced_image(const std::string& path, int factor) {
+  const ImageSession session;
+  const OpenImage image(path, session);
+  const ImageFacts& facts = image.facts();
+  const Window used{0, 0, facts.width_px / factor * factor, facts.height_px / factor * factor};
+  check_image_size(path, facts, 0.0, Window{0, 0, used.width / factor, used.height / factor});
+  (void)wanted(path, facts, {.window = used});
+  return image.pixels(used, factor);
+}
+
+std::optional<std::string> slow_reading(const std::string& path, const Window& window) {
+  constexpr double kMuch_mpx = 20.0;  // about a tenth of a second
+  constexpr double kTimesTheWindow = 8.0;
+  const ImageSession session;
+  const OpenImage image(path, session);
+  const double decoded = image.decoded_pixels(window);
+  if (decoded < kMuch_mpx * kMega || decoded < kTimesTheWindow * pixels_of(window))
+    return std::nullopt;
+  return fmt::format(
+      "{}: {:.0f} million pixels are decoded for a window of {:.2g} million; a file in tiles is "
+      "read "
+      "faster (gdal_translate -co TILED=YES -co COMPRESS=DEFLATE {} OUT.tif)",
+      path, decoded / kMega, pixels_of(window) / kMega, path);
 }
 
 }  // namespace ridgeline::io

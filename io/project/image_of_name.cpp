@@ -62,16 +62,19 @@ std::vector<std::string_view> nearest_names(const Orientation& orientation,
 
 }  // namespace
 
-std::size_t image_of_name(const Orientation& orientation, const std::string& name) {
+std::optional<std::size_t> find_image(const Orientation& orientation, const std::string& name) {
   const std::vector<std::size_t> found = images_meant(orientation, name);
+  if (found.empty()) return std::nullopt;
   if (found.size() == 1) return found.front();
-  if (found.empty()) {
-    throw std::invalid_argument(fmt::format("has no image {}; the nearest names are {}", name,
-                                            fmt::join(nearest_names(orientation, name), ", ")));
-  }
   throw std::invalid_argument(fmt::format(
       "has {} images that {} may mean, among them {} and {}; state one by the key name",
       found.size(), name, orientation.images[found[0]].name, orientation.images[found[1]].name));
+}
+
+std::size_t image_of_name(const Orientation& orientation, const std::string& name) {
+  if (const auto found = find_image(orientation, name)) return *found;
+  throw std::invalid_argument(fmt::format("has no image {}; the nearest names are {}", name,
+                                          fmt::join(nearest_names(orientation, name), ", ")));
 }
 
 }  // namespace ridgeline::io

@@ -3,14 +3,19 @@
 
 #include "io/files/yaml_check.h"
 #include "io/orientation/colmap.h"
+#include "io/project/image_list.h"
+#include "io/project/patch_area.h"
 #include "io/project/patch_orientation.h"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
+#include <set>
 
 namespace ridgeline::io {
 namespace {
@@ -33,22 +38,23 @@ class PatchReader {
         folder_(std::filesystem::path(path).parent_path()),
         map_(path,
              load_yaml(path, Expected::kPatch),
-             {"id", "crs", "height_range", "images", "orientation", "cameras", "angles", "rotation",
-              "matrix", "colmap", "colmap_images", "lidar", "reference_matches", "reference_tracks",
-              "reference_lines"}) {}
+             {"id", "crs", "height_range", "surface_model", "area", "max_views", "images",
+              "orientation", "cameras", "angles", "rotation", "matrix", "colmap", "colmap_images",
+              "lidar", "reference_matches", "reference_tracks", "reference_lines"}) {}
 
   [[nodiscard]] PatchFile read(const FindPatchPoints& find) {
     PatchFile patch;
     patch.path = path_;
     patch.id = map_.text("id");
     patch.crs = crs();
-    patch.height_range_m = height_range();
-    read_orientation(find, patch);
-    patch.images = images();
-    check_images(patch.images);
     if (map_.has("lidar")) {
       for (const std::string& file : map_.texts("lidar")) patch.lidar.push_back(resolved(file));
     }
+    read_heights(patch);
+    read_orientation(find, patch);
+    read_area(patch);
+    read_images(patch);
+    check_images(patch.images);
     patch.reference_matches = optional_path("reference_matches");
     patch.reference_tracks = optional_path("reference_tracks");
     patch.reference_lines = optional_path("reference_lines");
@@ -93,11 +99,20 @@ class PatchReader {
 
   [[nodiscard]] std::vector<ImageToOrient> images_to_orient() const {
     std::vector<ImageToOrient> images;
+    if (names_files(map_)) {
+      for (const std::string& file : image_files(map_, folder_))
+        images.push_back(whole_image(file));
+      return images;
+    }
     for (const YAML::Node& node : image_list()) {
       const YamlMap map = image_map(node);
       if (takes_orientation(map)) images.push_back(image_to_orient(map));
     }
     return images;
+  }
+
+  [[nodiscard]] static ImageToOrient whole_image(const std::string& file) {
+    return {.name = std::filesystem::path(file).filename().string(), .path = file};
   }
 
   [[nodiscard]] static bool takes_orientation(const YamlMap& image) {
@@ -109,7 +124,30 @@ class PatchReader {
     return {.name = map.has("name") ? map.text("name")
                                     : std::filesystem::path(path).filename().string(),
             .path = path,
-            .is_whole = !map.has("window_px")};
+            .is_whole = !map.has("window_px") || map.node("window_px").size() == 4};
+  }
+
+  void read_heights(PatchFile& patch) const {
+    patch.surface_model = optional_path("surface_model");
+    const YAML::Node node = map_.node("height_range");
+    if (!node.IsScalar()) {
+      patch.height_range_m = height_range();
+      if (patch.surface_model) {
+        map_.fail("surface_model",
+                  "surface_model serves height_range: auto; the heights are stated");
+      }
+      return;
+    }
+    if (map_.text("height_range") != "auto") {
+      map_.fail("height_range", fmt::format("height_range = {}; must be [lowest, highest] or auto",
+                                            map_.text("height_range")));
+    }
+    if (!patch.surface_model && patch.lidar.empty()) {
+      map_.fail("height_range",
+                "height_range: auto takes the heights from lidar or surface_model; "
+                "the patch has neither");
+    }
+    patch.heights = patch.surface_model ? HeightSource::kSurfaceModel : HeightSource::kLidar;
   }
 
   [[nodiscard]] std::array<double, 2> height_range() const {
@@ -123,15 +161,76 @@ class PatchReader {
     return {range[0], range[1]};
   }
 
-  [[nodiscard]] std::vector<PatchImage> images() const {
+  void read_area(PatchFile& patch) const {
+    patch.area_m = area_of_patch(map_, folder_, patch.crs);
+    if (!map_.has("max_views")) return;
+    if (patch.area_m.empty()) {
+      map_.fail("max_views", "max_views needs area: the images that show it best are taken");
+    }
+    const double most = map_.number("max_views");
+    constexpr double kMost = 100.0;
+    if (most != std::floor(most) || most < 2.0 || most > kMost) {
+      map_.fail("max_views",
+                fmt::format("max_views = {}; must be a whole number, 2 to {}", most, kMost));
+    }
+    patch.max_views = static_cast<std::size_t>(most);
+  }
+
+  void read_images(PatchFile& patch) const {
     if (map_.has("images") == map_.has("colmap")) {
       map_.fail("images", "one of the keys images and colmap is needed, and not both");
     }
-    if (map_.has("colmap")) return colmap_images();
+    patch.chooses_images = !patch.area_m.empty() && (map_.has("colmap") || names_files(map_));
+    if (map_.has("max_views") && !patch.chooses_images) {
+      map_.fail("max_views",
+                "max_views needs images by a folder or pattern, or colmap; images that "
+                "are listed one by one are all used");
+    }
+    if (patch.chooses_images && map_.has("reference_matches")) {
+      map_.fail("reference_matches",
+                "reference_matches is of the first two images, which the area "
+                "decides; state reference_tracks, or list the images");
+    }
+    if (map_.has("colmap")) {
+      patch.images = colmap_images();
+      return;
+    }
     if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images needs colmap");
-    std::vector<PatchImage> images;
-    for (const YAML::Node& node : image_list()) images.push_back(image(image_map(node)));
-    return images;
+    if (names_files(map_)) return read_image_files(patch);
+    for (const YAML::Node& node : image_list()) patch.images.push_back(image(image_map(node)));
+  }
+
+  /// The files of a folder or pattern, without those that the orientation does not know.
+  void read_image_files(PatchFile& patch) const {
+    if (!orientation_) map_.fail("images", "images by a folder or pattern need an orientation");
+    std::map<std::size_t, std::string> file_of_number;
+    std::vector<std::string> unknown;
+    for (const std::string& file : image_files(map_, folder_)) {
+      const ImageToOrient image = whole_image(file);
+      try {
+        const std::optional<std::size_t> number = orientation_->number_of(image);
+        if (!number) {
+          unknown.push_back(file);
+          continue;
+        }
+        const auto [other, is_new] = file_of_number.emplace(*number, file);
+        if (!is_new) {
+          map_.fail("images", fmt::format("{} and {} are one image of the orientation by their "
+                                          "names; narrow the pattern",
+                                          other->second, file));
+        }
+        patch.images.push_back(orientation_->oriented(image, Eigen::Vector2d::Zero()));
+      } catch (const std::invalid_argument& error) {
+        map_.fail("images", error.what());
+      }
+    }
+    std::set<std::size_t> numbers;
+    for (const auto& [number, file] : file_of_number) numbers.insert(number);
+    patch.without_file = orientation_->others(numbers);
+    if (unknown.empty()) return;
+    patch.warnings.push_back(fmt::format(
+        "{}: {} of {} files of images are not in the orientation and not used, the first is {}",
+        path_, unknown.size(), unknown.size() + patch.images.size(), unknown.front()));
   }
 
   [[nodiscard]] YAML::Node image_list() const {
@@ -143,7 +242,8 @@ class PatchReader {
   [[nodiscard]] YamlMap image_map(const YAML::Node& node) const {
     return {path_,
             node,
-            {"id", "path", "projection_matrix", "interior", "exterior", "window_px", "name"}};
+            {"id", "path", "projection_matrix", "interior", "exterior", "window_px", "name",
+             "radiometry"}};
   }
 
   [[nodiscard]] std::vector<PatchImage> colmap_images() const {
@@ -161,10 +261,43 @@ class PatchReader {
     return images;
   }
 
+  /// Where the file begins in the frame: [column, row] of a file that is cut out of the frame.
   [[nodiscard]] static Eigen::Vector2d window_px(const YamlMap& map) {
-    if (!map.has("window_px")) return Eigen::Vector2d::Zero();
+    if (!map.has("window_px") || map.node("window_px").size() == 4) return Eigen::Vector2d::Zero();
     const std::vector<double> window = map.numbers("window_px", 2);
     return {window[0], window[1]};
+  }
+
+  /// Sets what is read of a file that is the frame, [column, row, columns, rows].
+  static void set_window(const YamlMap& map, PatchImage& image) {
+    if (!map.has("window_px") || map.node("window_px").size() != 4) return;
+    const std::vector<double> values = map.numbers("window_px", 4);
+    constexpr double kMost = 1e6;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double least = i < 2 ? 0.0 : 2.0;
+      if (values[i] == std::floor(values[i]) && values[i] >= least && values[i] <= kMost) continue;
+      map.fail("window_px", fmt::format("window_px = [{}]; must be whole numbers [column, row, "
+                                        "columns, rows] within the frame, at least 2 x 2",
+                                        fmt::join(values, ", ")));
+    }
+    read_window_only(image, {static_cast<int>(values[0]), static_cast<int>(values[1]),
+                             static_cast<int>(values[2]), static_cast<int>(values[3])});
+  }
+
+  void set_radiometry(const YamlMap& map, PatchImage& image) const {
+    if (!map.has("radiometry")) return;
+    const YAML::Node ranges = map.node("radiometry");
+    if (!ranges.IsSequence() || ranges.size() == 0) {
+      map.fail("radiometry", "radiometry must be a list of [low, high], one for each band");
+    }
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const std::vector<double> range = yaml_numbers(path_, ranges[i], "a range of radiometry", 2);
+      if (!(range[0] < range[1])) {
+        map.fail("radiometry",
+                 fmt::format("radiometry has [{}, {}]; must be [low, high]", range[0], range[1]));
+      }
+      image.radiometry.push_back({range[0], range[1]});
+    }
   }
 
   [[nodiscard]] PatchImage oriented_image(const YamlMap& map) const {
@@ -178,6 +311,13 @@ class PatchReader {
   }
 
   [[nodiscard]] PatchImage image(const YamlMap& map) const {
+    PatchImage image = image_with_camera(map);
+    set_window(map, image);
+    set_radiometry(map, image);
+    return image;
+  }
+
+  [[nodiscard]] PatchImage image_with_camera(const YamlMap& map) const {
     if (orientation_ && takes_orientation(map)) return oriented_image(map);
     if (map.has("name")) {
       map.fail("name", "name needs an orientation, and an image without a camera of its own");
@@ -186,9 +326,10 @@ class PatchReader {
     image.id = map.text("id");
     image.path = resolved(map.text("path"));
     if (map.has("projection_matrix")) {
-      if (map.has("interior") || map.has("exterior") || map.has("window_px")) {
+      if (map.has("interior") || map.has("exterior") || !window_px(map).isZero()) {
         map.fail("projection_matrix",
-                 "projection_matrix stands alone: without interior, exterior and window_px");
+                 "projection_matrix stands alone: without interior, exterior and the corner of a "
+                 "cut-out in window_px");
       }
       image.image_from_world = matrix(map);
       return image;
@@ -287,6 +428,13 @@ std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image,
       undistorted_px(*image.interior, x_px + image.window_px);
   if (!ideal) return std::nullopt;
   return *ideal - image.window_px;
+}
+
+void read_window_only(PatchImage& image, const Window& window) {
+  const Eigen::Vector2d corner(window.column, window.row);
+  image.window = window;
+  image.window_px += corner;
+  image.image_from_world = window_from_world(image.image_from_world, corner);
 }
 
 std::array<ProjectionMatrix, 2> cameras_in_local(const PatchFile& patch, const LocalFrame& frame) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/crs/crs.h"
+#include "io/images/image.h"
 #include "io/orientation/conventions.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/local_frame.h"
@@ -10,6 +11,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,9 +23,15 @@ namespace ridgeline::io {
 /// One oriented image of a patch.
 struct PatchImage {
   std::string id;
-  std::string path;                   ///< path of the image file; not checked to exist
-  ProjectionMatrix image_from_world;  ///< world -> ideal (undistorted) pixel of this file
-  Eigen::Vector2d window_px = Eigen::Vector2d::Zero();  ///< top-left pixel in the full frame
+  std::string path;  ///< path of the image file; not checked to exist
+  ProjectionMatrix image_from_world =
+      ProjectionMatrix::Zero();  ///< world -> ideal (undistorted) pixel of what is read of the file
+  Eigen::Vector2d window_px = Eigen::Vector2d::Zero();  ///< its top-left pixel in the full frame
+  std::optional<Window> window{};     ///< what is read of the file; unset: all of it
+  ImageTurn turn = ImageTurn::kNone;  ///< of the file's pixels
+  /// Per band the values that become 0 and 1; empty: those of the whole file.
+  std::vector<std::array<double, 2>> radiometry{};
+  std::optional<ImageFacts> facts{};  ///< of the file, if its header has been read
   /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px() removes its distortion.
   std::optional<InteriorOrientation> interior;
 };
@@ -31,21 +40,41 @@ struct PatchImage {
 /// Nothing outside of the field that the distortion was calibrated for.
 std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image, const Eigen::Vector2d& x_px);
 
+/// Lets nothing but a window of the file, which has been read whole so far, be read.
+void read_window_only(PatchImage& image, const Window& window);
+
+/// Where the heights to search in come from.
+enum class HeightSource : std::uint8_t { kStated, kLidar, kSurfaceModel };
+
+/// The images of a patch are at most so many if the patch states an area and no number.
+constexpr std::size_t kDefaultMaxViews = 5;
+
 /// What belongs together in one reconstruction: images, heights to search in, LIDAR.
 struct PatchFile {
   std::string path;
   std::string id;
   Crs crs;
-  std::array<double, 2> height_range_m{};  ///< lowest, highest object height in the CRS
-  std::vector<PatchImage> images;          ///< the first is the base image
-  std::vector<std::string> lidar;          ///< files or glob patterns; may be empty
+  std::array<double, 2>
+      height_range_m{};            ///< lowest, highest object height in the CRS; see `heights`
+  std::vector<PatchImage> images;  ///< the first is the base image; see `chooses_images`
+  std::vector<std::string> lidar;  ///< files or glob patterns; may be empty
   std::optional<std::string> reference_matches;
   std::optional<std::string> reference_tracks;
   std::optional<std::string> reference_lines;
   std::vector<std::string> orientation_files;  ///< what the key `orientation` made the reader read
   std::vector<std::string> decisions;  ///< what the orientation leaves open and how it was decided
   std::vector<std::string> warnings;   ///< of the orientation
-  double max_image_mpx = 0.0;          ///< argument of read_image(); the user says it, not the file
+  HeightSource heights =
+      HeightSource::kStated;  ///< if it is another one, height_range_m has no values yet
+  std::optional<std::string> surface_model;  ///< raster of heights
+  /// Corners of the convex area to be reconstructed, counter-clockwise, metres in the CRS; empty if the patch states none.
+  std::vector<Eigen::Vector2d> area_m;
+  /// Whether `images` are all that there are, of which those that show the area best are still to be chosen.
+  bool chooses_images = false;
+  std::size_t max_views = kDefaultMaxViews;  ///< to be chosen at most
+  std::vector<PatchImage>
+      without_file;            ///< oriented images that no file of a folder or pattern shows
+  double max_image_mpx = 0.0;  ///< argument of read_image(); the user says it, not the file
 };
 
 /// Cameras of the pair, the first two images, and the range of heights in the local frame.
@@ -61,16 +90,20 @@ using FindPatchPoints =
 
 /// Reads a patch file (YAML or JSON). Relative paths in it are relative to the file and come out
 /// resolved. Keys:
-///   id, height_range [lowest, highest], crs, lidar, reference_matches, reference_tracks,
-///   reference_lines;
+///   id, height_range [lowest, highest] or auto, surface_model, crs, area [x_min, y_min, x_max, y_max] or a file of
+///   polygons, max_views, lidar, reference_matches, reference_tracks, reference_lines;
 ///   images: list of {id, path, projection_matrix}, or in place of the matrix
 ///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, k1, k2, k3, p1, p2},
-///     exterior {position_m, omega_phi_kappa_deg} and optionally window_px;
+///     exterior {position_m, omega_phi_kappa_deg} and optionally window_px [column, row], where the file is cut out of the
+///     frame, or [column, row, columns, rows], what is to be read of a file that is the frame; and optionally radiometry,
+///     [low, high] for each band;
 ///   or in place of matrix and interior nothing but perhaps window_px and name, with, beside images, orientation (what
 ///     read_orientation() reads) and optionally cameras, angles, rotation, matrix: the camera is that of image_of_name();
+///   or with orientation a folder or patterns of files, whose images the orientation knows;
 ///   or in place of images: colmap (folder of a COLMAP model) and optionally colmap_images (folder
 ///     of its images, else the patch file's own).
-/// `find` may be empty; it is asked only where an orientation leaves something open.
+/// `find` may be empty; it is asked only where an orientation leaves something open. Heights, images of an area and windows
+/// that the patch does not state itself stay open.
 /// Throws IoError with the line for unknown or missing keys and for values that cannot be: numbers
 /// that are not finite, an inverted height range, a matrix of rank < 3, an id twice, two cameras in
 /// one place, fewer than two images, an unreadable CRS, an image that the orientation does not have, an orientation in

@@ -104,6 +104,24 @@ PatchImage PatchOrientation::oriented(const ImageToOrient& image,
   }
 }
 
+std::optional<std::size_t> PatchOrientation::number_of(const ImageToOrient& image) const {
+  try {
+    return find_image(orientation_, image.name);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("orientation {} {}", path_, error.what()));
+  }
+}
+
+std::vector<PatchImage> PatchOrientation::others(const std::set<std::size_t>& numbers) const {
+  std::vector<PatchImage> images;
+  for (std::size_t i = 0; i < orientation_.images.size(); ++i) {
+    const OrientedImage& image = orientation_.images[i];
+    if (image.camera && !numbers.contains(i))
+      images.push_back(oriented_patch_image(orientation_, image, ""));
+  }
+  return images;
+}
+
 std::vector<std::string> PatchOrientation::files() const {
   std::vector<std::string> files;
   if (fs::is_directory(path_)) {

@@ -5,7 +5,10 @@
 #include "io/orientation/read_orientation.h"
 #include "io/project/patch.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,13 @@ class PatchOrientation {
   /// or its camera.
   [[nodiscard]] PatchImage oriented(const ImageToOrient& image,
                                     const Eigen::Vector2d& window_px) const;
+
+  /// The number of the image that a file shows, or nothing if the orientation has none of its name. Throws
+  /// std::invalid_argument, which names the orientation, if it has several.
+  [[nodiscard]] std::optional<std::size_t> number_of(const ImageToOrient& image) const;
+
+  /// The images with cameras whose numbers are not among these; they have no path.
+  [[nodiscard]] std::vector<PatchImage> others(const std::set<std::size_t>& numbers) const;
 
   [[nodiscard]] const Crs& crs() const { return orientation_.crs; }
   /// The orientation and the file of cameras; of a COLMAP model its files of cameras and images.

@@ -13,7 +13,8 @@
 namespace ridgeline::io {
 
 std::vector<ReferenceTrack> read_reference_tracks(const std::string& path,
-                                                  std::span<const std::string> images) {
+                                                  std::span<const std::string> images,
+                                                  bool passes_over_others) {
   const CsvTable table(path, Expected::kReferenceTracks);
   const std::size_t edge = table.column("edge");
   const std::size_t image = table.column("image");
@@ -33,6 +34,7 @@ std::vector<ReferenceTrack> read_reference_tracks(const std::string& path,
     }
     const auto view = std::ranges::find(images, table.text(row, image));
     if (view == images.end()) {
+      if (passes_over_others) continue;
       throw IoError(table.place_of(row),
                     fmt::format("image '{}'; must be one of {}", table.text(row, image),
                                 fmt::join(images, ", ")));

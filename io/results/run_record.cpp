@@ -5,6 +5,7 @@
 #include "io/files/library_versions.h"
 #include "io/files/sha256.h"
 #include "io/results/version.h"
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <pcl/pcl_config.h>
@@ -70,6 +71,13 @@ void RunRecord::add_input(const InputFile& file) {
                      {"path", file.path},
                      {"bytes", std::filesystem::file_size(file.path)},
                      {"sha256", io::sha256_of_file(file.path)}});
+}
+
+std::string RunRecord::hash_of(const std::string& path) const {
+  const auto input = std::ranges::find_if(
+      inputs_, [&](const auto& one) { return one["path"].template get<std::string>() == path; });
+  check(input != inputs_.end(), path, ": is no input of the run");
+  return (*input)["sha256"].get<std::string>();
 }
 
 void RunRecord::add_warnings(const std::vector<std::string>& warnings) {

@@ -32,6 +32,8 @@ class RunRecord {
   /// A folder (LIMAP's tracks) is recorded as each of its files.
   /// Throws IoError if it cannot be read.
   void add_input(const InputFile& file);
+  /// The SHA-256 of a file that add_input() was given. Throws std::invalid_argument for another one.
+  [[nodiscard]] std::string hash_of(const std::string& path) const;
   void add_warnings(const std::vector<std::string>& warnings);
   [[nodiscard]] std::vector<std::string> warnings() const { return warnings_; }
   /// Leaves out the time since the last stage ended, in which the program did something else.

@@ -17,10 +17,10 @@
 namespace ridgeline::reconstruct {
 
 EdgeRefinement edge_refinement(const ExtractionOptions& options) {
-  return [options](std::vector<EdgeTrace> edges, const cv::Mat& image) {
+  return [options](std::vector<EdgeTrace> edges, const ImagePart& image) {
     if (options.beyond.faint_edges) edges = with_faint_edges(std::move(edges), image, options);
     if (options.beyond.junction_cuts) edges = cut_at_junctions(std::move(edges), options);
-    if (options.beyond.separate_edges) edges = separate_edges(std::move(edges), image);
+    if (options.beyond.separate_edges) edges = separate_edges(std::move(edges), image.pixels);
     return edges;
   };
 }

@@ -7,7 +7,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace ridgeline::reconstruct {
@@ -37,13 +39,8 @@ double quantile(const Histogram& counts, double share, std::int64_t n_pixels) {
   return static_cast<double>(value);
 }
 
-/// normalised = scale * raw + offset, then clipped.
-struct LinearStretch {
-  float scale = 0.0F;
-  float offset = 0.0F;
-};
-
-LinearStretch stretch_of(const Histogram& counts, std::int64_t n_pixels) {
+/// The values that are stretched to 0 and 1; equal ones for a band without any contrast.
+std::array<double, 2> range_of(const Histogram& counts, std::int64_t n_pixels) {
   constexpr double kTail = 0.005;
   constexpr double kMargin = 0.25;
   const double lowest = quantile(counts, 0.0, n_pixels);
@@ -55,20 +52,34 @@ LinearStretch stretch_of(const Histogram& counts, std::int64_t n_pixels) {
     high = highest;
   }
   const double margin = kMargin * (high - low);
-  low = std::max(lowest, low - margin);
-  high = std::min(highest, high + margin);
+  return {std::max(lowest, low - margin), std::min(highest, high + margin)};
+}
+
+template <typename T>
+BandRanges ranges_of_values(const cv::Mat& raw) {
+  BandRanges ranges;
+  for (const Histogram& counts : histograms<T>(raw))
+    ranges.push_back(range_of(counts, static_cast<std::int64_t>(raw.total())));
+  return ranges;
+}
+
+/// normalised = scale * raw + offset, then clipped.
+struct LinearStretch {
+  float scale = 0.0F;
+  float offset = 0.0F;
+};
+
+LinearStretch linear(const std::array<double, 2>& range) {
+  const auto [low, high] = range;
   if (high <= low) return {};
   return {static_cast<float>(1.0 / (high - low)), static_cast<float>(-low / (high - low))};
 }
 
 template <typename T>
-cv::Mat normalised(const cv::Mat& raw) {
+cv::Mat stretched(const cv::Mat& raw, const BandRanges& ranges) {
   const int n_bands = raw.channels();
-  const auto n_pixels = static_cast<std::int64_t>(raw.total());
-  std::array<LinearStretch, 4> stretch;
-  const std::vector<Histogram> counts = histograms<T>(raw);
-  for (int band = 0; band < n_bands; ++band) stretch[band] = stretch_of(counts[band], n_pixels);
-
+  std::array<LinearStretch, 4> of_band;
+  std::ranges::transform(ranges, of_band.begin(), linear);
   cv::Mat image(raw.size(), CV_32FC(n_bands));
   tbb::parallel_for(tbb::blocked_range<int>(0, raw.rows), [&](const auto& rows) {
     for (int y = rows.begin(); y != rows.end(); ++y) {
@@ -76,7 +87,7 @@ cv::Mat normalised(const cv::Mat& raw) {
       auto* out = image.ptr<float>(y);
       for (int x = 0; x < raw.cols; ++x) {
         for (int band = 0; band < n_bands; ++band, ++in, ++out) {
-          const float value = stretch[band].scale * static_cast<float>(*in) + stretch[band].offset;
+          const float value = of_band[band].scale * static_cast<float>(*in) + of_band[band].offset;
           *out = std::clamp(value, 0.0F, 1.0F);
         }
       }
@@ -85,14 +96,29 @@ cv::Mat normalised(const cv::Mat& raw) {
   return image;
 }
 
-}  // namespace
-
-cv::Mat normalised_image(const cv::Mat& raw) {
+void check_raw(const cv::Mat& raw) {
   check(!raw.empty(), "normalised_image: the image has no pixels");
   check(raw.channels() <= 4, "normalised_image: ", raw.channels(), " bands, must be 1 to 4");
   check(raw.depth() == CV_8U || raw.depth() == CV_16U, "normalised_image: depth code ", raw.depth(),
         ", must be 8 or 16 bit unsigned");
-  return raw.depth() == CV_8U ? normalised<std::uint8_t>(raw) : normalised<std::uint16_t>(raw);
 }
+
+}  // namespace
+
+BandRanges band_ranges(const cv::Mat& raw) {
+  check_raw(raw);
+  return raw.depth() == CV_8U ? ranges_of_values<std::uint8_t>(raw)
+                              : ranges_of_values<std::uint16_t>(raw);
+}
+
+cv::Mat stretched_image(const cv::Mat& raw, const BandRanges& ranges) {
+  check_raw(raw);
+  check(static_cast<int>(ranges.size()) == raw.channels(), "stretched_image: ", ranges.size(),
+        " ranges of values, must be one for each of ", raw.channels(), " bands");
+  return raw.depth() == CV_8U ? stretched<std::uint8_t>(raw, ranges)
+                              : stretched<std::uint16_t>(raw, ranges);
+}
+
+cv::Mat normalised_image(const cv::Mat& raw) { return stretched_image(raw, band_ranges(raw)); }
 
 }  // namespace ridgeline::reconstruct

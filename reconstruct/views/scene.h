@@ -23,6 +23,9 @@ struct View {
   cv::Mat image;  ///< 8 or 16 bits with 1 to 4 bands, or what normalised() makes of it
   PixelMap ideal_from_image{};  ///< removes the distortion of the lens; empty if there is none
   std::vector<EdgeSegment> segments{};  ///< result of extract()
+  cv::Mat is_valid{};  ///< CV_8UC1, 0 where the image has no data; empty if it has data everywhere
+  Eigen::Vector2i corner_px =
+      Eigen::Vector2i::Zero();  ///< of the image in the frame that it is cut from
 };
 
 /// Oriented images of one place.

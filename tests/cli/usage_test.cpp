@@ -23,14 +23,14 @@ TEST_F(Usage, HelpFitsOneScreenAndListsEverySubcommand) {
   constexpr auto kScreenLines = 24;
   EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), kScreenLines);
   for (const char* command : {"demo", "evaluate", "gate", "compare", "simulate", "info", "run",
-                              "extract", "match", "reconstruct", "report", "config"}) {
+                              "extract", "match", "reconstruct", "report", "config", "patch"}) {
     EXPECT_THAT(result.out, HasSubstr(command));
   }
 }
 
 TEST_F(Usage, EverySubcommandHasHelp) {
   for (const char* command : {"demo", "evaluate", "gate", "compare", "simulate", "info", "run",
-                              "extract", "match", "reconstruct", "report", "config"}) {
+                              "extract", "match", "reconstruct", "report", "config", "patch"}) {
     const ProgramResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.out, HasSubstr("--help")) << command;

@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
-                                        const cv::Mat& image,
+                                        const ImagePart& image,
                                         const ExtractionOptions& options) {
   ExtractOptions smoother = options.edges;
   smoother.gradient_sigma_px = options.beyond.faint_gradient_sigma_px;

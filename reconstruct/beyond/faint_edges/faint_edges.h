@@ -10,9 +10,8 @@ namespace ridgeline::reconstruct {
 
 /// The known edges, followed by those that a second look with more smoothing finds beside them. Ridges and
 /// hips between faces of nearly the same colour are too faint for the first look.
-/// @param image  CV_32FC(n), n = 1..4
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
-                                        const cv::Mat& image,
+                                        const ImagePart& image,
                                         const ExtractionOptions& options);
 
 }  // namespace ridgeline::reconstruct

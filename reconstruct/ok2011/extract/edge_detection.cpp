@@ -75,7 +75,8 @@ std::vector<EdgePixel> edge_pixels_of_tile(const cv::Mat& image,
 
 }  // namespace
 
-GradientImage gradient_image(const cv::Mat& image, const ExtractOptions& options) {
+GradientImage gradient_image(const ImagePart& part, const ExtractOptions& options) {
+  const cv::Mat& image = part.pixels;
   cv::Mat gradient(image.size(), CV_32FC2);
   const std::vector<cv::Rect> all = tiles(image.size());
   tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
@@ -83,7 +84,7 @@ GradientImage gradient_image(const cv::Mat& image, const ExtractOptions& options
     // The filter sees the pixels around the tile too, because the tile is a part of the image.
     colour_gradient(image(all[i]), options.gradient_sigma_px).copyTo(gradient(all[i]));
   });
-  return {gradient, NoiseGrid(gradient, kLowestNoise)};
+  return {gradient, NoiseGrid(gradient, kLowestNoise, part.corner_px)};
 }
 
 std::vector<EdgePixel> detected_edge_pixels(const cv::Mat& image,

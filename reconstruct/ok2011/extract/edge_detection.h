@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reconstruct/ok2011/extract/edge_pixels.h"
+#include "reconstruct/ok2011/extract/image_part.h"
 #include "reconstruct/ok2011/extract/noise_grid.h"
 #include "reconstruct/ok2011/extract/options.h"
 
@@ -12,7 +13,7 @@ struct GradientImage {
   cv::Mat gradient;  ///< CV_32FC2, 1/px
   NoiseGrid noise;
 };
-GradientImage gradient_image(const cv::Mat& image, const ExtractOptions& options);
+GradientImage gradient_image(const ImagePart& part, const ExtractOptions& options);
 
 /// Edge pixels of the image after diffusion that are stronger than the low threshold; the border of one pixel
 /// has none. The exact place of an edge must be measured in the gradient of the image itself, because

@@ -80,14 +80,14 @@ std::vector<EdgeTrace> straight_parts(const EdgeTrace& trace, const ExtractOptio
 
 }  // namespace
 
-std::vector<EdgeTrace> edge_traces(const cv::Mat& image,
+std::vector<EdgeTrace> edge_traces(const ImagePart& image,
                                    const ExtractOptions& options,
                                    std::span<const EdgeTrace> known) {
   const GradientImage gradient = gradient_image(image, options);
   LineTracer tracer(gradient, options);
   for (const EdgeTrace& edge : known) tracer.claim(edge);
   std::vector<EdgeTrace> edges;
-  for (const Points& piece : detected_pieces(image, gradient.noise, options)) {
+  for (const Points& piece : detected_pieces(image.pixels, gradient.noise, options)) {
     const auto trace = tracer.trace(piece);
     if (!trace) continue;
     for (EdgeTrace& part : straight_parts(*trace, options)) {
@@ -101,16 +101,16 @@ std::vector<EdgeTrace> edge_traces(const cv::Mat& image,
   return edges;
 }
 
-std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
+std::vector<EdgeSegment> extract_segments(const ImagePart& image,
                                           const PixelMap& ideal_from_image,
                                           const ExtractOptions& options,
                                           const EdgeRefinement& refine) {
-  check(!image.empty() && image.depth() == CV_32F && image.channels() <= 4,
+  check(!image.pixels.empty() && image.pixels.depth() == CV_32F && image.pixels.channels() <= 4,
         "extract_segments: the image must have 1 to 4 bands of float");
   validate(options);
   std::vector<EdgeTrace> edges = edge_traces(image, options);
   if (refine) edges = refine(std::move(edges), image);
-  return edge_segments(edges, image, ideal_from_image, options);
+  return edge_segments(edges, image.pixels, ideal_from_image, options);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -3,6 +3,7 @@
 
 #include "reconstruct/geometry/edge_segment.h"
 #include "reconstruct/ok2011/extract/edge_segments.h"
+#include "reconstruct/ok2011/extract/image_part.h"
 #include "reconstruct/ok2011/extract/options.h"
 
 #include <opencv2/core/mat.hpp>
@@ -14,21 +15,20 @@
 namespace ridgeline::reconstruct {
 
 /// The straight edges of an image, the longest first, without those that are known already.
-/// `image`: CV_32FC(n) of normalised_image(), n = 1..4, not empty.
-std::vector<EdgeTrace> edge_traces(const cv::Mat& image,
+/// `image`: not empty.
+std::vector<EdgeTrace> edge_traces(const ImagePart& image,
                                    const ExtractOptions& options,
                                    std::span<const EdgeTrace> known = {});
 
 /// Changes detected edges before segments are made of them. Extensions beyond the paper enter here. The edges
 /// are in the pixels of the image file.
 using EdgeRefinement =
-    std::function<std::vector<EdgeTrace>(std::vector<EdgeTrace>, const cv::Mat& image)>;
+    std::function<std::vector<EdgeTrace>(std::vector<EdgeTrace>, const ImagePart& image)>;
 
 /// The straight edges of an image with their uncertainty (Ok et al. 2011, section 2), in a
 /// fixed order. An image without texture has none.
-/// `image`: CV_32FC(n) of normalised_image(), n = 1..4, not empty. Throws std::invalid_argument
-/// for another type and for options out of range.
-std::vector<EdgeSegment> extract_segments(const cv::Mat& image,
+/// `image`: not empty. Throws std::invalid_argument for another type and for options out of range.
+std::vector<EdgeSegment> extract_segments(const ImagePart& image,
                                           const PixelMap& ideal_from_image = {},
                                           const ExtractOptions& options = {},
                                           const EdgeRefinement& refine = {});

@@ -36,6 +36,11 @@ Position position(int x, int n_blocks) {
   return {first, std::min(first + 1, n_blocks - 1), inside - static_cast<float>(first)};
 }
 
+int place_in_block(int x) {
+  const int remainder = x % NoiseGrid::kBlock_px;
+  return remainder < 0 ? remainder + NoiseGrid::kBlock_px : remainder;
+}
+
 float between(const cv::Mat& blocks, const Position& column, const Position& row) {
   const auto along_row = [&](int r) {
     const auto* values = blocks.ptr<float>(r);
@@ -47,30 +52,33 @@ float between(const cv::Mat& blocks, const Position& column, const Position& row
 
 }  // namespace
 
-NoiseGrid::NoiseGrid(const cv::Mat& gradient, float lowest)
-    : blocks_((gradient.rows + kBlock_px - 1) / kBlock_px,
-              (gradient.cols + kBlock_px - 1) / kBlock_px,
-              CV_32FC1) {
+NoiseGrid::NoiseGrid(const cv::Mat& gradient, float lowest, const cv::Point& corner_px)
+    : in_block_(place_in_block(corner_px.x), place_in_block(corner_px.y)) {
+  const cv::Point end = in_block_ + cv::Point(gradient.size());
+  blocks_.create((end.y + kBlock_px - 1) / kBlock_px, (end.x + kBlock_px - 1) / kBlock_px,
+                 CV_32FC1);
   const cv::Rect whole({0, 0}, gradient.size());
   tbb::parallel_for(0, static_cast<int>(blocks_.total()), [&](int i) {
     const cv::Point block(i % blocks_.cols, i / blocks_.cols);
-    const cv::Rect area(block * kBlock_px, cv::Size(kBlock_px, kBlock_px));
+    const cv::Rect area(block * kBlock_px - in_block_, cv::Size(kBlock_px, kBlock_px));
     blocks_.at<float>(block) =
         std::max(lowest, median_strength(gradient(area & whole)) / kRayleighMedian);
   });
 }
 
 float NoiseGrid::at(int x, int y) const {
-  return between(blocks_, position(x, blocks_.cols), position(y, blocks_.rows));
+  return between(blocks_, position(x + in_block_.x, blocks_.cols),
+                 position(y + in_block_.y, blocks_.rows));
 }
 
 cv::Mat NoiseGrid::in(const cv::Rect& area) const {
   std::vector<Position> columns;
   columns.reserve(static_cast<std::size_t>(area.width));
-  for (int x = area.x; x < area.br().x; ++x) columns.push_back(position(x, blocks_.cols));
+  for (int x = area.x; x < area.br().x; ++x)
+    columns.push_back(position(x + in_block_.x, blocks_.cols));
   cv::Mat values(area.size(), CV_32FC1);
   for (int y = 0; y < area.height; ++y) {
-    const Position row = position(area.y + y, blocks_.rows);
+    const Position row = position(area.y + y + in_block_.y, blocks_.rows);
     auto* out = values.ptr<float>(y);
     for (int x = 0; x < area.width; ++x) out[x] = between(blocks_, columns[x], row);
   }

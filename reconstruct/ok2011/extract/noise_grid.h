@@ -14,8 +14,9 @@ class NoiseGrid {
   static constexpr int kBlock_px = 64;
 
   /// `gradient`: CV_32FC2. No value is less than `lowest`, which stands for the steps of the grey
-  /// values in flat parts.
-  NoiseGrid(const cv::Mat& gradient, float lowest);
+  /// values in flat parts. `corner_px`: the place of the first pixel in the frame that the image is cut from; blocks begin
+  /// at the corner of the frame, so that two windows of one frame have the same blocks.
+  NoiseGrid(const cv::Mat& gradient, float lowest, const cv::Point& corner_px = {});
 
   /// The strength at a pixel of the image; it is constant beyond the middles of the outer blocks.
   [[nodiscard]] float at(int x, int y) const;
@@ -24,7 +25,8 @@ class NoiseGrid {
   [[nodiscard]] cv::Mat in(const cv::Rect& area) const;
 
  private:
-  cv::Mat blocks_;  ///< CV_32FC1
+  cv::Mat blocks_;      ///< CV_32FC1
+  cv::Point in_block_;  ///< the place of the first pixel in its block
 };
 
 }  // namespace ridgeline::reconstruct

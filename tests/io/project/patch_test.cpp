@@ -154,9 +154,69 @@ TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
            Case{"path: right.tif", "path: [a, b]", "line 12: path must be a text"},
            Case{"lidar:", "colmap: sparse/0\nlidar:", "one of the keys images and colmap"},
            Case{"height_range:", "height_range: [", "line 4: "},
+           Case{"[250, 300]", "high", "height_range = high; must be [lowest, highest] or auto"},
+           Case{"lidar:", "surface_model: dsm.tif\nlidar:",
+                "surface_model serves height_range: auto"},
+           Case{"lidar:", "area: [0, 0, 0, 9]\nlidar:", "smaller value first"},
+           Case{"lidar:", "area: [0, 0, 9]\nlidar:", "area must be a list of 4 numbers"},
+           Case{"lidar:", "area: none.gpkg\nlidar:", "none.gpkg: does not exist"},
+           Case{"lidar:", "max_views: 3\nlidar:", "max_views needs area"},
+           Case{"lidar:", "area: [0, 0, 9, 9]\nmax_views: 3\nlidar:", "are all used"},
+           Case{"[3000, 6000]", "[3000, 6000, 1, 5]",
+                "window_px = [3000, 6000, 1, 5]; must be whole"},
+           Case{"[3000, 6000]", "[0.5, 6000, 10, 5]", "must be whole numbers"},
+           Case{"    window_px", "    radiometry: [[3, 3]]\n    window_px",
+                "radiometry has [3, 3]"},
+           Case{"    window_px", "    radiometry: []\n    window_px",
+                "must be a list of [low, high]"},
        }) {
     EXPECT_THAT(error_of(patch_with(c.what, c.replacement)), HasSubstr(c.message)) << c.what;
   }
+}
+
+TEST(ReadPatch, WindowOfFourNumbersIsWhatIsReadOfTheFrame) {
+  const TempFolder folder;
+  const PatchImage cut = read_patch(folder.write("patch.yaml", patch_with("x", "x"))).images[1];
+  const PatchImage read =
+      read_patch(
+          folder.write("patch.yaml",
+                       patch_with("[3000, 6000]",
+                                  "[3000, 6000, 512, 400]\n    radiometry: [[0, 9], [5, 200]]")))
+          .images[1];
+  EXPECT_FALSE(cut.window);
+  EXPECT_EQ(read.window, (Window{3000, 6000, 512, 400}));
+  EXPECT_EQ(read.window_px, cut.window_px);
+  EXPECT_EQ(read.image_from_world, cut.image_from_world);
+  ASSERT_EQ(read.radiometry.size(), 2U);
+  EXPECT_EQ(read.radiometry[1], (std::array{5.0, 200.0}));
+}
+
+TEST(ReadPatch, AreaIsTheBoundsOrTheHullOfAFileAndHeightsMayBeOpen) {
+  const TempFolder folder;
+  const PatchFile bounds = read_patch(
+      folder.write("patch.yaml", patch_with("[250, 300]", "auto\narea: [10, 20, 30, 50]")));
+  EXPECT_EQ(bounds.heights, HeightSource::kLidar);
+  const std::vector<Eigen::Vector2d> corners{{10, 20}, {30, 20}, {30, 50}, {10, 50}};
+  EXPECT_EQ(bounds.area_m, corners);
+  EXPECT_FALSE(bounds.chooses_images);
+  const std::string square =
+      R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}})";
+  const std::string utm32 =
+      R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},)";
+  const std::string utm33 =
+      R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25833"}},)";
+  const auto collection = [&](const std::string& crs) {
+    return R"({"type":"FeatureCollection",)" + crs + R"("features":[)" + square + "]}";
+  };
+  (void)folder.write("area.geojson", collection(utm32));
+  EXPECT_EQ(
+      read_patch(folder.write("patch.yaml", patch_with("lidar:", "area: area.geojson\nlidar:")))
+          .area_m.size(),
+      4U);
+  (void)folder.write("area.geojson", collection(utm33));
+  EXPECT_THROW((void)read_patch(
+                   folder.write("patch.yaml", patch_with("lidar:", "area: area.geojson\nlidar:"))),
+               IoError);
 }
 
 TEST(ReadPatch, RefusesTwoCamerasInOnePlace) {

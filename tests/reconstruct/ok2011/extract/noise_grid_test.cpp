@@ -45,5 +45,15 @@ TEST(NoiseGrid, OfAnAreaIsThatOfItsPixels) {
   }
 }
 
+TEST(NoiseGrid, OfAWindowHasTheBlocksOfTheFrame) {
+  const cv::Mat frame = quarters(0.1F, 0.3F);
+  const NoiseGrid whole(frame, 0.0F);
+  const cv::Point corner(37, 70);
+  const NoiseGrid part(frame(cv::Rect(corner, cv::Size(200, 180))), 0.0F, corner);
+  // beyond the middle of the first whole block
+  for (const cv::Point& x : {cv::Point(100, 165), cv::Point(128, 200), cv::Point(190, 190)})
+    EXPECT_EQ(part.at(x.x - corner.x, x.y - corner.y), whole.at(x.x, x.y));
+}
+
 }  // namespace
 }  // namespace ridgeline::reconstruct

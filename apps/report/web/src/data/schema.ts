@@ -209,6 +209,8 @@ export interface View {
   file: string;
   width_px: number;
   height_px: number;
+  /** Column and row of the first pixel in the file, of which only a window may have been read. */
+  corner_px: [number, number];
   /** Null for a lens without distortion. */
   lens: Lens | null;
   projection: number[];

@@ -185,8 +185,11 @@ export class Review {
     const views = this.pair;
     if (!views) return rows;
     const add = (pair: Pair, verdict: string): void => {
-      const segments = [this.images?.segment(views.base, pair[0]), this.images?.segment(views.search, pair[1])];
-      rows.push([`${pair[0]}-${pair[1]}`, verdict, ...segments.flatMap((s) => (s ?? []).map((v) => v.toFixed(3)))]);
+      const inFile = (view: number, id: number): string[] => {
+        const corner = this.images?.images.views[view]?.corner_px ?? [0, 0];
+        return (this.images?.segment(view, id) ?? []).map((value, k) => (value + corner[k % 2]!).toFixed(3));
+      };
+      rows.push([`${pair[0]}-${pair[1]}`, verdict, ...inFile(views.base, pair[0]), ...inFile(views.search, pair[1])]);
     };
     for (const match of this.matches) {
       const verdict = this.eyeVerdict(match);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/cloud/read_cloud.h"
+#include "io/files/expand_patterns.h"
+
 #include "io/error.h"
 
 #include <glob.h>

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/patch/patch_template.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace ridgeline::apps {
+namespace fs = std::filesystem;
+namespace {
+
+/// A text as YAML takes it whatever is in it: a string of JSON is one of YAML.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+/// Writes the parts of the file one after another.
+class Writer {
+ public:
+  explicit Writer(std::string folder) : folder_(std::move(folder)) {}
+
+  void comment(const std::string& text) { text_ += "# " + text + "\n"; }
+  void value(const char* key, const std::string& value) {
+    text_ += fmt::format("{}: {}\n", key, value);
+  }
+  void text(const char* key, const std::string& text) {
+    if (!text.empty()) value(key, quoted(text));
+  }
+  void path(const char* key, const std::string& path) {
+    if (!path.empty()) value(key, quoted(from_folder(path)));
+  }
+  void paths(const char* key, const std::vector<std::string>& paths) {
+    if (paths.empty()) return;
+    text_ += fmt::format("{}:\n", key);
+    for (const std::string& path : paths)
+      text_ += fmt::format("  - {}\n", quoted(from_folder(path)));
+  }
+  void numbers(const char* key, const std::vector<double>& numbers) {
+    value(key, fmt::format("[{}]", fmt::join(numbers, ", ")));
+  }
+  void gap() { text_ += "\n"; }
+
+  [[nodiscard]] const std::string& whole() const { return text_; }
+
+ private:
+  /// A path stays absolute if the user gave it so.
+  [[nodiscard]] std::string from_folder(const std::string& path) const {
+    if (fs::path(path).is_absolute()) return path;
+    const fs::path relative =
+        fs::weakly_canonical(path).lexically_relative(fs::weakly_canonical(folder_));
+    return relative.empty() ? fs::absolute(path).string() : relative.string();
+  }
+
+  std::string folder_;
+  std::string text_;
+};
+
+void write_images(const PatchTemplate& patch, Writer& out) {
+  out.comment(
+      "Cameras and poses of the images, and what their file leaves open. `ridgeline info` reads "
+      "it, too.");
+  out.path("orientation", patch.orientation);
+  out.path("cameras", patch.cameras);
+  out.text("angles", patch.angles);
+  out.text("rotation", patch.rotation);
+  out.text("matrix", patch.matrix);
+  out.gap();
+  out.comment("Folder or pattern of the images. They are found in the orientation by their names.");
+  out.path("images", patch.images);
+  out.gap();
+  out.comment(
+      "What is to be reconstructed: [x_min, y_min, x_max, y_max], m, or a file of polygons. Only "
+      "the windows of the");
+  out.comment("images that show it are read.");
+  patch.area_file.empty() ? out.numbers("area", patch.area_m) : out.path("area", patch.area_file);
+  out.comment("At most so many images are used, those that show the area best.");
+  out.value("max_views", fmt::format("{}", patch.max_views));
+}
+
+void write_heights(const PatchTemplate& patch, Writer& out) {
+  out.comment(
+      "Lowest and highest height of objects, m. auto: from lidar or surface_model, 10 m more on "
+      "both sides.");
+  if (patch.height_range_m.empty()) {
+    out.value("height_range", "auto");
+  } else {
+    out.numbers("height_range", patch.height_range_m);
+  }
+  out.path("surface_model", patch.surface_model);
+}
+
+}  // namespace
+
+std::string patch_text(const PatchTemplate& patch, const std::string& folder) {
+  Writer out(folder);
+  out.comment(
+      "A patch: what belongs together in one reconstruction. Run it by `ridgeline run FILE --out "
+      "results`.");
+  out.comment("Paths are relative to this file.");
+  out.gap();
+  out.comment("Name of the patch, and of its folder in the results.");
+  out.value("id", quoted(patch.id));
+  out.comment("Reference system. Without it that of the orientation holds.");
+  patch.crs.empty() ? out.comment("crs: EPSG:25832") : out.text("crs", patch.crs);
+  out.gap();
+  write_images(patch, out);
+  out.gap();
+  write_heights(patch, out);
+  out.gap();
+  out.comment(
+      "Laser data that the lines are judged by: files or patterns. Without it lines are "
+      "reconstructed and not judged.");
+  patch.lidar.empty() ? out.comment("lidar: [tiles/*.laz]") : out.paths("lidar", patch.lidar);
+  return out.whole();
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/pipeline/area_views.h"
+
+#include "io/images/image.h"
+#include "reconstruct/views/choose_views.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridgeline::apps {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// The area, with an origin near it.
+class Area {
+ public:
+  explicit Area(const io::PatchFile& patch) : patch_(patch) {
+    for (const Eigen::Vector2d& x : patch.area_m)
+      middle_ += x / static_cast<double>(patch.area_m.size());
+  }
+
+  [[nodiscard]] Eigen::Vector3d origin_m() const {
+    return {middle_.x(), middle_.y(), 0.5 * (patch_.height_range_m[0] + patch_.height_range_m[1])};
+  }
+
+  /// Points spread over the area at the middle of the heights: on three rings of the shape of its border, and in its middle.
+  [[nodiscard]] Points points_in_local() const {
+    constexpr int kRings = 3;
+    constexpr int kPerSide = 4;
+    Points points{Eigen::Vector3d::Zero()};
+    const auto& corners = patch_.area_m;
+    for (int ring = 1; ring <= kRings; ++ring) {
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d a = corners[i] - middle_;
+        const Eigen::Vector2d b = corners[(i + 1) % corners.size()] - middle_;
+        for (int k = 0; k < kPerSide; ++k) {
+          const double share = static_cast<double>(k) / kPerSide;
+          const Eigen::Vector2d x = static_cast<double>(ring) / kRings * (a + share * (b - a));
+          points.emplace_back(x.x(), x.y(), 0.0);
+        }
+      }
+    }
+    return points;
+  }
+
+ private:
+  const io::PatchFile& patch_;
+  Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
+};
+
+Eigen::Vector2i size_of(const io::PatchImage& image) {
+  if (image.interior && image.interior->size_px) return *image.interior->size_px;
+  const io::ImageFacts facts = io::image_facts(image.path);
+  return {facts.width_px, facts.height_px};
+}
+
+reconstruct::CandidateView candidate_of(const io::PatchImage& image,
+                                        const Eigen::Vector3d& origin_m) {
+  return {image.id, image_from_local(image.image_from_world, origin_m), size_of(image)};
+}
+
+/// Where the lens shows a point, in pixels of what is read of the image; nothing behind the camera.
+std::optional<Eigen::Vector2d> shown_at(const io::PatchImage& image,
+                                        const ProjectionMatrix& image_from_local,
+                                        const Eigen::Vector3d& x,
+                                        const Eigen::Vector2i& size_px) {
+  const Eigen::Vector3d y = image_from_local * x.homogeneous();
+  const double side = image_from_local.leftCols<3>().determinant() > 0.0 ? 1.0 : -1.0;
+  if (!(side * y.z() > 0.0)) return std::nullopt;
+  // Distortion means nothing far outside of the frame, where it may fold back into it.
+  const Eigen::Vector2d reach = 0.25 * size_px.cast<double>();
+  const Eigen::Vector2d ideal =
+      y.hnormalized().cwiseMax(-reach).cwiseMin(size_px.cast<double>() + reach);
+  if (!image.interior || image.interior->distortion.is_zero()) return ideal;
+  return distorted_px(*image.interior, ideal + image.window_px) - image.window_px;
+}
+
+/// The corners of the area and points between them, as a lens bends its sides, at the lowest and the highest height.
+Points border_in_local(const io::PatchFile& patch, const Eigen::Vector3d& origin_m) {
+  constexpr int kPerSide = 8;
+  Points border;
+  const auto& corners = patch.area_m;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (int k = 0; k < kPerSide; ++k) {
+      const double share = static_cast<double>(k) / kPerSide;
+      const Eigen::Vector2d x =
+          corners[i] + share * (corners[(i + 1) % corners.size()] - corners[i]);
+      for (const double z : patch.height_range_m)
+        border.push_back(Eigen::Vector3d(x.x(), x.y(), z) - origin_m);
+    }
+  }
+  return border;
+}
+
+}  // namespace
+
+std::vector<io::PatchImage> best_images(const io::PatchFile& patch) {
+  const Area area(patch);
+  std::vector<reconstruct::CandidateView> candidates;
+  for (const io::PatchImage& image : patch.images)
+    candidates.push_back(candidate_of(image, area.origin_m()));
+  std::vector<io::PatchImage> best;
+  for (const std::size_t i : reconstruct::choose_views(
+           candidates, area.points_in_local(), patch.height_range_m[1] - patch.height_range_m[0],
+           patch.max_views))
+    best.push_back(patch.images[i]);
+  return best;
+}
+
+std::vector<io::PatchImage> images_without_file(const io::PatchFile& patch) {
+  constexpr double kLeastShare = 0.1;
+  const Area area(patch);
+  const Points points = area.points_in_local();
+  std::vector<io::PatchImage> found;
+  for (const io::PatchImage& image : patch.without_file) {
+    if (!image.interior || !image.interior->size_px) continue;
+    if (reconstruct::seen_share(candidate_of(image, area.origin_m()), points) >= kLeastShare)
+      found.push_back(image);
+  }
+  return found;
+}
+
+std::optional<io::Window> window_of_area(const io::PatchFile& patch,
+                                         const io::PatchImage& image,
+                                         const Eigen::Vector2i& size_px) {
+  constexpr double kMargin_px = 32.0;
+  const Eigen::Vector3d origin_m = Area(patch).origin_m();
+  const ProjectionMatrix P = image_from_local(image.image_from_world, origin_m);
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& x : border_in_local(patch, origin_m)) {
+    const std::optional<Eigen::Vector2d> at = shown_at(image, P, x, size_px);
+    // A part of the area lies behind an oblique camera: nothing bounds what the image shows of it.
+    if (!at) return io::Window{0, 0, size_px.x(), size_px.y()};
+    box.extend(*at);
+  }
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin_px);
+  const Eigen::Vector2d zero = Eigen::Vector2d::Zero();
+  const Eigen::Vector2d first = (box.min() - margin).array().floor().matrix().cwiseMax(zero);
+  const Eigen::Vector2d end =
+      (box.max() + margin).array().ceil().matrix().cwiseMin(size_px.cast<double>());
+  const Eigen::Vector2i size = (end - first).cast<int>();
+  if ((size.array() < 2).any()) return std::nullopt;
+  return io::Window{static_cast<int>(first.x()), static_cast<int>(first.y()), size.x(), size.y()};
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/crs/crs.h"
+
+#include <Eigen/Geometry>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// The heights of a surface model: a raster of one band, heights in metres.
+struct SurfaceHeights {
+  std::vector<double> heights_m;  ///< of the cells within the bounds that have a height
+  Crs crs;
+};
+
+/// Reads the cells of a GeoTIFF or ASCII grid whose middles lie within the bounds (units of its reference system), at most
+/// about four million of them, evenly spread. Throws IoError if the file cannot be read, has no georeference or one that is
+/// turned, or has no height within the bounds.
+SurfaceHeights read_surface_heights(const std::string& path, const Eigen::AlignedBox2d& bounds);
+
+}  // namespace ridgeline::io

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/images/open_image.h"
+
+#include "io/error.h"
+#include "io/images/stated_turn.h"
+#include "io/kinds/recognise.h"
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 3> kOptions{{
+    // a JPEG that ends early is grey from there on; libjpeg calls that a warning
+    {"GDAL_ERROR_ON_LIBJPEG_WARNING", "TRUE"},
+    // Files beside an image, such as .aux.xml, were not given by the user, so none is read and none is left behind.
+    {"GDAL_PAM_ENABLED", "NO"},
+    {"GDAL_DISABLE_READDIR_ON_OPEN", "EMPTY_DIR"},
+}};
+
+/// Shortens a message, as GDAL repeats itself for every block of a damaged file.
+std::string shortened(std::string text) {
+  constexpr std::size_t kLongest = 200;
+  if (text.size() <= kLongest) return text;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // UTF-8
+  return text.substr(0, end) + "...";
+}
+
+int bits_of(const std::string& path, GDALRasterBand& band, int number) {
+  switch (band.GetRasterDataType()) {
+    case GDT_Byte:
+      return 8;
+    case GDT_UInt16:
+      return 16;
+    default:
+      throw IoError(path, fmt::format("band {} is {}; must be 8 or 16 bit unsigned", number,
+                                      GDALGetDataTypeName(band.GetRasterDataType())));
+  }
+}
+
+/// What GDAL knows of the way that pixels are stored; empty if it does not say.
+std::string_view structure(GDALMajorObject& object, const char* key) {
+  const char* const text = object.GetMetadataItem(key, "IMAGE_STRUCTURE");
+  return text == nullptr ? std::string_view() : std::string_view(text);
+}
+
+void refuse_other_colours(const std::string& path, GDALDataset& dataset) {
+  GDALRasterBand& first = *dataset.GetRasterBand(1);
+  if (first.GetColorInterpretation() == GCI_CyanBand ||
+      structure(dataset, "SOURCE_COLOR_SPACE") == "CMYK") {
+    throw IoError(path,
+                  "is CMYK, which is ink on paper; convert it to grey values, RGB or the "
+                  "bands of the camera");
+  }
+  if (structure(dataset, "COMPRESSION").ends_with("JPEG") && structure(first, "NBITS") == "12") {
+    throw IoError(path,
+                  "is JPEG of 12 bit in TIFF, which is not read; compress it by deflate "
+                  "(gdal_translate -co COMPRESS=DEFLATE -co TILED=YES)");
+  }
+}
+
+}  // namespace
+
+ImageSession::ImageSession() {
+  for (const auto& [name, value] : kOptions) CPLSetThreadLocalConfigOption(name, value);
+}
+
+ImageSession::~ImageSession() {
+  for (const auto& [name, value] : kOptions) CPLSetThreadLocalConfigOption(name, nullptr);
+}
+
+GDALDatasetUniquePtr ImageSession::open(const std::string& path) const {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw MissingFileError(path, "does not exist");
+  if (std::filesystem::is_directory(status)) {
+    refuse_other_kind(path, Expected::kImage);
+    throw IoError(path, "is a folder, not an image");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw IoError(path, "is a device, pipe or socket; an image must be a file");
+  }
+  register_gdal_drivers();
+  // Only these drivers are used, as others of GDAL follow references to more files and to addresses.
+  const char* const drivers[] = {"GTiff", "PNG", "JPEG", "JP2OpenJPEG", nullptr};
+  GDALDatasetUniquePtr dataset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+  if (!dataset) {
+    refuse_other_kind(path, Expected::kImage);
+    throw IoError(path, "is no readable TIFF, PNG, JPEG or JPEG 2000 image: " +
+                            shortened(quiet_.complaints("its content is none of these")));
+  }
+  return dataset;
+}
+
+void ImageSession::fail_to_decode(const std::string& path) const {
+  throw IoError(path,
+                "cannot be decoded: " + shortened(quiet_.complaints("its pixels are damaged")));
+}
+
+ImageFacts facts_of(const std::string& path, GDALDataset& dataset) {
+  ImageFacts facts{.format = dataset.GetDriver()->GetDescription(),
+                   .width_px = dataset.GetRasterXSize(),
+                   .height_px = dataset.GetRasterYSize(),
+                   .n_bands = dataset.GetRasterCount(),
+                   .bits = 0,
+                   .turn = stated_turn(path, dataset)};
+  if (facts.n_bands < 1 || facts.n_bands > 4) {
+    throw IoError(path, fmt::format("has {} bands; must be 1 to 4", facts.n_bands));
+  }
+  refuse_other_colours(path, dataset);
+  for (int number = 1; number <= facts.n_bands; ++number) {
+    GDALRasterBand& band = *dataset.GetRasterBand(number);
+    const int bits = bits_of(path, band, number);
+    if (number > 1 && bits != facts.bits) {
+      throw IoError(path, fmt::format("band {} has {} bits, band 1 has {}; all must have the same",
+                                      number, bits, facts.bits));
+    }
+    facts.bits = bits;
+    if (band.GetColorTable() != nullptr) {
+      throw IoError(path, "has a colour table; expand it to bands (gdal_translate -expand rgb)");
+    }
+  }
+  return facts;
+}
+
+}  // namespace ridgeline::io
