@@ -204,6 +204,27 @@ void write_orientations(Writer& out) {
   out.add("cameras.yaml", content("cameras.yaml"), {of_cameras});
 }
 
+/// A patch that takes its heights and windows from an area, a file of polygons and a surface model.
+void write_area(Writer& out, const fs::path& folder) {
+  std::ifstream stream(folder / "patch.yaml", std::ios::binary);
+  std::string patch{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t heights = patch.find("height_range:");
+  patch.replace(heights, patch.find('\n', heights) - heights,
+                "height_range: auto\nsurface_model: dsm.asc\narea: area.geojson");
+  const Command info{"info", "area.yaml"};
+  out.add("area.yaml", patch, {{"info", "FILE"}, {"run", "FILE", "--out", "OUT", "--no-report"}});
+  out.add(
+      "area.geojson",
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},)"
+      R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":)"
+      R"([[[513010,5403010],[513030,5403010],[513030,5403030],[513010,5403010]]]}}]})",
+      {info});
+  out.add("dsm.asc",
+          "ncols 3\nnrows 2\nxllcorner 513000\nyllcorner 5403000\ncellsize 20\nNODATA_value -9999\n"
+          "251.5 262.5 253.5\n254.5 265 -9999\n",
+          {info});
+}
+
 /// What `run` has written into `results`, read back by other commands.
 void add_results(Writer& out, const std::string& patch) {
   const Commands readers{{"gate", "results", "--gates", "gates.yaml"},
@@ -234,6 +255,7 @@ std::vector<BaseFile> write_base_files(const fs::path& folder, const std::string
   write_images(out);
   write_texts(out);
   write_orientations(out);
+  write_area(out, folder);
   add_results(out, patch);
   return std::move(out.files);
 }
