@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "reconstruct/pair_check/pair_fit.h"
+#include "reconstruct/tracks/view_pairs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -157,6 +158,20 @@ std::optional<std::string> doubt_of_units(const io::PatchFile& patch,
       patch.path, view.id, pixel_m);
 }
 
+/// A warning of a pair whose base is so short that heights are uncertain, or so long that surfaces look different.
+std::optional<std::string> doubt_of_base(const io::PatchFile& patch,
+                                         const reconstruct::Scene& scene,
+                                         const ViewPair& pair) {
+  constexpr double kShort = 0.05;
+  constexpr double kLong = 1.0;
+  const double ratio = reconstruct::common_place(scene, pair).base_to_height;
+  if (ratio >= kShort && ratio <= kLong) return std::nullopt;
+  return fmt::format(
+      "{}: the base of {} and {} is {:.2g} of the height; {}", patch.path,
+      patch.images[pair.base].path, patch.images[pair.search].path, ratio,
+      ratio < kShort ? "heights are uncertain below 0.05" : "surfaces look too different above 1");
+}
+
 }  // namespace
 
 std::vector<std::string> check_pairs(const io::PatchFile& patch,
@@ -187,6 +202,8 @@ std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
   const std::vector<ViewPair> pairs = pairs_of(scene, options);
   std::vector<std::string> doubts = check_pairs(patch, scene, pairs, max_y_parallax_px);
   if (auto doubt = doubt_of_units(patch, scene)) doubts.push_back(std::move(*doubt));
+  for (const ViewPair& pair : pairs)
+    if (auto doubt = doubt_of_base(patch, scene, pair)) doubts.push_back(std::move(*doubt));
   if (!options.matching.tracks.all_views) return doubts;
   for (std::size_t i = 0; i < patch.images.size(); ++i) {
     if (std::ranges::any_of(pairs, [&](const ViewPair& p) { return p.base == i || p.search == i; }))

@@ -24,8 +24,8 @@ constexpr double kDefaultMaxYParallax_px = 3.0;
                                                    double max_y_parallax_px);
 
 /// check_pairs() of the pairs that these options match.
-/// @return also a warning for each image that is in none of these pairs, unless the options leave it out, and one of units
-///     that are hardly metres
+/// @return also a warning for each image that is in none of these pairs, unless the options leave it out, one of units
+///     that are hardly metres, and one for each pair whose base is below 0.05 or above 1 of the height
 [[nodiscard]] std::vector<std::string> check_matched_pairs(const io::PatchFile& patch,
                                                            const reconstruct::Scene& scene,
                                                            const reconstruct::Options& options,

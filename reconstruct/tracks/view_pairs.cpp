@@ -49,22 +49,25 @@ std::optional<PairCost> cost_of(const Scene& scene, const ViewPair& pair) {
   constexpr double kBest = 0.3;
   constexpr double kUsualShare = 0.3;
   constexpr double kLeastShare = 0.1;
-  const View& a = scene.views[pair.base];
-  const View& b = scene.views[pair.search];
-  const double height_m = middle_height_m(scene);
-  const double share = std::min(shown_share(a, b, height_m), shown_share(b, a, height_m));
-  if (share < kLeastShare) return std::nullopt;
-  const Eigen::Vector3d centre_a = projection_centre(a.image_from_local).hnormalized();
-  const Eigen::Vector3d centre_b = projection_centre(b.image_from_local).hnormalized();
-  // cameras that look up are below what they show
-  const double way_m = std::abs(0.5 * (centre_a.z() + centre_b.z()) - height_m);
-  const double ratio = (centre_b - centre_a).norm() / way_m;
-  if (!(ratio > 0.0)) return std::nullopt;
+  const auto [share, ratio] = common_place(scene, pair);
+  if (share < kLeastShare || !(ratio > 0.0)) return std::nullopt;
   if (share < kUsualShare) return PairCost{true, -share};
   return PairCost{false, std::abs(std::log(ratio / kBest))};
 }
 
 }  // namespace
+
+CommonPlace common_place(const Scene& scene, const ViewPair& pair) {
+  const View& a = scene.views[pair.base];
+  const View& b = scene.views[pair.search];
+  const double height_m = middle_height_m(scene);
+  const Eigen::Vector3d centre_a = projection_centre(a.image_from_local).hnormalized();
+  const Eigen::Vector3d centre_b = projection_centre(b.image_from_local).hnormalized();
+  // cameras that look up are below what they show
+  const double way_m = std::abs(0.5 * (centre_a.z() + centre_b.z()) - height_m);
+  return {std::min(shown_share(a, b, height_m), shown_share(b, a, height_m)),
+          (centre_b - centre_a).norm() / way_m};
+}
 
 std::vector<ViewPair> choose_pairs(const Scene& scene) {
   const std::size_t n = scene.views.size();

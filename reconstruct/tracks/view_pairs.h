@@ -7,6 +7,17 @@
 
 namespace ridgeline::reconstruct {
 
+/// How two views show one place, at the middle of the heights.
+struct CommonPlace {
+  double share =
+      0.0;  ///< of the pixels of either view that the other one shows, the smaller of both
+  double base_to_height =
+      0.0;  ///< distance of the cameras over their mean distance to the place in height
+};
+
+/// @param scene  its views have images
+CommonPlace common_place(const Scene& scene, const ViewPair& pair);
+
 /// The pairs of views to be matched: one less than there are views, which connect all of them. The first two views
 /// are the first pair. Of the pairs of a view that is connected and one that is not yet, the next one
 /// has the base-to-height ratio nearest to 0.3, where depths are good and surfaces look alike, if both views

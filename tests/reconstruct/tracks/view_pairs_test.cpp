@@ -30,6 +30,17 @@ PairsById pairs_by_id(const Scene& scene) {
 
 Scene scene_of(const std::vector<BlockCamera>& cameras) { return BlockScene(cameras).scene; }
 
+TEST(CommonPlace, IsTheShareThatBothShowAndTheBaseOverTheHeight) {
+  // 160 m aside, 800 m above the middle of the heights
+  const Scene scene =
+      scene_of({{"a", {0.0, 0.0, 807.5}}, {"b", {160.0, 0.0, 807.5}}, {"far", {9e3, 0.0, 807.5}}});
+  const CommonPlace near = common_place(scene, {0, 1});
+  constexpr double kTilt = 0.01;  // the cameras are not all at one height
+  EXPECT_NEAR(near.base_to_height, 0.2, kTilt);
+  EXPECT_GT(near.share, 0.3);
+  EXPECT_EQ(common_place(scene, {0, 2}).share, 0.0);
+}
+
 TEST(ChoosePairs, OfTwoViewsIsTheOnePairWhateverTheyShow) {
   const Scene scene = scene_of({{"a", {0.0, 0.0, 800.0}}, {"far", {5000.0, 0.0, 800.0}}});
   const std::vector<ViewPair> pairs = choose_pairs(scene);
