@@ -19,6 +19,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
+constexpr double kMostUntold =
+    0.1;  // part of a told axis that lies in directions that are not told
 constexpr double kNormal95 = 1.959964;  // two-sided 95 % quantile of the normal distribution
 
 /// One equation n't = d.
@@ -45,6 +47,25 @@ struct Basis {
   Eigen::Matrix3Xd told, untold;
 };
 
+/// The basis with untold directions that are nearly level made level. The shift along them is taken as 0: along slightly
+/// tilted ones, a shift of 45 m in height would be a shift of metres in plan.
+Basis levelled(Basis basis) {
+  const Eigen::Index n_untold = basis.untold.cols();
+  if (n_untold == 0 || n_untold == 3 || basis.untold.row(2).norm() > kMostUntold) return basis;
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  if (n_untold == 2) {
+    basis.told = z;
+    basis.untold << x, y;
+  } else {
+    const Eigen::Vector2d level = basis.untold.col(0).head<2>().normalized();
+    basis.told << z, level.x() * y - level.y() * x;
+    basis.untold = level.x() * x + level.y() * y;
+  }
+  return basis;
+}
+
 Basis basis_of(const std::vector<Equation>& rows) {
   constexpr double kNormalError_rad = std::numbers::pi / 180.0;
   constexpr double kLargestPull = 0.1;  // of the estimate to 0, by errors of the normals
@@ -54,7 +75,8 @@ Basis basis_of(const std::vector<Equation>& rows) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const double least = kNormalError_rad * kNormalError_rad / kLargestPull;
   const Eigen::Index n_untold = (solver.eigenvalues().array() < least).count();
-  return {solver.eigenvectors().rightCols(3 - n_untold), solver.eigenvectors().leftCols(n_untold)};
+  return levelled(
+      {solver.eigenvectors().rightCols(3 - n_untold), solver.eigenvectors().leftCols(n_untold)});
 }
 
 /// The equations in the coordinates of a basis, with the weights of the last step.
@@ -208,13 +230,13 @@ bool drop_lonely(const Eigen::VectorXd& n_clusters, Basis& basis) {
     kept.conservativeResize(3, kept.cols() + 1);
     kept.rightCols<1>() = basis.told.col(i);
   }
-  const bool is_less = told.cols() < basis.told.cols();
+  if (told.cols() == basis.told.cols()) return false;
   basis.told = told;
-  return is_less;
+  basis = levelled(std::move(basis));
+  return true;
 }
 
 ShiftAxis axis_of(const ConstantShift& shift, int axis) {
-  constexpr double kMostUntold = 0.1;  // part of the axis that the planes do not tell
   double untold = 0.0;
   for (const Eigen::Vector3d& direction : shift.untold) untold += std::pow(direction[axis], 2);
   if (std::sqrt(untold) > kMostUntold) return {};

@@ -54,7 +54,7 @@ struct ConstantShift {
 ///   - Robust: Tukey's biweight (95 % efficiency for normal errors), which gives a line on a wrong plane no weight, from a
 ///     start by least absolute deviations; the scale is the NMAD.
 ///   - A direction counts as told if errors of the planes' normals of 1 degree would draw it to 0 by at most a tenth, and if two
-///     clusters at least tell it.
+///     clusters at least tell it. Level directions that are not told are taken as not shifted.
 ///   - Covariance: sandwich over cluster_labels() with the influence of each cluster when it is left out (jackknife, CR3
 ///     of MacKinnon and White 1985).
 /// `accuracy_m`: of the LIDAR's points. Nothing if no line is evaluated.

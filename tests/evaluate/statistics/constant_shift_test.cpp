@@ -104,6 +104,17 @@ TEST(EstimateShift, OfFlatPlanesIsAHeightAlone) {
   EXPECT_THAT(shift_text(shift), HasSubstr("x, y not told by these planes"));
 }
 
+TEST(EstimateShift, OfNearlyFlatPlanesTakesNoPlanFromALargeHeight) {
+  std::vector<LineEvaluation> lines;
+  for (std::uint64_t id = 1; id <= 40; ++id) {  // a slope of 3 degrees to the north, more or less
+    const Eigen::Vector3d normal =
+        falling(9.0 * static_cast<double>(id % 3), 2.5 + 0.025 * static_cast<double>(id));
+    lines.push_back(line_beside(normal, 48.0 * normal.z(), id));
+  }
+  const ConstantShift shift = estimate_shift(lines, kLidarAccuracy_m).value();
+  EXPECT_LT((shift.shift_m - Eigen::Vector3d(0.0, 0.0, 48.0)).norm(), kExact_m);
+}
+
 TEST(EstimateShift, OfParallelRidgesTellsThePlanAcrossThem) {
   const std::vector<double> parallel(12, 30.0);
   const ConstantShift shift = estimate_shift(houses(parallel, kShift), kLidarAccuracy_m).value();
