@@ -99,7 +99,7 @@ void add_shift_options(CLI::App& app, ShiftArguments& arguments) {
                  "geoid grid (.gtx, .tif) that explains a shift in height; default: what PROJ has");
 }
 
-void validate(const ShiftArguments& arguments) {
+void check_shift_options(const ShiftArguments& arguments) {
   if (!arguments.geoid.empty()) io::require_geoid_grid(arguments.geoid);
 }
 

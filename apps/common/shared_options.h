@@ -48,7 +48,7 @@ struct ShiftArguments {
 void add_shift_options(CLI::App& app, ShiftArguments& arguments);
 
 /// Throws IoError for a geoid grid that cannot be read.
-void validate(const ShiftArguments& arguments);
+void check_shift_options(const ShiftArguments& arguments);
 
 /// Texts that the operator wants on top of the report; empty ones are left out.
 struct PageFacts {

@@ -221,7 +221,7 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
 }
 
 int run_evaluate(const EvaluateArguments& arguments) {
-  validate(arguments.shift);
+  check_shift_options(arguments.shift);
   results::RunRecord record("evaluate");
   const results::JudgeFilesOptions options = judge_files_options(arguments);
   record.set_options(echo(options));

@@ -60,7 +60,7 @@ RunOptions run_options(const RunFlags& flags) {
   }
   options.map_schema = results::map_schema_named(flags.schema);
   validate(options.summary);
-  validate(options.shift);
+  check_shift_options(options.shift);
   return options;
 }
 
