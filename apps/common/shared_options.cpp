@@ -2,6 +2,7 @@
 #include "apps/common/shared_options.h"
 
 #include "apps/common/option_flags.h"
+#include "io/crs/geoid.h"
 #include "io/images/image.h"
 #include "io/lines/write_lines.h"
 
@@ -87,6 +88,19 @@ void add_schema_option(CLI::App& app, std::string& schema) {
          "of the map's lines; fkb: with objtype and accuracies in cm as FKB-Bygning names them")
       ->check(CLI::IsMember({"plain", "fkb"}))
       ->capture_default_str();
+}
+
+void add_shift_options(CLI::App& app, ShiftArguments& arguments) {
+  app.add_flag("--apply-shift", arguments.apply,
+               "judge the lines without a shift that all have against the LIDAR planes, if it is "
+               "significant; "
+               "default: it is reported, and nothing is moved");
+  app.add_option("--geoid", arguments.geoid,
+                 "geoid grid (.gtx, .tif) that explains a shift in height; default: what PROJ has");
+}
+
+void check_shift_options(const ShiftArguments& arguments) {
+  if (!arguments.geoid.empty()) io::require_geoid_grid(arguments.geoid);
 }
 
 void add_page_options(CLI::App& app, PageFacts& facts) {

@@ -38,6 +38,18 @@ void add_pair_check_option(CLI::App& app, double& max_y_parallax_px);
 /// Adds `--schema`, which takes a name for results::map_schema_named().
 void add_schema_option(CLI::App& app, std::string& schema);
 
+/// What to do about a shift that all lines have against the LIDAR planes.
+struct ShiftArguments {
+  bool apply = false;
+  std::string geoid;  ///< grid of the geoid; may be empty
+};
+
+/// Adds `--apply-shift` and `--geoid`.
+void add_shift_options(CLI::App& app, ShiftArguments& arguments);
+
+/// Throws IoError for a geoid grid that cannot be read.
+void check_shift_options(const ShiftArguments& arguments);
+
 /// Texts that the operator wants on top of the report; empty ones are left out.
 struct PageFacts {
   std::string title, project, operator_name, date;

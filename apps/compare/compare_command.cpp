@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
+#include "evaluate/tables/shift_text.h"
 #include "io/files/atomic_file.h"
 #include "io/results/result_folder_reader.h"
 #include "reconstruct/geometry/check.h"
@@ -24,11 +25,19 @@ evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
   std::vector<evaluate::ResultFolder> folders;
   folders.reserve(paths.size());
   for (const std::string& path : paths) folders.push_back(results::read_result_folder(path));
-  if (folders.size() > 1) return evaluate::compare_folders(folders);
   evaluate::ComparisonReport report;
-  report.comparisons = evaluate::compare_methods(folders.front());
-  check(!report.comparisons.empty(), "compare: ", paths.front(),
-        " holds one method; give a second folder");
+  if (folders.size() > 1) {
+    report = evaluate::compare_folders(folders);
+  } else {
+    report.comparisons = evaluate::compare_methods(folders.front());
+    check(!report.comparisons.empty(), "compare: ", paths.front(),
+          " holds one method; give a second folder");
+  }
+  for (const evaluate::ResultFolder& folder : folders) {
+    for (const std::string& note : evaluate::moved_notes(folder.evaluations)) {
+      report.warnings.push_back(folder.name + ": " + note);
+    }
+  }
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include "apps/common/shared_options.h"
 #include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
+#include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
 #include "io/results/cloud_name.h"
@@ -16,6 +17,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
 
@@ -36,6 +39,7 @@ struct EvaluateArguments {
   double max_resolution_m = 0.0;
   ParameterArguments parameters;
   evaluate::SummaryOptions summary;
+  ShiftArguments shift;
   PageFacts page;
 };
 
@@ -62,6 +66,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
   app.add_option(
       "--write-points", a.write_points,
       "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
+  add_shift_options(app, a.shift);
   add_schema_option(app, a.schema);
   add_page_options(app, a.page);
   add_report_flag(app, a.report);
@@ -175,6 +180,8 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.cloud = read_options(a);
   options.scale_to_ground = a.scale_to_ground;
   options.cloud_memory_mib = a.cloud_memory_mib;
+  options.apply_shift = a.shift.apply;
+  options.geoid = a.shift.geoid;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   const Parameters parameters = read_parameters(a.parameters);
@@ -200,6 +207,7 @@ std::vector<results::InputFile> inputs_of(const EvaluateArguments& a,
   }
   if (options.reference_lines) inputs.push_back({"reference", *options.reference_lines});
   if (!a.parameters.config.empty()) inputs.push_back({"config", a.parameters.config});
+  if (!options.geoid.empty()) inputs.push_back({"geoid", options.geoid});
   return inputs;
 }
 
@@ -213,6 +221,7 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
 }
 
 int run_evaluate(const EvaluateArguments& arguments) {
+  check_shift_options(arguments.shift);
   results::RunRecord record("evaluate");
   const results::JudgeFilesOptions options = judge_files_options(arguments);
   record.set_options(echo(options));
@@ -243,8 +252,9 @@ int run_evaluate(const EvaluateArguments& arguments) {
   if (has_figures(judged.evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
   }
-  const std::vector<std::string> messages =
-      judging_messages(options.patch_name, judged.evaluations);
+  std::vector<std::string> messages = judging_messages(options.patch_name, judged.evaluations);
+  std::ranges::move(evaluate::shift_messages(judged.evaluations, options.apply_shift),
+                    std::back_inserter(messages));
   for (const std::string& message : messages) say("{}\n", message);
   record.end_stage("write");
   record.set("messages", messages);

@@ -9,6 +9,8 @@
 #include "apps/python/judged.h"
 #include "apps/python/lines.h"
 #include "apps/python/views.h"
+#include "evaluate/tables/shift_text.h"
+#include "io/crs/geoid.h"
 #include "io/lines/line_checks.h"
 #include "io/results/cloud_name.h"
 #include "reconstruct/geometry/check.h"
@@ -58,6 +60,9 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   options.lines.assume_crs = options.cloud.assume_crs;
   take(entries, "vertex_pairs", options.lines.vertex_pairs);
   take(entries, "scale_to_ground", options.scale_to_ground);
+  take(entries, "apply_shift", options.apply_shift);
+  take(entries, "geoid", options.geoid);
+  if (!options.geoid.empty()) io::require_geoid_grid(options.geoid);
   take(entries, "cloud_memory_mib", options.cloud_memory_mib);
   take(entries, "name", options.patch_name);
   const apps::Parameters parameters = parameters_of(entries);
@@ -123,6 +128,7 @@ std::vector<results::InputFile> input_files(const LineSource& lines,
       files.push_back({"orientation", path});
   }
   if (references) add("reference", *references);
+  if (!options.geoid.empty()) files.push_back({"geoid", options.geoid});
   std::string config;
   take(entries, "config", config);
   if (!config.empty()) files.push_back({"config", config});
@@ -164,6 +170,8 @@ Judged evaluate_lines(const py::object& lines,
   if (options.patch) {
     std::ranges::move(apps::notes_on(*options.patch), std::back_inserter(judged.files.warnings));
   }
+  std::ranges::move(evaluate::shift_messages(judged.files.evaluations, options.apply_shift),
+                    std::back_inserter(judged.files.warnings));
   std::erase_if(judged.inputs, [&](const results::InputFile& file) {
     return std::ranges::find(judged.files.unread_clouds, file.path) !=
            judged.files.unread_clouds.end();

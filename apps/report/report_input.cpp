@@ -182,7 +182,8 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
       index.push_back(i);
     }
     const auto errors_m = evaluate::reference_errors_m(
-        results::judged_lines_of(set, patch.frame, patch.patch), references);
+        results::moved(results::judged_lines_of(set, patch.frame, patch.patch), method.moved_m()),
+        references);
     method.true_errors_m.resize(method.lines.size());
     for (std::size_t k = 0; k < index.size(); ++k) method.true_errors_m[index[k]] = errors_m[k];
   }

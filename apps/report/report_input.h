@@ -31,8 +31,19 @@ struct ReportMethod {
   /// The judged lines in metres, by the index in `evaluation`; nothing for a line whose file is
   /// gone.
   std::vector<std::optional<io::Line>> lines;
-  /// The judged lines as segments in the patch's frame; nothing where `lines` has none or coordinates are not finite.
+  /// The judged lines as segments in the patch's frame, where their file has them; nothing where `lines` has none or
+  /// coordinates are not finite.
   std::vector<std::optional<Segment3>> segments;
+  /// By how much the lines were moved before they were judged.
+  [[nodiscard]] Eigen::Vector3d moved_m() const {
+    const auto& shift = evaluation.shift;
+    return shift && shift->applied ? Eigen::Vector3d(-shift->shift_m) : Eigen::Vector3d::Zero();
+  }
+  /// A line where it was judged.
+  [[nodiscard]] std::optional<Segment3> judged_segment(std::size_t i) const {
+    if (!segments[i]) return std::nullopt;
+    return Segment3{segments[i]->start + moved_m(), segments[i]->end + moved_m()};
+  }
   std::vector<std::optional<double>> true_errors_m;  ///< error of each line; empty without truth
 };
 

@@ -5,6 +5,7 @@
 #include "apps/report/line_sightings.h"
 #include "evaluate/gates/gate_report.h"
 #include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/table2.h"
 #include "io/images/encoded_picture.h"
 #include "io/results/result_folder_reader.h"
@@ -237,14 +238,16 @@ Json line_in_views_json(const std::vector<LineInView>& views) {
   return json;
 }
 
-/// Adds what the line file knows beside the judgement.
-void add_geometry(const ReportPatch& patch,
-                  const io::Line& line,
-                  const std::optional<Segment3>& segment,
-                  Json& json) {
-  if (segment) {
-    json["start"] = coordinates(segment->start);
-    json["end"] = coordinates(segment->end);
+/// Adds what the line file knows beside the judgement. A line that was moved before has a second place, where images show it.
+void add_geometry(const ReportPatch& patch, const ReportMethod& method, std::size_t i, Json& json) {
+  const io::Line& line = *method.lines[i];
+  if (const auto judged = method.judged_segment(i)) {
+    json["start"] = coordinates(judged->start);
+    json["end"] = coordinates(judged->end);
+    if (!method.moved_m().isZero()) {
+      json["seen_start"] = coordinates(method.segments[i]->start);
+      json["seen_end"] = coordinates(method.segments[i]->end);
+    }
   }
   json["sightings"] = sightings_json(patch, line);
   json["construction"] = line.status;
@@ -258,7 +261,7 @@ Json line_json(const ReportPatch& patch, const ReportMethod& method, std::size_t
     plane.erase("normal");
     plane.erase("d");
   }
-  if (method.lines[i]) add_geometry(patch, *method.lines[i], method.segments[i], json);
+  if (method.lines[i]) add_geometry(patch, method, i, json);
   if (!method.true_errors_m.empty()) {
     json["true_error_m"] = evaluate::number_json(method.true_errors_m[i]);
   }
@@ -328,6 +331,9 @@ evaluate::Table2 table2_of(const ReportInput& input) {
     for (const ReportMethod& method : patch.methods) {
       const evaluate::Evaluation& e = method.evaluation;
       table.results.push_back({e.patch, e.method, e.classes});
+      if (std::string note = evaluate::moved_note(e); !note.empty()) {
+        table.moved.push_back(std::move(note));
+      }
     }
   }
   return table;

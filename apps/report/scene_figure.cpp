@@ -40,8 +40,8 @@ std::array<double, 2> range_of(std::vector<double> values, double share_cut) {
 
 std::vector<Segment3> segments_of(const ReportMethod& method) {
   std::vector<Segment3> segments;
-  for (const auto& segment : method.segments) {
-    if (segment) segments.push_back(*segment);
+  for (std::size_t i = 0; i < method.segments.size(); ++i) {
+    if (const auto segment = method.judged_segment(i)) segments.push_back(*segment);
   }
   return segments;
 }
@@ -141,8 +141,8 @@ cv::Mat figure8(const ReportPatch& patch, const ShownScene& shown, std::size_t m
     for (std::size_t i = 0; i < lines.segments.size(); ++i) {
       const bool is_aligned = lines.evaluation.lines[i].line_class == "aligned";
       if (is_aligned != aligned || !lines.segments[i]) continue;
-      draw_line(*lines.segments[i], aligned ? colour::kAligned : colour::kBlue, aligned ? 4 : 3,
-                scene);
+      draw_line(*lines.judged_segment(i), aligned ? colour::kAligned : colour::kBlue,
+                aligned ? 4 : 3, scene);
     }
   }
   return framed(

@@ -74,8 +74,9 @@ ShownPlanes shown_planes(const ReportPatch& patch, const ReportMethod& method) {
                                                [&](std::size_t i) { return points.x_in_local[i]; });
   std::vector<double> nearest_m(points.x_in_local.size(), widths.inlier_distance_m);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!method.segments[i]) continue;
-    const Segment2 line = plan(*method.segments[i]);
+    const std::optional<Segment3> judged = method.judged_segment(i);
+    if (!judged) continue;
+    const Segment2 line = plan(*judged);
     for (const evaluate::JudgingPlane& p : lines[i].planes) {
       const std::uint16_t number = index[p.id];
       grid.visit_near(line, widths.fit_half_width_m, [&](const auto& point) {

@@ -7,6 +7,7 @@
 #include "apps/run/patch_stages.h"
 #include "evaluate/judge/judge_lines.h"
 #include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/shift_text.h"
 #include "io/cloud/cloud_files.h"
 #include "io/files/text_file.h"
 #include "io/lines/read_lines.h"
@@ -16,7 +17,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 
 namespace ridgeline::apps {
 namespace {
@@ -79,6 +83,8 @@ class PatchRun {
     for (const Method method : options_.methods) reconstruct(method);
     evaluate();
     result_.messages = outcome_messages(stages_.counts(), result_.evaluations);
+    std::ranges::move(evaluate::shift_messages(result_.evaluations, options_.shift.apply),
+                      std::back_inserter(result_.messages));
     return std::move(result_);
   }
 
@@ -189,9 +195,17 @@ class PatchRun {
     for (const Method method : options_.methods) {
       result_.evaluations.push_back(
           evaluate::parse_evaluation(io::read_text_file(in_folder(evaluation_file(method)))));
-      result_.truth.push_back(
-          results::compare_with_truth(result_.evaluations.back(), lines_of(method), references_));
+      result_.truth.push_back(results::compare_with_truth(
+          result_.evaluations.back(), as_judged(lines_of(method), result_.evaluations.back()),
+          references_));
     }
+  }
+
+  /// The lines at the places where they were judged.
+  static std::vector<evaluate::JudgedLine> as_judged(std::vector<evaluate::JudgedLine> lines,
+                                                     const evaluate::Evaluation& evaluation) {
+    if (!evaluation.shift || !evaluation.shift->applied) return lines;
+    return results::moved(std::move(lines), -evaluation.shift->shift_m);
   }
 
   static std::string evaluation_file(Method method) {
@@ -204,6 +218,8 @@ class PatchRun {
     parts.push_back(options_.assume_crs.definition);
     parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
+    if (options_.shift.apply) parts.emplace_back("apply shift");
+    if (!options_.shift.geoid.empty()) parts.push_back(io::sha256_of_file(options_.shift.geoid));
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
                                 options_.summary.bootstrap.seed));
@@ -227,6 +243,8 @@ class PatchRun {
     options.cloud.assume_crs = options_.assume_crs;
     options.judge = options_.parameters.judge;
     options.summary = options_.summary;
+    options.apply_shift = options_.shift.apply;
+    options.geoid = options_.shift.geoid;
     results::JudgedFiles judged = results::judge_files(options, record_);
     record_.add_warnings(judged.warnings);
     for (std::size_t i = 0; i < options_.methods.size(); ++i) {

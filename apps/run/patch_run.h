@@ -33,6 +33,7 @@ struct RunOptions {
   double max_image_mpx = 0.0;                          ///< limit of io::read_image()
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< limit of check_pairs()
   std::string config_path;  ///< file of the parameters; empty if there is none
+  ShiftArguments shift;
   bool resume = false;
   bool report = true;  ///< report.html and the figures
   PageFacts page;

@@ -23,6 +23,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(line_format_names()));
   add_local_origin_flag(app, flags.options.local_origin);
+  add_shift_options(app, flags.options.shift);
   add_schema_option(app, flags.schema);
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
@@ -59,6 +60,7 @@ RunOptions run_options(const RunFlags& flags) {
   }
   options.map_schema = results::map_schema_named(flags.schema);
   validate(options.summary);
+  check_shift_options(options.shift);
   return options;
 }
 

@@ -51,6 +51,7 @@ std::vector<results::InputFile> inputs_of(const std::vector<CheckedPatch>& patch
     for (results::InputFile& file : input_files(patch.file)) inputs.push_back(std::move(file));
   }
   if (!options.config_path.empty()) inputs.push_back({"config", options.config_path});
+  if (!options.shift.geoid.empty()) inputs.push_back({"geoid", options.shift.geoid});
   return inputs;
 }
 
@@ -68,6 +69,8 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   }
   json.update(echo(options.parameters));
   json["assume_crs"] = options.assume_crs.definition;
+  json["apply_shift"] = options.shift.apply;
+  json["geoid"] = options.shift.geoid;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;
   return json;

@@ -4,6 +4,7 @@
 #include "evaluate/compare/pair_in_space.h"
 #include "evaluate/compare/wilcoxon.h"
 #include "evaluate/statistics/distribution.h"
+#include "evaluate/tables/shift_text.h"
 #include "reconstruct/geometry/check.h"
 
 #include <algorithm>
@@ -316,7 +317,8 @@ Comparison compare(const Evaluation& a,
   const LineById b_by_id = evaluated_by_id(b);
   Comparison result =
       comparison_of(a, b, pair_lines(a, b_by_id), std::move(name_a), std::move(name_b));
-  if (!joint_adjusts_to_faces && is_direct_and_joint(a.method, b.method)) {
+  const bool is_moved = !moved_note(a).empty() || !moved_note(b).empty();  // each by its own shift
+  if (!joint_adjusts_to_faces && !is_moved && is_direct_and_joint(a.method, b.method)) {
     result.n_not_aligned_differing = count_differing(a_by_id, b_by_id);
   }
   return result;

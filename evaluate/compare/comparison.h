@@ -47,7 +47,7 @@ struct Comparison {
   std::vector<Summary> own_a, own_b;       ///< each on its own lines, as published tables are
   /// Number of not_aligned lines on which direct and joint differ. They solve these lines by the same
   /// code unless joint adjusts them to faces, so every such line shows a defect. Empty for other pairs
-  /// of methods, and if joint adjusts lines to faces.
+  /// of methods, if joint adjusts lines to faces, and if lines were moved before they were judged.
   std::optional<std::size_t> n_not_aligned_differing;
 };
 

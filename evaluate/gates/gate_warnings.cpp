@@ -2,6 +2,7 @@
 #include "evaluate/gates/gate_warnings.h"
 
 #include "evaluate/statistics/calibration.h"
+#include "evaluate/tables/shift_text.h"
 
 #include <fmt/format.h>
 
@@ -53,7 +54,9 @@ std::vector<std::string> gate_warnings(std::span<const Gate> gates,
     const bool is_gated = std::any_of(applied.begin(), applied.end(), [&](const GateResult& r) {
       return r.patch == e.patch && r.method == e.method;
     });
-    if (is_gated) warn_of_calibration(e, warnings);
+    if (!is_gated) continue;
+    warn_of_calibration(e, warnings);
+    if (std::string note = moved_note(e); !note.empty()) warnings.push_back(std::move(note));
   }
   if (baseline == nullptr) return warnings;
   warn_of_time(results, *baseline, warnings);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "evaluate/line_evaluation.h"
+#include "evaluate/statistics/constant_shift.h"
 #include "evaluate/statistics/summary.h"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +21,8 @@ struct Evaluation {
   SummaryOptions options;
   std::vector<LineEvaluation> lines;  ///< every input line; planes in the local frame
   std::vector<Summary> classes;       ///< see summarize_classes()
+  /// Of the lines as they were given; nothing if none of them was judged.
+  std::optional<ConstantShift> shift{};
 };
 
 /// `evaluation` with `classes` computed from its lines and options.

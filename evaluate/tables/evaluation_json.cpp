@@ -4,6 +4,7 @@
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/standards.h"
 #include "evaluate/statistics/strata.h"
+#include "evaluate/tables/shift_json.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table2.h"
 
@@ -188,6 +189,7 @@ Json evaluation_json(const Evaluation& evaluation) {
           {"note", kFixedSentence},
           {"origin_m", vector_json(evaluation.origin_m)},
           {"options", options_json(evaluation.options)},
+          {"shift", shift_json(evaluation.shift)},
           {"summary", std::move(summary)},
           {"accuracy", accuracy_json(evaluation)},
           {"standards", standards_json(evaluation)},

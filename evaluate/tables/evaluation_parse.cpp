@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/shift_json.h"
 #include "evaluate/tables/summary_json.h"
 #include "reconstruct/geometry/check.h"
 
@@ -197,6 +198,7 @@ Evaluation parse_evaluation(std::string_view json) {
   evaluation.method = text(root, "method");
   evaluation.origin_m = vector(root, "origin_m");
   evaluation.options = parse_options(member(root, "options"));
+  if (root.contains("shift")) evaluation.shift = parse_shift(root["shift"]);
   const Json& lines = array(root, "lines");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     try {

@@ -3,11 +3,13 @@
 
 #include "evaluate/tables/cells.h"
 #include "evaluate/tables/format.h"
+#include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table_layout.h"
 #include "evaluate/tables/text_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -103,9 +105,28 @@ bool has_classes(const Table2& table) {
   });
 }
 
+/// Why direct and joint differ on not_aligned lines; "" if they are equal.
+std::string_view faces_note(const Table2& table) {
+  const auto has = [&](std::string_view method) {
+    return std::ranges::any_of(table.results,
+                               [&](const auto& result) { return result.method == method; });
+  };
+  if (!table.joint_adjusts_to_faces || !has("direct") || !has("joint")) return "";
+  return "joint adjusts lines to the plane faces of the surface beside them (faces_beside); direct "
+         "does not. Their not_aligned lines differ for this reason. With --preset published they "
+         "are equal.";
+}
+
+/// The columns by how much the lines of a result were moved, empty for lines that were not.
+std::string moved_cells(const PatchMethodResult& result) {
+  if (!result.moved_m) return ",,,";
+  const Eigen::Vector3d& by_m = *result.moved_m;
+  return fmt::format(",{},{},{}", metres(by_m.x()), metres(by_m.y()), metres(by_m.z()));
+}
+
 /// The footnote as a line that begins with `before`; "" without a footnote.
 std::string footnote_line(const Table2& table, std::string_view before) {
-  const std::string_view note = footnote(table);
+  const std::string note = footnote(table);
   return note.empty() ? "" : fmt::format("{}{}\n", before, note);
 }
 
@@ -135,19 +156,19 @@ Table2Layout lay_out(const Table2& table) {
 Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_to_faces) {
   Table2 table;
   table.joint_adjusts_to_faces = joint_adjusts_to_faces;
-  for (const Evaluation& e : evaluations) table.results.push_back({e.patch, e.method, e.classes});
+  table.moved = moved_notes(evaluations);
+  for (const Evaluation& e : evaluations) {
+    PatchMethodResult& result =
+        table.results.emplace_back(PatchMethodResult{e.patch, e.method, e.classes});
+    if (e.shift && e.shift->applied) result.moved_m = -e.shift->shift_m;
+  }
   return table;
 }
 
-std::string_view footnote(const Table2& table) {
-  const auto has = [&](std::string_view method) {
-    return std::ranges::any_of(table.results,
-                               [&](const auto& result) { return result.method == method; });
-  };
-  if (!table.joint_adjusts_to_faces || !has("direct") || !has("joint")) return "";
-  return "joint adjusts lines to the plane faces of the surface beside them (faces_beside); direct "
-         "does not. Their not_aligned lines differ for this reason. With --preset published they "
-         "are equal.";
+std::string footnote(const Table2& table) {
+  std::vector<std::string> notes = table.moved;
+  if (const std::string_view faces = faces_note(table); !faces.empty()) notes.emplace_back(faces);
+  return fmt::format("{}", fmt::join(notes, " "));
 }
 
 std::string to_markdown(const Table2& table) {
@@ -162,16 +183,20 @@ std::string to_markdown(const Table2& table) {
 std::string to_csv(const Table2& table) {
   std::string text =
       "patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,"
-      "q95_m\n";
+      "q95_m";
+  const bool has_moved = std::ranges::any_of(
+      table.results, [](const PatchMethodResult& result) { return result.moved_m.has_value(); });
+  text += has_moved ? ",moved_x_m,moved_y_m,moved_z_m\n" : "\n";
   const auto number = [](std::optional<double> value_m) { return metres(value_m, ""); };
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
       const std::optional<double> low = s.ci95_m ? std::optional(s.ci95_m->low) : std::nullopt;
       const std::optional<double> high = s.ci95_m ? std::optional(s.ci95_m->high) : std::nullopt;
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(result.patch),
-                          escape_csv(result.method), escape_csv(s.line_class), s.n_lines,
-                          s.n_evaluated, number(s.rms_m), number(low), number(high),
-                          number(s.median_m), number(s.nmad_m), number(s.q95_m));
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{}{}\n", escape_csv(result.patch),
+                      escape_csv(result.method), escape_csv(s.line_class), s.n_lines, s.n_evaluated,
+                      number(s.rms_m), number(low), number(high), number(s.median_m),
+                      number(s.nmad_m), number(s.q95_m), has_moved ? moved_cells(result) : "");
     }
   }
   return text;
@@ -200,7 +225,7 @@ std::string to_json(const Table2& table) {
       rows.push_back(std::move(row));
     }
   }
-  const std::string_view note = footnote(table);
+  const std::string note = footnote(table);
   return dump(Json{{"rows", std::move(rows)},
                    {"note", kFixedSentence},
                    {"footnote", note.empty() ? Json(nullptr) : Json(note)}});

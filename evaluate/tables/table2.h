@@ -3,6 +3,9 @@
 
 #include "evaluate/statistics/evaluation.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +22,8 @@ inline constexpr std::string_view kFixedSentence =
 struct PatchMethodResult {
   std::string patch, method;
   std::vector<Summary> classes;  ///< not_aligned, aligned, total; or total alone
+  std::optional<Eigen::Vector3d>
+      moved_m{};  ///< by which the lines were moved before they were judged
 };
 
 /// RMS of the lines' distances per patch, method and class (Ok et al. 2011, Table 2). All
@@ -27,14 +32,17 @@ struct Table2 {
   std::vector<PatchMethodResult> results;  ///< in the order of the rows
   /// Whether `joint` ran with the extension `faces_beside`, which changes not_aligned lines too.
   bool joint_adjusts_to_faces = false;
+  std::vector<std::string> moved;  ///< moved_notes() of the evaluations
 };
 
 /// One result per evaluation, on its own lines; on_common_lines() gives the paired set.
 Table2 make_table2(std::span<const Evaluation> evaluations, bool joint_adjusts_to_faces = false);
 
-/// A line of text that says why direct and joint differ on not_aligned lines, for which the paper's methods agree.
-/// "" if joint did not adjust lines to faces, or if one of the two methods is missing.
-std::string_view footnote(const Table2& table);
+/// A line of text with what qualifies the figures; "" if nothing does:
+///   - which lines were moved before they were judged;
+///   - why direct and joint differ on not_aligned lines, for which the paper's methods agree, if both are there and
+///     joint adjusted lines to faces.
+std::string footnote(const Table2& table);
 
 /// The published form: a row per patch, methods side by side, RMS with evaluated/all lines in
 /// every cell; below it a row per cell with interval, bias and robust figures, the lines excluded
@@ -42,7 +50,8 @@ std::string_view footnote(const Table2& table);
 std::string to_markdown(const Table2& table);
 
 /// `patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,q95_m`; a
-/// figure that does not exist is an empty field.
+/// figure that does not exist is an empty field. If any lines were moved before they were judged, moved_x_m,moved_y_m,moved_z_m
+/// follow.
 std::string to_csv(const Table2& table);
 
 /// `patch,method,class,n_ridges,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m`: the parts of ridges and hips,

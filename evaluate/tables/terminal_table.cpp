@@ -76,7 +76,7 @@ std::string to_terminal(const Table2& table) {
       written.add_row(std::move(row));
     }
   }
-  const std::string_view note = footnote(table);
+  const std::string note = footnote(table);
   return captioned("Distances of the lines from LIDAR planes, m", written, Markup::kPlain) +
          (note.empty() ? "" : paragraph(note, Markup::kPlain));
 }

@@ -2,10 +2,12 @@
 #include "io/results/judge_files.h"
 
 #include "evaluate/statistics/frame_check.h"
+#include "evaluate/tables/shift_text.h"
 #include "io/error.h"
 #include "io/results/judge_batches.h"
 #include "io/results/judged_lines.h"
 #include "io/results/judged_map.h"
+#include "io/results/line_shift.h"
 #include "io/results/plan_scale.h"
 #include "io/results/value_warnings.h"
 #include "io/text/utf8.h"
@@ -94,6 +96,38 @@ std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBo
   return "";
 }
 
+/// A hint at exchanged or turned axes if the lines would lie in the cloud's plan with them; "" if there is none.
+std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
+  struct Axes {
+    const char* change;
+    Eigen::Matrix2d plan;
+  };
+  const Eigen::Matrix2d exchanged{{0.0, 1.0}, {1.0, 0.0}};
+  const Eigen::Matrix2d x_turned{{-1.0, 0.0}, {0.0, 1.0}};
+  const std::array all{Axes{"x and y exchanged", exchanged}, Axes{"x negated", x_turned},
+                       Axes{"y negated", -x_turned}};
+  const auto overlaps = [&](const Eigen::Matrix2d& plan) {
+    const Eigen::Vector2d a = plan * lines_m.min().head<2>();
+    const Eigen::Vector2d b = plan * lines_m.max().head<2>();
+    return Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b))
+        .intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
+  };
+  if (lines_m.isEmpty() || overlaps(Eigen::Matrix2d::Identity())) return "";
+  const auto right =
+      std::ranges::find_if(all, [&](const Axes& axes) { return overlaps(axes.plan); });
+  if (right == all.end()) return "";
+  return fmt::format("; with {} the lines would lie in the cloud: another order or sense of axes?",
+                     right->change);
+}
+
+/// A clause on a shift that all lines have; "" if there is none.
+std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
+  if (!shift || !shift->is_significant()) return "";
+  return fmt::format("; all lie beside it by the same shift, {}{}{} (--apply-shift takes it away)",
+                     evaluate::shift_text(*shift),
+                     shift->cause.empty() ? "" : ", likely cause: ", shift->cause);
+}
+
 Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
   const Eigen::Vector3d unit_m = unit_m_of(set);
   Eigen::AlignedBox3d box;
@@ -122,9 +156,10 @@ void refuse_foreign_frame(const Evaluation& evaluation,
   const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
   throw io::IoError(
       set.path, fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
-                            check.reason, bounds_text(set.crs, lines_box, unit_m_of(set)),
+                            check.reason + shift_hint(evaluation.shift),
+                            bounds_text(set.crs, lines_box, unit_m_of(set)),
                             bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
-                            unit_hint(lines_box, cloud_box),
+                            unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
                             set.stated_unit.empty()
                                 ? ""
                                 : fmt::format("; the lines' file states {}", set.stated_unit)));
@@ -174,6 +209,7 @@ void refuse_empty(const io::PointCloud& cloud, const std::string& path) {
 
 Evaluation evaluation_of(const io::LineSet& set,
                          std::vector<evaluate::JudgedResult> results,
+                         const std::optional<evaluate::ConstantShift>& shift,
                          const LocalFrame& frame,
                          const JudgeFilesOptions& options) {
   Evaluation evaluation;
@@ -181,6 +217,7 @@ Evaluation evaluation_of(const io::LineSet& set,
   evaluation.method = stem_of(set.path);
   evaluation.origin_m = frame.origin_m;
   evaluation.options = options.summary;
+  evaluation.shift = shift;
   evaluation.lines.reserve(results.size());
   for (evaluate::JudgedResult& result : results) {
     evaluation.lines.push_back(std::move(result.evaluation));
@@ -270,7 +307,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
     const io::PatchFile& patch = *options.patch;
     refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
   }
-  const LineSets lines = lines_beside(cloud, options, judged);
+  LineSets lines = lines_beside(cloud, options, judged);
   std::optional<std::vector<evaluate::ReferenceLine>> references;
   std::vector<std::string> reference_warnings;
   if (to_judge.references) {
@@ -278,8 +315,12 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   }
   record.end_stage("read_lines");
 
-  JudgedBatches batches =
-      judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U);
+  const auto judge = [&] {
+    return judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U);
+  };
+  JudgedBatches batches = judge();
+  LineShifts shifts = shifts_of(batches, lines, judged.line_sets, options, cloud);
+  if (options.apply_shift && apply_shifts(shifts, lines)) batches = judge();
   const io::PointCloud& facts = batches.readings.cloud;
   record.set("cloud", cloud_facts(batches.readings, cloud));
   record.end_stage("judge");
@@ -295,12 +336,15 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
-    judged.evaluations.push_back(
-        evaluation_of(judged.line_sets[i], std::move(batches.results[i]), judged.frame, options));
+    judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
+                                               shifts[i], judged.frame, options));
     refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
     add_value_warnings(judged.line_sets[i], judged.evaluations.back(), options.cloud.strict,
                        judged.warnings);
     judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
+    if (shifts[i] && shifts[i]->applied) {
+      judged.line_sets[i] = moved(std::move(judged.line_sets[i]), -shifts[i]->shift_m);
+    }
   }
   record.end_stage("statistics");
   return judged;

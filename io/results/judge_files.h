@@ -31,13 +31,16 @@ struct JudgeFilesOptions {
   evaluate::JudgeOptions judge;
   evaluate::SummaryOptions summary;
   bool scale_to_ground = false;  ///< see set_plan_scale()
+  /// Whether lines with a significant shift are moved against it and judged again.
+  bool apply_shift = false;
+  std::string geoid;  ///< grid for the likely cause of a shift, see io::geoid_at(); may be empty
   /// Memory for the points that are held at one time, see judge_in_batches(). 512 MiB hold about 5.6 million.
   std::uint64_t cloud_memory_mib = 512;
 };
 
 struct JudgedFiles {
   LocalFrame frame;
-  std::vector<io::LineSet> line_sets;             ///< as read
+  std::vector<io::LineSet> line_sets;             ///< as read, or moved as Evaluation::shift says
   std::vector<evaluate::Evaluation> evaluations;  ///< one per line file; method: the file's stem
   std::vector<std::vector<evaluate::JudgedPlane>> planes;  ///< of each evaluation
   std::vector<evaluate::PlanePoint> points;  ///< of all planes, if the judge keeps them
@@ -54,8 +57,8 @@ struct LinesToJudge {
   std::optional<io::LineSet> references;  ///< true lines
 };
 
-/// Reads lines and the points near them into one local frame, judges the lines and computes the
-/// figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines that
+/// Reads lines and the points near them into one local frame, judges the lines, estimates the shift of each file and computes
+/// the figures. Throws IoError for a file's fault, a CRS or unit mismatch (both named) and for lines that
 /// are not in the frame of the cloud.
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record);
 

@@ -161,6 +161,26 @@ std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
   });
 }
 
+std::vector<JudgedLine> moved(std::vector<JudgedLine> lines, const Eigen::Vector3d& by_m) {
+  for (JudgedLine& line : lines) {
+    line.segment = {line.segment.start + by_m, line.segment.end + by_m};
+    if (!line.images) continue;
+    for (ProjectionMatrix& camera : line.images->image_from_local) {
+      camera = image_from_local(camera, -by_m);
+    }
+    for (double& height_m : line.images->height_range_m) height_m += by_m.z();
+  }
+  return lines;
+}
+
+io::LineSet moved(io::LineSet set, const Eigen::Vector3d& by_m) {
+  const Eigen::Vector3d by = by_m.cwiseQuotient(unit_m_of(set));
+  for (io::Line& line : set.lines) {
+    line.segment_in_world = {line.segment_in_world.start + by, line.segment_in_world.end + by};
+  }
+  return set;
+}
+
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,
                                                         const LocalFrame& frame) {
   const Eigen::Vector3d unit_m = unit_m_of(set);

@@ -35,6 +35,13 @@ std::vector<evaluate::JudgedLine> judged_lines_of(
     const std::optional<io::PatchFile>& patch,
     double max_aligned_angle_deg = kMaxAlignedAngle_deg);
 
+/// The lines moved by `by_m`, with the cameras and heights of their evidence, so that images show them where they did.
+std::vector<evaluate::JudgedLine> moved(std::vector<evaluate::JudgedLine> lines,
+                                        const Eigen::Vector3d& by_m);
+
+/// The lines of a file moved by `by_m`, in its coordinates.
+io::LineSet moved(io::LineSet set, const Eigen::Vector3d& by_m);
+
 /// The true lines of a file; lines with a coordinate that is not finite are left out. Throws IoError if none is left, or
 /// for a line that is not in_range().
 std::vector<evaluate::ReferenceLine> reference_lines_of(const io::LineSet& set,

@@ -84,7 +84,8 @@ Value sigma_of(const LineEvaluation& e) {
 struct MapLine {
   const LineEvaluation& e;
   const io::Line& line;
-  std::string kind;  ///< roof_kind()
+  std::string kind;                                  ///< roof_kind()
+  Eigen::Vector3d moved_m{Eigen::Vector3d::Zero()};  ///< by which the line was moved before
 };
 
 using LineField = Field<MapLine>;
@@ -156,8 +157,24 @@ const std::vector<LineField>& fkb_fields() {
   return fields;
 }
 
-std::vector<LineField> fields_of(MapSchema schema) {
+/// Columns that only lines have that were moved before they were judged.
+const std::vector<LineField>& moved_fields() {
+  static const std::vector<LineField> fields{
+      {"moved_x_m", ColumnType::kReal, [](const auto& m) { return number(m.moved_m.x()); }},
+      {"moved_y_m", ColumnType::kReal, [](const auto& m) { return number(m.moved_m.y()); }},
+      {"moved_z_m", ColumnType::kReal, [](const auto& m) { return number(m.moved_m.z()); }}};
+  return fields;
+}
+
+bool is_moved(const evaluate::Evaluation& evaluation) {
+  return evaluation.shift && evaluation.shift->applied;
+}
+
+std::vector<LineField> fields_of(MapSchema schema, const evaluate::Evaluation& evaluation) {
   std::vector<LineField> fields = line_fields();
+  if (is_moved(evaluation)) {
+    fields.insert(fields.end(), moved_fields().begin(), moved_fields().end());
+  }
   if (schema == MapSchema::kFkb) {
     fields.insert(fields.end(), fkb_fields().begin(), fkb_fields().end());
   }
@@ -259,13 +276,17 @@ io::MapLayer lines_layer(const io::LineSet& set,
                          const evaluate::Evaluation& evaluation,
                          const std::vector<JudgedPlane>& planes,
                          MapSchema schema) {
-  const std::vector<LineField> fields = fields_of(schema);
-  io::MapLayer layer{.name = "lines",
-                     .description = "Lines with their distances from LIDAR planes",
-                     .geometry = io::MapGeometry::kLine,
-                     .columns = input_columns(set, fields),
-                     .features = {},
-                     .style = lines_style()};
+  const std::vector<LineField> fields = fields_of(schema, evaluation);
+  io::MapLayer layer{
+      .name = "lines",
+      .description =
+          is_moved(evaluation)
+              ? "Lines, moved against their shift, with their distances from LIDAR planes"
+              : "Lines with their distances from LIDAR planes",
+      .geometry = io::MapGeometry::kLine,
+      .columns = input_columns(set, fields),
+      .features = {},
+      .style = lines_style()};
   const std::size_t first = layer.columns.size();
   for (Column& column : columns_of(fields)) layer.columns.push_back(std::move(column));
   evaluate::PlanesById by_id;
@@ -280,9 +301,10 @@ io::MapLayer lines_layer(const io::LineSet& set,
       feature.vertices = {line.segment_in_world.start, line.segment_in_world.end};
     }
     feature.values = input_values(set, line, first);
-    const MapLine judged{
+    MapLine judged{
         e, line,
         evaluate::roof_kind(e, segment_in_local(line, unit_m, {evaluation.origin_m}), by_id)};
+    if (is_moved(evaluation)) judged.moved_m = -evaluation.shift->shift_m;
     add_values(fields, first, feature.values, judged);
     layer.features.push_back(std::move(feature));
   }

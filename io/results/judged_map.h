@@ -28,8 +28,9 @@ std::string left_out_of_map(const io::LineSet& set);
 
 /// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
 /// coordinates in its units:
-///   lines    the lines as they were read, with every column of their file (NAME_in if its name is taken),
-///            `source_fid`, `part`, and what became of them; coloured by distance
+///   lines    the lines of `set`, with every column of their file (NAME_in if its name is taken),
+///            `source_fid`, `part`, and what became of them; coloured by distance. If they were moved before, moved_x_m, moved_y_m
+///            and moved_z_m say by how much
 ///   planes   the LIDAR planes that judged them, as the hulls of their points
 ///   vectors  from the middle of each judged line to its foot on each of its planes
 /// Throws IoError if the file cannot be written.

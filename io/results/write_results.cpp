@@ -5,6 +5,7 @@
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
 #include "evaluate/tables/evaluation_json.h"
+#include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/standards_table.h"
 #include "evaluate/tables/table2.h"
 #include "io/cloud/labelled_points.h"
@@ -69,7 +70,10 @@ void write_quality(std::span<const Evaluation> evaluations,
   out.write("quality.xml", evaluate::measures_to_xml(rows));
 }
 
-void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
+/// Writes the figures beside the distances from planes. `note`: what stands below the Markdown forms; may be empty.
+void write_truth(const std::vector<TruthRows>& rows,
+                 const std::string& note,
+                 const OutputFolder& out) {
   std::vector<evaluate::ToleranceRow> tolerances;
   std::vector<evaluate::ReferenceRow> references;
   for (const TruthRows& part : rows) {
@@ -77,7 +81,7 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
     references.insert(references.end(), part.references.begin(), part.references.end());
   }
   out.write("tolerances.csv", evaluate::tolerances_to_csv(tolerances));
-  out.write("tolerances.md", evaluate::tolerances_to_markdown(tolerances));
+  out.write("tolerances.md", evaluate::tolerances_to_markdown(tolerances) + note);
   if (references.empty()) {
     for (const char* name :
          {"reference_errors.csv", "reference_completeness.csv", "reference.md", "wireframe.csv"}) {
@@ -88,7 +92,7 @@ void write_truth(const std::vector<TruthRows>& rows, const OutputFolder& out) {
   out.write("reference_errors.csv", evaluate::reference_errors_to_csv(references));
   out.write("reference_completeness.csv", evaluate::reference_completeness_to_csv(references));
   out.write("wireframe.csv", evaluate::wireframe_to_csv(references));
-  out.write("reference.md", evaluate::reference_to_markdown(references));
+  out.write("reference.md", evaluate::reference_to_markdown(references) + note);
 }
 
 void write_table2(std::span<const Evaluation> evaluations,
@@ -142,8 +146,10 @@ void write_judged(const JudgedFiles& judged,
     const std::vector<std::string> names = evaluation_names(e.method);
     out.write(subfolder + names[0], evaluate::to_json(e));
     out.write(subfolder + names[1], evaluate::to_line_csv(e));
+    const std::string note = evaluate::moved_note(e);
     out.write(subfolder + names[2],
-              evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
+              (note.empty() ? "" : note + "\n\n") +
+                  evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
                   evaluate::to_markdown(evaluate::stratify(e)) +
                   evaluate::standards_to_markdown(evaluate::standards_blocks(e)));
     write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
@@ -181,7 +187,9 @@ void write_tables(std::span<const Evaluation> evaluations,
                   const OutputFolder& out,
                   bool joint_adjusts_to_faces) {
   write_table2(evaluations, out, joint_adjusts_to_faces);
-  write_truth(truth, out);
+  std::string note;
+  for (const std::string& moved : evaluate::moved_notes(evaluations)) note += "\n" + moved + "\n";
+  write_truth(truth, note, out);
   write_quality(evaluations, truth, out);
 }
 

@@ -93,6 +93,18 @@ class EvaluateTakesArrays(Case):
         self.assertEqual(list(result.lines["id"]), ids)
         self.assertEqual(list(result.classes), ["total"])
 
+    def test_a_shift_of_all_lines_is_told_and_taken_away_on_request(self):
+        raised = self.lines.segments + [0, 0, 0.5]
+        with self.assertWarnsRegex(UserWarning, "lie beside the LIDAR planes by the same shift"):
+            result = ridgeline.evaluate(raised, CLOUD)
+        self.assertTrue(result.shift["significant"])
+        self.assertAlmostEqual(result.shift["axes"]["z"]["shift_m"], 0.5, delta=0.1)  # of lines that err by 0.2 m
+        with self.assertWarnsRegex(UserWarning, "They were moved against it"):
+            moved = ridgeline.evaluate(raised, CLOUD, apply_shift=True)
+        np.testing.assert_allclose(moved.segments, raised - moved.shift["told_m"], rtol=0, atol=ROUNDING_M)
+        self.assertLess(moved.classes["total"]["rms_m"], result.classes["total"]["rms_m"])
+        self.assertFalse(ridgeline.evaluate(self.lines, CLOUD).shift["significant"])
+
     def test_classes_of_a_cloud_in_memory_are_filtered(self):
         ground = ridgeline.Cloud.of(self.cloud.xyz, classification=2, crs=self.cloud.crs)
         noise = ridgeline.Cloud.of(self.cloud.xyz + [0, 0, 1], classification=7, crs=self.cloud.crs)

@@ -59,7 +59,7 @@ class Result:
 
     @cached_property
     def segments(self) -> NDArray[np.float64]:
-        """The lines (n, 2, 3) as they were given."""
+        """The lines (n, 2, 3) as they were judged: as given, or moved by apply_shift."""
         segments: NDArray[np.float64] = self._judged.segments()["segments"]
         return segments
 
@@ -77,6 +77,16 @@ class Result:
         """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m, median_m, q95_m, ..."""
         figures: dict[str, dict[str, Any]] = self.to_dict()["summary"]
         return figures
+
+    @cached_property
+    def shift(self) -> dict[str, Any] | None:
+        """By how much all lines lie beside the LIDAR planes, None if no line was judged.
+
+        axes: "x", "y" and "z" with shift_m and ci95_m, or None for an axis that the planes do not tell. significant,
+        likely_cause, applied, ... as in the file evaluation.METHOD.json (docs/outputs.md).
+        """
+        shift: dict[str, Any] | None = self.to_dict()["shift"]
+        return shift
 
     @cached_property
     def tables(self) -> dict[str, list[dict[str, Any]]]:
@@ -138,6 +148,8 @@ def evaluate(
     max_points: int = 0,
     assume_crs: str = "",
     scale_to_ground: bool = False,
+    apply_shift: bool = False,
+    geoid: Path | None = None,
     strict: bool = False,
     salvage: bool = False,
     vertex_pairs: bool = False,
@@ -162,6 +174,8 @@ def evaluate(
     bounds ... salvage: how the cloud is read, as for read_cloud(). vertex_pairs: as for read_lines().
     scale_to_ground: divide the plan by its scale at the data, as Web Mercator needs it; by default a plan that is not true
         to scale is refused.
+    apply_shift: judge the lines without a shift that all have against the LIDAR planes, if it is significant (Result.shift).
+    geoid: a geoid grid (.gtx, .tif) that explains a shift in height; by default what PROJ has.
     cloud_memory_mib: memory for points held at a time; with larger clouds, lines are judged in batches of neighbours.
     name: name of the patch in the tables; by default that of the patch file or the cloud.
     max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that of config, or 10.
@@ -188,10 +202,12 @@ def evaluate(
             strict=strict,
             salvage=salvage,
         ),
+        "apply_shift": apply_shift,
         "bca": bca,
         "bootstrap_replicates": bootstrap_replicates,
         "bootstrap_seed": bootstrap_seed,
         "cloud_memory_mib": cloud_memory_mib,
+        "geoid": None if geoid is None else os.fspath(geoid),
         "gross_m": gross_m,
         "scale_to_ground": scale_to_ground,
         "max_aligned_angle_deg": max_aligned_angle_deg,

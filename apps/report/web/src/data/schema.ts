@@ -167,8 +167,12 @@ export interface Line {
   z: number | null;
   displacement?: { horizontal_m: number; vertical_m: number; covariance_m2: [[number, number], [number, number]] } | null;
   height_if_vertical_m?: number | null;
+  /** Where it was judged. */
   start?: Triple;
   end?: Triple;
+  /** Where images show it, if it was moved before it was judged. */
+  seen_start?: Triple;
+  seen_end?: Triple;
   /** Its image segments; the first two are of the pair that it was found in. */
   sightings?: SightingOfLine[];
   /** With three images and more, what each image shows of it; null for an image that it does not lie in. */

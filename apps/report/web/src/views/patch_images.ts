@@ -109,9 +109,10 @@ export class PatchImages {
 
   /** The 3D line as the camera sees it, in ideal pixels: the part of it that the picture may show if the lens distorts. */
   private ideal(view: number, line: Line): ImageSegment | null {
-    if (!line.start || !line.end) return null;
+    const [start, end] = [line.seen_start ?? line.start, line.seen_end ?? line.end];
+    if (!start || !end) return null;
     const { projection, lens } = this.images.views[view]!;
-    const whole: ImageSegment = [...project(projection, line.start), ...project(projection, line.end)];
+    const whole: ImageSegment = [...project(projection, start), ...project(projection, end)];
     return lens ? clipSegment(whole, this.boxes[view]!) : whole;
   }
   /** The ends of the 3D line in the picture. */

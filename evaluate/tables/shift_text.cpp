@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/shift_text.h"
+
+#include "evaluate/tables/format.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr std::array kAxisNames{"x", "y", "z"};
+
+std::string plus_minus_text(double shift_m, double half_m) {
+  return fmt::format("{} +- {} m", metres(shift_m), metres(half_m));
+}
+
+std::string along_text(const ConstantShift& shift, const Eigen::Vector3d& direction) {
+  constexpr double kHalfWidth95 = 1.959964;
+  return plus_minus_text(
+      shift.shift_m.dot(direction),
+      kHalfWidth95 * std::sqrt(std::max(0.0, direction.dot(shift.covariance_m2 * direction))));
+}
+
+/// The shift along a direction that is none of the axes, where the planes tell such a one; else "".
+std::string oblique_text(const ConstantShift& shift) {
+  constexpr double kLevel = 0.1;  // most height of an untold direction that lies in the plan
+  const auto& [x, y, z] = shift.axes;
+  if (x.shift_m || y.shift_m) return "";
+  if (shift.untold.size() == 1 && std::abs(shift.untold[0].z()) < kLevel) {
+    const Eigen::Vector3d& untold = shift.untold[0];
+    Eigen::Vector3d told = Eigen::Vector3d(-untold.y(), untold.x(), 0.0).normalized();
+    if (told.x() < 0.0) told = -told;
+    const double azimuth_deg = std::atan2(told.x(), told.y()) * 180.0 / std::numbers::pi;
+    return fmt::format("towards azimuth {:.0f} degrees {}", azimuth_deg, along_text(shift, told));
+  }
+  if (z.shift_m || shift.untold.size() == 3) return "";
+  // planes of one slope tell one direction, those of two slopes two
+  const Eigen::Vector3d told = shift.shift_m.normalized();
+  return fmt::format("along ({:.2f}, {:.2f}, {:.2f}) {}", told.x(), told.y(), told.z(),
+                     along_text(shift, told));
+}
+
+std::string shift_message(const Evaluation& evaluation, bool apply_shift) {
+  const std::string whose = fmt::format("Patch {}: {}: ", evaluation.patch, evaluation.method);
+  const auto& shift = evaluation.shift;
+  if (!shift || !shift->is_significant()) {
+    return apply_shift
+               ? whose +
+                     "no shift of the lines is significant, so that none was moved (--apply-shift)."
+               : "";
+  }
+  const std::string what = fmt::format(
+      "the lines lie beside the LIDAR planes by the same shift, {} (95 %; {} lines, {} planes)",
+      shift_text(*shift), shift->n_lines, shift->n_planes);
+  const std::string cause =
+      shift->cause.empty() ? "no known cause fits" : "likely cause: " + shift->cause;
+  return fmt::format("{}{}; {}. {}", whose, what, cause,
+                     shift->applied
+                         ? "They were moved against it before they were judged (--apply-shift)."
+                         : "Figures include it; --apply-shift judges the lines without it.");
+}
+
+}  // namespace
+
+std::string shift_text(const ConstantShift& shift) {
+  std::vector<std::string> told, untold;
+  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+    const ShiftAxis& axis = shift.axes[i];
+    if (axis.shift_m) {
+      told.push_back(fmt::format(
+          "{} {}", kAxisNames[i],
+          plus_minus_text(*axis.shift_m, 0.5 * (axis.ci95_m->high - axis.ci95_m->low))));
+    } else {
+      untold.emplace_back(kAxisNames[i]);
+    }
+  }
+  if (std::string oblique = oblique_text(shift); !oblique.empty()) {
+    told.insert(told.begin(), std::move(oblique));
+  }
+  if (!untold.empty()) {
+    told.push_back(fmt::format("{} not told by these planes", fmt::join(untold, ", ")));
+  }
+  return fmt::format("{}", fmt::join(told, ", "));
+}
+
+std::string moved_note(const Evaluation& evaluation) {
+  if (!evaluation.shift || !evaluation.shift->applied) return "";
+  const Eigen::Vector3d by_m = -evaluation.shift->shift_m;
+  return fmt::format(
+      "{} of patch {}: before they were judged, the lines were moved by x {}, y {}, z {} m, "
+      "against the "
+      "shift that was estimated (--apply-shift).",
+      evaluation.method, evaluation.patch, metres(by_m.x()), metres(by_m.y()), metres(by_m.z()));
+}
+
+std::vector<std::string> moved_notes(std::span<const Evaluation> evaluations) {
+  std::vector<std::string> notes;
+  for (const Evaluation& evaluation : evaluations) {
+    if (std::string note = moved_note(evaluation); !note.empty()) notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+std::vector<std::string> shift_messages(std::span<const Evaluation> evaluations, bool apply_shift) {
+  std::vector<std::string> messages;
+  for (const Evaluation& evaluation : evaluations) {
+    if (std::string text = shift_message(evaluation, apply_shift); !text.empty())
+      messages.push_back(std::move(text));
+  }
+  return messages;
+}
+
+}  // namespace ridgeline::evaluate
