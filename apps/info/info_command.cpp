@@ -210,6 +210,7 @@ void print_patch(const std::string& path) {
   fmt::print("{}: patch {}\n  heights     {:g} .. {:g} m\n", path, patch.id,
              patch.height_range_m[0], patch.height_range_m[1]);
   for (const io::PatchImage& image : patch.images) print_image_of_patch(image);
+  if (patch.area_file) fmt::print("  area        {}\n", *patch.area_file);
   if (!patch.orientation_files.empty())
     fmt::print("  orientation {}\n", fmt::join(patch.orientation_files, " "));
   fmt::print("  lidar       {}\n", fmt::join(patch.lidar, " "));

@@ -154,6 +154,8 @@ void check_image_ids(const io::PatchFile& patch) {
 
 std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
   std::vector<results::InputFile> files{{"patch", patch.path}};
+  if (patch.area_file) files.push_back({"area", *patch.area_file});
+  if (patch.surface_model) files.push_back({"surface_model", *patch.surface_model});
   for (const std::string& file : patch.orientation_files) files.push_back({"orientation", file});
   for (const io::PatchImage& image : patch.images) files.push_back({"image", image.path});
   for (const std::string& file : io::expand_patterns(patch.lidar)) files.push_back({"cloud", file});

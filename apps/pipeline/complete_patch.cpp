@@ -82,15 +82,17 @@ void settle_turn(io::PatchFile& patch, io::PatchImage& image) {
       image.path, static_cast<int>(image.turn), frame.x(), frame.y()));
 }
 
-/// Columns and rows of a file when it has been turned.
+/// Columns and rows of a file when it has been turned; of a file that is missing those of its camera. Throws IoError if
+/// nothing tells them.
 Eigen::Vector2i turned_size_px(const io::PatchImage& image) {
-  const Eigen::Vector2i stored(image.facts->width_px, image.facts->height_px);
+  if (!image.facts && image.interior && image.interior->size_px) return *image.interior->size_px;
+  const io::ImageFacts facts = image.facts ? *image.facts : io::image_facts(image.path);
+  const Eigen::Vector2i stored(facts.width_px, facts.height_px);
   return swaps_axes(image.turn) ? Eigen::Vector2i(stored.reverse()) : stored;
 }
 
 void settle_window(io::PatchFile& patch, io::PatchImage& image) {
   if (patch.area_m.empty() || image.window) return;
-  if (!image.facts) image.facts = io::image_facts(image.path);  // says that it is missing
   const std::optional<io::Window> window = window_of_area(patch, image, turned_size_px(image));
   if (!window) {
     throw io::IoError(

@@ -89,6 +89,8 @@ std::optional<io::PatchFile> RunInputs::patch(const std::string& id) const {
     try {
       io::PatchFile patch = read_patch(unchanged(path));
       for (const std::string& file : patch.orientation_files) (void)unchanged(file);
+      for (const auto& file : {patch.area_file, patch.surface_model})
+        if (file) (void)unchanged(*file);
       patch.max_image_mpx = options_.value("max_image_mpx", 0.0);
       if (patch.id == id) return patch;
     } catch (const io::IoError& error) {

@@ -163,6 +163,8 @@ class PatchReader {
 
   void read_area(PatchFile& patch) const {
     patch.area_m = area_of_patch(map_, folder_, patch.crs);
+    if (map_.has("area") && map_.node("area").IsScalar())
+      patch.area_file = resolved(map_.text("area"));
     if (!map_.has("max_views")) return;
     if (patch.area_m.empty()) {
       map_.fail("max_views", "max_views needs area: the images that show it best are taken");

@@ -67,6 +67,7 @@ struct PatchFile {
   HeightSource heights =
       HeightSource::kStated;  ///< if it is another one, height_range_m has no values yet
   std::optional<std::string> surface_model;  ///< raster of heights
+  std::optional<std::string> area_file;      ///< polygons that `area_m` is of
   /// Corners of the convex area to be reconstructed, counter-clockwise, metres in the CRS; empty if the patch states none.
   std::vector<Eigen::Vector2d> area_m;
   /// Whether `images` are all that there are, of which those that show the area best are still to be chosen.

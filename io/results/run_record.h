@@ -27,8 +27,8 @@ class RunRecord {
 
   void set_options(nlohmann::ordered_json options) { options_ = std::move(options); }
   void set(const std::string& key, nlohmann::ordered_json value) { facts_[key] = std::move(value); }
-  /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `orientation`,
-  /// `image` and `reference` are the data that two runs must share to be compared; `lines` are what is judged.
+  /// Records the file with its size and SHA-256. Files of the roles `cloud`, `patch`, `area`, `surface_model`,
+  /// `orientation`, `image` and `reference` are the data that two runs must share to be compared; `lines` are what is judged.
   /// A folder (LIMAP's tracks) is recorded as each of its files.
   /// Throws IoError if it cannot be read.
   void add_input(const InputFile& file);

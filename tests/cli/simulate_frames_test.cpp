@@ -117,6 +117,13 @@ TEST_F(SimulateFrames, HaveTheirTrueMatchesInPixelsOfTheFrame) {
   int n_matches = 0;
   while (std::getline(rows, row)) ++n_matches;
   EXPECT_GT(n_matches, 20);
+  const ProgramResult result =
+      run({"run", "frames/patch.yaml", "--out", "out", "--methods", "joint", "--no-report"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LT(read_json(path("out/run.json"))["windows_px"]["frames"]["left"][2].get<int>(), 400);
+  const nlohmann::json table = read_json(path("out/table1.json"))["rows"][0];
+  EXPECT_GT(table["correct"].get<int>(), 10) << table;
+  EXPECT_LT(table["false"].get<int>(), 3) << table;
 }
 
 TEST_F(SimulateFrames, WrongOnesAreRefusedWithTheOptionTheValueAndTheRule) {
