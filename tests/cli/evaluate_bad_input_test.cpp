@@ -197,7 +197,7 @@ TEST_F(EvaluateBadInput, WrongKeyOfAPatchIsNamedBesideTheKnownOnes) {
   write(path("patch.yaml"), "id: north\nheigth_range: [250, 300]\n");
   EXPECT_REFUSED(run({"evaluate", "--lines", kLines, "--patch", "patch.yaml", "--out", "out"}),
                  AllOf(HasSubstr("patch.yaml: line 2"), HasSubstr("'heigth_range'"),
-                       HasSubstr("height_range, images")));
+                       HasSubstr("height_range, surface_model")));
 }
 
 TEST_F(EvaluateBadInput, FolderThatCannotBeMadeIsNamed) {
