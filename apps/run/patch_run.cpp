@@ -9,6 +9,7 @@
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/cloud/cloud_files.h"
+#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/lines/read_lines.h"
 #include "io/results/judge_files.h"
