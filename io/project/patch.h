@@ -99,7 +99,7 @@ using FindPatchPoints =
 ///     frame, or [column, row, columns, rows], what is to be read of a file that is the frame; and optionally radiometry,
 ///     [low, high] for each band;
 ///   or in place of matrix and interior nothing but perhaps window_px and name, with, beside images, orientation (what
-///     read_orientation() reads) and optionally cameras, angles, rotation, matrix: the camera is that of image_of_name();
+///     read_orientation() reads) and optionally cameras, angles, rotation, matrix: ImageNames tells which image that is;
 ///   or with orientation a folder or patterns of files, whose images the orientation knows;
 ///   or in place of images: colmap (folder of a COLMAP model) and optionally colmap_images (folder
 ///     of its images, else the patch file's own).

@@ -2,12 +2,13 @@
 #include "io/project/patch_orientation.h"
 
 #include "io/orientation/option_words.h"
-#include "io/project/image_of_name.h"
 #include "io/project/oriented_patch_image.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -33,10 +34,11 @@ auto stated(const YamlMap& patch, const char* key, const Meaning& meaning, const
 /// The files of the images of an orientation, where the patch has them whole.
 ImageFiles files_of(const Orientation& orientation, const std::vector<ImageToOrient>& images) {
   ImageFiles files(orientation.images.size());
+  const ImageNames names(orientation);
   for (const ImageToOrient& image : images) {
     if (!image.is_whole) continue;
     try {
-      files[image_of_name(orientation, image.name)] = image.path;
+      files[names.at(image.name)] = image.path;
     } catch (const std::invalid_argument&) {
       continue;  // oriented() says so
     }
@@ -46,6 +48,18 @@ ImageFiles files_of(const Orientation& orientation, const std::vector<ImageToOri
 
 std::vector<std::string> with_path(const std::string& path, const std::vector<std::string>& texts) {
   return transformed(texts, [&](const std::string& text) { return path + ": " + text; });
+}
+
+/// Images of one id, which have one name in different folders, get the whole name as id, with underscores for the slashes.
+void tell_ids_apart(const std::vector<std::string>& names, std::vector<PatchImage>& images) {
+  std::map<std::string, int> n_of_id;
+  for (const PatchImage& image : images) ++n_of_id[image.id];
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (n_of_id[images[i].id] == 1) continue;
+    images[i].id = names[i];
+    std::ranges::replace_if(
+        images[i].id, [](char c) { return c == '/' || c == '\\'; }, '_');
+  }
 }
 
 }  // namespace
@@ -65,6 +79,7 @@ PatchOrientation::PatchOrientation(const YamlMap& patch,
     };
   }
   orientation_ = read_orientation(path_, options);
+  names_.emplace(orientation_);
   compare_systems(patch, crs);
 }
 
@@ -92,34 +107,55 @@ void PatchOrientation::compare_systems(const YamlMap& patch, const Crs& crs) {
 PatchImage PatchOrientation::oriented(const ImageToOrient& image,
                                       const Eigen::Vector2d& window_px) const {
   try {
-    const OrientedImage& found = orientation_.images[image_of_name(orientation_, image.name)];
-    if (!found.camera) {
-      throw std::invalid_argument(fmt::format(
-          "does not state the camera of image {}; name a file of cameras by the key cameras",
-          found.name));
-    }
-    return oriented_patch_image(orientation_, found, image.path, window_px);
+    return with_camera(names_->at(image.name), image.path, window_px);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("orientation {} {}", path_, error.what()));
   }
 }
 
-std::optional<std::size_t> PatchOrientation::number_of(const ImageToOrient& image) const {
+PatchImage PatchOrientation::with_camera(std::size_t number,
+                                         const std::string& path,
+                                         const Eigen::Vector2d& window_px) const {
+  const OrientedImage& image = orientation_.images[number];
+  if (!image.camera) {
+    throw std::invalid_argument(fmt::format(
+        "does not state the camera of image {}; name a file of cameras by the key cameras",
+        image.name));
+  }
+  return oriented_patch_image(orientation_, image, path, window_px);
+}
+
+OrientedFiles PatchOrientation::images_of(const std::vector<std::string>& files) const {
+  OrientedFiles found;
+  std::vector<std::string> file_of_image(orientation_.images.size());
+  std::vector<std::string> names_shown;
   try {
-    return find_image(orientation_, image.name);
+    for (const std::string& file : files) {
+      const std::optional<std::size_t> number = names_->find_file(file);
+      if (!number) {
+        found.unknown.push_back(file);
+        continue;
+      }
+      std::string& other = file_of_image[*number];
+      if (!other.empty()) {
+        throw std::invalid_argument(
+            fmt::format("has one image, {}, for both {} and {}; narrow the pattern",
+                        orientation_.images[*number].name, other, file));
+      }
+      other = file;
+      names_shown.push_back(orientation_.images[*number].name);
+      found.images.push_back(with_camera(*number, file, Eigen::Vector2d::Zero()));
+    }
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("orientation {} {}", path_, error.what()));
   }
-}
-
-std::vector<PatchImage> PatchOrientation::others(const std::set<std::size_t>& numbers) const {
-  std::vector<PatchImage> images;
-  for (std::size_t i = 0; i < orientation_.images.size(); ++i) {
+  tell_ids_apart(names_shown, found.images);
+  for (std::size_t i = 0; i < file_of_image.size(); ++i) {
     const OrientedImage& image = orientation_.images[i];
-    if (image.camera && !numbers.contains(i))
-      images.push_back(oriented_patch_image(orientation_, image, ""));
+    if (file_of_image[i].empty() && image.camera)
+      found.without_file.push_back(oriented_patch_image(orientation_, image, ""));
   }
-  return images;
+  return found;
 }
 
 std::vector<std::string> PatchOrientation::files() const {

@@ -3,12 +3,12 @@
 
 #include "io/files/yaml_check.h"
 #include "io/orientation/read_orientation.h"
+#include "io/project/image_names.h"
 #include "io/project/patch.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,9 +16,17 @@ namespace ridgeline::io {
 
 /// An image of a patch that takes its camera and pose from an orientation.
 struct ImageToOrient {
-  std::string name;  ///< as image_of_name() takes it
+  std::string name;  ///< as ImageNames takes it
   std::string path;
   bool is_whole = true;  ///< the file shows the whole frame
+};
+
+/// Files and the images of an orientation that they show.
+struct OrientedFiles {
+  std::vector<PatchImage> images;    ///< in the order of the files
+  std::vector<std::string> unknown;  ///< files that show no image of the orientation
+  std::vector<PatchImage>
+      without_file;  ///< images with a camera that no file shows; they have no path
 };
 
 /// The orientation that a patch file names.
@@ -39,12 +47,9 @@ class PatchOrientation {
   [[nodiscard]] PatchImage oriented(const ImageToOrient& image,
                                     const Eigen::Vector2d& window_px) const;
 
-  /// The number of the image that a file shows, or nothing if the orientation has none of its name. Throws
-  /// std::invalid_argument, which names the orientation, if it has several.
-  [[nodiscard]] std::optional<std::size_t> number_of(const ImageToOrient& image) const;
-
-  /// The images with cameras whose numbers are not among these; they have no path.
-  [[nodiscard]] std::vector<PatchImage> others(const std::set<std::size_t>& numbers) const;
+  /// The images that whole files show, by their names. Throws std::invalid_argument, which names the orientation, if a file
+  /// may be several images, or an image may be several files or has no camera.
+  [[nodiscard]] OrientedFiles images_of(const std::vector<std::string>& files) const;
 
   [[nodiscard]] const Crs& crs() const { return orientation_.crs; }
   /// The orientation and the file of cameras; of a COLMAP model its files of cameras and images.
@@ -57,9 +62,14 @@ class PatchOrientation {
   [[nodiscard]] OrientationOptions stated_options(const YamlMap& patch) const;
   void compare_systems(const YamlMap& patch, const Crs& crs);
 
+  [[nodiscard]] PatchImage with_camera(std::size_t number,
+                                       const std::string& path,
+                                       const Eigen::Vector2d& window_px) const;
+
   std::string path_;
   std::string cameras_;  ///< empty if the patch names none
   Orientation orientation_;
+  std::optional<ImageNames> names_;  ///< of the orientation
 };
 
 }  // namespace ridgeline::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Patches whose images take camera and pose from an orientation.
-#include "io/project/image_of_name.h"
+#include "io/project/image_names.h"
 #include "io/project/patch.h"
 #include "tests/support/paths.h"
 #include "tests/support/temp_folder.h"
@@ -256,29 +256,79 @@ TEST_F(PatchOfOrientation, RecordsTheFilesOfAColmapModel) {
   EXPECT_NEAR(projection_centre(patch.images[1].image_from_world).hnormalized().x(), 1.0, 1e-9);
 }
 
+TEST_F(PatchOfOrientation, TakesTheFilesOfAFolderThatItKnows) {
+  for (const char* name : {"left.tif", "right.JPG", "other.tif", "notes.txt"})
+    (void)folder_.write(std::string("frames/") + name, "x");
+  const PatchFile patch = read("  frames\n");
+  expect_same_images(patch, read("  - path: frames/left.tif\n  - path: frames/right.JPG\n"));
+  ASSERT_THAT(patch.without_file, SizeIs(1));
+  EXPECT_EQ(patch.without_file[0].id, "third");
+  ASSERT_THAT(patch.warnings, SizeIs(1));
+  EXPECT_THAT(patch.warnings[0], AllOf(HasSubstr("1 of 3 files"), HasSubstr("frames/other.tif")));
+  (void)folder_.write("frames/left.png", "x");
+  EXPECT_THAT(refusal_of("  frames\n"),
+              AllOf(HasSubstr("has one image, left, for both"), HasSubstr("narrow the pattern")));
+  EXPECT_THAT(refusal_of("  block\n"), HasSubstr("holds no image"));
+}
+
+TEST_F(PatchOfOrientation, TellsImagesOfOneNameInTwoFoldersApart) {
+  (void)folder_.write(
+      "block/opk.csv",
+      std::string(kTableHead) +
+          "a/1.tif,513000,5403000,1500,0,0,90\nb/1.tif,513300,5403010,1502,0,0,91\n");
+  for (const char* name : {"a/1.tif", "b/1.tif"})
+    (void)folder_.write(std::string("frames/") + name, "x");
+  const PatchFile patch = read("  frames/*/*.tif\n");
+  ASSERT_THAT(patch.images, SizeIs(2));
+  EXPECT_EQ(patch.images[0].id, "a_1.tif");
+  EXPECT_EQ(patch.images[1].id, "b_1.tif");
+  EXPECT_EQ(patch.images[1].path, folder_.file("frames/b/1.tif"));
+}
+
+/// The heads of one camera take their images in one place.
+TEST_F(PatchOfOrientation, MayHaveImagesInOnePlaceIfTheAreaChooses) {
+  (void)folder_.write("block/opk.csv",
+                      std::string(kTableHead) + kTwoRows + "oblique,513300,5403010,1502,30,0,91\n");
+  for (const char* name : {"left.tif", "right.tif", "oblique.tif"})
+    (void)folder_.write(std::string("frames/") + name, "x");
+  EXPECT_THAT(refusal_of("  frames\n"), HasSubstr("are in one place"));
+  const PatchFile patch = read("  frames\n", "area: [513100, 5403000, 513200, 5403100]\n");
+  EXPECT_TRUE(patch.chooses_images);
+  EXPECT_THAT(patch.images, SizeIs(3));
+}
+
 Orientation images_called(const std::vector<std::string>& names) {
   Orientation orientation;
   for (const std::string& name : names) orientation.images.push_back({name, {}, {}});
   return orientation;
 }
 
-TEST(ImageOfName, TakesNamesWithAndWithoutFolderAndExtension) {
+TEST(ImageNames, TakesNamesWithAndWithoutFolderAndExtension) {
   const Orientation orientation =
       images_called({"D:\\flight\\1.tif", "2", "sub/3.jpg", "3.tif", "7.12", "7.13"});
-  EXPECT_EQ(image_of_name(orientation, "1.tif"), 0U);
-  EXPECT_EQ(image_of_name(orientation, "1"), 0U);
-  EXPECT_EQ(image_of_name(orientation, "1.JPG"), 0U);
-  EXPECT_EQ(image_of_name(orientation, "2.png"), 1U);
-  EXPECT_EQ(image_of_name(orientation, "3.jpg"), 2U);
-  EXPECT_EQ(image_of_name(orientation, "3.tif"), 3U);
-  EXPECT_EQ(image_of_name(orientation, "7.12.tif"), 4U);
-  EXPECT_EQ(image_of_name(orientation, "7.13"), 5U);
+  EXPECT_EQ(ImageNames(orientation).at("1.tif"), 0U);
+  EXPECT_EQ(ImageNames(orientation).at("1"), 0U);
+  EXPECT_EQ(ImageNames(orientation).at("1.JPG"), 0U);
+  EXPECT_EQ(ImageNames(orientation).at("2.png"), 1U);
+  EXPECT_EQ(ImageNames(orientation).at("3.jpg"), 2U);
+  EXPECT_EQ(ImageNames(orientation).at("3.tif"), 3U);
+  EXPECT_EQ(ImageNames(orientation).at("7.12.tif"), 4U);
+  EXPECT_EQ(ImageNames(orientation).at("7.13"), 5U);
 }
 
-TEST(ImageOfName, RefusesNamesThatSeveralImagesOrNoneHave) {
+TEST(ImageNames, TellsFilesOfOneNameApartByTheirFolders) {
+  const ImageNames names(images_called({"strip1/7.tif", "strip2/7.tif", "8.tif"}));
+  EXPECT_EQ(names.find_file("/data/strip2/7.tif"), 1U);
+  EXPECT_EQ(names.find_file("strip1/7.tif"), 0U);
+  EXPECT_EQ(names.find_file("/data/strip9/8.jpg"), 2U);
+  EXPECT_EQ(names.find_file("/data/strip1/9.tif"), std::nullopt);
+  EXPECT_THROW((void)names.find_file("/data/strip3/7.tif"), std::invalid_argument);
+}
+
+TEST(ImageNames, RefusesNamesThatSeveralImagesOrNoneHave) {
   const auto refusal = [](const std::vector<std::string>& names, const std::string& name) {
     try {
-      (void)image_of_name(images_called(names), name);
+      (void)ImageNames(images_called(names)).at(name);
     } catch (const std::invalid_argument& error) {
       return std::string(error.what());
     }

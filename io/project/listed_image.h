@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/files/yaml_check.h"
+#include "io/project/patch.h"
+#include "io/project/patch_orientation.h"
+
+#include <filesystem>
+#include <string>
+
+namespace ridgeline::io {
+
+/// An image that a patch file lists under `images`; read_patch() names its keys. Functions throw IoError with the line for
+/// values that cannot be.
+class ListedImage {
+ public:
+  /// `path`: of the patch file, for messages; files are relative to `folder`.
+  ListedImage(const std::string& path, std::filesystem::path folder, const YAML::Node& node);
+
+  /// Whether the image states no camera of its own.
+  [[nodiscard]] bool takes_orientation() const;
+  [[nodiscard]] ImageToOrient to_orient() const;
+
+  /// `orientation`: the one of the patch, or null.
+  [[nodiscard]] PatchImage read(const PatchOrientation* orientation) const;
+
+ private:
+  [[nodiscard]] PatchImage with_camera(const PatchOrientation* orientation) const;
+  [[nodiscard]] PatchImage oriented(const PatchOrientation& orientation) const;
+  [[nodiscard]] bool states_what_is_read() const;
+  [[nodiscard]] Eigen::Vector2d corner_px() const;
+  void set_window(PatchImage& image) const;
+  void set_radiometry(PatchImage& image) const;
+  [[nodiscard]] ProjectionMatrix matrix() const;
+  [[nodiscard]] InteriorOrientation interior() const;
+  [[nodiscard]] ExteriorOrientation exterior() const;
+
+  std::string path_;
+  std::filesystem::path folder_;
+  YamlMap map_;
+};
+
+}  // namespace ridgeline::io
