@@ -140,7 +140,7 @@ class Chooser {
     for (std::size_t p = 0; p < points_.size(); ++p) {
       OfDirections known = known_[p];
       if (sees(candidates_[i], points_[p])) add(information_of(i, p), known);
-      for (const Eigen::Matrix2d& matrix : known) sum += matrix.inverse().trace();
+      for (const Eigen::Matrix2d& matrix : known) sum += std::log(matrix.inverse().trace());
     }
     return sum;
   }

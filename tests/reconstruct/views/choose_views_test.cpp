@@ -100,6 +100,14 @@ TEST(ChooseViews, MateIsTheOneWithTheBestBaseThatCanBeMatched) {
   EXPECT_THAT(chosen({views[0], wide}, 2), testing::ElementsAre("a", "wide"));
 }
 
+TEST(ChooseViews, MateIsNotChosenForTheFewLinesAlongTheBase) {
+  // The base of a and long lies along one of the directions in which lines are looked at, that of a and short does not.
+  const std::vector<CandidateView> views{view_above("a", 0.0, 0.0), view_above("long", 150.0, 0.0),
+                                         view_above("short", 10.0, 70.0)};
+  EXPECT_THAT(chosen(views, 2), testing::ElementsAre("a", "long"));
+  EXPECT_THAT(chosen(views, 3), testing::ElementsAre("a", "long", "short"));
+}
+
 TEST(ChooseViews, ViewsThatTogetherShowThePlaceAreChosenBeforeMoreOfOnePart) {
   // each frame shows one half of 700 m
   std::vector<Eigen::Vector3d> wide;
