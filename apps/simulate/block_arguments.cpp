@@ -57,7 +57,7 @@ void set_block(const CLI::App& app, SimulateArguments& a) {
   a.block.num_frames = a.strips_and_frames[1];
   if (!a.views.flight.frame_px) a.views.flight.frame_px = Eigen::Vector2i(2048, 1536);
   if (a.views.orientation.empty()) a.views.orientation = "opk";
-  // frames are many times larger than images of a plan, and their lines are longer than the noise of fewer rays
+  // a block has many times the pixels of a pair; four rays a pixel take half the time of nine
   if (app.count("--samples-per-side") == 0) a.views.render.samples_per_side = 2;
   set_camera(app, a.views.flight);
   a.village.extent_m =

@@ -147,11 +147,11 @@ void add_block_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Block";
   app.add_option(
          "--block", a.strips_and_frames,
-         "strips,frames: a block of so many strips along x, of so many frames each, in place "
-         "of a patch: block.yaml, frames/STRIP_FRAME.tif, tiles/X_Y.las. The village is what "
-         "two frames or more show. Other defaults: --frame-px 2048,1536, the DMC's angle of "
-         "view, 8 cm a pixel but 200 m of height or more, --samples-per-side 2, "
-         "--orientation opk")
+         "strips,frames: a photogrammetric block in place of a patch, so many strips along x of "
+         "so many frames each. Writes block.yaml, frames/, tiles/, an orientation and "
+         "truth.geojson. Two frames or more show each place of the village. Other defaults: "
+         "--frame-px 2048,1536, the DMC's angle of view, pixels of 8 cm, "
+         "--samples-per-side 2, --orientation opk")
       ->delimiter(',')
       ->expected(2)
       ->check(in_range(1, simulate::kMostOfABlock))
@@ -167,8 +167,8 @@ void add_block_options(CLI::App& app, SimulateArguments& a) {
 void add_scene_options(CLI::App& app, SimulateArguments& a) {
   app.add_option("--out", a.out,
                  "folder for patch.yaml, left.tif, right.tif (more views: ID.tif), matches.csv, "
-                 "lidar.las, truth.geojson and lines.{good,fair,poor}.geojson; files there are "
-                 "kept unless an earlier scene wrote them")
+                 "lidar.las, truth.geojson and lines.{good,fair,poor}.geojson, or for a block; "
+                 "files there are kept unless an earlier scene wrote them")
       ->required();
   app.add_option_function<std::string>(
          "--geometry", [&a](const std::string&) { set_chio_wang_geometry(a); },

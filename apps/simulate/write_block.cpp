@@ -115,7 +115,7 @@ std::vector<simulate::AerialView> block_frames(const simulate::Scene& scene,
   const simulate::FlightOptions& flight = a.views.flight;
   std::vector<simulate::AerialView> frames =
       simulate::aerial_views(scene, flight, simulate::block_views(a.block, flight, scene));
-  const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(flight.margin_m);
+  const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(std::max(0.0, flight.margin_m));
   simulate::check_shown_twice(scene, frames, {-margin_m, scene.extent_m + margin_m});
   return frames;
 }
