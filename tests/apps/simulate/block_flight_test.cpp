@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ridgeline::simulate {
 namespace {
@@ -103,24 +104,34 @@ TEST(BlockExtent, OfAnyFlightHoldsAVillageThatAllIsShownTwice) {
   }
 }
 
+std::string refusal_of_block(const BlockOptions& block, const FlightOptions& flight) {
+  try {
+    (void)block_extent_m(block, flight, 0.0);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
 TEST(BlockExtent, RefusesABlockThatCannotBe) {
-  const auto extent_of = [](int strips, int frames) {
+  const auto refusal_of = [](int strips, int frames) {
     BlockOptions block;
     block.num_strips = strips;
     block.num_frames = frames;
-    return block_extent_m(block, exact_flight(), 0.0);
+    return refusal_of_block(block, exact_flight());
   };
-  EXPECT_THROW((void)extent_of(0, 3), std::invalid_argument);
-  EXPECT_THROW((void)extent_of(100, 3), std::invalid_argument);
-  EXPECT_THROW((void)extent_of(2, 1), std::invalid_argument);
-  EXPECT_THROW((void)extent_of(2, 100), std::invalid_argument);
-  EXPECT_THROW((void)extent_of(99, 2), std::invalid_argument);  // more than 2000 m
+  EXPECT_EQ(refusal_of(2, 3), "");
+  EXPECT_THAT(refusal_of(0, 3), HasSubstr("strips of a block = 0, must be in [1, 99]"));
+  EXPECT_THAT(refusal_of(100, 3), HasSubstr("strips of a block = 100"));
+  EXPECT_THAT(refusal_of(2, 1), HasSubstr("frames of a strip = 1, must be in [2, 99]"));
+  EXPECT_THAT(refusal_of(2, 100), HasSubstr("frames of a strip = 100"));
+  EXPECT_THAT(refusal_of(99, 2), HasSubstr("must be 40 to 2000 m each"));
   FlightOptions no_frames = exact_flight();
   no_frames.frame_px.reset();
-  EXPECT_THROW((void)block_extent_m({}, no_frames, 0.0), std::invalid_argument);
+  EXPECT_THAT(refusal_of_block({}, no_frames), HasSubstr("must have whole frames"));
   BlockOptions no_overlap;
   no_overlap.forward_overlap = 0.4;
-  EXPECT_THROW((void)block_extent_m(no_overlap, exact_flight(), 0.0), std::invalid_argument);
+  EXPECT_THAT(refusal_of_block(no_overlap, exact_flight()), HasSubstr("forward_overlap = 0.4"));
 }
 
 TEST(CheckShownTwice, NamesAPlaceThatOneFrameShows) {
