@@ -119,7 +119,7 @@ Eigen::Vector2d block_extent_m(const BlockOptions& block,
                                const FlightOptions& flight,
                                double terrain_slope_deg) {
   const BlockPlan plan = plan_of(block, flight);
-  const Eigen::Vector2d extent_m =
+  Eigen::Vector2d extent_m =
       (shown_twice_m(block, plan) - 2.0 * margin_m(plan, flight, terrain_slope_deg))
           .array()
           .floor();

@@ -225,10 +225,12 @@ class RowBlock {
     const Steps down = steps_within(first_row_, end_row_, row);
     const Steps right = steps_within(0, columns_, column);
     for (int k = down.first; k <= down.last; ++k) {
-      const float weight_y = along_y[static_cast<std::size_t>(k + kReach)];
+      const int tap_y = k + kReach;
+      const float weight_y = along_y[static_cast<std::size_t>(tap_y)];
       Sum* sum = &sums_[index(row + k, column + right.first)];
       for (int i = right.first; i <= right.last; ++i, ++sum) {
-        const float weight = weight_y * along_x[static_cast<std::size_t>(i + kReach)];
+        const int tap_x = i + kReach;
+        const float weight = weight_y * along_x[static_cast<std::size_t>(tap_x)];
         sum->light += weight * light;
         sum->weight += weight;
       }
