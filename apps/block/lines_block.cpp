@@ -10,7 +10,8 @@
 #include "io/results/cloud_name.h"
 #include "io/results/finish_judging.h"
 #include "io/results/judged_map.h"
-#include "io/results/judged_part_file.h"
+#include "io/results/judged_parts.h"
+#include "io/results/part_files.h"
 #include "io/results/prepare_lines.h"
 #include "io/results/write_results.h"
 #include "reconstruct/geometry/check.h"
@@ -85,10 +86,11 @@ class LinesBlock final : public BlockSteps {
   void plan() override {
     const nlohmann::ordered_json now = state();
     if (fs::exists(plan_path())) return refuse_other_plan(now);
-    const Opened& opened = open();
+    const Opened opened(options_);
     const LinesPlan plan{
         now, cells_of(opened.prepared.lines, opened.cloud.frame(), block_.patch_size_m)};
-    io::write_file(plan_path(), plan.to_json());
+    write_parts(plan, opened);
+    io::write_file(plan_path(), plan.to_json());  // last: a plan is there with all its parts
   }
 
   [[nodiscard]] std::size_t n_tasks() const override { return the_plan().cells.size(); }
@@ -105,11 +107,19 @@ class LinesBlock final : public BlockSteps {
   void run_task(std::size_t i) override {
     (void)cell_at(i);  // there must be such a task
     refuse_changes();
-    if (results::is_judged_part(task_path(i), task_key(i))) return;
-    Opened& opened = open();
-    const results::LineSets part = results::lines_of(opened.prepared.lines, numbers()[i]);
-    write_judged_part(task_path(i), task_key(i),
-                      results::judge_part(opened.cloud, part, options_.judge, memory_bytes()));
+    if (results::is_part(results_path(i), task_key(i))) return;
+    const std::optional<results::LinesPart> part =
+        results::read_lines_part(lines_path(i), plan_key());
+    if (!part) {
+      throw io::IoError(lines_path(i),
+                        "is gone or damaged; remove " + plan_path() + " and make the plan again");
+    }
+    io::ReadOptions cloud_options = options_.cloud;
+    cloud_options.frame = part->frame;
+    cloud_options.plan_scale = part->plan_scale;
+    io::CloudFiles cloud(options_.cloud_paths, cloud_options);
+    results::write_part(results_path(i), task_key(i),
+                        results::judge_part(cloud, part->lines, options_.judge, memory_bytes()));
   }
 
   std::size_t merge() override {
@@ -119,14 +129,13 @@ class LinesBlock final : public BlockSteps {
     results::RunRecord record("evaluate");  // all that reads results takes them for those of one
     record.set_options(echo(options_));
     record.set("block", {{"path", block_.path}, {"n_tasks", n_tasks()}});
-    Opened& opened = open();
+    Opened opened(options_);
     record.end_stage("read_lines");
     results::JudgedParts parts(opened.prepared.lines);
-    if (const std::size_t n_missing = add_all(parts); n_missing > 0) return n_missing;
+    if (const std::size_t n_missing = add_all(opened, parts); n_missing > 0) return n_missing;
     results::JudgedBatches batches = parts.join(opened.cloud, options_.judge, memory_bytes());
     const results::JudgedFiles judged = finish_judging(
         std::move(opened.prepared), std::move(batches), opened.cloud, options_, record);
-    opened_.reset();
     write_evaluation(judged, options_, inputs_of(options_, given_.parameters.config), out,
                      {.folder = out_,
                       .schema = given_.schema,
@@ -138,7 +147,7 @@ class LinesBlock final : public BlockSteps {
   }
 
  private:
-  /// Lines and cloud. Reading lines takes long, so that the tasks of one process share them.
+  /// All lines and the cloud.
   struct Opened {
     explicit Opened(const results::JudgeFilesOptions& options)
         : lines(read_lines_to_judge(options)),
@@ -148,22 +157,26 @@ class LinesBlock final : public BlockSteps {
     results::LinesToJudge lines;  ///< moved into `prepared`
     io::CloudFiles cloud;
     results::PreparedLines prepared;
-    std::vector<results::LineNumbers> numbers;  ///< of the lines of each task; see numbers()
   };
 
-  Opened& open() {
-    if (!opened_) opened_.emplace(options_);
-    return *opened_;
+  /// The numbers of the lines of each task.
+  [[nodiscard]] std::vector<results::LineNumbers> numbers_of(const LinesPlan& plan,
+                                                             const Opened& opened) const {
+    return numbers_by_cell(plan.cells, opened.prepared.lines, opened.cloud.frame(),
+                           block_.patch_size_m);
   }
 
-  /// The numbers of the lines of each task.
-  const std::vector<results::LineNumbers>& numbers() {
-    Opened& opened = open();
-    if (opened.numbers.empty()) {
-      opened.numbers = numbers_by_cell(the_plan().cells, opened.prepared.lines,
-                                       opened.cloud.frame(), block_.patch_size_m);
+  /// Writes the lines of each task, so that a task need not read those of all.
+  void write_parts(const LinesPlan& plan, const Opened& opened) const {
+    const std::vector<results::LineNumbers> numbers = numbers_of(plan, opened);
+    const std::string key = stage_key({plan.to_json()});
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      results::write_part(
+          lines_path(i), key,
+          results::LinesPart{.frame = opened.cloud.frame(),
+                             .plan_scale = opened.cloud.plan_scale(),
+                             .lines = results::lines_of(opened.prepared.lines, numbers[i])});
     }
-    return opened.numbers;
   }
 
   [[nodiscard]] nlohmann::ordered_json state() {
@@ -201,29 +214,36 @@ class LinesBlock final : public BlockSteps {
   }
 
   [[nodiscard]] std::string plan_path() const { return (fs::path(out_) / "plan.json").string(); }
-  [[nodiscard]] std::string task_path(std::size_t i) const {
-    return (fs::path(out_) / "tasks" / fmt::format("{:04}.judged", i)).string();
+  [[nodiscard]] std::string lines_path(std::size_t i) const { return task_file(i, "lines"); }
+  [[nodiscard]] std::string results_path(std::size_t i) const { return task_file(i, "judged"); }
+  [[nodiscard]] std::string task_file(std::size_t i, const char* extension) const {
+    return (fs::path(out_) / "tasks" / fmt::format("{:04}.{}", i, extension)).string();
   }
 
+  /// What the plan and its parts depend on, as a hash.
+  [[nodiscard]] const std::string& plan_key() const {
+    (void)the_plan();
+    return plan_key_;
+  }
   /// What a task's results depend on, as a hash.
   [[nodiscard]] std::string task_key(std::size_t i) const {
-    (void)the_plan();
-    return stage_key({plan_key_, std::to_string(i)});
+    return stage_key({plan_key(), std::to_string(i)});
   }
 
   [[nodiscard]] std::uint64_t memory_bytes() const { return options_.cloud_memory_mib << 20U; }
 
   /// Adds the results of all tasks. Warns of every task that has none.
   /// @return the number of tasks without results
-  std::size_t add_all(results::JudgedParts& parts) {
+  std::size_t add_all(const Opened& opened, results::JudgedParts& parts) const {
+    const std::vector<results::LineNumbers> numbers = numbers_of(the_plan(), opened);
     std::size_t n_missing = 0;
     for (std::size_t i = 0; i < n_tasks(); ++i) {
-      if (auto part = results::read_judged_part(task_path(i), task_key(i))) {
-        parts.add(numbers()[i], std::move(*part));
+      if (auto part = results::read_judged_part(results_path(i), task_key(i))) {
+        parts.add(numbers[i], std::move(*part));
         continue;
       }
       ++n_missing;
-      spdlog::warn("task {}, {}, has no results: {}", i, name_of(i), task_path(i));
+      spdlog::warn("task {}, {}, has no results: {}", i, name_of(i), results_path(i));
     }
     return n_missing;
   }
@@ -234,7 +254,6 @@ class LinesBlock final : public BlockSteps {
   results::JudgeFilesOptions options_;
   std::vector<results::InputFile> inputs_;
   InputStates states_;
-  std::optional<Opened> opened_;
   mutable std::optional<LinesPlan> plan_;  ///< read when it is first asked for
   mutable std::string plan_key_;
 };

@@ -1,115 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/results/judged_part_file.h"
+#include "io/results/part_files.h"
 
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
 #include "io/files/text_file.h"
+#include "io/results/byte_archive.h"
 #include "reconstruct/geometry/check.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ridgeline::results {
-namespace {
-
-template <typename T>
-concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
-
-/// Writes or reads a value: by the archive itself, or its fields one by one.
-template <typename Archive, typename Value>
-void each(Archive& archive, Value& value) {
-  if constexpr (requires { archive(value); }) {
-    archive(value);
-  } else {
-    fields(archive, value);
-  }
-}
-
-class ByteWriter {
- public:
-  template <Number T>
-  void operator()(const T& number) {
-    bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
-  }
-  void operator()(const std::string& text) {
-    (*this)(std::uint64_t{text.size()});
-    bytes_ += text;
-  }
-  template <int kRows, int kColumns>
-  void operator()(const Eigen::Matrix<double, kRows, kColumns>& matrix) {
-    for (Eigen::Index i = 0; i < matrix.size(); ++i) (*this)(matrix.data()[i]);
-  }
-  template <typename T>
-  void operator()(const std::optional<T>& value) {
-    (*this)(value.has_value());
-    if (value) each(*this, *value);
-  }
-  template <typename T>
-  void operator()(const std::vector<T>& values) {
-    (*this)(std::uint64_t{values.size()});
-    for (const T& value : values) each(*this, value);
-  }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-class ByteReader {
- public:
-  explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
-
-  template <Number T>
-  void operator()(T& number) {
-    std::memcpy(&number, take(sizeof number).data(), sizeof number);
-  }
-  void operator()(std::string& text) { text = take(count()); }
-  template <int kRows, int kColumns>
-  void operator()(Eigen::Matrix<double, kRows, kColumns>& matrix) {
-    for (Eigen::Index i = 0; i < matrix.size(); ++i) (*this)(matrix.data()[i]);
-  }
-  template <typename T>
-  void operator()(std::optional<T>& value) {
-    std::uint8_t has_value = 0;
-    (*this)(has_value);
-    value.reset();
-    if (has_value != 0) each(*this, value.emplace());
-  }
-  template <typename T>
-  void operator()(std::vector<T>& values) {
-    values.resize(count());
-    for (T& value : values) each(*this, value);
-  }
-  [[nodiscard]] bool at_end() const { return bytes_.empty(); }
-
- private:
-  /// The number of elements that follow. Each takes a byte at least, so that damage asks for no absurd memory.
-  std::size_t count() {
-    std::uint64_t n = 0;
-    (*this)(n);
-    check(n <= bytes_.size(), "judged part: ", n, " elements in ", bytes_.size(),
-          " bytes; must be no more");
-    return n;
-  }
-  std::string_view take(std::size_t n) {
-    check(n <= bytes_.size(), "judged part: ", bytes_.size(), " bytes left, must be at least ", n);
-    const std::string_view front = bytes_.substr(0, n);
-    bytes_.remove_prefix(n);
-    return front;
-  }
-
-  std::string_view bytes_;
-};
-
-/// The type `T`, to be written, or without const to be read.
-template <typename Value, typename T>
-concept Some = std::is_same_v<std::remove_const_t<Value>, T>;
 
 // The fields of each struct, in the order in which they are written and read.
 
@@ -174,7 +79,7 @@ void fields(auto& archive, Some<evaluate::LineEvaluation> auto& line) {
 void fields(auto& archive, Some<evaluate::JudgedResult> auto& result) {
   fields(archive, result.evaluation);
   archive(result.inliers);
-  archive(result.inlier_keys);
+  archive.key_lists(result.inlier_keys);
   archive(result.inlier_points);
   archive(result.hulls);
 }
@@ -203,11 +108,44 @@ void fields(auto& archive, Some<JudgedBatches> auto& part) {
   fields(archive, part.readings);
 }
 
+void fields(auto& archive, Some<Segment2> auto& segment) {
+  archive(segment.start);
+  archive(segment.end);
+}
+
+void fields(auto& archive, Some<evaluate::ImageEvidence> auto& images) {
+  archive(images.image_from_local);
+  archive(images.segments_px);
+  archive(images.height_range_m);
+}
+
+void fields(auto& archive, Some<evaluate::JudgedLine> auto& line) {
+  archive(line.id);
+  fields(archive, line.segment);
+  archive(line.line_class);
+  archive(line.class_base);
+  archive(line.building);
+  archive(line.epipolar_angle_deg);
+  archive(line.covariance_m2);
+  archive(line.images);
+  archive(line.reconstructed);
+  archive(line.confirmed);
+  archive(line.n_images);
+}
+
+void fields(auto& archive, Some<LinesPart> auto& part) {
+  archive(part.frame.origin_m);
+  archive(part.plan_scale);
+  archive(part.lines);
+}
+
+namespace {
+
 /// What a file begins with. The number is written as it lies in memory: a computer with another order of bytes finds no
 /// file of its own here.
 std::string beginning(const std::string& key) {
   ByteWriter writer;
-  writer(std::string("ridgeline judged part 1"));
+  writer(std::string("ridgeline part 1"));
   writer(std::uint32_t{0x01020304});
   writer(key);
   return writer.take();
@@ -233,36 +171,60 @@ std::optional<std::string> content_of(const std::string& path, const std::string
   return bytes;
 }
 
-}  // namespace
-
-std::string to_bytes(const JudgedBatches& part) {
+template <typename Part>
+std::string bytes_of(const Part& part) {
   ByteWriter writer;
   fields(writer, part);
   return writer.take();
 }
 
-JudgedBatches judged_part_of(std::string_view bytes) {
+template <typename Part>
+Part part_of(std::string_view bytes) {
   ByteReader reader(bytes);
-  JudgedBatches part;
+  Part part;
   fields(reader, part);
-  check(reader.at_end(), "judged part: bytes behind its end, must be none");
+  check(reader.at_end(), "part: bytes behind its end, must be none");
   return part;
 }
 
-void write_judged_part(const std::string& path, const std::string& key, const JudgedBatches& part) {
-  std::string bytes = beginning(key) + to_bytes(part);
+void write_bytes(const std::string& path, const std::string& key, const std::string& part) {
+  std::string bytes = beginning(key) + part;
   bytes += hash_of(bytes);
   io::write_file(path, bytes);
 }
 
-bool is_judged_part(const std::string& path, const std::string& key) {
+template <typename Part>
+std::optional<Part> read_part(const std::string& path, const std::string& key) {
+  const std::optional<std::string> content = content_of(path, key);
+  if (!content) return std::nullopt;
+  return part_of<Part>(std::string_view(*content).substr(beginning(key).size()));
+}
+
+}  // namespace
+
+std::string to_bytes(const LinesPart& part) { return bytes_of(part); }
+std::string to_bytes(const JudgedBatches& part) { return bytes_of(part); }
+LinesPart lines_part_of(std::string_view bytes) { return part_of<LinesPart>(bytes); }
+JudgedBatches judged_part_of(std::string_view bytes) { return part_of<JudgedBatches>(bytes); }
+
+void write_part(const std::string& path, const std::string& key, const LinesPart& part) {
+  write_bytes(path, key, to_bytes(part));
+}
+
+void write_part(const std::string& path, const std::string& key, const JudgedBatches& part) {
+  write_bytes(path, key, to_bytes(part));
+}
+
+bool is_part(const std::string& path, const std::string& key) {
   return content_of(path, key).has_value();
 }
 
+std::optional<LinesPart> read_lines_part(const std::string& path, const std::string& key) {
+  return read_part<LinesPart>(path, key);
+}
+
 std::optional<JudgedBatches> read_judged_part(const std::string& path, const std::string& key) {
-  const std::optional<std::string> content = content_of(path, key);
-  if (!content) return std::nullopt;
-  return judged_part_of(std::string_view(*content).substr(beginning(key).size()));
+  return read_part<JudgedBatches>(path, key);
 }
 
 }  // namespace ridgeline::results
