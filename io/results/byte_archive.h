@@ -35,6 +35,9 @@ void each(Archive& archive, Value& value) {
   }
 }
 
+/// Writes or reads values one after the other.
+void all(auto& archive, auto&... values) { (each(archive, values), ...); }
+
 /// Writes values one behind the other.
 class ByteWriter {
  public:

@@ -16,127 +16,99 @@
 
 namespace ridgeline::results {
 
-// The fields of each struct, in the order in which they are written and read.
+// The fields of each struct. The bindings name all of them, so that a field that is added does not compile until it is
+// written, too.
+
+void fields(auto& archive, Some<Segment2> auto& segment) {
+  auto& [start, end] = segment;
+  all(archive, start, end);
+}
 
 void fields(auto& archive, Some<Segment3> auto& segment) {
-  archive(segment.start);
-  archive(segment.end);
+  auto& [start, end] = segment;
+  all(archive, start, end);
+}
+
+void fields(auto& archive, Some<LocalFrame> auto& frame) {
+  auto& [origin_m] = frame;
+  all(archive, origin_m);
 }
 
 void fields(auto& archive, Some<SegmentPlaneDistance> auto& distance) {
-  archive(distance.start);
-  archive(distance.end);
-  archive(distance.mean_abs);
-  archive(distance.mean);
-  archive(distance.rms);
-  archive(distance.max_abs);
+  auto& [start, end, mean_abs, mean, rms, max_abs] = distance;
+  all(archive, start, end, mean_abs, mean, rms, max_abs);
 }
 
-void fields(auto& archive, Some<evaluate::JudgingPlane> auto& plane) {
-  archive(plane.plane.coeffs());
-  archive(plane.n_inliers);
-  archive(plane.rms_m);
-  archive(plane.coverage);
-  archive(plane.extrapolation_m);
-  archive(plane.sigma_m);
-  archive(plane.sigma_random_m);
-  fields(archive, plane.distance);
-  archive(plane.id);
+void fields(auto& archive, Some<evaluate::JudgingPlane> auto& judging) {
+  auto& [plane, n_inliers, rms_m, coverage, extrapolation_m, sigma_m, sigma_random_m, distance,
+         id] = judging;
+  all(archive, plane.coeffs(), n_inliers, rms_m, coverage, extrapolation_m, sigma_m, sigma_random_m,
+      distance, id);
 }
 
 void fields(auto& archive, Some<evaluate::RidgeDisplacement> auto& displacement) {
-  archive(displacement.horizontal_m);
-  archive(displacement.vertical_m);
-  archive(displacement.covariance_m2);
+  auto& [horizontal_m, vertical_m, covariance_m2] = displacement;
+  all(archive, horizontal_m, vertical_m, covariance_m2);
 }
 
 void fields(auto& archive, Some<evaluate::LineEvaluation> auto& line) {
-  archive(line.id);
-  archive(line.line_class);
-  archive(line.building);
-  archive(line.status);
-  archive(line.reason);
-  archive(line.kind);
-  archive(line.flags);
-  archive(line.planes);
-  archive(line.length_m);
-  archive(line.epipolar_angle_deg);
-  archive(line.n_images);
-  archive(line.class_base);
-  archive(line.segment);
-  archive(line.mean_distance_m);
-  archive(line.max_distance_m);
-  archive(line.signed_mean_m);
-  archive(line.sigma_plane_m);
-  archive(line.sigma_line_m);
-  archive(line.z);
-  archive(line.intersection_distance_m);
-  archive(line.intersection_angle_deg);
-  archive(line.displacement);
-  archive(line.height_if_vertical_m);
+  auto& [id, line_class, building, status, reason, kind, flags, planes, length_m,
+         epipolar_angle_deg, n_images, class_base, segment, mean_distance_m, max_distance_m,
+         signed_mean_m, sigma_plane_m, sigma_line_m, z, intersection_distance_m,
+         intersection_angle_deg, displacement, height_if_vertical_m] = line;
+  all(archive, id, line_class, building, status, reason, kind, flags, planes, length_m,
+      epipolar_angle_deg, n_images, class_base, segment, mean_distance_m, max_distance_m,
+      signed_mean_m, sigma_plane_m, sigma_line_m, z, intersection_distance_m,
+      intersection_angle_deg, displacement, height_if_vertical_m);
 }
 
 void fields(auto& archive, Some<evaluate::JudgedResult> auto& result) {
-  fields(archive, result.evaluation);
-  archive(result.inliers);
-  archive.key_lists(result.inlier_keys);
-  archive(result.inlier_points);
-  archive(result.hulls);
+  auto& [evaluation, inliers, inlier_keys, inlier_points, hulls] = result;
+  all(archive, evaluation, inliers);
+  archive.key_lists(inlier_keys);
+  all(archive, inlier_points, hulls);
+}
+
+void fields(auto& archive, Some<io::Crs> auto& crs) {
+  auto& [definition] = crs;
+  all(archive, definition);
+}
+
+/// The points are left out: readings have none.
+void fields(auto& archive, Some<io::PointCloud> auto& cloud) {
+  auto& [frame, crs, points, warnings, horizontal_unit_m, vertical_unit_m, n_read, n_dropped_class,
+         n_dropped_withheld, n_dropped_return, n_dropped_bounds, n_dropped_non_finite,
+         n_dropped_share] = cloud;
+  all(archive, frame, crs, warnings, horizontal_unit_m, vertical_unit_m, n_read, n_dropped_class,
+      n_dropped_withheld, n_dropped_return, n_dropped_bounds, n_dropped_non_finite,
+      n_dropped_share);
 }
 
 void fields(auto& archive, Some<CloudReadings> auto& readings) {
-  archive(readings.n_batches);
-  archive(readings.n_kept);
-  auto& cloud = readings.cloud;
-  archive(cloud.frame.origin_m);
-  archive(cloud.crs.definition);
-  archive(cloud.warnings);
-  archive(cloud.horizontal_unit_m);
-  archive(cloud.vertical_unit_m);
-  archive(cloud.n_read);
-  archive(cloud.n_dropped_class);
-  archive(cloud.n_dropped_withheld);
-  archive(cloud.n_dropped_return);
-  archive(cloud.n_dropped_bounds);
-  archive(cloud.n_dropped_non_finite);
-  archive(cloud.n_dropped_share);
-  archive(readings.read_places);
+  auto& [n_batches, n_kept, cloud, read_places] = readings;
+  all(archive, n_batches, n_kept, cloud, read_places);
 }
 
 void fields(auto& archive, Some<JudgedBatches> auto& part) {
-  archive(part.results);
-  fields(archive, part.readings);
-}
-
-void fields(auto& archive, Some<Segment2> auto& segment) {
-  archive(segment.start);
-  archive(segment.end);
+  auto& [results, readings] = part;
+  all(archive, results, readings);
 }
 
 void fields(auto& archive, Some<evaluate::ImageEvidence> auto& images) {
-  archive(images.image_from_local);
-  archive(images.segments_px);
-  archive(images.height_range_m);
+  auto& [image_from_local, segments_px, height_range_m] = images;
+  all(archive, image_from_local, segments_px, height_range_m);
 }
 
 void fields(auto& archive, Some<evaluate::JudgedLine> auto& line) {
-  archive(line.id);
-  fields(archive, line.segment);
-  archive(line.line_class);
-  archive(line.class_base);
-  archive(line.building);
-  archive(line.epipolar_angle_deg);
-  archive(line.covariance_m2);
-  archive(line.images);
-  archive(line.reconstructed);
-  archive(line.confirmed);
-  archive(line.n_images);
+  auto& [id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2, images,
+         reconstructed, confirmed, n_images] = line;
+  all(archive, id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2,
+      images, reconstructed, confirmed, n_images);
 }
 
 void fields(auto& archive, Some<LinesPart> auto& part) {
-  archive(part.frame.origin_m);
-  archive(part.plan_scale);
-  archive(part.lines);
+  auto& [frame, plan_scale, lines] = part;
+  all(archive, frame, plan_scale, lines);
 }
 
 namespace {
