@@ -99,12 +99,20 @@ class LinesBlock : public testing::Test {
     merge(out);
   }
 
-  void evaluate(const std::string& out) const {
-    const ProgramResult result = test::run_program(
-        test::program(),
-        {"evaluate", "--lines", "town/truth.geojson", "town/lines.fair.geojson", "town/odd.csv",
-         "--cloud", "town/tiles/*.las", "--reference-lines", "town/truth.geojson", "--out", out},
-        folder_.file(""));
+  void evaluate(const std::string& out, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"evaluate",
+                                       "--lines",
+                                       "town/truth.geojson",
+                                       "town/lines.fair.geojson",
+                                       "town/odd.csv",
+                                       "--cloud",
+                                       "town/tiles/*.las",
+                                       "--reference-lines",
+                                       "town/truth.geojson",
+                                       "--out",
+                                       out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = test::run_program(test::program(), arguments, folder_.file(""));
     ASSERT_EQ(result.exit_code, 0) << result.err;
   }
 
@@ -148,6 +156,18 @@ TEST_F(LinesBlock, GivesTheBytesOfOneEvaluateForCellsOfAnySize) {
   }
   EXPECT_GT(n_most, 20);
   EXPECT_EQ(plan("block5000"), 2);  // a line lies 6 km from the others
+}
+
+TEST_F(LinesBlock, GivesTheBytesOfOneEvaluateWithTheOptionsOfItsFile) {
+  evaluate("one", {"--assume-crs", "EPSG:3857", "--scale-to-ground", "--classes", "2,5,6",
+                   "--last-returns", "--include-withheld", "--bounds",
+                   "513005,5403000,513085,5403090", "--origin", "513100,5403100,200"});
+  write_block(
+      "patch_size_m: 30\ncrs: EPSG:3857\nscale_to_ground: true\nclasses: [2, 5, 6]\n"
+      "last_returns: true\nexclude_withheld: false\n"
+      "bounds: [513005, 5403000, 513085, 5403090]\norigin: [513100, 5403100, 200]\n");
+  all_steps("block");
+  expect_same_bytes("one", "block");
 }
 
 TEST_F(LinesBlock, RecordsTheInputsOfOneEvaluate) {
