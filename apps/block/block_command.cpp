@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/block/block_steps.h"
 #include "apps/block/frames_block.h"
+#include "apps/block/lines_block.h"
 #include "apps/common/command.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
+#include "io/project/lines_block_file.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
 
@@ -75,9 +77,21 @@ std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
   return n_failed;
 }
 
-int run_block(const BlockArguments& a) {
+std::unique_ptr<BlockSteps> block_of(const BlockArguments& a) {
   const RunOptions options = run_options(a.flags);
-  const std::unique_ptr<BlockSteps> block = make_frames_block(a.file, a.out, options);
+  if (!io::is_lines_block(a.file)) return make_frames_block(a.file, a.out, options);
+  LinesBlockOptions of_lines;
+  of_lines.parameters = a.flags.parameters;
+  of_lines.summary = options.summary;
+  of_lines.schema = a.flags.schema;
+  of_lines.shift = options.shift;
+  of_lines.report = options.report;
+  of_lines.page = options.page;
+  return make_lines_block(a.file, a.out, of_lines);
+}
+
+int run_block(const BlockArguments& a) {
+  const std::unique_ptr<BlockSteps> block = block_of(a);
   const bool is_one_step = !a.task.empty() || a.merge;
   const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
   if (is_one_step && !std::filesystem::exists(plan)) {
@@ -123,7 +137,9 @@ void add_steps(CLI::App& app, BlockArguments& a) {
 Run add_block(CLI::App& subcommand) {
   auto a = std::make_shared<BlockArguments>();
   a->flags.methods = {"joint"};
-  subcommand.add_option("block", a->file, "block file (YAML): frames, their orientation, LIDAR")
+  subcommand
+      .add_option("block", a->file,
+                  "block file (YAML): frames, their orientation, LIDAR; or lines and LIDAR")
       ->required();
   subcommand
       .add_option("--out", a->out, "folder of the block; what is finished there is not done again")
