@@ -52,7 +52,7 @@ class FramesBlock final : public BlockSteps {
     try {
       task.run(block_);
     } catch (const std::exception& error) {
-      task.keep_failure(error.what());
+      keep_failure(task, error.what());
       throw;
     }
   }
@@ -61,6 +61,15 @@ class FramesBlock final : public BlockSteps {
 
  private:
   [[nodiscard]] std::string plan_path() const { return (folder_ / "plan.json").string(); }
+
+  /// On a full disk the reason cannot be kept, and it matters more than that.
+  static void keep_failure(const BlockTask& task, const std::string& reason) {
+    try {
+      task.keep_failure(reason);
+    } catch (const io::IoError& error) {
+      spdlog::debug("{}", error.what());
+    }
+  }
 
   /// Takes the plan that is there. Throws IoError if it is of another block, or if inputs have changed since. Frames are checked
   /// by the tasks that use them.
