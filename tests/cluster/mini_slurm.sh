@@ -91,7 +91,8 @@ processes_with() {
 helpers_of() {
   local pid parent
   for pid in "$@"; do
-    parent=$(ps -o ppid= -p "$pid") && ps -o pid=,comm= -p "$parent" | awk '$2 == "slurmstepd" { print $1 }'
+    parent=$(awk '$1 == "PPid:" { print $2 }' "/proc/$pid/status" 2>/dev/null) || continue
+    ! grep -qx slurmstepd "/proc/$parent/comm" 2>/dev/null || echo "$parent"
   done
 }
 
