@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
 
 namespace ridgeline::apps {
@@ -40,7 +41,7 @@ std::string shell_quoted(const std::string& word) {
 /// The command without its step. Its number of threads is what the job asks for.
 std::string command_of(const SlurmJob& job) {
   std::string command = fmt::format("{} --jobs {}", shell_quoted(job.program), job.threads);
-  for (const std::string& argument : job.arguments) command += " " + shell_quoted(argument);
+  for (const std::string& word : job.words) command += " " + shell_quoted(word);
   return command;
 }
 
@@ -72,9 +73,10 @@ int limit_mib(double foreseen_mib) {
   return static_cast<int>(std::ceil(kMemoryMargin * foreseen_mib + kMoreMemory_mib));
 }
 
-/// A label: #SBATCH lines have rules of their own for blanks and quotes.
+/// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and quotes.
 std::string job_name(const SlurmJob& job, std::string_view step) {
-  std::string name = fmt::format("{}-{}", job.name, step);
+  std::string name =
+      fmt::format("{}-{}", std::filesystem::path(job.folder).filename().string(), step);
   for (char& c : name) {
     if (kPlain.find(c) == std::string_view::npos) c = '_';
   }
@@ -97,12 +99,19 @@ std::string sbatch_lines(const SlurmJob& job, std::string_view step, int mib, in
 }
 
 /// Slurm does not repeat what failed, so the script does. What is finished takes no time again.
-constexpr std::string_view kTwoAttempts =
-    "# A second attempt helps if another process still held the folder or a disk was away.\n"
-    "step || {\n"
-    "  sleep \"${RIDGELINE_RETRY_S:-60}\"\n"
-    "  step\n"
-    "}\n";
+std::string in_two_attempts(const SlurmJob& job, std::string_view step) {
+  return fmt::format(
+      "cd {} || exit\n"
+      "step() {{\n"
+      "  {} {}\n"
+      "}}\n"
+      "# A second attempt helps if another process still held the folder or a disk was away.\n"
+      "step || {{\n"
+      "  sleep \"${{RIDGELINE_RETRY_S:-60}}\"\n"
+      "  step\n"
+      "}}\n",
+      shell_quoted(job.working_folder), command_of(job), step);
+}
 
 }  // namespace
 
@@ -126,8 +135,7 @@ std::string tasks_script(const SlurmJob& job) {
       "[ \"$last\" -le \"$n_tasks\" ] || last=$n_tasks\n"
       "echo \"Tasks $first-$last on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, "
       "$(date)\"\n";
-  text += fmt::format("step() {{\n  {} --task \"$first-$last\"\n}}\n", command_of(job));
-  return text + std::string(kTwoAttempts);
+  return text + in_two_attempts(job, "--task \"$first-$last\"");
 }
 
 std::string merge_script(const SlurmJob& job) {
@@ -139,8 +147,7 @@ std::string merge_script(const SlurmJob& job) {
       "#SBATCH --output=logs/merge.log\n"
       "set -u\n"
       "echo \"Merge on $SLURMD_NODENAME, restart ${SLURM_RESTART_COUNT:-0}, $(date)\"\n";
-  text += fmt::format("step() {{\n  {} --merge\n}}\n", command_of(job));
-  return text + std::string(kTwoAttempts);
+  return text + in_two_attempts(job, "--merge");
 }
 
 std::string submit_script(const SlurmJob& job) {
@@ -173,12 +180,13 @@ std::string parallel_script(const SlurmJob& job) {
       "# -S host1,host2. May be started again: finished tasks take no time.\n"
       "set -u\n"
       "mkdir -p {}\n"
+      "cd {} || exit\n"
       "seq {} |\n"
-      "  parallel -q -j {}% --memfree {}M --retries 2 --joblog {} \"$@\" \\\n"
+      "  parallel -q --wd \"$PWD\" -j {}% --memfree {}M --retries 2 --joblog {} \"$@\" \\\n"
       "    {} --task {{}}\n"
       "{} --merge\n",
-      shell_quoted(job.folder + "/logs"), job.n_tasks, share, limit_mib(job.task_mib),
-      shell_quoted(job.folder + "/logs/parallel.tsv"), command, command);
+      shell_quoted(job.folder + "/logs"), shell_quoted(job.working_folder), job.n_tasks, share,
+      limit_mib(job.task_mib), shell_quoted(job.folder + "/logs/parallel.tsv"), command, command);
 }
 
 std::string how_to_submit(const SlurmJob& job) {
@@ -186,11 +194,12 @@ std::string how_to_submit(const SlurmJob& job) {
     return "sh " + shell_quoted(job.folder + "/" + name);
   };
   return fmt::format(
-      "{} tasks in an array of {}, each at most {} MiB and {} min with {} threads; then the merge, "
+      "{} tasks in an array of {}, each at most {} MiB and {} min with {}; then the merge, "
       "at most {} MiB and {} min\n"
       "  Slurm         {} [--partition=P --account=A]\n"
       "  GNU parallel  {} [-S host1,host2]\n",
-      job.n_tasks, n_elements(job), limit_mib(job.task_mib), element_min(job), job.threads,
+      job.n_tasks, n_elements(job), limit_mib(job.task_mib), element_min(job),
+      job.threads == 1 ? "1 thread" : fmt::format("{} threads", job.threads),
       limit_mib(job.merge_mib), limit_min(job.merge_s), script("submit.sh"), script("parallel.sh"));
 }
 

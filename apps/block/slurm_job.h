@@ -9,17 +9,17 @@ namespace ridgeline::apps {
 
 /// What the scripts of a block need to know: how the program is called, and what its plan foresees.
 struct SlurmJob {
-  std::string program;  ///< absolute path, the same on all hosts
-  std::vector<std::string>
-      arguments;              ///< all but the step: "block", "/BLOCK.yaml", "--out", "/DIR", ...
-  std::string name;           ///< of the block
-  std::string folder;         ///< absolute path of DIR, which holds the scripts
-  std::size_t n_tasks = 0;    ///< at least 1
-  int threads = 1;            ///< of a task and of the merge, at least 1
-  double task_s = 0.0;        ///< foreseen for the slowest task
-  double task_mib = 0.0;      ///< foreseen for the largest task
-  double total_task_s = 0.0;  ///< foreseen for all tasks one after another
-  double merge_s = 0.0, merge_mib = 0.0;
+  std::string program;             ///< absolute path
+  std::vector<std::string> words;  ///< all but the step: "block", "BLOCK.yaml", "--out", "DIR", ...
+  std::string working_folder;      ///< absolute path; `words` are relative to it
+  std::string folder;              ///< absolute path of DIR, which holds the scripts
+  std::size_t n_tasks = 0;         ///< at least 1
+  int threads = 1;                 ///< of a task and of the merge, at least 1
+  double task_s = 0.0;             ///< foreseen for the slowest task
+  double task_mib = 0.0;           ///< foreseen for the largest task
+  double total_task_s = 0.0;       ///< foreseen for all tasks one after another
+  double merge_s = 0.0;            ///< foreseen
+  double merge_mib = 0.0;          ///< foreseen
 };
 
 /// tasks.sbatch: an array of at most 1000 elements, which is what Slurm takes by default. An element does several tasks

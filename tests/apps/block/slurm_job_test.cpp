@@ -25,10 +25,10 @@ using testing::Lt;
 class SlurmJobTest : public testing::Test {
  protected:
   SlurmJobTest() {
-    fs::create_directories(folder_);
+    fs::create_directories(folder_ / "data");
     write("program",
           "#!/bin/sh\n"
-          "printf '<%s>' \"$@\" >>\"$CALLS\"\n"
+          "printf '<%s>' \"${PWD##*/}\" \"$@\" >>\"$CALLS\"\n"
           "echo >>\"$CALLS\"\n"
           "case $* in *--fail*) exit 1 ;; esac\n");
     fs::permissions(folder_ / "program", fs::perms::owner_all);
@@ -52,8 +52,8 @@ class SlurmJobTest : public testing::Test {
   }
   [[nodiscard]] SlurmJob job(std::size_t n_tasks, double task_s) const {
     return {.program = (folder_ / "program").string(),
-            .arguments = {"block", (folder_ / "it's.yaml").string(), "--methods", "direct,joint"},
-            .name = "old town",
+            .words = {"block", "it's.yaml", "--methods", "direct,joint"},
+            .working_folder = (folder_ / "data").string(),
             .folder = folder_.string(),
             .n_tasks = n_tasks,
             .threads = 2,
@@ -114,8 +114,9 @@ TEST_F(SlurmJobTest, EveryTaskIsDoneOnce) {
 TEST_F(SlurmJobTest, CallsTheProgramWithItsOwnWords) {
   write("tasks.sbatch", tasks_script(job(3, 100.0)));
   EXPECT_EQ(shell("SLURM_ARRAY_TASK_ID=2 sh tasks.sbatch").exit_code, 0);
-  EXPECT_THAT(calls(), ElementsAre("<--jobs><2><block><" + (folder_ / "it's.yaml").string() +
-                                   "><--methods><direct,joint><--task><2-2>"));
+  EXPECT_THAT(
+      calls(),
+      ElementsAre("<data><--jobs><2><block><it's.yaml><--methods><direct,joint><--task><2-2>"));
 }
 
 TEST_F(SlurmJobTest, ShortTasksShareAnElementOfAMinute) {
@@ -129,14 +130,14 @@ TEST_F(SlurmJobTest, LimitsLieAboveWhatIsForeseen) {
   EXPECT_THAT(script, HasSubstr("--time=15\n")) << "three times 100 s and 10 minutes";
   EXPECT_THAT(script, HasSubstr("--mem=1756M\n")) << "1.5 times 1000 MiB and 256";
   EXPECT_THAT(script, HasSubstr("--cpus-per-task=2\n"));
-  EXPECT_THAT(script, HasSubstr("--job-name=old_town-tasks\n"));
+  EXPECT_THAT(script, HasSubstr("--job-name=its_folder_s__HOME__job__50_-tasks\n"));
   EXPECT_THAT(merge_script(job(3, 100.0)), HasSubstr("--time=12\n"));
   EXPECT_THAT(merge_script(job(3, 100.0)), HasSubstr("--mem=1006M\n"));
 }
 
 TEST_F(SlurmJobTest, WhatFailsIsTriedTwice) {
   SlurmJob failing = job(1, 100.0);
-  failing.arguments.emplace_back("--fail");
+  failing.words.emplace_back("--fail");
   write("tasks.sbatch", tasks_script(failing));
   write("merge.sbatch", merge_script(failing));
   EXPECT_EQ(shell("SLURM_ARRAY_TASK_ID=1 sh tasks.sbatch").exit_code, 1);
@@ -163,8 +164,7 @@ TEST_F(SlurmJobTest, ParallelDoesEveryTaskAndMerges) {
   write("parallel.sh", parallel_script(job(3, 100.0)));
   const auto result = shell("HOME=$PWD sh parallel.sh -j 1");
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  const std::string words =
-      "<--jobs><2><block><" + (folder_ / "it's.yaml").string() + "><--methods><direct,joint>";
+  const std::string words = "<data><--jobs><2><block><it's.yaml><--methods><direct,joint>";
   EXPECT_THAT(calls(), ElementsAre(words + "<--task><1>", words + "<--task><2>",
                                    words + "<--task><3>", words + "<--merge>"));
 }
