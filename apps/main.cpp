@@ -58,6 +58,11 @@ constexpr std::array kCommands{
             "  ridgeline run patch.yaml --out results\n"
             "  ridgeline run patches/*.yaml --out results --methods direct,joint,network --resume",
             add_run},
+    Command{"block", "a town: frames cut into patches, and one result",
+            "  ridgeline block block.yaml --out town\n"
+            "  ridgeline block block.yaml --out town --plan; ridgeline block block.yaml --out town "
+            "--task 1-16",
+            add_block},
     Command{"extract", "line segments of an image with their uncertainty",
             "  ridgeline extract left.tif --out segments.csv\n"
             "  ridgeline extract left.tif --patch patch.yaml --out segments.csv --overlay seen.png",

@@ -32,6 +32,7 @@ Run add_gate(CLI::App& subcommand);
 Run add_compare(CLI::App& subcommand);
 Run add_report(CLI::App& subcommand);
 Run add_run(CLI::App& subcommand);
+Run add_block(CLI::App& subcommand);
 Run add_extract(CLI::App& subcommand);
 Run add_match(CLI::App& subcommand);
 Run add_reconstruct(CLI::App& subcommand);

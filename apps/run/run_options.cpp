@@ -9,7 +9,7 @@
 
 namespace ridgeline::apps {
 
-void add_run_flags(CLI::App& app, RunFlags& flags) {
+void add_block_flags(CLI::App& app, RunFlags& flags) {
   add_method_options(app, flags.parameters);
   add_judge_options(app, flags.parameters);
   app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network, planes")
@@ -18,17 +18,8 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_matcher_option(app, flags.matchers);
-  app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(line_format_names()));
-  add_local_origin_flag(app, flags.options.local_origin);
   add_shift_options(app, flags.options.shift);
   add_schema_option(app, flags.schema);
-  app.add_flag("--resume", flags.options.resume,
-               "skip what an earlier run with the same inputs and options has finished");
-  app.add_option("--assume-crs", flags.options.assume_crs.definition,
-                 "CRS of patches, clouds and reference lines in place of their own");
   add_pair_check_option(app, flags.options.max_y_parallax_px);
   add_image_size_option(app, flags.options.max_image_mpx);
   add_report_flag(app, flags.options.report);
@@ -36,6 +27,19 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
   app.add_option("--gross-m", flags.options.summary.gross_m, "a line farther off is a gross error")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+}
+
+void add_run_flags(CLI::App& app, RunFlags& flags) {
+  add_block_flags(app, flags);
+  app.add_option("--lines-format", flags.line_formats, "of the 3D lines, beside GeoJSON")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(line_format_names()));
+  add_local_origin_flag(app, flags.options.local_origin);
+  app.add_flag("--resume", flags.options.resume,
+               "skip what an earlier run with the same inputs and options has finished");
+  app.add_option("--assume-crs", flags.options.assume_crs.definition,
+                 "CRS of patches, clouds and reference lines in place of their own");
 }
 
 RunOptions run_options(const RunFlags& flags) {

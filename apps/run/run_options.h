@@ -21,6 +21,9 @@ struct RunFlags {
   RunOptions options;
 };
 
+/// The flags that a block of patches takes as a run of patches does.
+void add_block_flags(CLI::App& app, RunFlags& flags);
+/// These and what only a run takes.
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
 /// Throws std::invalid_argument for values out of range.

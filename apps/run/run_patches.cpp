@@ -137,15 +137,20 @@ std::vector<std::string> early_warnings(const std::vector<CheckedPatch>& patches
   return warnings;
 }
 
+bool adjusts_to_faces(const RunOptions& options) {
+  return options.parameters.method.estimation.beyond.adjusts_to_faces();
+}
+
 }  // namespace
 
-void run_patches(const std::string& command,
-                 const std::vector<std::string>& patch_files,
-                 const RunOptions& options,
-                 const std::string& folder) {
-  results::RunRecord record(command);
+PatchesResult write_patches(const std::vector<std::string>& patch_files,
+                            const RunOptions& options,
+                            const std::string& folder,
+                            results::RunRecord& record) {
   record.set_options(echo_options(options));
-  const std::vector<CheckedPatch> patches = read_patches(patch_files, options);
+  PatchesResult found;
+  found.patches = read_patches(patch_files, options);
+  const std::vector<CheckedPatch>& patches = found.patches;
   const std::vector<results::InputFile> inputs = inputs_of(patches, options);
   const results::OutputFolder out(folder, results::paths_of(inputs));
   for (const char* name : {"table1.md", "table1.csv", "table1.json", "table1.tracks.csv"})
@@ -153,8 +158,8 @@ void run_patches(const std::string& command,
   for (const std::string& name : results::result_names({})) (void)out.path(name);
   for (const results::InputFile& input : inputs) record.add_input(input);
   record.end_stage("hash_inputs");
-  std::vector<std::string> early =
-      early_warnings(patches, options.parameters.method.matching.tracks.all_views, record);
+  const bool all_views = options.parameters.method.matching.tracks.all_views;
+  std::vector<std::string> early = early_warnings(patches, all_views, record);
   warn_of(early);  // now, because they may say why the work fails
   for (const auto& [patch, frame] : patches)
     early.insert(early.end(), patch.decisions.begin(), patch.decisions.end());
@@ -162,18 +167,15 @@ void run_patches(const std::string& command,
   for (const CheckedPatch& patch : patches) check_run(patch, options, out);
 
   Progress progress(patches.size() * count_steps(options));
-  evaluate::Table1 table1;
-  std::vector<evaluate::Evaluation> evaluations;
   std::vector<results::TruthRows> truth;
-  std::vector<std::string> messages;
   std::size_t n_skipped = 0;
   for (const CheckedPatch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
-    for (auto& row : result.matching) table1.rows.push_back(std::move(row));
-    if (result.tracks) table1.tracks.push_back(std::move(*result.tracks));
-    for (auto& evaluation : result.evaluations) evaluations.push_back(std::move(evaluation));
-    for (auto& rows : result.truth) truth.push_back(std::move(rows));
-    messages.insert(messages.end(), result.messages.begin(), result.messages.end());
+    std::ranges::move(result.matching, std::back_inserter(found.table1.rows));
+    if (result.tracks) found.table1.tracks.push_back(std::move(*result.tracks));
+    std::ranges::move(result.evaluations, std::back_inserter(found.evaluations));
+    std::ranges::move(result.truth, std::back_inserter(truth));
+    std::ranges::move(result.messages, std::back_inserter(found.messages));
     n_skipped += result.n_skipped_stages;
   }
   progress.clear();
@@ -183,27 +185,36 @@ void run_patches(const std::string& command,
   if (options.resume) spdlog::info("{} finished stages skipped", n_skipped);
 
   // Table 1 is always written: an old table beside new ones would mislead.
-  write_table1(table1, out);
-  const bool adjusts_to_faces = options.parameters.method.estimation.beyond.adjusts_to_faces();
-  results::write_tables(evaluations, truth, out, adjusts_to_faces);
-  if (!table1.rows.empty() || !table1.tracks.empty()) say("{}\n", evaluate::to_terminal(table1));
-  if (has_figures(evaluations)) {
-    say("{}\n", evaluate::to_terminal(evaluate::make_table2(evaluations, adjusts_to_faces)));
-  }
-  for (const std::string& message : messages) say("{}\n", message);
+  write_table1(found.table1, out);
+  results::write_tables(found.evaluations, truth, out, adjusts_to_faces(options));
   record.end_stage("write");
-  record.set("messages", messages);
+  record.set("messages", found.messages);
   record.set("page", to_json(options.page));
-  record.set("n_views",
-             n_views_by_patch(patches, options.parameters.method.matching.tracks.all_views));
+  record.set("n_views", n_views_by_patch(patches, all_views));
   if (const auto windows = windows_by_patch(patches); !windows.empty())
     record.set("windows_px", windows);
   out.write("run.json", record.to_json());
+  return found;
+}
+
+void run_patches(const std::string& command,
+                 const std::vector<std::string>& patch_files,
+                 const RunOptions& options,
+                 const std::string& folder) {
+  results::RunRecord record(command);
+  const PatchesResult found = write_patches(patch_files, options, folder, record);
+  if (!found.table1.rows.empty() || !found.table1.tracks.empty())
+    say("{}\n", evaluate::to_terminal(found.table1));
+  if (has_figures(found.evaluations)) {
+    say("{}\n",
+        evaluate::to_terminal(evaluate::make_table2(found.evaluations, adjusts_to_faces(options))));
+  }
+  for (const std::string& message : found.messages) say("{}\n", message);
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());
   // The last method is the best.
   const std::string product = reconstruct::name(std::ranges::max(options.methods));
-  for (const auto& [patch, frame] : patches) {
+  for (const auto& [patch, frame] : found.patches) {
     say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }
   write_report_of_run(results.string(), options.report);

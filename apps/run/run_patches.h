@@ -8,9 +8,23 @@
 
 namespace ridgeline::apps {
 
-/// Runs the patches one after another, writes the tables over all of them and run.json, and prints
-/// Table 1 (where there are reference matches) and Table 2. All patch files are read and checked
-/// before the first one is run.
+/// What a run of several patches found.
+struct PatchesResult {
+  std::vector<CheckedPatch> patches;
+  evaluate::Table1 table1;
+  std::vector<evaluate::Evaluation> evaluations;
+  std::vector<std::string> messages;  ///< outcome_messages() of the patches
+};
+
+/// Runs the patches one after another, writes their files, the tables over all of them and run.json. Decisions, warnings and
+/// progress go to stderr. All patch files are read and checked before the first one is run. Throws IoError for a file's fault.
+PatchesResult write_patches(const std::vector<std::string>& patch_files,
+                            const RunOptions& options,
+                            const std::string& folder,
+                            results::RunRecord& record);
+
+/// Runs the patches by write_patches(), prints Table 1 (where there are reference matches) and Table 2, and writes the
+/// report.
 void run_patches(const std::string& command,
                  const std::vector<std::string>& patch_files,
                  const RunOptions& options,

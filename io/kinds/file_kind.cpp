@@ -18,6 +18,8 @@ std::string advice_on(FileGroup group) {
       return "name it under images in a patch file";
     case kPatch:
       return "give it to run, or as --patch";
+    case kBlock:
+      return "give it to block";
     case kGates:
       return "give it as --gates";
     case kConfig:

@@ -16,6 +16,7 @@ enum class FileGroup : std::uint8_t {
   kNumbers,  ///< rows of numbers: a cloud, or the lines of some tool
   kImage,
   kPatch,
+  kBlock,
   kGates,
   kConfig,
   kMatches,

@@ -16,6 +16,7 @@ enum class Expected : std::uint8_t {
   kCloud,
   kImage,
   kPatch,
+  kBlock,
   kGates,
   kConfig,
   kMatches,

@@ -12,6 +12,40 @@
 #include <vector>
 
 namespace ridgeline::io {
+namespace {
+
+Eigen::Vector2i size_px_of(const YamlMap& interior) {
+  const std::vector<double> size = interior.numbers("size_px", 2);
+  return {std::lround(size[0]), std::lround(size[1])};
+}
+
+InteriorOrientation interior_in_mm(const YamlMap& map) {
+  if (map.has("principal_point_px")) {
+    map.fail("principal_point_px", "principal_point_px needs focal_length_px");
+  }
+  const std::vector<double> point =
+      map.has("principal_point_mm") ? map.numbers("principal_point_mm", 2) : std::vector{0., 0.};
+  return interior_orientation(map.number("focal_length_mm"), map.number("pixel_size_um"),
+                              size_px_of(map), {point[0], point[1]});
+}
+
+InteriorOrientation interior_in_pixels(const YamlMap& map) {
+  for (const char* key : {"focal_length_mm", "pixel_size_um", "principal_point_mm"}) {
+    if (map.has(key)) map.fail(key, fmt::format("{} stands beside no focal_length_px", key));
+  }
+  const std::vector<double> focal_length = map.numbers("focal_length_px", 2);
+  const std::vector<double> point = map.numbers("principal_point_px", 2);
+  const Eigen::Vector2i size_px = size_px_of(map);
+  if (!(focal_length[0] > 0.0 && focal_length[1] > 0.0) || (size_px.array() <= 0).any()) {
+    map.fail("focal_length_px", "focal_length_px and size_px must be above 0");
+  }
+  return {.focal_length_px = {focal_length[0], focal_length[1]},
+          .principal_point_px = {point[0], point[1]},
+          .distortion = {},
+          .size_px = size_px};
+}
+
+}  // namespace
 
 ListedImage::ListedImage(const std::string& path,
                          std::filesystem::path folder,
@@ -64,9 +98,10 @@ PatchImage ListedImage::with_camera(const PatchOrientation* orientation) const {
               "orientation of the patch");
   }
   image.interior = interior();
+  image.exterior = exterior();
   image.window_px = corner_px();
   image.image_from_world =
-      window_from_world(projection_matrix(*image.interior, exterior()), image.window_px);
+      window_from_world(projection_matrix(*image.interior, *image.exterior), image.window_px);
   return image;
 }
 
@@ -145,16 +180,12 @@ ProjectionMatrix ListedImage::matrix() const {
 InteriorOrientation ListedImage::interior() const {
   const YAML::Node node = map_.node("interior");
   const YamlMap map(path_, node,
-                    {"focal_length_mm", "pixel_size_um", "size_px", "principal_point_mm", "k1",
-                     "k2", "k3", "p1", "p2"});
-  const std::vector<double> size = map.numbers("size_px", 2);
-  const std::vector<double> point =
-      map.has("principal_point_mm") ? map.numbers("principal_point_mm", 2) : std::vector{0., 0.};
+                    {"focal_length_mm", "pixel_size_um", "size_px", "principal_point_mm",
+                     "focal_length_px", "principal_point_px", "k1", "k2", "k3", "p1", "p2"});
   const auto optional = [&map](const char* key) { return map.has(key) ? map.number(key) : 0.0; };
   try {
-    InteriorOrientation interior = interior_orientation(
-        map.number("focal_length_mm"), map.number("pixel_size_um"),
-        Eigen::Vector2i(std::lround(size[0]), std::lround(size[1])), {point[0], point[1]});
+    InteriorOrientation interior =
+        map.has("focal_length_px") ? interior_in_pixels(map) : interior_in_mm(map);
     interior.distortion = {optional("k1"), optional("k2"), optional("k3"), optional("p1"),
                            optional("p2")};
     return interior;

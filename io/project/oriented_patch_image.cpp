@@ -19,6 +19,7 @@ PatchImage oriented_patch_image(const Orientation& orientation,
   made.window_px = window_px;
   made.image_from_world = window_from_world(projection_matrix(interior, image.exterior), window_px);
   made.interior = interior;
+  made.exterior = image.exterior;
   return made;
 }
 

@@ -34,6 +34,7 @@ struct PatchImage {
   std::optional<ImageFacts> facts{};  ///< of the file, if its header has been read
   /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px() removes its distortion.
   std::optional<InteriorOrientation> interior;
+  std::optional<ExteriorOrientation> exterior{};  ///< set only if the patch gives it
 };
 
 /// The ideal pixel of a pixel of the file; the pixel itself for an image without distortion.
@@ -94,7 +95,8 @@ using FindPatchPoints =
 ///   id, height_range [lowest, highest] or auto, surface_model, crs, area [x_min, y_min, x_max, y_max] or a file of
 ///   polygons, max_views, lidar, reference_matches, reference_tracks, reference_lines;
 ///   images: list of {id, path, projection_matrix}, or in place of the matrix
-///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, k1, k2, k3, p1, p2},
+///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, or focal_length_px [x, y], size_px,
+///     principal_point_px, and k1, k2, k3, p1, p2},
 ///     exterior {position_m, omega_phi_kappa_deg} and optionally window_px [column, row], where the file is cut out of the
 ///     frame, or [column, row, columns, rows], what is to be read of a file that is the frame; and optionally radiometry,
 ///     [low, high] for each band;

@@ -67,10 +67,12 @@ void RunRecord::add_input(const InputFile& file) {
     for (const std::string& path : files_in(file.path)) add_input({file.role, path});
     return;
   }
-  inputs_.push_back({{"role", file.role},
-                     {"path", file.path},
-                     {"bytes", std::filesystem::file_size(file.path)},
-                     {"sha256", io::sha256_of_file(file.path)}});
+  const auto known = known_.find(file.path);
+  inputs_.push_back(
+      {{"role", file.role},
+       {"path", file.path},
+       {"bytes", std::filesystem::file_size(file.path)},
+       {"sha256", known != known_.end() ? known->second : io::sha256_of_file(file.path)}});
 }
 
 std::string RunRecord::hash_of(const std::string& path) const {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ class RunRecord {
   /// A folder (LIMAP's tracks) is recorded as each of its files.
   /// Throws IoError if it cannot be read.
   void add_input(const InputFile& file);
+  /// The SHA-256 of a file that is known already; add_input() does not read the file then.
+  void know_hash(const std::string& path, const std::string& sha256) { known_[path] = sha256; }
   /// The SHA-256 of a file that add_input() was given. Throws std::invalid_argument for another one.
   [[nodiscard]] std::string hash_of(const std::string& path) const;
   void add_warnings(const std::vector<std::string>& warnings);
@@ -48,6 +51,7 @@ class RunRecord {
   std::string command_;
   Clock::time_point start_, stage_start_;
   nlohmann::ordered_json options_, facts_, inputs_, stages_, warnings_;
+  std::map<std::string, std::string> known_;  ///< SHA-256 by path
 };
 
 }  // namespace ridgeline::results

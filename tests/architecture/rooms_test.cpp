@@ -42,6 +42,7 @@ const std::map<std::string, Folders>& allowed() {
        {"reconstruct/geometry", "reconstruct/views", "reconstruct/ok2011",
         "reconstruct/chio_wang2000"}},
       {"reconstruct/pair_check", {"reconstruct/geometry"}},
+      {"reconstruct/block", {"reconstruct/geometry"}},
       {"evaluate/judge",
        {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h"}},
       {"evaluate/statistics",

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/block/block_steps.h"
+#include "apps/block/frames_block.h"
+#include "apps/common/command.h"
+#include "apps/common/say.h"
+#include "apps/common/shared_options.h"
+#include "apps/report/write_report.h"
+#include "apps/run/run_options.h"
+#include "io/error.h"
+#include "io/text/text.h"
+#include "reconstruct/geometry/check.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ridgeline::apps {
+namespace {
+
+struct BlockArguments {
+  std::string file, out, task;
+  bool plan = false, merge = false;
+  RunFlags flags;
+};
+
+/// Tasks first..last, numbered from 0.
+std::pair<std::size_t, std::size_t> tasks_of(const std::string& text, std::size_t n) {
+  const std::size_t dash = text.find('-');
+  const auto first = io::to_double(text.substr(0, dash));
+  const auto last = dash == std::string::npos ? first : io::to_double(text.substr(dash + 1));
+  const bool are_numbers =
+      first && last && *first == std::floor(*first) && *last == std::floor(*last);
+  check(are_numbers && *first >= 1.0 && *first <= *last && *last <= static_cast<double>(n),
+        "--task ", text, ": the tasks of this block are 1 to ", n, "; give one, or FIRST-LAST");
+  return {static_cast<std::size_t>(*first) - 1, static_cast<std::size_t>(*last) - 1};
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// Runs tasks one after another, and says after each how long the rest will take. A task that fails is told, and the
+/// others go on.
+/// @return the number of tasks that failed
+std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  std::size_t n_failed = 0;
+  for (std::size_t i = first; i <= last; ++i) {
+    const auto begin = Clock::now();
+    try {
+      block.run_task(i);
+    } catch (const io::IoError& error) {
+      ++n_failed;
+      spdlog::error("{}: {}", block.name_of(i), error.what());
+    } catch (const std::exception& error) {
+      ++n_failed;
+      spdlog::error("{}: internal error: {}", block.name_of(i), error.what());
+    }
+    const std::chrono::duration<double> task = Clock::now() - begin, all = Clock::now() - start;
+    const double left_s =
+        all.count() / static_cast<double>(i - first + 1) * static_cast<double>(last - i);
+    spdlog::info("{} of {}: {}, {}; {} left", i + 1, block.n_tasks(), block.name_of(i),
+                 duration_text(task.count()), duration_text(left_s));
+  }
+  return n_failed;
+}
+
+int run_block(const BlockArguments& a) {
+  const RunOptions options = run_options(a.flags);
+  const std::unique_ptr<BlockSteps> block = make_frames_block(a.file, a.out, options);
+  const bool is_one_step = !a.task.empty() || a.merge;
+  const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
+  if (is_one_step && !std::filesystem::exists(plan)) {
+    throw io::IoError(plan.string(), "there is no plan; make it first: ridgeline block " + a.file +
+                                         " --out " + a.out + " --plan");
+  }
+  block->plan();
+  if (!a.task.empty()) {
+    const auto [first, last] = tasks_of(a.task, block->n_tasks());
+    return run_tasks(*block, first, last) == 0 ? kDone : kWrongInput;
+  }
+  if (a.plan) {
+    say("{}: {} tasks. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n",
+        plan.string(), block->n_tasks(), a.file, a.out, block->n_tasks());
+    return kDone;
+  }
+  if (!a.merge) (void)run_tasks(*block, 0, block->n_tasks() - 1);
+  const std::size_t n_missing = block->merge();
+  say("Results: {}\n", std::filesystem::absolute(a.out).lexically_normal().string());
+  if (n_missing == 0) return kDone;
+  spdlog::error(
+      "{} of {} tasks have no results; mend what they name and start again: the others are kept",
+      n_missing, block->n_tasks());
+  return kWrongInput;
+}
+
+void add_steps(CLI::App& app, BlockArguments& a) {
+  const char* group = "Steps, each of which may run on another host; without them all run here";
+  CLI::Option* plan =
+      app.add_flag("--plan", a.plan, "cut the block into patches: plan.json")->group(group);
+  CLI::Option* task = app.add_option("--task", a.task,
+                                     "reconstruct these patches, numbered from 1: I or FIRST-LAST")
+                          ->group(group);
+  CLI::Option* merge =
+      app.add_flag("--merge", a.merge, "merge and judge the lines of all finished tasks")
+          ->group(group);
+  plan->excludes(task)->excludes(merge);
+  task->excludes(merge);
+}
+
+}  // namespace
+
+Run add_block(CLI::App& subcommand) {
+  auto a = std::make_shared<BlockArguments>();
+  a->flags.methods = {"joint"};
+  subcommand.add_option("block", a->file, "block file (YAML): frames, their orientation, LIDAR")
+      ->required();
+  subcommand
+      .add_option("--out", a->out, "folder of the block; what is finished there is not done again")
+      ->required();
+  add_steps(subcommand, *a);
+  add_block_flags(subcommand, a->flags);
+  return [a] { return run_block(*a); };
+}
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/project/patch.h"
+#include "reconstruct/block/patch_grid.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// The heights that the patches of a block search in.
+class BlockHeights {
+ public:
+  /// Reads a sample of the LIDAR, at most 2 million points, if the block takes its heights from it. `overlap_m`: see io::BlockFile.
+  /// Throws IoError if no point lies in the area of the block.
+  BlockHeights(const io::PatchFile& block, double overlap_m);
+
+  /// As the block states them, else the lowest and highest height in an area and kHeightMargin_m more on both sides; of an area
+  /// without LIDAR those of the whole block.
+  [[nodiscard]] std::array<double, 2> range_m(const Eigen::AlignedBox2d& area_m) const;
+
+  /// The box of the sample in plan; empty if none was read.
+  [[nodiscard]] const Eigen::AlignedBox2d& extent_m() const { return extent_m_; }
+
+ private:
+  void read_sample(double overlap_m);
+
+  const io::PatchFile& block_;
+  Eigen::AlignedBox2d extent_m_;
+  reconstruct::PatchGrid bins_{10.0};
+  std::map<reconstruct::GridCell, std::vector<Eigen::Vector3d>> points_;  ///< of the sample, by bin
+  std::array<double, 2> all_m_{};
+};
+
+}  // namespace ridgeline::apps

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/block/frames_block.h"
+
+#include "apps/block/block_task.h"
+#include "apps/block/merge_block.h"
+#include "apps/block/plan_block.h"
+#include "apps/common/say.h"
+#include "apps/report/write_report.h"
+#include "io/error.h"
+#include "io/files/atomic_file.h"
+#include "reconstruct/geometry/check.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace ridgeline::apps {
+namespace fs = std::filesystem;
+namespace {
+
+class FramesBlock final : public BlockSteps {
+ public:
+  FramesBlock(const std::string& block_file, const std::string& out, RunOptions options)
+      : folder_(fs::absolute(out).lexically_normal()),
+        options_(std::move(options)),
+        block_(read_block(block_file)) {
+    block_.patch.max_image_mpx = options_.max_image_mpx;
+  }
+
+  void plan() override {
+    if (fs::exists(plan_path())) {
+      take_plan();
+      return;
+    }
+    plan_ = plan_block(block_);
+    io::write_file(plan_path(), to_json(*plan_));
+    inform_of(block_.patch.decisions);
+    warn_of(plan_->warnings);
+  }
+
+  [[nodiscard]] std::size_t n_tasks() const override { return plan_->patches.size(); }
+  [[nodiscard]] std::string name_of(std::size_t i) const override {
+    return "patch " + plan_->patches.at(i).id;
+  }
+
+  void run_task(std::size_t i) override {
+    const BlockTask task(folder_, plan_->patches.at(i), *plan_, options_);
+    if (task.is_done()) return;
+    try {
+      task.run(block_);
+    } catch (const std::exception& error) {
+      task.keep_failure(error.what());
+      throw;
+    }
+  }
+
+  std::size_t merge() override { return merge_block(block_, *plan_, options_, folder_); }
+
+ private:
+  [[nodiscard]] std::string plan_path() const { return (folder_ / "plan.json").string(); }
+
+  /// Takes the plan that is there. Throws IoError if it is of another block, or if inputs have changed since. Frames are checked
+  /// by the tasks that use them.
+  void take_plan() {
+    plan_ = read_block_plan(plan_path());
+    if (plan_->block_file != block_.patch.path) {
+      throw io::IoError(plan_path(),
+                        fmt::format("is the plan of {}; a folder holds one block, give "
+                                    "another one by --out",
+                                    plan_->block_file));
+    }
+    for (const PlannedFile& file : plan_->inputs) check_unchanged(file);
+    if (plan_->key == key_of(block_, planned_inputs(block_))) return;
+    throw io::IoError(plan_path(),
+                      "was made of other files, or by another version of the program; remove it to "
+                      "plan again: finished patches that stay as they are are kept");
+  }
+
+  fs::path folder_;
+  RunOptions options_;
+  io::BlockFile block_;
+  std::optional<BlockPlan> plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<BlockSteps> make_frames_block(const std::string& block_file,
+                                              const std::string& out,
+                                              const RunOptions& options) {
+  return std::make_unique<FramesBlock>(block_file, out, options);
+}
+
+}  // namespace ridgeline::apps

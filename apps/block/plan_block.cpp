@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/block/plan_block.h"
+
+#include "apps/block/block_heights.h"
+#include "apps/block/foreseen.h"
+#include "apps/pipeline/area_views.h"
+#include "apps/pipeline/check_patch.h"
+#include "apps/pipeline/complete_patch.h"
+#include "apps/pipeline/image_points.h"
+#include "apps/pipeline/patch_scene.h"
+#include "apps/pipeline/stage_cache.h"
+#include "io/error.h"
+#include "io/orientation/conventions.h"
+#include "io/results/version.h"
+#include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
+#include "reconstruct/views/normalised_image.h"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace ridgeline::apps {
+namespace {
+
+using reconstruct::GridCell;
+using reconstruct::PatchGrid;
+
+Eigen::AlignedBox2d box_of(const std::vector<Eigen::Vector2d>& points) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& x : points) box.extend(x);
+  return box;
+}
+
+std::vector<Eigen::Vector2d> corners_of(const Eigen::AlignedBox2d& box) {
+  return {box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}};
+}
+
+/// Where the rays through the corners of a frame meet a height; nothing if one of them looks above the horizon.
+std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double height_m) {
+  const Eigen::Vector2i size_px =
+      image.interior && image.interior->size_px
+          ? *image.interior->size_px
+          : Eigen::Vector2i(image.facts.value().width_px, image.facts.value().height_px);
+  const Eigen::Matrix3d inverse = image.image_from_world.leftCols<3>().inverse();
+  const Eigen::Vector3d centre = projection_centre(image.image_from_world).hnormalized();
+  std::vector<Eigen::Vector2d> corners;
+  for (const Eigen::Vector2d& px :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(size_px.x(), 0),
+        Eigen::Vector2d(size_px.cast<double>()), Eigen::Vector2d(0, size_px.y())}) {
+    const Eigen::Vector3d ray = inverse * px.homogeneous();
+    if (ray.z() == 0.0 || (height_m - centre.z()) / ray.z() < 0.0) return {};
+    corners.push_back((centre + (height_m - centre.z()) / ray.z() * ray).head<2>());
+  }
+  return corners;
+}
+
+/// The box to be cut into squares: that of the area, else of the LIDAR that gives the heights, else of what the images show.
+Eigen::AlignedBox2d extent_of(const io::PatchFile& patch, const BlockHeights& heights) {
+  if (!patch.area_m.empty()) return box_of(patch.area_m);
+  if (!heights.extent_m().isEmpty()) return heights.extent_m();
+  Eigen::AlignedBox2d extent;
+  for (const io::PatchImage& image : patch.images) {
+    const double middle_m = 0.5 * (patch.height_range_m[0] + patch.height_range_m[1]);
+    for (const Eigen::Vector2d& x : footprint(image, middle_m)) extent.extend(x);
+  }
+  return extent;
+}
+
+/// Whether a box has a place in common with a convex polygon whose corners run counter-clockwise.
+bool meets(const Eigen::AlignedBox2d& box, const std::vector<Eigen::Vector2d>& polygon) {
+  const std::vector<Eigen::Vector2d> corners = corners_of(box);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d side = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const bool all_outside = std::ranges::all_of(corners, [&](const Eigen::Vector2d& x) {
+      const Eigen::Vector2d way = x - polygon[i];
+      return side.x() * way.y() - side.y() * way.x() <= 0.0;
+    });
+    if (all_outside) return false;
+  }
+  return true;
+}
+
+/// The squares of the extent that the area meets, in order.
+std::vector<GridCell> squares_of(const PatchGrid& grid,
+                                 const Eigen::AlignedBox2d& extent,
+                                 const std::vector<Eigen::Vector2d>& area) {
+  constexpr std::int64_t kMost = 1'000'000;
+  const GridCell first = grid.cell_of(extent.min());
+  const GridCell last = grid.cell_of(extent.max());
+  check((last.column - first.column + 1) * (last.row - first.row + 1) <= kMost,
+        "patch_size_m = ", grid.size_m, " cuts the block into more than ", kMost, " squares");
+  std::vector<GridCell> squares;
+  for (std::int64_t column = first.column; column <= last.column; ++column) {
+    for (std::int64_t row = first.row; row <= last.row; ++row) {
+      const Eigen::AlignedBox2d core = grid.square({column, row}).intersection(extent);
+      if ((core.sizes().array() <= 0.0).any()) continue;
+      if (area.empty() || meets(core, area)) squares.push_back({column, row});
+    }
+  }
+  return squares;
+}
+
+/// The patch of an area, without its images: as the block says, but for what is decided patch by patch.
+io::PatchFile patch_of_area(const io::BlockFile& block,
+                            const Eigen::AlignedBox2d& area_m,
+                            const std::array<double, 2>& height_range_m) {
+  io::PatchFile patch;
+  patch.path = block.patch.path;
+  patch.crs = block.patch.crs;
+  patch.max_views = block.patch.max_views;
+  patch.max_image_mpx = block.patch.max_image_mpx;
+  patch.area_m = corners_of(area_m);
+  patch.height_range_m = height_range_m;
+  return patch;
+}
+
+/// A square with its images; nothing if fewer than two show it.
+std::optional<PlannedPatch> planned(const io::BlockFile& block,
+                                    const PatchGrid& grid,
+                                    const GridCell& cell,
+                                    const Eigen::AlignedBox2d& extent,
+                                    const BlockHeights& heights) {
+  PlannedPatch plan;
+  plan.cell = cell;
+  plan.id = fmt::format("{}_{}", cell.column, cell.row);
+  plan.core_m = grid.square(cell).intersection(extent);
+  const Eigen::Vector2d overlap = Eigen::Vector2d::Constant(block.overlap_m);
+  plan.area_m = {plan.core_m.min() - overlap, plan.core_m.max() + overlap};
+  plan.height_range_m = heights.range_m(plan.area_m);
+  io::PatchFile patch = patch_of_area(block, plan.area_m, plan.height_range_m);
+  patch.images = block.patch.images;
+  patch.images = best_images(patch);
+  if (patch.images.size() < 2) return std::nullopt;
+  plan.images = transformed(patch.images, &io::PatchImage::id);
+  for (const io::PatchImage& image : patch.images) {
+    const Eigen::Vector2i size_px(image.interior.value().size_px.value());
+    if (const auto window = window_of_area(patch, image, size_px))
+      plan.windows_mpx += 1e-6 * window->width * window->height;
+  }
+  const Foreseen foreseen = foreseen_of(plan.windows_mpx, plan.images.size());
+  plan.foreseen_s = foreseen.seconds;
+  plan.foreseen_mib = foreseen.memory_mib;
+  return plan;
+}
+
+/// The values of a whole frame that become 0 and 1, by band; none for a frame of one grey.
+std::vector<std::array<double, 2>> radiometry_of(const std::string& path) {
+  const io::Picture picture = io::read_picture(path, {.window = io::Window{0, 0, 2, 2}});
+  reconstruct::BandRanges ranges = reconstruct::band_ranges(picture.sample);
+  const bool all_rise = std::ranges::all_of(ranges, [](const auto& r) { return r[0] < r[1]; });
+  return all_rise ? ranges : reconstruct::BandRanges{};
+}
+
+std::vector<PlannedFrame> frames_of(const io::BlockFile& block,
+                                    const std::vector<PlannedPatch>& patches) {
+  std::set<std::string> used;
+  for (const PlannedPatch& patch : patches) used.insert(patch.images.begin(), patch.images.end());
+  std::vector<PlannedFrame> frames;
+  for (const io::PatchImage& image : block.patch.images) {
+    if (used.contains(image.id)) frames.push_back({{"image", image.path, 0, 0, ""}, image.id, {}});
+  }
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    frames[i].file = planned_file("image", frames[i].file.path, true);
+    frames[i].radiometry = radiometry_of(frames[i].file.path);
+  });
+  return frames;
+}
+
+std::vector<std::string> warnings_of(const io::BlockFile& block) {
+  std::vector<std::string> warnings = block.patch.warnings;
+  if (const std::size_t n = block.patch.without_file.size(); n > 0) {
+    warnings.push_back(fmt::format("{}: {} images of the orientation have no file, the first is {}",
+                                   block.patch.path, n, block.patch.without_file.front().id));
+  }
+  return warnings;
+}
+
+/// Frames need a size before their windows are known. Throws IoError for a file that does not fit its camera.
+void read_sizes(io::BlockFile& block) {
+  auto& images = block.patch.images;
+  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
+    images[i].facts = io::image_facts(images[i].path);
+    if (!images[i].interior || images[i].interior->size_px) return;
+    images[i].interior->size_px =
+        Eigen::Vector2i(images[i].facts->width_px, images[i].facts->height_px);
+  });
+}
+
+}  // namespace
+
+/// Paths become absolute, because patch files in other folders state them.
+io::BlockFile read_block(const std::string& path) {
+  const std::string absolute = std::filesystem::absolute(path).lexically_normal().string();
+  io::BlockFile block = io::read_block_file(
+      absolute, [](const io::Orientation& orientation, const io::ImageFiles& files) {
+        return find_image_points(orientation, files);
+      });
+  read_sizes(block);
+  return block;
+}
+
+std::vector<PlannedFile> planned_inputs(const io::BlockFile& block) {
+  std::vector<PlannedFile> files;
+  for (const results::InputFile& input : input_files(block.patch)) {
+    if (input.role == "image") continue;
+    const bool is_small = input.role != "cloud" && input.role != "surface_model";
+    const std::string role = input.role == "patch" ? "block" : input.role;
+    files.push_back(planned_file(role, input.path, is_small));
+  }
+  return files;
+}
+
+std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& inputs) {
+  std::vector<std::string> parts{results::kVersion, results::kGitHash,
+                                 fmt::format("{}", block.patch.max_image_mpx)};
+  for (const PlannedFile& file : inputs)
+    parts.push_back(fmt::format("{} {} {}", file.path, file.bytes, file.sha256));
+  for (const io::PatchImage& image : block.patch.images)
+    parts.push_back(fmt::format("{} {}", image.path, std::filesystem::file_size(image.path)));
+  return stage_key(parts);
+}
+
+BlockPlan plan_block(const io::BlockFile& block) {
+  BlockPlan plan;
+  plan.block = block.patch.id;
+  plan.block_file = block.patch.path;
+  plan.crs = block.patch.crs.definition;
+  plan.patch_size_m = block.patch_size_m;
+  plan.overlap_m = block.overlap_m;
+  plan.area_m = block.patch.area_m;
+  plan.inputs = planned_inputs(block);
+  plan.key = key_of(block, plan.inputs);
+  plan.warnings = warnings_of(block);
+  const PatchGrid grid{block.patch_size_m};
+  const BlockHeights heights(block.patch, block.overlap_m);
+  const Eigen::AlignedBox2d extent = extent_of(block.patch, heights);
+  if (extent.isEmpty()) throw io::IoError(block.patch.path, "no image shows the ground");
+  const std::vector<GridCell> squares = squares_of(grid, extent, block.patch.area_m);
+  std::vector<std::optional<PlannedPatch>> patches(squares.size());
+  tbb::parallel_for(std::size_t{0}, squares.size(), [&](std::size_t i) {
+    patches[i] = planned(block, grid, squares[i], extent, heights);
+  });
+  for (std::optional<PlannedPatch>& patch : patches) {
+    if (patch) {
+      plan.patches.push_back(std::move(*patch));
+    } else {
+      ++plan.n_without_views;
+    }
+  }
+  if (plan.patches.empty()) {
+    throw io::IoError(
+        block.patch.path,
+        fmt::format("no two of its {} images show one of the {} squares of {} m of the area",
+                    block.patch.images.size(), squares.size(), grid.size_m));
+  }
+  plan.frames = frames_of(block, plan.patches);
+  return plan;
+}
+
+io::PatchFile patch_of(const io::BlockFile& block,
+                       const BlockPlan& plan,
+                       const PlannedPatch& planned) {
+  io::PatchFile patch = patch_of_area(block, planned.area_m, planned.height_range_m);
+  patch.id = planned.id;
+  for (const std::string& id : planned.images) {
+    const auto image = std::ranges::find(block.patch.images, id, &io::PatchImage::id);
+    const auto frame = std::ranges::find(plan.frames, id, &PlannedFrame::id);
+    check(image != block.patch.images.end() && frame != plan.frames.end(), "image ", id,
+          ", is not in the block any more");
+    patch.images.push_back(*image);
+    patch.images.back().radiometry = frame->radiometry;
+  }
+  complete_patch(patch);
+  return patch;
+}
+
+std::string patch_file_text(const io::PatchFile& patch) {
+  nlohmann::ordered_json document{{"id", patch.id}};
+  if (patch.crs.known()) document["crs"] = patch.crs.definition;
+  document["height_range"] = patch.height_range_m;
+  const Eigen::AlignedBox2d box = box_of(patch.area_m);
+  document["area"] = {box.min().x(), box.min().y(), box.max().x(), box.max().y()};
+  for (const io::PatchImage& image : patch.images) {
+    const InteriorOrientation& in = image.interior.value();
+    const ExteriorOrientation& out = image.exterior.value();
+    const io::Angles angles = io::angles_deg(out.world_from_camera_axes);
+    nlohmann::ordered_json entry{{"id", image.id}, {"path", image.path}};
+    entry["interior"] = {
+        {"focal_length_px", {in.focal_length_px.x(), in.focal_length_px.y()}},
+        {"principal_point_px", {in.principal_point_px.x(), in.principal_point_px.y()}},
+        {"size_px", {in.size_px.value().x(), in.size_px.value().y()}},
+        {"k1", in.distortion.k1},
+        {"k2", in.distortion.k2},
+        {"k3", in.distortion.k3},
+        {"p1", in.distortion.p1},
+        {"p2", in.distortion.p2}};
+    entry["exterior"] = {
+        {"position_m", {out.position_m.x(), out.position_m.y(), out.position_m.z()}},
+        {"omega_phi_kappa_deg", {angles.omega, angles.phi, angles.kappa}}};
+    const io::Window window = image.window.value();
+    entry["window_px"] = {window.column, window.row, window.width, window.height};
+    if (!image.radiometry.empty()) entry["radiometry"] = image.radiometry;
+    document["images"].push_back(entry);
+  }
+  return document.dump(1) + "\n";
+}
+
+}  // namespace ridgeline::apps

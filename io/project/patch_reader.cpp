@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/files/yaml_check.h"
+#include "io/orientation/colmap.h"
+#include "io/project/block_file.h"
+#include "io/project/image_list.h"
+#include "io/project/listed_image.h"
+#include "io/project/patch.h"
+#include "io/project/patch_area.h"
+#include "io/project/patch_orientation.h"
+#include "reconstruct/geometry/transformed.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace ridgeline::io {
+namespace {
+
+/// Whether two projection centres are in one place, which is a copied orientation and no short base: a millimetre is far
+/// below any stereo base.
+bool in_one_place(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  constexpr double kRelativeTolerance = 1e-9;  // a few millimetres in six million metres
+  return (a - b).norm() <= kRelativeTolerance * a.norm();
+}
+
+/// What a file of images is: a patch, or a block of frames that patches are cut out of.
+enum class ProjectKind : std::uint8_t { kPatch, kBlock };
+
+std::vector<std::string_view> keys_of(ProjectKind kind) {
+  std::vector<std::string_view> keys{"crs",           "height_range", "surface_model",  "area",
+                                     "max_views",     "images",       "orientation",    "cameras",
+                                     "angles",        "rotation",     "matrix",         "colmap",
+                                     "colmap_images", "lidar",        "reference_lines"};
+  if (kind == ProjectKind::kBlock) {
+    keys.insert(keys.end(), {"block", "patch_size_m", "overlap_m"});
+  } else {
+    keys.insert(keys.end(), {"id", "reference_matches", "reference_tracks"});
+  }
+  return keys;
+}
+
+class PatchReader {
+ public:
+  PatchReader(const std::string& path, ProjectKind kind)
+      : path_(path),
+        folder_(std::filesystem::path(path).parent_path()),
+        kind_(kind),
+        map_(path,
+             load_yaml(path, is_block() ? Expected::kBlock : Expected::kPatch),
+             keys_of(kind)) {}
+
+  [[nodiscard]] PatchFile read(const FindPatchPoints& find) {
+    PatchFile patch;
+    patch.path = path_;
+    patch.id = map_.text(is_block() ? "block" : "id");
+    patch.crs = crs();
+    if (map_.has("lidar")) {
+      for (const std::string& file : map_.texts("lidar")) patch.lidar.push_back(resolved(file));
+    }
+    read_heights(patch);
+    read_orientation(find, patch);
+    read_area(patch);
+    read_images(patch);
+    check_images(patch);
+    patch.reference_matches = optional_path("reference_matches");
+    patch.reference_tracks = optional_path("reference_tracks");
+    patch.reference_lines = optional_path("reference_lines");
+    return patch;
+  }
+
+  [[nodiscard]] BlockFile read_block(const FindPatchPoints& find) {
+    BlockFile block;
+    block.patch = read(find);
+    if (map_.has("patch_size_m")) block.patch_size_m = length_m("patch_size_m", 20.0, 10000.0);
+    if (map_.has("overlap_m")) block.overlap_m = length_m("overlap_m", 1.0, 1000.0);
+    if (block.overlap_m > 0.5 * block.patch_size_m) {
+      map_.fail(map_.has("overlap_m") ? "overlap_m" : "patch_size_m",
+                fmt::format("overlap_m = {}, patch_size_m = {}; a patch overlaps its neighbours by "
+                            "at most half its size",
+                            block.overlap_m, block.patch_size_m));
+    }
+    return block;
+  }
+
+ private:
+  [[nodiscard]] bool is_block() const { return kind_ == ProjectKind::kBlock; }
+
+  [[nodiscard]] double length_m(const char* key, double least, double most) const {
+    const double value = map_.number(key);
+    if (value < least || value > most) {
+      map_.fail(key, fmt::format("{} = {}; must be {} to {} m", key, value, least, most));
+    }
+    return value;
+  }
+
+  [[nodiscard]] std::string resolved(const std::string& file) const {
+    return (folder_ / file).lexically_normal().string();
+  }
+
+  [[nodiscard]] std::optional<std::string> optional_path(const char* key) const {
+    return map_.has(key) ? std::optional(resolved(map_.text(key))) : std::nullopt;
+  }
+
+  [[nodiscard]] Crs crs() const {
+    if (!map_.has("crs")) return {};
+    Crs crs{map_.text("crs")};
+    try {
+      describe(crs);
+    } catch (const std::invalid_argument& error) {
+      map_.fail("crs", std::string("crs: ") + error.what());
+    }
+    return crs;
+  }
+
+  /// Reads the orientation if the patch names one. The patch takes its reference system if it states none itself.
+  void read_orientation(const FindPatchPoints& find, PatchFile& patch) {
+    if (!map_.has("orientation")) {
+      for (const char* key : {"cameras", "angles", "rotation", "matrix"}) {
+        if (map_.has(key)) map_.fail(key, fmt::format("{} needs orientation", key));
+      }
+      return;
+    }
+    if (map_.has("colmap")) map_.fail("orientation", "orientation needs images, not colmap");
+    orientation_.emplace(map_, folder_, patch.crs, images_to_orient(), find);
+    if (!patch.crs.known()) patch.crs = orientation_->crs();
+    patch.orientation_files = orientation_->files();
+    patch.decisions = orientation_->decisions();
+    patch.warnings = orientation_->warnings();
+  }
+
+  [[nodiscard]] std::vector<ImageToOrient> images_to_orient() const {
+    std::vector<ImageToOrient> images;
+    if (names_files(map_)) {
+      for (const std::string& file : image_files(map_, folder_))
+        images.push_back(whole_image(file));
+      return images;
+    }
+    for (const ListedImage& image : listed_images())
+      if (image.takes_orientation()) images.push_back(image.to_orient());
+    return images;
+  }
+
+  [[nodiscard]] static ImageToOrient whole_image(const std::string& file) {
+    return {.name = std::filesystem::path(file).filename().string(), .path = file};
+  }
+
+  void read_heights(PatchFile& patch) const {
+    patch.surface_model = optional_path("surface_model");
+    const YAML::Node node = map_.node("height_range");
+    if (!node.IsScalar()) {
+      patch.height_range_m = height_range();
+      if (patch.surface_model) {
+        map_.fail("surface_model",
+                  "surface_model serves height_range: auto; the heights are stated");
+      }
+      return;
+    }
+    if (map_.text("height_range") != "auto") {
+      map_.fail("height_range", fmt::format("height_range = {}; must be [lowest, highest] or auto",
+                                            map_.text("height_range")));
+    }
+    if (!patch.surface_model && patch.lidar.empty()) {
+      map_.fail("height_range",
+                "height_range: auto takes the heights from lidar or surface_model; "
+                "the patch has neither");
+    }
+    patch.heights = patch.surface_model ? HeightSource::kSurfaceModel : HeightSource::kLidar;
+  }
+
+  [[nodiscard]] std::array<double, 2> height_range() const {
+    const std::vector<double> range = map_.numbers("height_range", 2);
+    if (range[0] >= range[1]) {
+      map_.fail("height_range",
+                fmt::format("height_range = [{}, {}]; the lowest height comes first and must be "
+                            "below the highest",
+                            range[0], range[1]));
+    }
+    return {range[0], range[1]};
+  }
+
+  void read_area(PatchFile& patch) const {
+    patch.area_m = area_of_patch(map_, folder_, patch.crs);
+    if (map_.has("area") && map_.node("area").IsScalar())
+      patch.area_file = resolved(map_.text("area"));
+    if (!map_.has("max_views")) return;
+    if (patch.area_m.empty() && !is_block()) {
+      map_.fail("max_views", "max_views needs area: the images that show it best are taken");
+    }
+    const double most = map_.number("max_views");
+    constexpr double kMost = 100.0;
+    if (most != std::floor(most) || most < 2.0 || most > kMost) {
+      map_.fail("max_views",
+                fmt::format("max_views = {}; must be a whole number, 2 to {}", most, kMost));
+    }
+    patch.max_views = static_cast<std::size_t>(most);
+  }
+
+  void read_images(PatchFile& patch) const {
+    if (map_.has("images") == map_.has("colmap")) {
+      map_.fail("images", "one of the keys images and colmap is needed, and not both");
+    }
+    if (is_block() && map_.has("images") && !names_files(map_)) {
+      map_.fail("images", "the images of a block are a folder or patterns of files");
+    }
+    patch.chooses_images =
+        is_block() || (!patch.area_m.empty() && (map_.has("colmap") || names_files(map_)));
+    if (map_.has("max_views") && !patch.chooses_images) {
+      map_.fail("max_views",
+                "max_views needs images by a folder or pattern, or colmap; images that "
+                "are listed one by one are all used");
+    }
+    if (patch.chooses_images && map_.has("reference_matches")) {
+      map_.fail("reference_matches",
+                "reference_matches is of the first two images, which the area "
+                "decides; state reference_tracks, or list the images");
+    }
+    if (map_.has("colmap")) {
+      patch.images = colmap_images();
+      return;
+    }
+    if (map_.has("colmap_images")) map_.fail("colmap_images", "colmap_images needs colmap");
+    if (names_files(map_)) return read_image_files(patch);
+    for (const ListedImage& image : listed_images())
+      patch.images.push_back(image.read(orientation_ ? &*orientation_ : nullptr));
+  }
+
+  /// The files of a folder or pattern, without those that the orientation does not know.
+  void read_image_files(PatchFile& patch) const {
+    if (!orientation_) map_.fail("images", "images by a folder or pattern need an orientation");
+    try {
+      OrientedFiles files = orientation_->images_of(image_files(map_, folder_));
+      patch.images = std::move(files.images);
+      patch.without_file = std::move(files.without_file);
+      if (files.unknown.empty()) return;
+      patch.warnings.push_back(fmt::format(
+          "{}: {} of {} files of images are not in the orientation and not used, the first is {}",
+          path_, files.unknown.size(), files.unknown.size() + patch.images.size(),
+          files.unknown.front()));
+    } catch (const std::invalid_argument& error) {
+      map_.fail("images", error.what());
+    }
+  }
+
+  [[nodiscard]] std::vector<ListedImage> listed_images() const {
+    const YAML::Node list = map_.node("images");
+    if (!list.IsSequence()) map_.fail("images", "images must be a list");
+    std::vector<ListedImage> images;
+    for (const YAML::Node& node : list) images.emplace_back(path_, folder_, node);
+    return images;
+  }
+
+  [[nodiscard]] std::vector<PatchImage> colmap_images() const {
+    const std::string folder =
+        map_.has("colmap_images") ? resolved(map_.text("colmap_images")) : folder_.string();
+    std::vector<PatchImage> images;
+    for (const ColmapImage& view : read_colmap(resolved(map_.text("colmap")))) {
+      PatchImage image;
+      image.id = std::to_string(view.id);
+      image.path = (std::filesystem::path(folder) / view.name).lexically_normal().string();
+      image.image_from_world = projection_matrix(view.interior, view.exterior);
+      image.interior = view.interior;
+      image.exterior = view.exterior;
+      images.push_back(image);
+    }
+    return images;
+  }
+
+  /// Images of which some are still to be chosen may share places, as those of a camera with several heads do.
+  void check_images(const PatchFile& patch) const {
+    const char* key = map_.has("images") ? "images" : "colmap";
+    const std::vector<PatchImage>& images = patch.images;
+    if (images.size() < 2) {
+      map_.fail(key, fmt::format("{} images; at least two are needed", images.size()));
+    }
+    if (patch.chooses_images) return;
+    const std::vector<Eigen::Vector3d> centres =
+        transformed(images, [](const PatchImage& image) -> Eigen::Vector3d {
+          return projection_centre(image.image_from_world).hnormalized();
+        });
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (images[i].id == images[j].id) {
+          map_.fail(key, fmt::format("two images have the id {}", images[i].id));
+        }
+        if (in_one_place(centres[i], centres[j])) {
+          map_.fail(key,
+                    fmt::format("the cameras of {} and {} are in one place; a stereo pair needs "
+                                "a base",
+                                images[j].id, images[i].id));
+        }
+      }
+    }
+  }
+
+  std::string path_;
+  std::filesystem::path folder_;
+  ProjectKind kind_;
+  YamlMap map_;
+  std::optional<PatchOrientation> orientation_;
+};
+
+}  // namespace
+
+PatchFile read_patch(const std::string& path, const FindPatchPoints& find) {
+  return PatchReader(path, ProjectKind::kPatch).read(find);
+}
+
+BlockFile read_block_file(const std::string& path, const FindPatchPoints& find) {
+  return PatchReader(path, ProjectKind::kBlock).read_block(find);
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/block/merge_lines.h"
+
+#include "reconstruct/geometry/segment_index.h"
+#include "reconstruct/geometry/transformed.h"
+
+#include <Eigen/Dense>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Parameters from..to along a line, 0 at its start and 1 at its end; none if from >= to.
+struct Stretch {
+  double from = 0.0, to = 1.0;
+  [[nodiscard]] double share() const { return std::max(to - from, 0.0); }
+};
+
+/// The part of a stretch of the segment that lies in a box in plan.
+Stretch within(const Segment3& segment, const Eigen::AlignedBox2d& box, Stretch stretch) {
+  const Eigen::Vector2d start = segment.start.head<2>();
+  const Eigen::Vector2d way = (segment.end - segment.start).head<2>();
+  for (int axis = 0; axis < 2; ++axis) {
+    if (way[axis] == 0.0) {
+      if (start[axis] < box.min()[axis] || start[axis] > box.max()[axis]) return {0.0, 0.0};
+      continue;
+    }
+    const double a = (box.min()[axis] - start[axis]) / way[axis];
+    const double b = (box.max()[axis] - start[axis]) / way[axis];
+    stretch = {std::max(stretch.from, std::min(a, b)), std::min(stretch.to, std::max(a, b))};
+  }
+  return stretch;
+}
+
+/// The part of `a` that lies beside `b`.
+Stretch beside(const Segment3& a, const Segment3& b, Stretch stretch) {
+  const double start = parameter_along(a, b.start);
+  const double end = parameter_along(a, b.end);
+  return {std::max(stretch.from, std::min(start, end)), std::min(stretch.to, std::max(start, end))};
+}
+
+/// Covariance of the point at a parameter, which may lie beyond the ends.
+Eigen::Matrix3d covariance_at(const UncertainLine& line, double t) {
+  Eigen::Matrix<double, 3, 6> J;
+  J << (1.0 - t) * Eigen::Matrix3d::Identity(), t * Eigen::Matrix3d::Identity();
+  return J * line.covariance_m2 * J.transpose();
+}
+
+/// Two unit vectors across a direction.
+Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d first = direction.unitOrthogonal();
+  Eigen::Matrix<double, 2, 3> axes;
+  axes << first.transpose(), direction.normalized().cross(first).transpose();
+  return axes;
+}
+
+/// How far the shorter line lies across the longer one at two places, as squared distances by their covariances; four degrees of
+/// freedom. The correlation of the two places is left out: it is low between the ends of a line, and they are near them.
+double squared_difference(const UncertainLine& a,
+                          const UncertainLine& b,
+                          const Stretch& of_a,
+                          double sigma_m) {
+  const Segment3& along_a = a.segment_in_world;
+  const auto axes = across(along_a.end - along_a.start);
+  double sum = 0.0;
+  for (const double t : {of_a.from, of_a.to}) {
+    const Eigen::Vector3d at_a = point_at(along_a, t);
+    const double s = parameter_along(b.segment_in_world, at_a);
+    const Eigen::Vector2d offset = axes * (point_at(b.segment_in_world, s) - at_a);
+    const Eigen::Matrix2d covariance =
+        axes * (covariance_at(a, t) + covariance_at(b, s)) * axes.transpose() +
+        sigma_m * sigma_m * Eigen::Matrix2d::Identity();
+    sum += offset.dot(covariance.ldlt().solve(offset));
+  }
+  return sum;
+}
+
+/// Probability that chi-square of four degrees of freedom exceeds a value.
+double chi_square_tail(double value) { return std::exp(-0.5 * value) * (1.0 + 0.5 * value); }
+
+/// A twin of a line, and whether it runs the other way.
+struct Twin {
+  std::size_t line = 0;
+  bool reversed = false;
+};
+
+class Merger {
+ public:
+  Merger(std::span<const FoundLine> lines, const PatchGrid& grid, const MergeOptions& options)
+      : lines_(lines), grid_(grid), options_(options), twins_(lines.size()) {
+    owners_ = transformed(lines, [&](const FoundLine& found) {
+      return grid.cell_of(midpoint(found.line.segment_in_world).head<2>());
+    });
+  }
+
+  std::vector<MergedLine> merge() {
+    find_twins();
+    std::vector<bool> is_taken(lines_.size(), false);  // as a line, or as a part of one
+    std::vector<MergedLine> merged;
+    for (const std::size_t i : in_order_of_choice()) {
+      if (is_taken[i] || !counts(i)) continue;
+      is_taken[i] = true;
+      for (const Twin& twin : twins_[i]) is_taken[twin.line] = true;
+      merged.push_back(merged_line(i, is_taken));
+    }
+    std::ranges::sort(merged, {}, [&](const MergedLine& line) {
+      return std::tuple(lines_[line.line].cell, line.line);
+    });
+    return merged;
+  }
+
+ private:
+  void find_twins() {
+    constexpr double kReach_m = 1.0;  // lines farther off are no twins, whatever their covariances
+    const Eigen::Vector2d origin =
+        lines_.empty() ? Eigen::Vector2d::Zero()
+                       : Eigen::Vector2d(lines_[0].line.segment_in_world.start.head<2>());
+    const std::vector<Segment2> plans = transformed(lines_, [&](const FoundLine& found) {
+      const Segment2 seen = plan(found.line.segment_in_world);
+      return Segment2{seen.start - origin, seen.end - origin};
+    });
+    const SegmentIndex index(plans);
+    tbb::parallel_for(std::size_t{0}, lines_.size(), [&](std::size_t i) {
+      for (const int j : index.near(plans[i], kReach_m)) {
+        if (const auto twin = twin_of(i, static_cast<std::size_t>(j))) twins_[i].push_back(*twin);
+      }
+    });
+  }
+
+  [[nodiscard]] Eigen::AlignedBox2d covered(const GridCell& cell) const {
+    Eigen::AlignedBox2d box = grid_.square(cell);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(options_.overlap_m);
+    return {box.min() - margin, box.max() + margin};
+  }
+
+  [[nodiscard]] std::optional<Twin> twin_of(std::size_t i, std::size_t j) const {
+    if (lines_[i].cell == lines_[j].cell) return std::nullopt;
+    const Eigen::AlignedBox2d both = covered(lines_[i].cell).intersection(covered(lines_[j].cell));
+    if (both.isEmpty()) return std::nullopt;
+    // The relation must not depend on the order of the two.
+    const bool i_is_longer = std::tuple(length(segment(i)), i) > std::tuple(length(segment(j)), j);
+    const std::size_t a = i_is_longer ? i : j;
+    const std::size_t b = i_is_longer ? j : i;
+    const Stretch shown_a = within(segment(a), both, {});
+    const Stretch shown_b = within(segment(b), both, {});
+    const Stretch common = beside(segment(a), segment(b), shown_a);
+    const double shorter_m =
+        std::min(shown_a.share() * length(segment(a)), shown_b.share() * length(segment(b)));
+    const double common_m = common.share() * length(segment(a));
+    if (!(common_m > 0.0) || common_m < kLeastCommon * shorter_m) return std::nullopt;
+    const double difference = squared_difference(lines_[a].line, lines_[b].line, common,
+                                                 options_.sigma_between_patches_m);
+    if (chi_square_tail(difference) < options_.significance) return std::nullopt;
+    const bool reversed =
+        (segment(i).end - segment(i).start).dot(segment(j).end - segment(j).start) < 0.0;
+    return Twin{j, reversed};
+  }
+
+  [[nodiscard]] const Segment3& segment(std::size_t i) const {
+    return lines_[i].line.segment_in_world;
+  }
+
+  [[nodiscard]] bool is_owned(std::size_t i) const { return owners_[i] == lines_[i].cell; }
+
+  /// Whether the patch of the square that a line belongs to found the line or a twin of it.
+  [[nodiscard]] bool counts(std::size_t i) const {
+    return is_owned(i) || std::ranges::any_of(twins_[i], [&](const Twin& twin) {
+             return lines_[twin.line].cell == owners_[i];
+           });
+  }
+
+  /// Lines that their own square has, first; the longest first.
+  [[nodiscard]] std::vector<std::size_t> in_order_of_choice() const {
+    std::vector<std::size_t> order(lines_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) {
+      return std::tuple(!is_owned(i), -length(segment(i)), lines_[i].cell, i);
+    });
+    return order;
+  }
+
+  [[nodiscard]] MergedLine merged_line(std::size_t i, std::vector<bool>& is_taken) const {
+    MergedLine merged{i, lines_[i].line, 1 + twins_[i].size()};
+    prolong(i, false, merged.geometry, is_taken);
+    prolong(i, true, merged.geometry, is_taken);
+    return merged;
+  }
+
+  /// Takes the end of the line from its twins, and from the twins of these, as long as it lies beyond the square of the patch that
+  /// it comes from.
+  void prolong(std::size_t i,
+               bool at_start,
+               UncertainLine& line,
+               std::vector<bool>& is_taken) const {
+    Segment3& whole = line.segment_in_world;
+    std::size_t from = i;
+    bool reversed = false;  // of `from` against `i`
+    while (grid_.cell_of((at_start ? whole.start : whole.end).head<2>()) != lines_[from].cell) {
+      std::optional<Twin> farthest;
+      double reach = at_start ? 0.0 : 1.0;
+      for (const Twin& twin : twins_[from]) {
+        const bool turned = reversed != twin.reversed;
+        const double t = parameter_along(whole, end_of(twin.line, at_start != turned));
+        if (at_start ? t >= reach : t <= reach) continue;
+        reach = t;
+        farthest = twin;
+      }
+      if (!farthest) return;
+      reversed = reversed != farthest->reversed;
+      from = farthest->line;
+      is_taken[from] = true;
+      take_end(from, at_start, at_start != reversed, line);
+    }
+  }
+
+  [[nodiscard]] const Eigen::Vector3d& end_of(std::size_t i, bool start) const {
+    return start ? segment(i).start : segment(i).end;
+  }
+
+  /// Ends that two patches found are independent but for what their images share.
+  void take_end(std::size_t from, bool at_start, bool its_start, UncertainLine& line) const {
+    (at_start ? line.segment_in_world.start : line.segment_in_world.end) = end_of(from, its_start);
+    const Eigen::Index at = at_start ? 0 : 3;
+    const Eigen::Index its = its_start ? 0 : 3;
+    line.covariance_m2.block<3, 3>(at, at) = lines_[from].line.covariance_m2.block<3, 3>(its, its);
+    line.covariance_m2.block<3, 3>(at, 3 - at).setZero();
+    line.covariance_m2.block<3, 3>(3 - at, at).setZero();
+  }
+
+  static constexpr double kLeastCommon = 0.5;
+
+  std::span<const FoundLine> lines_;
+  const PatchGrid& grid_;
+  const MergeOptions& options_;
+  std::vector<std::vector<Twin>> twins_;  ///< of each line
+  std::vector<GridCell> owners_;          ///< the square of each midpoint
+};
+
+}  // namespace
+
+std::vector<MergedLine> merge_lines(std::span<const FoundLine> lines,
+                                    const PatchGrid& grid,
+                                    const MergeOptions& options) {
+  return Merger(lines, grid, options).merge();
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reconstruct/block/patch_grid.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ridgeline::reconstruct {
+
+/// A line with the covariance of its ends, (start, end), m^2.
+struct UncertainLine {
+  Segment3 segment_in_world;
+  Eigen::Matrix<double, 6, 6> covariance_m2;
+};
+
+/// A line as the patch of one square found it.
+struct FoundLine {
+  UncertainLine line;
+  GridCell cell;
+};
+
+struct MergeOptions {
+  double overlap_m = 0.0;  ///< by which a patch reaches beyond its square on all sides
+  /// Two lines are one if chance makes them differ more in fewer cases than this share.
+  double significance = 1e-3;
+  /// Standard deviation, m, of what the covariances do not know: two patches choose images and match by themselves.
+  double sigma_between_patches_m = 0.02;
+};
+
+/// A line of the block.
+struct MergedLine {
+  std::size_t line = 0;       ///< number of the found line that it is
+  UncertainLine geometry;     ///< of that line, or longer if the line leaves its patch
+  std::size_t n_patches = 1;  ///< that found it
+};
+
+/// Makes one set of lines of those that overlapping patches found. `lines`: in the order of their squares, each set in the order of its
+/// file; the result does not depend on the order of the squares.
+///
+/// Two lines of different patches are twins if, within the place that both patches cover, they run beside each other over half of
+/// the shorter one at least, and their distances across at both ends of that stretch agree with the covariances (chi-square of four
+/// degrees of freedom). A line belongs to the square of its midpoint. It counts if the patch of that square found it, or found
+/// a twin of it: so the noise of a midpoint beside a seam neither loses nor doubles a line. Of twins the longest one that its own
+/// square has stays.
+/// A line that ends beyond the square of its patch, where another patch knows better, is prolonged by its twins, one after another.
+/// So a line that no patch shows whole is whole. A prolonged line has the covariances of the ends that it takes.
+std::vector<MergedLine> merge_lines(std::span<const FoundLine> lines,
+                                    const PatchGrid& grid,
+                                    const MergeOptions& options);
+
+}  // namespace ridgeline::reconstruct
