@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/block/block_steps.h"
+#include "apps/block/cluster_files.h"
 #include "apps/block/frames_block.h"
 #include "apps/common/command.h"
 #include "apps/common/say.h"
@@ -12,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -26,7 +28,7 @@ namespace {
 
 struct BlockArguments {
   std::string file, out, task;
-  bool plan = false, merge = false;
+  bool plan = false, merge = false, slurm = false;
   RunFlags flags;
 };
 
@@ -75,7 +77,8 @@ std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
   return n_failed;
 }
 
-int run_block(const BlockArguments& a) {
+/// `jobs`: as the command line states it, 0 without.
+int run_block(const BlockArguments& a, int jobs) {
   const RunOptions options = run_options(a.flags);
   const std::unique_ptr<BlockSteps> block = make_frames_block(a.file, a.out, options);
   const bool is_one_step = !a.task.empty() || a.merge;
@@ -92,6 +95,11 @@ int run_block(const BlockArguments& a) {
   if (a.plan) {
     say("{}: {} tasks. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n",
         plan.string(), block->n_tasks(), a.file, a.out, block->n_tasks());
+    return kDone;
+  }
+  if (a.slurm) {
+    // A task with one thread does most in its processor time, and there are many tasks.
+    write_cluster_files(*block, a.out, std::max(jobs, 1));
     return kDone;
   }
   if (!a.merge) (void)run_tasks(*block, 0, block->n_tasks() - 1);
@@ -114,8 +122,13 @@ void add_steps(CLI::App& app, BlockArguments& a) {
   CLI::Option* merge =
       app.add_flag("--merge", a.merge, "merge and judge the lines of all finished tasks")
           ->group(group);
-  plan->excludes(task)->excludes(merge);
-  task->excludes(merge);
+  CLI::Option* slurm =
+      app.add_flag("--slurm", a.slurm,
+                   "write scripts that submit all steps to Slurm, or start them by GNU parallel")
+          ->group(group);
+  plan->excludes(task)->excludes(merge)->excludes(slurm);
+  task->excludes(merge)->excludes(slurm);
+  merge->excludes(slurm);
 }
 
 }  // namespace
@@ -130,7 +143,8 @@ Run add_block(CLI::App& subcommand) {
       ->required();
   add_steps(subcommand, *a);
   add_block_flags(subcommand, a->flags);
-  return [a] { return run_block(*a); };
+  const CLI::Option* jobs = subcommand.get_parent()->get_option("--jobs");
+  return [a, jobs] { return run_block(*a, jobs->count() > 0 ? jobs->as<int>() : 0); };
 }
 
 }  // namespace ridgeline::apps

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace ridgeline::apps {
 
-/// What a task is expected to need.
+/// What a step is expected to need.
 struct Foreseen {
   double seconds = 0.0;  ///< of processor time
   double memory_mib = 0.0;
@@ -19,6 +20,18 @@ constexpr Foreseen foreseen_of(double windows_mpx, std::size_t n_images) {
   constexpr double kProgram_mib = 120.0;
   (void)n_images;
   return {kSecondsPerMpx * windows_mpx, kProgram_mib + kMibPerMpx * windows_mpx};
+}
+
+/// Judging takes most of it. `n_patches`: of the block, with a few hundred lines each. `lidar_bytes`: of all files of the cloud, which
+/// is read block by block.
+constexpr Foreseen foreseen_of_merge(std::size_t n_patches, std::uint64_t lidar_bytes) {
+  constexpr double kSecondsPerPatch = 0.5;
+  constexpr double kBytesPerSecond = 40e6;  // LAZ; LAS is read faster
+  constexpr double kMibPerPatch = 8.0;
+  constexpr double kProgram_mib = 600.0;
+  const auto n = static_cast<double>(n_patches);
+  return {kSecondsPerPatch * n + static_cast<double>(lidar_bytes) / kBytesPerSecond,
+          kProgram_mib + kMibPerPatch * n};
 }
 
 }  // namespace ridgeline::apps

@@ -27,12 +27,12 @@ trap clean_up EXIT
 # A path that scripts must quote.
 make_block() {
   folder="$work/it's a block"
-  "$program" simulate --block --out "$folder" --seed 3
+  "$program" --quiet simulate --block 1,4 --frame-px 1024,768 --out "$folder" --seed 3
   block=$folder/block.yaml
 }
 
 # One thread each, as the tasks of this test share a host.
-block_in() { "$program" --jobs 1 block "$block" --out "$work/$1" "${@:2}"; }
+block_in() { "$program" --quiet --jobs 1 block "$block" --out "$work/$1" "${@:2}"; }
 
 # run.json names folders and times; logs and scripts belong to the way that a block took.
 compare_with_one_host() {
@@ -59,12 +59,13 @@ start_slurm() {
 
 elements_on() { squeue -h -t RUNNING -w "$1" -o %i | wc -l; }
 
-# Elements of a task each keep both nodes busy for as long as this test needs.
+# Each element does one task, and waits before, so that both nodes are busy for as long as this test needs.
 submit() {
   block_in slurm --slurm
   local n_tasks
   n_tasks=$(sed -n 's/^n_tasks=//p' "$work/slurm/tasks.sbatch")
-  sed -i -e "s/^tasks_per_element=.*/tasks_per_element=1/" -e "s/--array=.*/--array=1-$n_tasks/" "$work/slurm/tasks.sbatch"
+  sed -i -e "s/^tasks_per_element=.*/tasks_per_element=1/" -e "s/--array=.*/--array=1-$n_tasks/" \
+    -e 's/^step() {/&\n  sleep 2/' "$work/slurm/tasks.sbatch"
   sh "$work/slurm/submit.sh" --partition=main
 }
 
