@@ -143,11 +143,20 @@ class BlockMerge {
     warn_of(judged.warnings);
     record_.add_warnings(judged.warnings);
     for (std::size_t i = 0; i < options_.methods.size(); ++i)
-      judged.evaluations[i].method = reconstruct::name(options_.methods[i]);
+      set_method(reconstruct::name(options_.methods[i]), judged.evaluations[i], judged.truth[i]);
     results::write_judged(judged, options_.map_schema, out_, "");
     for (std::size_t i = 0; i < options_.methods.size(); ++i)
       results_.push_back(split(judged, i, options.patch));
     write_all_tables();
+  }
+
+  /// The judge names a method after the file of its lines.
+  static void set_method(const std::string& name,
+                         Evaluation& evaluation,
+                         results::TruthRows& truth) {
+    evaluation.method = name;
+    for (evaluate::ToleranceRow& row : truth.tolerances) row.method = name;
+    for (evaluate::ReferenceRow& row : truth.references) row.method = name;
   }
 
   /// The lines of each patch, and of its neighbours, which lines that cross a seam may belong to.

@@ -42,9 +42,9 @@ std::string patches_csv(const BlockPlan& plan,
     text += fmt::format(
         "{},{},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{:.2f},{:.2f},{},{},{},{},{},{},{},{},{}\n", p.id,
         method, p.core_m.min().x(), p.core_m.min().y(), p.core_m.max().x(), p.core_m.max().y(),
-        p.images.size(), csv_field(fmt::format("{}", fmt::join(p.images, " "))), p.height_range_m[0],
-        p.height_range_m[1], o.reason.empty() ? "done" : "failed", o.n_lines, o.n_evaluated,
-        figure(o.rms_m), figure(o.median_m), figure(o.max_m), o.n_reference_lines,
+        p.images.size(), csv_field(fmt::format("{}", fmt::join(p.images, " "))),
+        p.height_range_m[0], p.height_range_m[1], o.reason.empty() ? "done" : "failed", o.n_lines,
+        o.n_evaluated, figure(o.rms_m), figure(o.median_m), figure(o.max_m), o.n_reference_lines,
         o.n_reference_found, csv_field(o.reason));
   }
   return text;

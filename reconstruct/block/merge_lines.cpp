@@ -62,21 +62,20 @@ Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
   return axes;
 }
 
-/// How far the shorter line lies across the longer one at two places, as squared distances by their covariances; four degrees of
-/// freedom. The correlation of the two places is left out: it is low between the ends of a line, and they are near them.
-double squared_difference(const UncertainLine& a,
-                          const UncertainLine& b,
-                          const Stretch& of_a,
+/// How far the ends of `shorter` lie across `longer`, as squared distances by their covariances; four degrees of freedom. The
+/// correlation of the two ends is left out: it is low.
+double squared_difference(const UncertainLine& longer,
+                          const UncertainLine& shorter,
                           double sigma_m) {
-  const Segment3& along_a = a.segment_in_world;
-  const auto axes = across(along_a.end - along_a.start);
+  const Segment3& along = longer.segment_in_world;
+  const auto axes = across(along.end - along.start);
   double sum = 0.0;
-  for (const double t : {of_a.from, of_a.to}) {
-    const Eigen::Vector3d at_a = point_at(along_a, t);
-    const double s = parameter_along(b.segment_in_world, at_a);
-    const Eigen::Vector2d offset = axes * (point_at(b.segment_in_world, s) - at_a);
+  for (const double s : {0.0, 1.0}) {
+    const Eigen::Vector3d x = point_at(shorter.segment_in_world, s);
+    const double t = parameter_along(along, x);
+    const Eigen::Vector2d offset = axes * (x - point_at(along, t));
     const Eigen::Matrix2d covariance =
-        axes * (covariance_at(a, t) + covariance_at(b, s)) * axes.transpose() +
+        axes * (covariance_at(longer, t) + covariance_at(shorter, s)) * axes.transpose() +
         sigma_m * sigma_m * Eigen::Matrix2d::Identity();
     sum += offset.dot(covariance.ldlt().solve(offset));
   }
@@ -107,8 +106,7 @@ class Merger {
     std::vector<MergedLine> merged;
     for (const std::size_t i : in_order_of_choice()) {
       if (is_taken[i] || !counts(i)) continue;
-      is_taken[i] = true;
-      for (const Twin& twin : twins_[i]) is_taken[twin.line] = true;
+      take(i, is_taken);
       merged.push_back(merged_line(i, is_taken));
     }
     std::ranges::sort(merged, {}, [&](const MergedLine& line) {
@@ -156,8 +154,8 @@ class Merger {
         std::min(shown_a.share() * length(segment(a)), shown_b.share() * length(segment(b)));
     const double common_m = common.share() * length(segment(a));
     if (!(common_m > 0.0) || common_m < kLeastCommon * shorter_m) return std::nullopt;
-    const double difference = squared_difference(lines_[a].line, lines_[b].line, common,
-                                                 options_.sigma_between_patches_m);
+    const double difference =
+        squared_difference(lines_[a].line, lines_[b].line, options_.sigma_between_patches_m);
     if (chi_square_tail(difference) < options_.significance) return std::nullopt;
     const bool reversed =
         (segment(i).end - segment(i).start).dot(segment(j).end - segment(j).start) < 0.0;
@@ -185,6 +183,11 @@ class Merger {
       return std::tuple(!is_owned(i), -length(segment(i)), lines_[i].cell, i);
     });
     return order;
+  }
+
+  void take(std::size_t i, std::vector<bool>& is_taken) const {
+    is_taken[i] = true;
+    for (const Twin& twin : twins_[i]) is_taken[twin.line] = true;
   }
 
   [[nodiscard]] MergedLine merged_line(std::size_t i, std::vector<bool>& is_taken) const {
@@ -216,7 +219,7 @@ class Merger {
       if (!farthest) return;
       reversed = reversed != farthest->reversed;
       from = farthest->line;
-      is_taken[from] = true;
+      take(from, is_taken);
       take_end(from, at_start, at_start != reversed, line);
     }
   }

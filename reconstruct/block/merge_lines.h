@@ -43,8 +43,8 @@ struct MergedLine {
 /// file; the result does not depend on the order of the squares.
 ///
 /// Two lines of different patches are twins if, within the place that both patches cover, they run beside each other over half of
-/// the shorter one at least, and their distances across at both ends of that stretch agree with the covariances (chi-square of four
-/// degrees of freedom). A line belongs to the square of its midpoint. It counts if the patch of that square found it, or found
+/// the shorter one at least, and both ends of the shorter one lie on the longer one by the covariances (chi-square of four degrees
+/// of freedom). A line belongs to the square of its midpoint. It counts if the patch of that square found it, or found
 /// a twin of it: so the noise of a midpoint beside a seam neither loses nor doubles a line. Of twins the longest one that its own
 /// square has stays.
 /// A line that ends beyond the square of its patch, where another patch knows better, is prolonged by its twins, one after another.
