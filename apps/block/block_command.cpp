@@ -77,6 +77,18 @@ std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
   return n_failed;
 }
 
+/// "120 tasks; foreseen: 96 min of processor time in all, 900 MiB for the largest".
+std::string foreseen_text(const BlockSteps& block) {
+  Foreseen all;
+  for (std::size_t i = 0; i < block.n_tasks(); ++i) {
+    const Foreseen task = block.foreseen_of_task(i);
+    all.seconds += task.seconds;
+    all.memory_mib = std::max(all.memory_mib, task.memory_mib);
+  }
+  return fmt::format("{} tasks; foreseen: {} of processor time in all, {:.0f} MiB for the largest",
+                     block.n_tasks(), duration_text(all.seconds), all.memory_mib);
+}
+
 /// `jobs`: as the command line states it, 0 without.
 int run_block(const BlockArguments& a, int jobs) {
   const RunOptions options = run_options(a.flags);
@@ -93,8 +105,8 @@ int run_block(const BlockArguments& a, int jobs) {
     return run_tasks(*block, first, last) == 0 ? kDone : kWrongInput;
   }
   if (a.plan) {
-    say("{}: {} tasks. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n",
-        plan.string(), block->n_tasks(), a.file, a.out, block->n_tasks());
+    say("{}: {}. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n", plan.string(),
+        foreseen_text(*block), a.file, a.out, block->n_tasks());
     return kDone;
   }
   if (a.slurm) {

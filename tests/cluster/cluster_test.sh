@@ -27,7 +27,7 @@ trap clean_up EXIT
 # A path that scripts must quote.
 make_block() {
   folder="$work/it's a block"
-  "$program" --quiet simulate --block 1,4 --frame-px 1024,768 --out "$folder" --seed 3
+  "$program" --quiet simulate --block 1,3 --frame-px 768,512 --out "$folder" --seed 3
   block=$folder/block.yaml
 }
 

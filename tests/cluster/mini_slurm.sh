@@ -76,15 +76,10 @@ kill_controller() {
   while kill -0 "$pid" 2>/dev/null; do sleep 0.05; done
 }
 
-# Processes whose environment holds all given NAME=VALUE.
-processes_with() {
-  local folder variable
-  for folder in /proc/[0-9]*; do
-    for variable in "$@"; do
-      tr '\0' '\n' 2>/dev/null <"$folder/environ" | grep -qxF -e "$variable" || continue 2
-    done
-    echo "${folder#/proc/}"
-  done
+# Processes of a node that a job started there: their environment says so.
+jobs_on() {
+  grep -lzsxF "SLURM_CONF=$cluster/slurm.conf" /proc/[0-9]*/environ |
+    xargs grep -lzsxF "SLURMD_NODENAME=$1" /dev/null | grep -o '[0-9]*'
 }
 
 # Those parents of processes that hold them for Slurm.
@@ -100,7 +95,7 @@ helpers_of() {
 # would tell end first.
 kill_node() {
   local jobs
-  mapfile -t jobs < <(processes_with "SLURM_CONF=$cluster/slurm.conf" "SLURMD_NODENAME=$1")
+  mapfile -t jobs < <(jobs_on "$1")
   # shellcheck disable=SC2046  # numbers
   kill -9 $(cat "$cluster/slurmd.$1.pid") $(helpers_of "${jobs[@]}") "${jobs[@]}" 2>/dev/null || true
 }
