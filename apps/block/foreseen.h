@@ -17,9 +17,9 @@ struct Foreseen {
 constexpr Foreseen foreseen_of(double windows_mpx, std::size_t n_images) {
   constexpr double kSecondsPerMpx = 3.0;
   constexpr double kMibPerMpx = 70.0;
-  constexpr double kProgram_mib = 120.0;
+  constexpr double kProgramMib = 120.0;
   (void)n_images;
-  return {kSecondsPerMpx * windows_mpx, kProgram_mib + kMibPerMpx * windows_mpx};
+  return {kSecondsPerMpx * windows_mpx, kProgramMib + kMibPerMpx * windows_mpx};
 }
 
 /// Judging takes most of it. `n_patches`: of the block, with a few hundred lines each. `lidar_bytes`: of all files of the cloud, which
@@ -28,10 +28,10 @@ constexpr Foreseen foreseen_of_merge(std::size_t n_patches, std::uint64_t lidar_
   constexpr double kSecondsPerPatch = 0.5;
   constexpr double kBytesPerSecond = 40e6;  // LAZ; LAS is read faster
   constexpr double kMibPerPatch = 8.0;
-  constexpr double kProgram_mib = 600.0;
+  constexpr double kProgramMib = 600.0;
   const auto n = static_cast<double>(n_patches);
   return {kSecondsPerPatch * n + static_cast<double>(lidar_bytes) / kBytesPerSecond,
-          kProgram_mib + kMibPerPatch * n};
+          kProgramMib + kMibPerPatch * n};
 }
 
 }  // namespace ridgeline::apps

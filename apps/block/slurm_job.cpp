@@ -13,13 +13,16 @@
 namespace ridgeline::apps {
 namespace {
 
-constexpr std::size_t kMostElements =
-    1000;  // MaxArraySize of Slurm is 1001, which its indices stay below
-constexpr double kShortestElement_s = 60.0;  // Slurm takes 0.2 s to start an element
-constexpr double kTimeMargin = 3.0;          // hosts differ, and share their disks
-constexpr double kMoreTime_s = 600.0;  // for the wait before a second attempt, and slow starts
+/// Slurm's default of MaxArraySize is 1001, and the numbers of elements must be below it.
+constexpr std::size_t kMostElements = 1000;
+/// Slurm takes 0.2 s to start an element.
+constexpr double kShortestElement_s = 60.0;
+/// Margins over what is foreseen: hosts differ and share their disks; an element may wait for its second attempt; the shell and
+/// libraries need memory, too.
+constexpr double kTimeMargin = 3.0;
+constexpr double kMoreTime_s = 600.0;
 constexpr double kMemoryMargin = 1.5;
-constexpr double kMoreMemory_mib = 256.0;  // for libraries and the shell
+constexpr double kMoreMemoryMib = 256.0;
 
 constexpr std::string_view kPlain =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+@-";
@@ -70,7 +73,7 @@ int element_min(const SlurmJob& job) {
 }
 
 int limit_mib(double foreseen_mib) {
-  return static_cast<int>(std::ceil(kMemoryMargin * foreseen_mib + kMoreMemory_mib));
+  return static_cast<int>(std::ceil(kMemoryMargin * foreseen_mib + kMoreMemoryMib));
 }
 
 /// A label, after the folder of the block: #SBATCH lines have rules of their own for blanks and quotes.
