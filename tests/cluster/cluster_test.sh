@@ -97,7 +97,7 @@ by_slurm() {
   wait_until both_nodes_work
   kill_node n2
   scontrol update nodename=n2 state=down reason=killed
-  wait_for_saved_state
+  wait_for_saved_state || fail "the controller does not save its state"
   kill_controller
   sleep 1
   start_controller
@@ -107,12 +107,17 @@ by_slurm() {
   echo "Slurm: the bytes of one host (after $SECONDS s)"
 }
 
+missing_of() {
+  local tool
+  for tool in "$@"; do command -v "$tool" >/dev/null || printf '%s ' "$tool"; done
+}
+
+PATH=$PATH:/usr/sbin  # where daemons are
+without_slurm=$(missing_of munged slurmctld slurmd sbatch)
+without_parallel=$(missing_of parallel)
+[ -z "$without_slurm" ] || [ -z "$without_parallel" ] || skip "not installed: $without_slurm$without_parallel"
 make_block
 block_in "one host"
-missing=
-if command -v parallel >/dev/null; then by_parallel; else missing="GNU parallel is not installed"; fi
-for tool in munged slurmctld slurmd sbatch; do
-  command -v "$tool" >/dev/null || skip "$tool is not installed; $missing"
-done
-by_slurm
-[ -z "$missing" ] || skip "$missing"
+[ -n "$without_parallel" ] || by_parallel
+[ -n "$without_slurm" ] || by_slurm
+[ -z "$without_slurm$without_parallel" ] || skip "not installed: $without_slurm$without_parallel"

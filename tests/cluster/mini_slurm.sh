@@ -103,8 +103,13 @@ kill_node() {
 # Returns once the controller would remember all that it did until now: it saves its state every 5 s. A controller that is
 # killed earlier starts running elements once more, and Slurm drains their nodes.
 wait_for_saved_state() {
+  local attempt
   touch "$cluster/now"
-  until [ "$cluster/state/job_state" -nt "$cluster/now" ]; do sleep 0.1; done
+  for ((attempt = 0; attempt < 200; ++attempt)); do
+    [ "$cluster/state/job_state" -nt "$cluster/now" ] && return 0
+    sleep 0.1
+  done
+  return 1
 }
 
 # Starts everything. Needs `cluster` and SLURM_CONF.
