@@ -41,7 +41,7 @@ compare_with_one_host() {
 
 by_parallel() {
   block_in parallel --slurm
-  sh "$work/parallel/parallel.sh" -j 2 || fail "parallel.sh: exit code $?"
+  HOME=$work sh "$work/parallel/parallel.sh" -j 2 || fail "parallel.sh: exit code $?"
   compare_with_one_host parallel
   echo "GNU parallel: the bytes of one host (after $SECONDS s)"
 }
