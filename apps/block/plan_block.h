@@ -33,7 +33,4 @@ io::PatchFile patch_of(const io::BlockFile& block,
                        const BlockPlan& plan,
                        const PlannedPatch& planned);
 
-/// The text of that file, which io::read_patch() takes back without loss.
-std::string patch_file_text(const io::PatchFile& patch);
-
 }  // namespace ridgeline::apps
