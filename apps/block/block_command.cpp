@@ -2,12 +2,14 @@
 #include "apps/block/block_steps.h"
 #include "apps/block/cluster_files.h"
 #include "apps/block/frames_block.h"
+#include "apps/block/lines_block.h"
 #include "apps/common/command.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
+#include "io/project/lines_block_file.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
 
@@ -89,10 +91,22 @@ std::string foreseen_text(const BlockSteps& block) {
                      block.n_tasks(), duration_text(all.seconds), all.memory_mib);
 }
 
+std::unique_ptr<BlockSteps> block_of(const BlockArguments& a) {
+  const RunOptions options = run_options(a.flags);
+  if (!io::is_lines_block(a.file)) return make_frames_block(a.file, a.out, options);
+  LinesBlockOptions of_lines;
+  of_lines.parameters = a.flags.parameters;
+  of_lines.summary = options.summary;
+  of_lines.schema = a.flags.schema;
+  of_lines.shift = options.shift;
+  of_lines.report = options.report;
+  of_lines.page = options.page;
+  return make_lines_block(a.file, a.out, of_lines);
+}
+
 /// `jobs`: as the command line states it, 0 without.
 int run_block(const BlockArguments& a, int jobs) {
-  const RunOptions options = run_options(a.flags);
-  const std::unique_ptr<BlockSteps> block = make_frames_block(a.file, a.out, options);
+  const std::unique_ptr<BlockSteps> block = block_of(a);
   const bool is_one_step = !a.task.empty() || a.merge;
   const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
   if (is_one_step && !std::filesystem::exists(plan)) {
@@ -148,7 +162,9 @@ void add_steps(CLI::App& app, BlockArguments& a) {
 Run add_block(CLI::App& subcommand) {
   auto a = std::make_shared<BlockArguments>();
   a->flags.methods = {"joint"};
-  subcommand.add_option("block", a->file, "block file (YAML): frames, their orientation, LIDAR")
+  subcommand
+      .add_option("block", a->file,
+                  "block file (YAML): frames, their orientation, LIDAR; or lines and LIDAR")
       ->required();
   subcommand
       .add_option("--out", a->out, "folder of the block; what is finished there is not done again")

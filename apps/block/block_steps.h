@@ -32,7 +32,8 @@ class BlockSteps {
   /// the plan.
   virtual void run_task(std::size_t i) = 0;
 
-  /// Merges the results of all tasks. Says which tasks have none, and leaves their parts out.
+  /// Merges the results of all tasks. Says which tasks have none. Their parts are left out where the results of the others
+  /// stand by themselves; else, as for lines that are judged, nothing is written.
   /// @return the number of tasks without results
   virtual std::size_t merge() = 0;
 };

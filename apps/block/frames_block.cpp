@@ -8,6 +8,7 @@
 #include "apps/report/write_report.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
+#include "io/files/input_file.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
@@ -87,6 +88,7 @@ class FramesBlock final : public BlockSteps {
     }
     for (const PlannedFile& file : plan_->inputs) check_unchanged(file);
     if (plan_->key == key_of(block_, planned_inputs(block_))) return;
+    for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
     throw io::IoError(plan_path(),
                       "was made of other files, or by another version of the program; remove it to "
                       "plan again: finished patches that stay as they are are kept");

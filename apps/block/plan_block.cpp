@@ -223,8 +223,7 @@ std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& i
                                  fmt::format("{}", block.patch.max_image_mpx)};
   for (const PlannedFile& file : inputs)
     parts.push_back(fmt::format("{} {} {}", file.path, file.bytes, file.sha256));
-  for (const io::PatchImage& image : block.patch.images)
-    parts.push_back(fmt::format("{} {}", image.path, std::filesystem::file_size(image.path)));
+  for (const io::PatchImage& image : block.patch.images) parts.push_back(image.path);
   return stage_key(parts);
 }
 
