@@ -253,7 +253,7 @@ class LinesBlock final : public BlockSteps {
         continue;
       }
       ++n_missing;
-      spdlog::warn("task {}, {}, has no results: {}", i, name_of(i), results_path(i));
+      spdlog::warn("task {}, {}, has no results: {}", i + 1, name_of(i), results_path(i));
     }
     return n_missing;
   }
