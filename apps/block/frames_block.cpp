@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -44,6 +45,19 @@ class FramesBlock final : public BlockSteps {
   [[nodiscard]] std::size_t n_tasks() const override { return plan_->patches.size(); }
   [[nodiscard]] std::string name_of(std::size_t i) const override {
     return "patch " + plan_->patches.at(i).id;
+  }
+
+  [[nodiscard]] Foreseen foreseen_of_task(std::size_t i) const override {
+    const PlannedPatch& patch = plan_->patches.at(i);
+    return {patch.foreseen_s, patch.foreseen_mib};
+  }
+
+  [[nodiscard]] Foreseen foreseen_of_merge() const override {
+    std::uint64_t lidar_bytes = 0;
+    for (const PlannedFile& file : plan_->inputs) {
+      if (file.role == "cloud") lidar_bytes += file.bytes;
+    }
+    return apps::foreseen_of_merge(n_tasks(), lidar_bytes);
   }
 
   void run_task(std::size_t i) override {

@@ -104,6 +104,16 @@ class LinesBlock final : public BlockSteps {
     return fmt::format("x {}, y {} ({} lines)", range(cell.column), range(cell.row), cell.n_lines);
   }
 
+  [[nodiscard]] Foreseen foreseen_of_task(std::size_t i) const override {
+    return foreseen_of_judging(cell_at(i).n_lines, given_.cloud_memory_mib);
+  }
+
+  [[nodiscard]] Foreseen foreseen_of_merge() const override {
+    std::size_t n_lines = 0;
+    for (const LinesCell& cell : the_plan().cells) n_lines += cell.n_lines;
+    return foreseen_of_judging(n_lines, 0);
+  }
+
   void run_task(std::size_t i) override {
     (void)cell_at(i);  // there must be such a task
     refuse_changes();
@@ -243,7 +253,7 @@ class LinesBlock final : public BlockSteps {
         continue;
       }
       ++n_missing;
-      spdlog::warn("task {}, {}, has no results: {}", i, name_of(i), results_path(i));
+      spdlog::warn("task {}, {}, has no results: {}", i + 1, name_of(i), results_path(i));
     }
     return n_missing;
   }

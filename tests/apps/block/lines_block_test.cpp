@@ -297,7 +297,7 @@ TEST_F(LinesBlock, WritesNoResultsWhileTasksHaveNone) {
   const ProgramResult result = step({"block", "merge"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out + result.err,
-              AllOf(HasSubstr("task 2, x 5"), HasSubstr("has no results")));
+              AllOf(HasSubstr("task 3, x 5"), HasSubstr("has no results")));
   EXPECT_TRUE(results_in("block").empty());
 }
 
