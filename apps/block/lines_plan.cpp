@@ -116,6 +116,7 @@ std::vector<LinesCell> cells_of(const results::LineSets& lines,
     n_lines.begin()->second += n_elsewhere;
   }
   std::vector<LinesCell> cells;
+  cells.reserve(n_lines.size());
   for (const auto& [place, n] : n_lines) cells.push_back({place.second, place.first, n});
   return cells;
 }

@@ -37,6 +37,7 @@ std::vector<results::LineNumbers> numbers_by_cell(const std::vector<LinesCell>& 
                                                   double size_m);
 
 /// How the tasks of a block of lines are cut, and what from.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct LinesPlan {
   nlohmann::ordered_json made_from;  ///< program, block file, inputs, options
   std::vector<LinesCell> cells;
