@@ -87,7 +87,8 @@ constexpr std::array kCommands{
     Command{"simulate", "a synthetic village: images, LIDAR, true lines",
             "  ridgeline simulate --out village\n"
             "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7\n"
-            "  ridgeline simulate --out block --frame-px 7680,13824 --orientation inpho",
+            "  ridgeline simulate --out frames --frame-px 7680,13824 --orientation inpho\n"
+            "  ridgeline simulate --out block --block 2,3",
             add_simulate},
     Command{"info", "what a file or folder is, and what to do with it",
             "  ridgeline info lidar.laz roofs.gpkg\n"

@@ -16,6 +16,7 @@ test_packages=(libgtest-dev libgmock-dev libbenchmark-dev gdal-bin python3-matpl
 node_packages=()
 command -v npm >/dev/null || node_packages=(nodejs npm)
 browser_packages=(chromium)
+cluster_packages=(slurmctld slurmd slurm-client munge parallel)  # their test is skipped without
 check_packages=(clang-format-14 clang-tidy-14)
 debian_packages=(help2man dpkg-dev lintian debootstrap python3-yaml)
 clang_packages=(clang-14 libclang-rt-14-dev)

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/block/block_steps.h"
+#include "apps/block/cluster_files.h"
 #include "apps/block/frames_block.h"
+#include "apps/block/lines_block.h"
 #include "apps/common/command.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
 #include "apps/run/run_options.h"
 #include "io/error.h"
+#include "io/project/lines_block_file.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -26,7 +30,7 @@ namespace {
 
 struct BlockArguments {
   std::string file, out, task;
-  bool plan = false, merge = false;
+  bool plan = false, merge = false, slurm = false;
   RunFlags flags;
 };
 
@@ -75,9 +79,34 @@ std::size_t run_tasks(BlockSteps& block, std::size_t first, std::size_t last) {
   return n_failed;
 }
 
-int run_block(const BlockArguments& a) {
+/// "120 tasks; foreseen: 96 min of processor time in all, 900 MiB for the largest".
+std::string foreseen_text(const BlockSteps& block) {
+  Foreseen all;
+  for (std::size_t i = 0; i < block.n_tasks(); ++i) {
+    const Foreseen task = block.foreseen_of_task(i);
+    all.seconds += task.seconds;
+    all.memory_mib = std::max(all.memory_mib, task.memory_mib);
+  }
+  return fmt::format("{} tasks; foreseen: {} of processor time in all, {:.0f} MiB for the largest",
+                     block.n_tasks(), duration_text(all.seconds), all.memory_mib);
+}
+
+std::unique_ptr<BlockSteps> block_of(const BlockArguments& a) {
   const RunOptions options = run_options(a.flags);
-  const std::unique_ptr<BlockSteps> block = make_frames_block(a.file, a.out, options);
+  if (!io::is_lines_block(a.file)) return make_frames_block(a.file, a.out, options);
+  LinesBlockOptions of_lines;
+  of_lines.parameters = a.flags.parameters;
+  of_lines.summary = options.summary;
+  of_lines.schema = a.flags.schema;
+  of_lines.shift = options.shift;
+  of_lines.report = options.report;
+  of_lines.page = options.page;
+  return make_lines_block(a.file, a.out, of_lines);
+}
+
+/// `jobs`: as the command line states it, 0 without.
+int run_block(const BlockArguments& a, int jobs) {
+  const std::unique_ptr<BlockSteps> block = block_of(a);
   const bool is_one_step = !a.task.empty() || a.merge;
   const std::filesystem::path plan = std::filesystem::path(a.out) / "plan.json";
   if (is_one_step && !std::filesystem::exists(plan)) {
@@ -90,8 +119,13 @@ int run_block(const BlockArguments& a) {
     return run_tasks(*block, first, last) == 0 ? kDone : kWrongInput;
   }
   if (a.plan) {
-    say("{}: {} tasks. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n",
-        plan.string(), block->n_tasks(), a.file, a.out, block->n_tasks());
+    say("{}: {}. Next: ridgeline block {} --out {} --task 1-{}, then --merge\n", plan.string(),
+        foreseen_text(*block), a.file, a.out, block->n_tasks());
+    return kDone;
+  }
+  if (a.slurm) {
+    // A task with one thread does most in its processor time, and there are many tasks.
+    write_cluster_files(*block, a.out, std::max(jobs, 1));
     return kDone;
   }
   if (!a.merge) (void)run_tasks(*block, 0, block->n_tasks() - 1);
@@ -114,8 +148,13 @@ void add_steps(CLI::App& app, BlockArguments& a) {
   CLI::Option* merge =
       app.add_flag("--merge", a.merge, "merge and judge the lines of all finished tasks")
           ->group(group);
-  plan->excludes(task)->excludes(merge);
-  task->excludes(merge);
+  CLI::Option* slurm =
+      app.add_flag("--slurm", a.slurm,
+                   "write scripts that submit all steps to Slurm, or start them by GNU parallel")
+          ->group(group);
+  plan->excludes(task)->excludes(merge)->excludes(slurm);
+  task->excludes(merge)->excludes(slurm);
+  merge->excludes(slurm);
 }
 
 }  // namespace
@@ -123,14 +162,17 @@ void add_steps(CLI::App& app, BlockArguments& a) {
 Run add_block(CLI::App& subcommand) {
   auto a = std::make_shared<BlockArguments>();
   a->flags.methods = {"joint"};
-  subcommand.add_option("block", a->file, "block file (YAML): frames, their orientation, LIDAR")
+  subcommand
+      .add_option("block", a->file,
+                  "block file (YAML): frames, their orientation, LIDAR; or lines and LIDAR")
       ->required();
   subcommand
       .add_option("--out", a->out, "folder of the block; what is finished there is not done again")
       ->required();
   add_steps(subcommand, *a);
   add_block_flags(subcommand, a->flags);
-  return [a] { return run_block(*a); };
+  const CLI::Option* jobs = subcommand.get_parent()->get_option("--jobs");
+  return [a, jobs] { return run_block(*a, jobs->count() > 0 ? jobs->as<int>() : 0); };
 }
 
 }  // namespace ridgeline::apps

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "apps/block/foreseen.h"
+
 #include <cstddef>
 #include <string>
 
@@ -21,11 +23,17 @@ class BlockSteps {
   /// What messages call a task, 0 <= i < n_tasks().
   [[nodiscard]] virtual std::string name_of(std::size_t i) const = 0;
 
+  /// What a task is expected to need, 0 <= i < n_tasks().
+  [[nodiscard]] virtual Foreseen foreseen_of_task(std::size_t i) const = 0;
+  /// What the merge is expected to need. There must be a plan.
+  [[nodiscard]] virtual Foreseen foreseen_of_merge() const = 0;
+
   /// Does a task unless its results are there. Throws IoError for a fault of its inputs, also if they have changed since
   /// the plan.
   virtual void run_task(std::size_t i) = 0;
 
-  /// Merges the results of all tasks. Says which tasks have none, and leaves their parts out.
+  /// Merges the results of all tasks. Says which tasks have none. Their parts are left out where the results of the others
+  /// stand by themselves; else, as for lines that are judged, nothing is written.
   /// @return the number of tasks without results
   virtual std::size_t merge() = 0;
 };

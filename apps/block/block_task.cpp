@@ -9,12 +9,14 @@
 #include "io/files/atomic_file.h"
 #include "io/files/sha256.h"
 #include "io/files/text_file.h"
+#include "io/project/write_patch.h"
 #include "io/results/version.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace ridgeline::apps {
 namespace fs = std::filesystem;
@@ -84,8 +86,11 @@ void BlockTask::run(const io::BlockFile& block) const {
     check_unchanged(frame.file);
     record.know_hash(frame.file.path, frame.file.sha256);
   }
-  io::write_file(path("patch.json"), patch_file_text(patch));
-  (void)write_patches({path("patch.json")}, options, folder_.string(), record);
+  const Eigen::AlignedBox2d& area = planned_.area_m;
+  io::write_patch(
+      patch_path(), patch,
+      {.area_m = std::array{area.min().x(), area.min().y(), area.max().x(), area.max().y()}});
+  (void)write_patches({patch_path()}, options, folder_.string(), record);
   const nlohmann::ordered_json done{{"key", key()}, {"lines", hashes_of_lines()}};
   io::write_file(path("done.json"), done.dump(1) + "\n");
   fs::remove(path("failed.txt"));

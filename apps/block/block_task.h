@@ -13,8 +13,8 @@
 namespace ridgeline::apps {
 
 /// The task of one patch, in a folder of its own:
-///   patch.json   the patch, as `ridgeline run` takes it
-///   ID/, ...     what `ridgeline run patch.json --resume` writes
+///   patch.yaml   the patch, as `ridgeline run` takes it
+///   ID/, ...     what `ridgeline run patch.yaml --resume` writes
 ///   done.json    what it was made of, and the hashes of its lines; written last
 ///   failed.txt   why it failed the last time
 class BlockTask {
@@ -31,7 +31,7 @@ class BlockTask {
   /// Reconstructs the lines of the patch. Throws IoError, also for a frame that has changed since the plan.
   void run(const io::BlockFile& block) const;
 
-  [[nodiscard]] std::string patch_path() const { return path("patch.json"); }
+  [[nodiscard]] std::string patch_path() const { return path("patch.yaml"); }
   /// The lines of a method. The task must be done.
   [[nodiscard]] std::string lines_path(reconstruct::Method method) const;
   /// Why there are none: the reason of the last failure, or that it has not run with these options.

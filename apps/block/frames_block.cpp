@@ -8,10 +8,12 @@
 #include "apps/report/write_report.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
+#include "io/files/input_file.h"
 #include "reconstruct/geometry/check.h"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -45,13 +47,26 @@ class FramesBlock final : public BlockSteps {
     return "patch " + plan_->patches.at(i).id;
   }
 
+  [[nodiscard]] Foreseen foreseen_of_task(std::size_t i) const override {
+    const PlannedPatch& patch = plan_->patches.at(i);
+    return {patch.foreseen_s, patch.foreseen_mib};
+  }
+
+  [[nodiscard]] Foreseen foreseen_of_merge() const override {
+    std::uint64_t lidar_bytes = 0;
+    for (const PlannedFile& file : plan_->inputs) {
+      if (file.role == "cloud") lidar_bytes += file.bytes;
+    }
+    return apps::foreseen_of_merge(n_tasks(), lidar_bytes);
+  }
+
   void run_task(std::size_t i) override {
     const BlockTask task(folder_, plan_->patches.at(i), *plan_, options_);
     if (task.is_done()) return;
     try {
       task.run(block_);
     } catch (const std::exception& error) {
-      task.keep_failure(error.what());
+      keep_failure(task, error.what());
       throw;
     }
   }
@@ -60,6 +75,15 @@ class FramesBlock final : public BlockSteps {
 
  private:
   [[nodiscard]] std::string plan_path() const { return (folder_ / "plan.json").string(); }
+
+  /// On a full disk the reason cannot be kept, and it matters more than that.
+  static void keep_failure(const BlockTask& task, const std::string& reason) {
+    try {
+      task.keep_failure(reason);
+    } catch (const io::IoError& error) {
+      spdlog::debug("{}", error.what());
+    }
+  }
 
   /// Takes the plan that is there. Throws IoError if it is of another block, or if inputs have changed since. Frames are checked
   /// by the tasks that use them.
@@ -73,6 +97,7 @@ class FramesBlock final : public BlockSteps {
     }
     for (const PlannedFile& file : plan_->inputs) check_unchanged(file);
     if (plan_->key == key_of(block_, planned_inputs(block_))) return;
+    for (const PlannedFrame& frame : plan_->frames) io::require_regular_file(frame.file.path);
     throw io::IoError(plan_path(),
                       "was made of other files, or by another version of the program; remove it to "
                       "plan again: finished patches that stay as they are are kept");

@@ -62,9 +62,7 @@ class BlockMerge {
 
   std::size_t run() {
     find_finished();
-    for (const Method method : options_.methods) write_lines(method);
-    record_.end_stage("merge");
-    if (!plan_of_lidar().empty()) judge();
+    if (n_finished_ > 0) write_results();
     write_patches_csv();
     write_record();
     return plan_.patches.size() - n_finished_;
@@ -77,7 +75,11 @@ class BlockMerge {
     return paths;
   }
 
-  [[nodiscard]] std::vector<std::string> plan_of_lidar() const { return block_.patch.lidar; }
+  void write_results() {
+    for (const Method method : options_.methods) write_lines(method);
+    record_.end_stage("merge");
+    if (!block_.patch.lidar.empty()) judge();
+  }
 
   void find_finished() {
     reasons_.resize(tasks_.size());
@@ -279,7 +281,8 @@ class BlockMerge {
         outcomes = results_[m].outcomes;
       } else {
         for (std::size_t i = 0; i < outcomes.size(); ++i) outcomes[i].reason = reasons_[i];
-        for (const std::size_t patch : patch_of_line_[m]) ++outcomes[patch].n_lines;
+        if (m < patch_of_line_.size())
+          for (const std::size_t patch : patch_of_line_[m]) ++outcomes[patch].n_lines;
       }
       text += patches_csv(plan_, reconstruct::name(options_.methods[m]), outcomes, m == 0);
     }

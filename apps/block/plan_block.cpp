@@ -10,7 +10,6 @@
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/stage_cache.h"
 #include "io/error.h"
-#include "io/orientation/conventions.h"
 #include "io/results/version.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
@@ -19,7 +18,6 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -225,8 +223,7 @@ std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& i
                                  fmt::format("{}", block.patch.max_image_mpx)};
   for (const PlannedFile& file : inputs)
     parts.push_back(fmt::format("{} {} {}", file.path, file.bytes, file.sha256));
-  for (const io::PatchImage& image : block.patch.images)
-    parts.push_back(fmt::format("{} {}", image.path, std::filesystem::file_size(image.path)));
+  for (const io::PatchImage& image : block.patch.images) parts.push_back(image.path);
   return stage_key(parts);
 }
 
@@ -282,37 +279,6 @@ io::PatchFile patch_of(const io::BlockFile& block,
   }
   complete_patch(patch);
   return patch;
-}
-
-std::string patch_file_text(const io::PatchFile& patch) {
-  nlohmann::ordered_json document{{"id", patch.id}};
-  if (patch.crs.known()) document["crs"] = patch.crs.definition;
-  document["height_range"] = patch.height_range_m;
-  const Eigen::AlignedBox2d box = box_of(patch.area_m);
-  document["area"] = {box.min().x(), box.min().y(), box.max().x(), box.max().y()};
-  for (const io::PatchImage& image : patch.images) {
-    const InteriorOrientation& in = image.interior.value();
-    const ExteriorOrientation& out = image.exterior.value();
-    const io::Angles angles = io::angles_deg(out.world_from_camera_axes);
-    nlohmann::ordered_json entry{{"id", image.id}, {"path", image.path}};
-    entry["interior"] = {
-        {"focal_length_px", {in.focal_length_px.x(), in.focal_length_px.y()}},
-        {"principal_point_px", {in.principal_point_px.x(), in.principal_point_px.y()}},
-        {"size_px", {in.size_px.value().x(), in.size_px.value().y()}},
-        {"k1", in.distortion.k1},
-        {"k2", in.distortion.k2},
-        {"k3", in.distortion.k3},
-        {"p1", in.distortion.p1},
-        {"p2", in.distortion.p2}};
-    entry["exterior"] = {
-        {"position_m", {out.position_m.x(), out.position_m.y(), out.position_m.z()}},
-        {"omega_phi_kappa_deg", {angles.omega, angles.phi, angles.kappa}}};
-    const io::Window window = image.window.value();
-    entry["window_px"] = {window.column, window.row, window.width, window.height};
-    if (!image.radiometry.empty()) entry["radiometry"] = image.radiometry;
-    document["images"].push_back(entry);
-  }
-  return document.dump(1) + "\n";
 }
 
 }  // namespace ridgeline::apps

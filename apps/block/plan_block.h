@@ -15,7 +15,8 @@ io::BlockFile read_block(const std::string& path);
 /// The files that a block is made of but its frames, the block file first; patterns are expanded.
 std::vector<PlannedFile> planned_inputs(const io::BlockFile& block);
 
-/// The key of a plan: equal for blocks whose inputs and frames have the same names and sizes, and the same hashes where they are known.
+/// The key of a plan: equal for blocks whose frames have the same names, and whose other inputs have the same names, sizes and, where they
+/// are known, hashes.
 std::string key_of(const io::BlockFile& block, const std::vector<PlannedFile>& inputs);
 
 /// Cuts a block into patches. Their squares lie at multiples of the size of a patch and cover the area; without an area the
@@ -32,8 +33,5 @@ BlockPlan plan_block(const io::BlockFile& block);
 io::PatchFile patch_of(const io::BlockFile& block,
                        const BlockPlan& plan,
                        const PlannedPatch& planned);
-
-/// The text of that file, which io::read_patch() takes back without loss.
-std::string patch_file_text(const io::PatchFile& patch);
 
 }  // namespace ridgeline::apps

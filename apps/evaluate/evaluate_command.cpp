@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
 #include "apps/common/option_flags.h"
-#include "apps/common/outcome.h"
 #include "apps/common/say.h"
 #include "apps/common/shared_options.h"
+#include "apps/evaluate/write_evaluation.h"
 #include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
-#include "evaluate/tables/shift_text.h"
-#include "evaluate/tables/terminal_table.h"
 #include "io/cloud/labelled_points.h"
 #include "io/results/cloud_name.h"
 #include "io/results/judge_files.h"
-#include "io/results/judged_map.h"
 #include "io/results/output_folder.h"
 #include "io/results/write_results.h"
 
-#include <spdlog/spdlog.h>
-
-#include <algorithm>
-#include <iterator>
 #include <memory>
-#include <set>
 
 namespace ridgeline::apps {
 namespace {
@@ -193,24 +185,6 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   return options;
 }
 
-std::vector<results::InputFile> inputs_of(const EvaluateArguments& a,
-                                          const results::JudgeFilesOptions& options) {
-  std::vector<results::InputFile> inputs;
-  for (const std::string& path : options.line_paths) inputs.push_back({"lines", path});
-  for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
-    inputs.push_back({"cloud", path});
-  }
-  if (options.patch) {
-    inputs.push_back({"patch", a.patch});
-    for (const std::string& path : options.patch->orientation_files)
-      inputs.push_back({"orientation", path});
-  }
-  if (options.reference_lines) inputs.push_back({"reference", *options.reference_lines});
-  if (!a.parameters.config.empty()) inputs.push_back({"config", a.parameters.config});
-  if (!options.geoid.empty()) inputs.push_back({"geoid", options.geoid});
-  return inputs;
-}
-
 void check_points_file(const EvaluateArguments& a, const std::vector<std::string>& inputs) {
   if (a.write_points.empty()) return;
   check(a.lines.size() == 1, "--write-points: there are ", a.lines.size(),
@@ -230,7 +204,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
     warn_of(options.patch->warnings);
     record.add_warnings(notes_on(*options.patch));
   }
-  const std::vector<results::InputFile> inputs = inputs_of(arguments, options);
+  const std::vector<results::InputFile> inputs = inputs_of(options, arguments.parameters.config);
   const std::vector<std::string> paths = results::paths_of(inputs);
   const results::OutputFolder out(arguments.out, paths);
   for (const std::string& name : results::result_names(options.line_paths)) (void)out.path(name);
@@ -238,33 +212,13 @@ int run_evaluate(const EvaluateArguments& arguments) {
   check_points_file(arguments, paths);
 
   const results::JudgedFiles judged = results::judge_files(options, record);
-  warn_of(judged.warnings);
-  record.add_warnings(judged.warnings);
-  const std::set<std::string> unread(judged.unread_clouds.begin(), judged.unread_clouds.end());
-  for (const results::InputFile& input : inputs) {
-    if (unread.contains(input.path)) continue;
-    record.add_input(input);
-  }
-  record.end_stage("hash_inputs");
-  results::write_judged(judged, results::map_schema_named(arguments.schema), out, "");
-  if (!arguments.write_points.empty()) results::write_plane_points(arguments.write_points, judged);
-  results::write_tables(judged.evaluations, judged.truth, out);
-  if (has_figures(judged.evaluations)) {
-    say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
-  }
-  std::vector<std::string> messages = judging_messages(options.patch_name, judged.evaluations);
-  std::ranges::move(evaluate::shift_messages(judged.evaluations, options.apply_shift),
-                    std::back_inserter(messages));
-  for (const std::string& message : messages) say("{}\n", message);
-  record.end_stage("write");
-  record.set("messages", messages);
-  record.set("page", to_json(arguments.page));
-  out.write("run.json", record.to_json());
-  for (const evaluate::Evaluation& e : judged.evaluations) {
-    say("Map for QGIS: {}\n", out.path(results::map_name(e.method)));
-  }
-  say("Tables: {}\n", out.path("table2.md"));
-  write_report_of_run(arguments.out, arguments.report);
+  write_evaluation(judged, options, inputs, out,
+                   {.folder = arguments.out,
+                    .schema = arguments.schema,
+                    .plane_points = arguments.write_points,
+                    .report = arguments.report,
+                    .page = arguments.page},
+                   record);
   return kDone;
 }
 

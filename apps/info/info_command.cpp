@@ -307,6 +307,9 @@ void print_facts(const std::string& path, const Arguments& arguments) {
   switch (kind.group) {
     case io::FileGroup::kPatch:
       return print_patch(path);
+    case io::FileGroup::kBlock:
+      fmt::print("{}: {}\n", path, kind.what.substr(2));
+      return print_use(fmt::format("ridgeline block {} --out results", path));
     case io::FileGroup::kPatchFolder:
       return print_patches(path, kind);
     case io::FileGroup::kImage:

@@ -27,6 +27,7 @@ struct CheckedPair {
   std::vector<reconstruct::PointMatch> points;
   std::array<Eigen::Vector2i, 2> sizes_px;
   double limit_px;
+  double common_share;  ///< of the images that both show, by the cameras
 };
 
 reconstruct::PairGeometry geometry_of(const reconstruct::Scene& scene, const ViewPair& views) {
@@ -106,12 +107,19 @@ bool fits_far_better(const PairFit& other, const PairFit& given, const PairReadi
                   100.0 * fit.share_that_fits, better));
 }
 
+/// The fewest points that tell whether a pair fits. Some points are found in both images by chance, and more of them the less
+/// the images share: below this number they could outvote the others.
+std::size_t fewest_points(const CheckedPair& pair) {
+  constexpr double kOfEqualImages = 30.0;
+  constexpr double kLeastShare = 0.1;
+  return static_cast<std::size_t>(kOfEqualImages / std::max(pair.common_share, kLeastShare));
+}
+
 /// Checks one pair; see check_pairs().
 std::optional<std::string> check_pair(const CheckedPair& pair) {
-  constexpr std::size_t kFewestPoints = 30;
   constexpr double kUsualShare = 0.5;
   const PairFit fit = reconstruct::fit_of_pair(pair.points, pair.geometry, pair.limit_px);
-  if (fit.n_points < kFewestPoints) {
+  if (fit.n_points < fewest_points(pair)) {
     return fmt::format(
         "{}: {} and {} show only {} points that were found in both; whether they fit their cameras "
         "is not checked",
@@ -182,7 +190,13 @@ std::vector<std::string> check_pairs(const io::PatchFile& patch,
   std::vector<std::string> doubts;
   for (const ViewPair& views : pairs) {
     const std::array numbers{views.base, views.search};
-    CheckedPair pair{patch, {}, geometry_of(scene, views), {}, {}, max_y_parallax_px};
+    CheckedPair pair{patch,
+                     {},
+                     geometry_of(scene, views),
+                     {},
+                     {},
+                     max_y_parallax_px,
+                     reconstruct::common_place(scene, views).share};
     std::array<cv::Mat, 2> images;
     for (std::size_t i = 0; i < 2; ++i) {
       images[i] = scene.views[numbers[i]].image;

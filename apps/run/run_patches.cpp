@@ -168,7 +168,6 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
 
   Progress progress(patches.size() * count_steps(options));
   std::vector<results::TruthRows> truth;
-  std::size_t n_skipped = 0;
   for (const CheckedPatch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
     std::ranges::move(result.matching, std::back_inserter(found.table1.rows));
@@ -176,13 +175,12 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
     std::ranges::move(result.evaluations, std::back_inserter(found.evaluations));
     std::ranges::move(result.truth, std::back_inserter(truth));
     std::ranges::move(result.messages, std::back_inserter(found.messages));
-    n_skipped += result.n_skipped_stages;
+    found.n_skipped_stages += result.n_skipped_stages;
   }
   progress.clear();
   for (const std::string& warning : record.warnings()) {
     if (std::ranges::find(early, warning) == early.end()) spdlog::warn("{}", warning);
   }
-  if (options.resume) spdlog::info("{} finished stages skipped", n_skipped);
 
   // Table 1 is always written: an old table beside new ones would mislead.
   write_table1(found.table1, out);
@@ -203,6 +201,7 @@ void run_patches(const std::string& command,
                  const std::string& folder) {
   results::RunRecord record(command);
   const PatchesResult found = write_patches(patch_files, options, folder, record);
+  if (options.resume) spdlog::info("{} finished stages skipped", found.n_skipped_stages);
   if (!found.table1.rows.empty() || !found.table1.tracks.empty())
     say("{}\n", evaluate::to_terminal(found.table1));
   if (has_figures(found.evaluations)) {

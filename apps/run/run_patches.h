@@ -3,6 +3,7 @@
 
 #include "apps/run/patch_run.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct PatchesResult {
   evaluate::Table1 table1;
   std::vector<evaluate::Evaluation> evaluations;
   std::vector<std::string> messages;  ///< outcome_messages() of the patches
+  std::size_t n_skipped_stages = 0;   ///< that an earlier run has finished (--resume)
 };
 
 /// Runs the patches one after another, writes their files, the tables over all of them and run.json. Decisions, warnings and

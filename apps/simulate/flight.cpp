@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/flight.h"
 
-#include "apps/simulate/planned_views.h"
 #include "apps/simulate/random.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
@@ -165,7 +164,6 @@ AerialView aerial_view(const Scene& scene,
   view.ray_from_pixel = view.image_from_local.leftCols<3>().inverse();
   if (options.frame_px) {
     check_looks_down(scene, view);
-    check_shows_middle(scene, view);
     view.village_px = pixels_of_mesh(scene.mesh, view);
   } else {
     view.village_px = {Eigen::Vector2i::Zero(), view.size_px - Eigen::Vector2i::Ones()};
@@ -175,9 +173,10 @@ AerialView aerial_view(const Scene& scene,
 
 }  // namespace
 
-std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options) {
+std::vector<AerialView> aerial_views(const Scene& scene,
+                                     const FlightOptions& options,
+                                     std::span<const PlannedView> planned) {
   validate(options);
-  const std::vector<PlannedView> planned = planned_views(options);
   check(options.size_px.empty() || options.size_px.size() == planned.size(), "size_px has ",
         options.size_px.size(), " sizes for ", planned.size(),
         " views; must have one for each or none");
@@ -187,6 +186,13 @@ std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& op
   std::ranges::transform(planned, std::back_inserter(views), [&](const PlannedView& view) {
     return aerial_view(scene, options, view);
   });
+  return views;
+}
+
+std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options) {
+  std::vector<AerialView> views = aerial_views(scene, options, planned_views(options));
+  if (!options.frame_px) return views;
+  for (const AerialView& view : views) check_shows_middle(scene, view);
   return views;
 }
 
@@ -212,13 +218,15 @@ std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene) {
   return {views[0].image_from_world, views[1].image_from_world};
 }
 
+void set_class(std::span<const ProjectionMatrix> image_from_world, io::Line& line) {
+  line.epipolar_angle_deg =
+      epipolar_angle_rad(image_from_world, line.segment_in_world) * 180.0 / std::numbers::pi;
+  line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
+}
+
 io::LineSet classed_by_views(io::LineSet lines,
                              std::span<const ProjectionMatrix> image_from_world) {
-  for (io::Line& line : lines.lines) {
-    line.epipolar_angle_deg =
-        epipolar_angle_rad(image_from_world, line.segment_in_world) * 180.0 / std::numbers::pi;
-    line.line_class = *line.epipolar_angle_deg <= kMaxAlignedAngle_deg ? "aligned" : "not_aligned";
-  }
+  for (io::Line& line : lines.lines) set_class(image_from_world, line);
   return lines;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/simulate/flight_options.h"
+#include "apps/simulate/planned_views.h"
 #include "apps/simulate/scene.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/orientation.h"
@@ -47,6 +48,11 @@ struct AerialView {
 /// not show the middle of the plan or looks at the horizon.
 std::vector<AerialView> aerial_views(const Scene& scene, const FlightOptions& options);
 
+/// The same of views that are planned in another way, as those of a block. Frames may show any part of the plan, or none.
+std::vector<AerialView> aerial_views(const Scene& scene,
+                                     const FlightOptions& options,
+                                     std::span<const PlannedView> planned);
+
 /// Two heights (world) between which the whole scene lies: whole metres, 50 m apart or more.
 std::array<double, 2> height_range_m(const Scene& scene);
 
@@ -54,8 +60,11 @@ std::array<double, 2> height_range_m(const Scene& scene);
 /// geometry of Ok et al. 2011, section 4, without errors of the flight.
 std::array<ProjectionMatrix, 2> nominal_pair(const Scene& scene);
 
-/// The lines with their epipolar angle in two or more views and the class that follows from it:
-/// `aligned` up to 10 degrees, else `not_aligned`. The pair with the largest angle decides.
+/// Sets the epipolar angle of a line in two or more views and the class that follows from it: `aligned` up to 10 degrees,
+/// else `not_aligned`. The pair with the largest angle decides.
+void set_class(std::span<const ProjectionMatrix> image_from_world, io::Line& line);
+
+/// All lines with their class by set_class().
 io::LineSet classed_by_views(io::LineSet lines, std::span<const ProjectionMatrix> image_from_world);
 
 }  // namespace ridgeline::simulate

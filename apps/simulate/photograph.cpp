@@ -18,21 +18,29 @@ void copy_rows(const cv::Mat& rows, int first_row, ImageWindow& window) {
 
 }  // namespace
 
+void photograph_rows(const Renderer& renderer,
+                     const AerialView& view,
+                     const SensorOptions& options,
+                     const std::function<void(const cv::Mat& rows, int first_row)>& take) {
+  for (int first = 0; first < view.size_px.y(); first += kRowsAtOnce) {
+    const int end = std::min(first + kRowsAtOnce, view.size_px.y());
+    take(expose(renderer.radiance(view, first, end), options, view.number, first), first);
+  }
+}
+
 ImageWindow photograph(const Renderer& renderer,
                        const AerialView& view,
                        const SensorOptions& options,
                        const std::function<void(const cv::Mat& rows)>& take) {
   ImageWindow village;
-  for (int first = 0; first < view.size_px.y(); first += kRowsAtOnce) {
-    const int end = std::min(first + kRowsAtOnce, view.size_px.y());
-    const cv::Mat rows = expose(renderer.radiance(view, first, end), options, view.number, first);
-    if (first == 0 && !view.village_px.isEmpty()) {
+  photograph_rows(renderer, view, options, [&](const cv::Mat& rows, int first_row) {
+    if (first_row == 0 && !view.village_px.isEmpty()) {
       const Eigen::Vector2i size = view.village_px.sizes() + Eigen::Vector2i::Ones();
       village = {cv::Mat(size.y(), size.x(), rows.type()), view.village_px.min()};
     }
-    copy_rows(rows, first, village);
+    copy_rows(rows, first_row, village);
     take(rows);
-  }
+  });
   return village;
 }
 

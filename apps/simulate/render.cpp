@@ -207,23 +207,32 @@ class RowBlock {
     return {view_.centre_in_local + way_m * direction, direction};
   }
 
+  /// The steps from a pixel to those within reach whose number is in [begin, end).
+  struct Steps {
+    int first, last;
+  };
+  static Steps steps_within(int begin, int end, int at) {
+    constexpr int kReach = PointSpread::kReachPx;
+    return {std::max(-kReach, begin - at), std::min(kReach, end - 1 - at)};
+  }
+
   void add(int row,
            int column,
            const PointSpread::Weights& along_x,
            const PointSpread::Weights& along_y,
            const Spectrum& light) {
     constexpr int kReach = PointSpread::kReachPx;
-    for (int k = -kReach; k <= kReach; ++k) {
-      if (row + k < first_row_ || row + k >= end_row_) continue;
-      for (int i = -kReach; i <= kReach; ++i) {
-        if (column + i < 0 || column + i >= columns_) continue;
-        const int tap_y = k + kReach;
+    const Steps down = steps_within(first_row_, end_row_, row);
+    const Steps right = steps_within(0, columns_, column);
+    for (int k = down.first; k <= down.last; ++k) {
+      const int tap_y = k + kReach;
+      const float weight_y = along_y[static_cast<std::size_t>(tap_y)];
+      Sum* sum = &sums_[index(row + k, column + right.first)];
+      for (int i = right.first; i <= right.last; ++i, ++sum) {
         const int tap_x = i + kReach;
-        const float weight =
-            along_y[static_cast<std::size_t>(tap_y)] * along_x[static_cast<std::size_t>(tap_x)];
-        Sum& sum = sums_[index(row + k, column + i)];
-        sum.light += weight * light;
-        sum.weight += weight;
+        const float weight = weight_y * along_x[static_cast<std::size_t>(tap_x)];
+        sum->light += weight * light;
+        sum->weight += weight;
       }
     }
   }

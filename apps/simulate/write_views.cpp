@@ -6,17 +6,13 @@
 #include "apps/simulate/photograph.h"
 #include "apps/simulate/planned_views.h"
 #include "apps/simulate/reference_matches.h"
-#include "io/images/image_writer.h"
 #include "io/orientation/write_orientation.h"
 #include "io/project/matches_file.h"
 #include "io/project/write_patch.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -27,8 +23,6 @@ constexpr const char* kMatchesFile = "matches.csv";
 constexpr const char* kTracksFile = "tracks.csv";
 constexpr const char* kPatchFile = "patch.yaml";
 
-std::string image_file(const std::string& id) { return id + ".tif"; }
-
 /// Two views have matches and no more.
 bool have_tracks(std::size_t num_views) { return num_views > 2; }
 
@@ -37,53 +31,12 @@ simulate::ImageWindow write_image(const simulate::Scene& scene,
                                   const simulate::AerialView& view,
                                   const ViewOptions& options,
                                   const results::OutputFolder& out) {
-  constexpr double kTurnDeg = 360.0;
-  simulate::RenderOptions render = options.render;
-  const auto steps = static_cast<double>(view.number);
-  render.sun_azimuth_deg =
-      std::fmod(render.sun_azimuth_deg + steps * options.flight.sun_step_deg, kTurnDeg);
-  const io::TiffLayout layout =
-      options.flight.frame_px ? io::TiffLayout::kTiles : io::TiffLayout::kStrips;
-  static_assert(simulate::kRowsAtOnce % io::kTile_px == 0);
-  std::optional<io::TiffWriter> image;
-  simulate::ImageWindow village = simulate::photograph(
-      simulate::Renderer(scene, render), view, options.sensor, [&](const cv::Mat& rows) {
-        if (!image) {
-          image.emplace(out.path(image_file(view.id)), cv::Size(view.size_px.x(), view.size_px.y()),
-                        rows.type(), layout);
-        }
-        image->write_rows(rows);
-      });
-  image->commit();
+  ViewFile file(out.path(image_file(view.id)), view, options);
+  simulate::ImageWindow village =
+      simulate::photograph(simulate::Renderer(scene, light_of(options, view)), view, options.sensor,
+                           [&](const cv::Mat& rows) { file.write_rows(rows); });
+  file.commit();
   return village;
-}
-
-/// Whole frames are of one camera. Other images are of one each, whose principal point is off the middle, and which is
-/// named after the image, since PAT-B names no cameras.
-io::Orientation orientation_of(const simulate::Scene& scene,
-                               std::span<const simulate::AerialView> views,
-                               bool are_frames) {
-  io::Orientation orientation;
-  orientation.crs = scene.crs;
-  orientation.ground_height_m =
-      scene.frame.origin_m.z() + scene.mean_terrain(Eigen::Vector2d(0.5 * scene.extent_m));
-  for (const simulate::AerialView& view : views) {
-    if (orientation.cameras.empty() || !are_frames) {
-      orientation.cameras.push_back({are_frames ? "frame" : image_file(view.id), view.interior});
-    }
-    orientation.images.push_back(
-        {image_file(view.id), orientation.cameras.size() - 1, view.exterior});
-  }
-  return orientation;
-}
-
-/// What the images show of the plan, on the map.
-std::array<double, 4> area_m(const simulate::Scene& scene, double margin_m) {
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(margin_m);
-  const Eigen::Vector2d origin_m = scene.frame.origin_m.head<2>();
-  const Eigen::Vector2d low = origin_m - margin;
-  const Eigen::Vector2d high = origin_m + scene.extent_m + margin;
-  return {low.x(), low.y(), high.x(), high.y()};
 }
 
 io::PatchKeys patch_keys(const simulate::Scene& scene, const ViewOptions& options) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/simulate/flight.h"
-#include "apps/simulate/render.h"
-#include "apps/simulate/sensor.h"
+#include "apps/simulate/scene.h"
+#include "apps/simulate/view_files.h"
 #include "io/lines/line_set.h"
 #include "io/results/output_folder.h"
 
@@ -11,13 +10,6 @@
 #include <vector>
 
 namespace ridgeline::apps {
-
-struct ViewOptions {
-  simulate::FlightOptions flight;
-  simulate::RenderOptions render;
-  simulate::SensorOptions sensor;
-  std::string orientation;  ///< format of write_orientation(); empty: matrices in patch.yaml
-};
 
 /// Names of the files that write_views() writes.
 std::vector<std::string> view_file_names(const ViewOptions& options);

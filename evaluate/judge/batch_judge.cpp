@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/batch_judge.h"
 
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
 
 #include <pcl/console/print.h>
@@ -167,6 +168,18 @@ void BatchJudge::judge(const PointSearch& search, std::span<const std::size_t> b
 std::vector<JudgedResult> BatchJudge::take_results() {
   identify_planes(results_);
   return std::move(results_);
+}
+
+std::vector<JudgedResult> BatchJudge::take_part() { return std::move(results_); }
+
+void join_parts(std::span<const JudgedLine> lines, std::vector<JudgedResult>& results) {
+  check(lines.size() == results.size(), "join_parts: ", results.size(), " results of ",
+        lines.size(), " lines, must be one for each");
+  const std::vector<char> repeated = repeated_ids(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (repeated[i] != 0) results[i] = duplicate(lines[i]);
+  }
+  identify_planes(results);
 }
 
 }  // namespace ridgeline::evaluate

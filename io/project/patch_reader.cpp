@@ -33,15 +33,28 @@ bool in_one_place(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 enum class ProjectKind : std::uint8_t { kPatch, kBlock };
 
 std::vector<std::string_view> keys_of(ProjectKind kind) {
-  std::vector<std::string_view> keys{"crs",           "height_range", "surface_model",  "area",
-                                     "max_views",     "images",       "orientation",    "cameras",
-                                     "angles",        "rotation",     "matrix",         "colmap",
-                                     "colmap_images", "lidar",        "reference_lines"};
-  if (kind == ProjectKind::kBlock) {
-    keys.insert(keys.end(), {"block", "patch_size_m", "overlap_m"});
+  const bool is_block = kind == ProjectKind::kBlock;
+  std::vector<std::string_view> keys{is_block ? "block" : "id",
+                                     "crs",
+                                     "height_range",
+                                     "surface_model",
+                                     "area",
+                                     "max_views",
+                                     "images",
+                                     "orientation",
+                                     "cameras",
+                                     "angles",
+                                     "rotation",
+                                     "matrix",
+                                     "colmap",
+                                     "colmap_images",
+                                     "lidar"};
+  if (is_block) {
+    keys.insert(keys.end(), {"patch_size_m", "overlap_m"});
   } else {
-    keys.insert(keys.end(), {"id", "reference_matches", "reference_tracks"});
+    keys.insert(keys.end(), {"reference_matches", "reference_tracks"});
   }
+  keys.emplace_back("reference_lines");
   return keys;
 }
 

@@ -2,10 +2,12 @@
 #include "io/project/write_patch.h"
 
 #include "io/files/atomic_file.h"
+#include "io/orientation/conventions.h"
 #include "reconstruct/geometry/check.h"
 
 #include <yaml-cpp/yaml.h>
 
+#include <array>
 #include <utility>
 
 namespace ridgeline::io {
@@ -13,22 +15,77 @@ namespace {
 
 constexpr int kLossless = 17;  // digits of a double
 
-void emit(const PatchImage& image, bool with_matrix, YAML::Emitter& yaml) {
-  check(!image.interior, "write_patch: image ", image.id, " has an interior orientation");
-  yaml << YAML::BeginMap;
-  if (!with_matrix) {
-    yaml << YAML::Key << "path" << YAML::Value << image.path << YAML::EndMap;
-    return;
+template <typename Numbers>
+void emit_numbers(const char* key, const Numbers& numbers, YAML::Emitter& yaml) {
+  yaml << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq;
+  for (const auto number : numbers) yaml << number;
+  yaml << YAML::EndSeq;
+}
+
+void emit(const InteriorOrientation& interior, YAML::Emitter& yaml) {
+  const BrownDistortion& lens = interior.distortion;
+  yaml << YAML::Key << "interior" << YAML::Value << YAML::BeginMap;
+  emit_numbers("focal_length_px", interior.focal_length_px, yaml);
+  emit_numbers("principal_point_px", interior.principal_point_px, yaml);
+  emit_numbers("size_px", interior.size_px.value(), yaml);
+  for (const auto& [key, value] :
+       {std::pair("k1", lens.k1), std::pair("k2", lens.k2), std::pair("k3", lens.k3),
+        std::pair("p1", lens.p1), std::pair("p2", lens.p2)}) {
+    if (value != 0.0) yaml << YAML::Key << key << YAML::Value << value;
   }
-  yaml << YAML::Key << "id" << YAML::Value << image.id;
-  yaml << YAML::Key << "path" << YAML::Value << image.path;
+  yaml << YAML::EndMap;
+}
+
+void emit(const ExteriorOrientation& exterior, YAML::Emitter& yaml) {
+  const Angles angles = angles_deg(exterior.world_from_camera_axes);
+  yaml << YAML::Key << "exterior" << YAML::Value << YAML::BeginMap;
+  emit_numbers("position_m", exterior.position_m, yaml);
+  emit_numbers("omega_phi_kappa_deg", std::array{angles.omega, angles.phi, angles.kappa}, yaml);
+  yaml << YAML::EndMap;
+}
+
+void emit_matrix(const PatchImage& image, YAML::Emitter& yaml) {
   yaml << YAML::Key << "projection_matrix" << YAML::Value << YAML::BeginSeq;
   for (int row = 0; row < 3; ++row) {
     yaml << YAML::Flow << YAML::BeginSeq;
     for (int column = 0; column < 4; ++column) yaml << image.image_from_world(row, column);
     yaml << YAML::EndSeq;
   }
-  yaml << YAML::EndSeq << YAML::EndMap;
+  yaml << YAML::EndSeq;
+}
+
+/// What is read of the file, or where it is cut out of the frame.
+void emit_window(const PatchImage& image, YAML::Emitter& yaml) {
+  if (image.window) {
+    const Window& w = *image.window;
+    emit_numbers("window_px", std::array{w.column, w.row, w.width, w.height}, yaml);
+  } else if (!image.window_px.isZero()) {
+    emit_numbers("window_px", image.window_px, yaml);
+  }
+}
+
+void emit_radiometry(const PatchImage& image, YAML::Emitter& yaml) {
+  if (image.radiometry.empty()) return;
+  yaml << YAML::Key << "radiometry" << YAML::Value << YAML::BeginSeq;
+  for (const auto& [low, high] : image.radiometry)
+    yaml << YAML::Flow << YAML::BeginSeq << low << high << YAML::EndSeq;
+  yaml << YAML::EndSeq;
+}
+
+void emit(const PatchImage& image, bool with_camera, YAML::Emitter& yaml) {
+  check(!image.interior || (image.exterior && image.interior->size_px), "write_patch: image ",
+        image.id, " has an interior orientation without size, or without an exterior one");
+  yaml << YAML::BeginMap;
+  if (with_camera) yaml << YAML::Key << "id" << YAML::Value << image.id;
+  yaml << YAML::Key << "path" << YAML::Value << image.path;
+  if (with_camera && !image.interior) emit_matrix(image, yaml);
+  if (with_camera && image.interior) {
+    emit(*image.interior, yaml);
+    emit(*image.exterior, yaml);
+    emit_window(image, yaml);
+  }
+  emit_radiometry(image, yaml);
+  yaml << YAML::EndMap;
 }
 
 void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter& yaml) {
@@ -36,11 +93,7 @@ void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter
 }
 
 void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
-  if (keys.area_m) {
-    yaml << YAML::Key << "area" << YAML::Value << YAML::Flow << YAML::BeginSeq;
-    for (const double bound_m : *keys.area_m) yaml << bound_m;
-    yaml << YAML::EndSeq;
-  }
+  if (keys.area_m) emit_numbers("area", *keys.area_m, yaml);
   for (const auto& [key, word] :
        {std::pair("orientation", keys.orientation), std::pair("cameras", keys.cameras),
         std::pair("matrix", keys.matrix)}) {
@@ -55,8 +108,7 @@ void write_patch(const std::string& path, const PatchFile& patch, const PatchKey
   yaml.SetDoublePrecision(kLossless);
   yaml << YAML::BeginMap << YAML::Key << "id" << YAML::Value << YAML::DoubleQuoted << patch.id;
   if (patch.crs.known()) yaml << YAML::Key << "crs" << YAML::Value << patch.crs.definition;
-  yaml << YAML::Key << "height_range" << YAML::Value << YAML::Flow << YAML::BeginSeq
-       << patch.height_range_m[0] << patch.height_range_m[1] << YAML::EndSeq;
+  emit_numbers("height_range", patch.height_range_m, yaml);
   emit(keys, yaml);
   yaml << YAML::Key << "images" << YAML::Value << YAML::BeginSeq;
   for (const PatchImage& image : patch.images) emit(image, keys.orientation.empty(), yaml);

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -107,8 +108,10 @@ class BatchedJudge {
       return;
     }
     if (!near) near = read_beyond_limit(batch, surroundings);
-    note(*near);
+    const std::size_t n_kept = near->points.size();
     const evaluate::PointGrid grid = grid_of(*near);
+    add({.n_batches = 1, .n_kept = n_kept, .cloud = std::move(*near), .read_places = {}},
+        readings_);
     for (std::size_t set = 0; set < judges_.size(); ++set) {
       std::vector<std::size_t> numbers;
       for (const LineRef& ref : batch) {
@@ -118,14 +121,19 @@ class BatchedJudge {
     }
   }
 
-  JudgedBatches take() {
+  JudgedBatches take() { return taken(&evaluate::BatchJudge::take_results); }
+  /// The results of lines that are a part of all.
+  JudgedBatches take_part() { return taken(&evaluate::BatchJudge::take_part); }
+
+ private:
+  JudgedBatches taken(std::vector<evaluate::JudgedResult> (evaluate::BatchJudge::*results_of)()) {
+    readings_.read_places = cloud_.read_places();
     JudgedBatches judged{.results = {}, .readings = std::move(readings_)};
     judged.results.reserve(judges_.size());
-    for (evaluate::BatchJudge& judge : judges_) judged.results.push_back(judge.take_results());
+    for (evaluate::BatchJudge& judge : judges_) judged.results.push_back((judge.*results_of)());
     return judged;
   }
 
- private:
   [[nodiscard]] Eigen::Vector2d middle(const LineRef& ref) const {
     const Segment3& segment = lines_[ref.set][ref.line].segment;
     return evaluate::in_range(segment) ? midpoint(plan(segment)) : Eigen::Vector2d::Zero().eval();
@@ -154,27 +162,6 @@ class BatchedJudge {
     return near;
   }
 
-  void note(const io::PointCloud& near) {
-    io::PointCloud& sum = readings_.cloud;
-    ++readings_.n_batches;
-    readings_.n_kept += near.points.size();
-    sum.frame = near.frame;
-    sum.crs = near.crs;
-    sum.horizontal_unit_m = near.horizontal_unit_m;
-    sum.vertical_unit_m = near.vertical_unit_m;
-    for (const auto count :
-         {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
-          &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
-          &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
-      sum.*count += near.*count;
-    }
-    for (const std::string& warning : near.warnings) {
-      if (std::ranges::find(sum.warnings, warning) == sum.warnings.end()) {
-        sum.warnings.push_back(warning);
-      }
-    }
-  }
-
   io::CloudFiles& cloud_;
   const LineSets& lines_;
   const evaluate::JudgeOptions& options_;
@@ -183,26 +170,65 @@ class BatchedJudge {
   CloudReadings readings_;
 };
 
+/// Judges the lines near and far, and takes the results.
+JudgedBatches judge_all(BatchedJudge judge,
+                        const std::pair<Batch, Batch>& near_and_far,
+                        JudgedBatches (BatchedJudge::*take)()) {
+  judge.judge(near_and_far.first);
+  if (!near_and_far.second.empty()) judge.judge(near_and_far.second);
+  return (judge.*take)();
+}
+
 }  // namespace
+
+void add(CloudReadings part, CloudReadings& sum) {
+  sum.n_batches += part.n_batches;
+  sum.n_kept += part.n_kept;
+  io::PointCloud& cloud = sum.cloud;
+  cloud.frame = part.cloud.frame;
+  cloud.crs = std::move(part.cloud.crs);
+  cloud.horizontal_unit_m = part.cloud.horizontal_unit_m;
+  cloud.vertical_unit_m = part.cloud.vertical_unit_m;
+  for (const auto count :
+       {&io::PointCloud::n_read, &io::PointCloud::n_dropped_class,
+        &io::PointCloud::n_dropped_withheld, &io::PointCloud::n_dropped_return,
+        &io::PointCloud::n_dropped_bounds, &io::PointCloud::n_dropped_non_finite}) {
+    cloud.*count += part.cloud.*count;
+  }
+  for (std::string& warning : part.cloud.warnings) {
+    if (std::ranges::find(cloud.warnings, warning) == cloud.warnings.end()) {
+      cloud.warnings.push_back(std::move(warning));
+    }
+  }
+  std::vector<std::size_t> places;
+  std::ranges::set_union(sum.read_places, part.read_places, std::back_inserter(places));
+  sum.read_places = std::move(places);
+}
 
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
                                std::uint64_t max_memory_bytes) {
-  const auto [near, far] = near_and_far(lines);
-  const auto judge_all = [&, &near = near, &far = far] {
-    BatchedJudge judge(cloud, lines, options, max_memory_bytes / kBytesPerPoint);
-    judge.judge(near);
-    if (!far.empty()) judge.judge(far);
-    return judge.take();
+  const std::pair<Batch, Batch> batches = near_and_far(lines);
+  const auto judge = [&] {
+    return judge_all({cloud, lines, options, max_memory_bytes / kBytesPerPoint}, batches,
+                     &BatchedJudge::take);
   };
-  JudgedBatches judged = judge_all();
-  const bool needs_points = std::ranges::any_of(near, [&](const LineRef& ref) {
+  JudgedBatches judged = judge();
+  const bool needs_points = std::ranges::any_of(batches.first, [&](const LineRef& ref) {
     return !evaluate::refusal_of(lines[ref.set][ref.line], options);
   });
   if (judged.readings.n_kept > 0 || !needs_points || cloud.unread_paths().empty()) return judged;
   cloud.distrust_headers();  // before the lines are said to lie elsewhere
-  return judge_all();
+  return judge();
+}
+
+JudgedBatches judge_part(io::CloudFiles& cloud,
+                         const LineSets& part,
+                         const evaluate::JudgeOptions& options,
+                         std::uint64_t max_memory_bytes) {
+  return judge_all({cloud, part, options, max_memory_bytes / kBytesPerPoint}, near_and_far(part),
+                   &BatchedJudge::take_part);
 }
 
 }  // namespace ridgeline::results

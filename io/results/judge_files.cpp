@@ -1,265 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/judge_files.h"
 
-#include "evaluate/statistics/frame_check.h"
-#include "evaluate/tables/shift_text.h"
 #include "io/error.h"
+#include "io/results/finish_judging.h"
 #include "io/results/judge_batches.h"
-#include "io/results/judged_lines.h"
-#include "io/results/judged_map.h"
-#include "io/results/line_shift.h"
-#include "io/results/plan_scale.h"
-#include "io/results/value_warnings.h"
+#include "io/results/prepare_lines.h"
 #include "io/text/utf8.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <Eigen/Geometry>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <iterator>
-#include <set>
-#include <string_view>
 #include <utility>
 
 namespace ridgeline::results {
-namespace {
-
-using evaluate::Evaluation;
-using evaluate::JudgedLine;
-
-/// The tolerance of check_frame(): lines with a median distance above 20 times this are not in the
-/// frame of the cloud. A geoid taken for an ellipsoid (tens of metres) is found so, and lines that are
-/// a storey too high are judged.
-constexpr double kFrameTolerance_m = 1.0;
-
-std::vector<io::LineSet> read_line_files(const JudgeFilesOptions& options) {
-  std::vector<io::LineSet> sets;
-  std::set<std::string> stems;
-  for (const std::string& path : options.line_paths) {
-    if (!stems.insert(stem_of(path)).second) {
-      throw io::IoError(path,
-                        fmt::format("a second line file named '{}'; names without extension must "
-                                    "differ, as the results are named after them",
-                                    stem_of(path)));
-    }
-    sets.push_back(io::read_lines(path, options.lines));
-  }
-  return sets;
-}
-
-/// "[CRS] x 1..2, y 3..4, z 5..6 (unit 0.3048 m)" of a box in metres, shown in the file's units.
-std::string bounds_text(const io::Crs& crs,
-                        const Eigen::AlignedBox3d& box_m,
-                        const Eigen::Vector3d& unit_m) {
-  const std::string name = io::describe(crs).name;
-  if (box_m.isEmpty()) return fmt::format("[{}] empty", name);
-  const Eigen::Vector3d low = box_m.min().cwiseQuotient(unit_m);
-  const Eigen::Vector3d high = box_m.max().cwiseQuotient(unit_m);
-  const std::string unit =
-      unit_m == Eigen::Vector3d::Ones() ? "" : fmt::format(" (unit {:.6g} m)", unit_m.x());
-  return fmt::format("[{}] x {:.2f}..{:.2f}, y {:.2f}..{:.2f}, z {:.2f}..{:.2f}{}", name, low.x(),
-                     high.x(), low.y(), high.y(), low.z(), high.z(), unit);
-}
-
-/// A hint at another unit if the lines would lie in the cloud's plan with it; "" if there is none.
-std::string unit_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
-  struct Unit {
-    const char* name;
-    double m;
-    const char* factor;
-  };
-  constexpr std::array kUnits{
-      Unit{"feet", 0.3048, "0.3048"},    Unit{"millimetres", 0.001, "0.001"},
-      Unit{"centimetres", 0.01, "0.01"}, Unit{"inches", 0.0254, "0.0254"},
-      Unit{"yards", 0.9144, "0.9144"},   Unit{"decimetres", 0.1, "0.1"},
-      Unit{"kilometres", 1000.0, "1000"}};
-  const auto overlaps = [&](double factor) {
-    const Eigen::AlignedBox2d scaled(factor * lines_m.min().head<2>(),
-                                     factor * lines_m.max().head<2>());
-    return scaled.intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
-  };
-  if (lines_m.isEmpty() || overlaps(1.0)) return "";
-  for (const Unit& unit : kUnits) {
-    if (!overlaps(unit.m)) continue;
-    return fmt::format(
-        "; times {} the lines would lie in the cloud: are they in {}, and the cloud in "
-        "metres? State the reference system of both",
-        unit.factor, unit.name);
-  }
-  if (overlaps(1.0 / 0.3048)) {
-    return "; times 3.2808 the lines would lie in the cloud: are they in metres, and the cloud's "
-           "coordinates feet? State the reference system of both";
-  }
-  return "";
-}
-
-/// A hint at exchanged or turned axes if the lines would lie in the cloud's plan with them; "" if there is none.
-std::string axis_hint(const Eigen::AlignedBox3d& lines_m, const Eigen::AlignedBox3d& cloud_m) {
-  struct Axes {
-    const char* change;
-    Eigen::Matrix2d plan;
-  };
-  const Eigen::Matrix2d exchanged{{0.0, 1.0}, {1.0, 0.0}};
-  const Eigen::Matrix2d x_turned{{-1.0, 0.0}, {0.0, 1.0}};
-  const std::array all{Axes{"x and y exchanged", exchanged}, Axes{"x negated", x_turned},
-                       Axes{"y negated", -x_turned}};
-  const auto overlaps = [&](const Eigen::Matrix2d& plan) {
-    const Eigen::Vector2d a = plan * lines_m.min().head<2>();
-    const Eigen::Vector2d b = plan * lines_m.max().head<2>();
-    return Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b))
-        .intersects(Eigen::AlignedBox2d(cloud_m.min().head<2>(), cloud_m.max().head<2>()));
-  };
-  if (lines_m.isEmpty() || overlaps(Eigen::Matrix2d::Identity())) return "";
-  const auto right =
-      std::ranges::find_if(all, [&](const Axes& axes) { return overlaps(axes.plan); });
-  if (right == all.end()) return "";
-  return fmt::format("; with {} the lines would lie in the cloud: another order or sense of axes?",
-                     right->change);
-}
-
-/// A clause on a shift that all lines have; "" if there is none.
-std::string shift_hint(const std::optional<evaluate::ConstantShift>& shift) {
-  if (!shift || !shift->is_significant()) return "";
-  return fmt::format("; all lie beside it by the same shift, {}{}{} (--apply-shift takes it away)",
-                     evaluate::shift_text(*shift),
-                     shift->cause.empty() ? "" : ", likely cause: ", shift->cause);
-}
-
-Eigen::AlignedBox3d bounds_m_of(const io::LineSet& set) {
-  const Eigen::Vector3d unit_m = unit_m_of(set);
-  Eigen::AlignedBox3d box;
-  for (const io::Line& line : set.lines) {
-    if (!all_finite(line.segment_in_world)) continue;
-    box.extend(line.segment_in_world.start.cwiseProduct(unit_m));
-    box.extend(line.segment_in_world.end.cwiseProduct(unit_m));
-  }
-  return box;
-}
-
-void refuse_foreign_frame(const Evaluation& evaluation,
-                          const io::LineSet& set,
-                          io::CloudFiles& cloud) {
-  const evaluate::FrameCheck check = evaluate::check_frame(evaluation.lines, kFrameTolerance_m);
-  if (check.same_frame) return;
-  const Eigen::AlignedBox3d cloud_box = cloud.extent_in_world();
-  if (cloud_box.isEmpty()) {
-    throw io::IoError(
-        cloud.path(),
-        fmt::format("no point lies within --bounds; must be in the cloud's own coordinates, [{}], "
-                    "unit {}",
-                    io::describe(cloud.crs()).name,
-                    io::unit_text(cloud.unit_m().x() * cloud.plan_scale().x())));
-  }
-  const Eigen::AlignedBox3d lines_box = bounds_m_of(set);
-  throw io::IoError(
-      set.path, fmt::format("lines and cloud are not in the same frame: {}; lines {}; cloud {}{}{}",
-                            check.reason + shift_hint(evaluation.shift),
-                            bounds_text(set.crs, lines_box, unit_m_of(set)),
-                            bounds_text(cloud.crs(), cloud_box, cloud.unit_m()),
-                            unit_hint(lines_box, cloud_box) + axis_hint(lines_box, cloud_box),
-                            set.stated_unit.empty()
-                                ? ""
-                                : fmt::format("; the lines' file states {}", set.stated_unit)));
-}
-
-/// Gives the lines the plan scale of the cloud. Lines that state no reference system are taken to be in its units too.
-void take_unit_of(const io::CloudFiles& cloud, io::LineSet& set) {
-  set.plan_scale = cloud.plan_scale();
-  const Eigen::Vector3d grid_from_ground(set.plan_scale.x(), set.plan_scale.y(), 1.0);
-  if (!set.crs.known()) set.unit_m = cloud.unit_m().cwiseProduct(grid_from_ground);
-}
-
-nlohmann::ordered_json cloud_facts(const CloudReadings& readings, const io::CloudFiles& files) {
-  const io::PointCloud& cloud = readings.cloud;
-  nlohmann::ordered_json json;
-  json["crs"] = io::describe(cloud.crs).name;
-  json["horizontal_unit_m"] = cloud.horizontal_unit_m;
-  json["vertical_unit_m"] = cloud.vertical_unit_m;
-  if (const Eigen::Vector2d& scale = files.plan_scale(); scale != Eigen::Vector2d::Ones()) {
-    json["plan_scale"] = {scale.x(), scale.y()};
-  }
-  json["n_batches"] = readings.n_batches;
-  json["n_files_unread"] = files.unread_paths().size();
-  json["n_read"] = cloud.n_read;
-  json["n_kept"] = readings.n_kept;
-  json["n_dropped_class"] = cloud.n_dropped_class;
-  json["n_dropped_withheld"] = cloud.n_dropped_withheld;
-  json["n_dropped_return"] = cloud.n_dropped_return;
-  json["n_dropped_bounds"] = cloud.n_dropped_bounds;
-  json["n_dropped_non_finite"] = cloud.n_dropped_non_finite;
-  return json;
-}
-
-void refuse_empty(const io::PointCloud& cloud, const std::string& path) {
-  if (cloud.n_read == 0) {
-    throw io::IoError(path, "holds no points; nothing to judge lines by");
-  }
-  const std::uint64_t filtered = cloud.n_dropped_class + cloud.n_dropped_withheld +
-                                 cloud.n_dropped_return + cloud.n_dropped_non_finite;
-  if (filtered < cloud.n_read) return;
-  throw io::IoError(path,
-                    fmt::format("no point of {} is left: {} dropped by class, {} withheld, {} not "
-                                "last returns, {} not finite; ask `ridgeline info` for its classes",
-                                cloud.n_read, cloud.n_dropped_class, cloud.n_dropped_withheld,
-                                cloud.n_dropped_return, cloud.n_dropped_non_finite));
-}
-
-Evaluation evaluation_of(const io::LineSet& set,
-                         std::vector<evaluate::JudgedResult> results,
-                         const std::optional<evaluate::ConstantShift>& shift,
-                         const LocalFrame& frame,
-                         const JudgeFilesOptions& options) {
-  Evaluation evaluation;
-  evaluation.patch = options.patch_name;
-  evaluation.method = stem_of(set.path);
-  evaluation.origin_m = frame.origin_m;
-  evaluation.options = options.summary;
-  evaluation.shift = shift;
-  evaluation.lines.reserve(results.size());
-  for (evaluate::JudgedResult& result : results) {
-    evaluation.lines.push_back(std::move(result.evaluation));
-  }
-  return evaluate::with_summaries(std::move(evaluation));
-}
-
-/// The true lines in the frame and the units of the cloud.
-std::vector<evaluate::ReferenceLine> references_beside(const io::CloudFiles& cloud,
-                                                       io::LineSet set,
-                                                       std::vector<std::string>& warnings) {
-  take_unit_of(cloud, set);
-  refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &warnings);
-  std::ranges::move(own_warnings(set), std::back_inserter(warnings));
-  return reference_lines_of(set, cloud.frame());
-}
-
-LineSets lines_beside(const io::CloudFiles& cloud,
-                      const JudgeFilesOptions& options,
-                      JudgedFiles& judged) {
-  LineSets lines;
-  for (io::LineSet& set : judged.line_sets) {
-    take_unit_of(cloud, set);
-    refuse_mismatch("lines and cloud", set.path, set.crs, cloud.crs(), &judged.warnings);
-    lines.push_back(
-        judged_lines_of(set, cloud.frame(), options.patch, options.max_aligned_angle_deg));
-  }
-  return lines;
-}
-
-/// Adds the warnings of the cloud in front of those of cloud and lines together, and the warnings of the lines behind.
-void add_warnings(const io::PointCloud& cloud, JudgedFiles& judged) {
-  judged.warnings.insert(judged.warnings.begin(), cloud.warnings.begin(), cloud.warnings.end());
-  for (const io::LineSet& set : judged.line_sets) {
-    std::ranges::move(own_warnings(set), std::back_inserter(judged.warnings));
-    if (const std::string warning = left_out_of_map(set); !warning.empty()) {
-      judged.warnings.push_back(fmt::format("{}: {}", set.path, warning));
-    }
-  }
-}
-
-}  // namespace
 
 void refuse_mismatch(std::string_view what,
                      const std::string& path,
@@ -287,10 +41,7 @@ std::string stem_of(const std::string& path) {
 }
 
 JudgedFiles judge_files(const JudgeFilesOptions& options, RunRecord& record) {
-  LinesToJudge lines{.sets = read_line_files(options), .references = {}};
-  if (options.reference_lines) {
-    lines.references = io::read_lines(*options.reference_lines, options.lines);
-  }
+  LinesToJudge lines = read_lines_to_judge(options);
   io::CloudFiles cloud(options.cloud_paths, options.cloud);
   return judge_lines(std::move(lines), cloud, options, record);
 }
@@ -299,55 +50,11 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
                         io::CloudFiles& cloud,
                         const JudgeFilesOptions& options,
                         RunRecord& record) {
-  JudgedFiles judged;
-  judged.line_sets = std::move(to_judge.sets);
-  set_plan_scale(judged.line_sets, options.patch, options.scale_to_ground, cloud, judged.warnings);
-  judged.frame = cloud.frame();
-  if (options.patch && options.patch->crs.known()) {
-    const io::PatchFile& patch = *options.patch;
-    refuse_mismatch("patch and cloud", patch.path, patch.crs, cloud.crs(), &judged.warnings);
-  }
-  LineSets lines = lines_beside(cloud, options, judged);
-  std::optional<std::vector<evaluate::ReferenceLine>> references;
-  std::vector<std::string> reference_warnings;
-  if (to_judge.references) {
-    references = references_beside(cloud, std::move(*to_judge.references), reference_warnings);
-  }
+  PreparedLines prepared = prepare_lines(std::move(to_judge), cloud, options);
   record.end_stage("read_lines");
-
-  const auto judge = [&] {
-    return judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U);
-  };
-  JudgedBatches batches = judge();
-  LineShifts shifts = shifts_of(batches, lines, judged.line_sets, options, cloud);
-  if (options.apply_shift && apply_shifts(shifts, lines)) batches = judge();
-  const io::PointCloud& facts = batches.readings.cloud;
-  record.set("cloud", cloud_facts(batches.readings, cloud));
-  record.end_stage("judge");
-
-  refuse_empty(facts, cloud.path());
-  add_warnings(facts, judged);
-  judged.unread_clouds = cloud.unread_paths();
-  std::ranges::move(reference_warnings, std::back_inserter(judged.warnings));
-  judged.cloud_crs = cloud.crs();
-  judged.cloud_unit_m = cloud.unit_m();
-  if (options.judge.keep_points) {
-    judged.points = evaluate::plane_points(batches.results.front());  // of the only line file
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    judged.planes.push_back(evaluate::judged_planes(batches.results[i]));
-    judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
-                                               shifts[i], judged.frame, options));
-    refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
-    add_value_warnings(judged.line_sets[i], judged.evaluations.back(), options.cloud.strict,
-                       judged.warnings);
-    judged.truth.push_back(compare_with_truth(judged.evaluations.back(), lines[i], references));
-    if (shifts[i] && shifts[i]->applied) {
-      judged.line_sets[i] = moved(std::move(judged.line_sets[i]), -shifts[i]->shift_m);
-    }
-  }
-  record.end_stage("statistics");
-  return judged;
+  JudgedBatches batches =
+      judge_in_batches(cloud, prepared.lines, options.judge, options.cloud_memory_mib << 20U);
+  return finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
 }
 
 }  // namespace ridgeline::results

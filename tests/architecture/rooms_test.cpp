@@ -74,6 +74,9 @@ const std::map<std::string, Folders>& allowed() {
       {"apps/pipeline", {"<method>", "<judge>", "<readers>"}},
       {"apps/common", {"apps/pipeline", "<method>", "<judge>", "<readers>"}},
       {"apps/python", {"apps/pipeline", "<method>", "<judge>", "<readers>"}},
+      {"apps/block",
+       {"apps/common", "apps/pipeline", "apps/run", "apps/report", "apps/evaluate", "<method>",
+        "<judge>", "<readers>"}},
       {"apps/report",
        {"apps/common", "apps/pipeline", "reconstruct/geometry", "<judge>", "<readers>"}},
       {"apps/simulate", {"apps/common", "reconstruct/geometry", "<judge>", "<readers>"}}};

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A cloud in tiles, and lines in batches, give the bytes that the whole cloud gives at once.
-#include "io/cloud/las_writer.h"
-#include "io/cloud/read_cloud.h"
 #include "tests/cli/cli_fixture.h"
-
-#include <array>
-#include <map>
+#include "tests/support/cut_cloud.h"
 
 namespace ridgeline::cli {
 namespace {
@@ -19,21 +15,7 @@ class EvaluateTiles : public Cli {
   /// Cuts the scene's cloud at whole multiples of `tile_m` into FOLDER/COLUMN_ROW.las; houses and
   /// their lines lie across the cuts.
   void cut(double tile_m, const std::string& folder) const {
-    io::ReadOptions all;
-    all.classes = all_classes();
-    all.exclude_withheld = false;
-    const io::PointCloud cloud = io::read_cloud({path("scene/lidar.las").string()}, all);
-    std::map<std::array<int, 2>, std::vector<io::CloudPoint>> tiles;
-    for (const io::CloudPoint& p : cloud.points) {
-      tiles[{static_cast<int>(std::floor(p.x / tile_m)),
-             static_cast<int>(std::floor(p.y / tile_m))}]
-          .push_back(p);
-    }
-    std::filesystem::create_directories(path(folder));
-    for (const auto& [key, points] : tiles) {
-      const std::string name = std::to_string(key[0]) + "_" + std::to_string(key[1]) + ".las";
-      io::write_las(path(folder + "/" + name).string(), points, cloud.frame, cloud.crs);
-    }
+    test::cut_cloud(path("scene/lidar.las"), path(folder), tile_m);
   }
 
   /// Judges the true lines and those of a tool.
@@ -61,13 +43,6 @@ class EvaluateTiles : public Cli {
          {"evaluation.truth.json", "evaluation.lines.fair.json", "table2.csv", "tolerances.csv"}) {
       EXPECT_EQ(read(path(a) / name), read(path(b) / name)) << name;
     }
-  }
-
- private:
-  static std::set<std::uint8_t> all_classes() {
-    std::set<std::uint8_t> classes;
-    for (int code = 0; code < 256; ++code) classes.insert(static_cast<std::uint8_t>(code));
-    return classes;
   }
 };
 

@@ -86,6 +86,29 @@ TEST(ReadPatch, MakesTheMatrixOfTheWindowFromTheOrientation) {
   EXPECT_LT((project(patch.images[1].image_from_world, x) - expected).norm(), kPatchPixelTolerance);
 }
 
+TEST(ReadPatch, TakesAnInteriorOrientationInPixels) {
+  const TempFolder folder;
+  const auto in_mm = read_patch(folder.write("patch.yaml", kPatch)).images[1];
+  const auto in_px =
+      read_patch(folder.write("px.yaml",
+                              patch_with("focal_length_mm: 120, pixel_size_um: 12, size_px: [7680, "
+                                         "13824], principal_point_mm: [0, 0]",
+                                         "focal_length_px: [10000, 10000], size_px: [7680, 13824], "
+                                         "principal_point_px: [3839.5, 6911.5]")))
+          .images[1];
+  EXPECT_TRUE(in_px.image_from_world.isApprox(in_mm.image_from_world, 1e-14));
+  EXPECT_EQ(in_px.interior->distortion.k1, 0.01);
+  EXPECT_THAT(error_of(patch_with("pixel_size_um: 12", "focal_length_px: [10000, 10000]")),
+              HasSubstr("focal_length_mm stands beside no focal_length_px"));
+  EXPECT_THAT(error_of(patch_with("principal_point_mm: [0, 0]", "principal_point_px: [0, 0]")),
+              HasSubstr("principal_point_px needs focal_length_px"));
+  EXPECT_THAT(error_of(patch_with(
+                  "focal_length_mm: 120, pixel_size_um: 12, size_px: [7680, 13824], "
+                  "principal_point_mm: [0, 0]",
+                  "focal_length_px: [-1, 1], size_px: [7680, 13824], principal_point_px: [0, 0]")),
+              HasSubstr("must be above 0"));
+}
+
 TEST(ReadPatch, RemovesTheDistortionInPixelsOfTheWindow) {
   const TempFolder folder;
   const PatchFile patch = read_patch(folder.write("patch.yaml", kPatch));

@@ -69,7 +69,41 @@ TEST(WritePatch, NamesAnOrientationInPlaceOfMatricesAndTheArea) {
             "images:\n  - path: left.tif\n  - path: right.tif\n");
 }
 
-TEST(WritePatch, RefusesAnImageWithDistortion) {
+TEST(WritePatch, StatesCamerasWithDistortionAndWindows) {
+  const TempFolder folder;
+  PatchFile patch = sample_patch();
+  patch.lidar.clear();
+  for (PatchImage& image : patch.images) {
+    image.interior = InteriorOrientation{.focal_length_px = {10000.0 / 3.0, 3331.0},
+                                         .principal_point_px = {2047.25, 1535.5},
+                                         .distortion = {0.01, -0.02, 0.001, 1e-4, -2e-4},
+                                         .size_px = Eigen::Vector2i(4096, 3072)};
+    image.exterior = ExteriorOrientation{
+        .position_m = {513000.1 / 3.0 + (image.id == "left" ? 0.0 : 60.0), 5403000.7, 1500.3},
+        .world_from_camera_axes = world_from_camera_axes(0.02, -0.7, 3.0)};
+    image.image_from_world = projection_matrix(*image.interior, *image.exterior);
+    image.radiometry = {{1.0 / 3.0, 250.0}, {7.0, 240.5}};
+  }
+  read_window_only(patch.images[0], {100, 200, 640, 480});
+  const std::string path = folder.file("patch.yaml");
+  write_patch(path, patch);
+  const PatchFile read = read_patch(path);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PatchImage& image = read.images[i];
+    EXPECT_EQ(image.interior->focal_length_px, patch.images[i].interior->focal_length_px);
+    EXPECT_EQ(image.interior->principal_point_px, patch.images[i].interior->principal_point_px);
+    EXPECT_EQ(image.interior->size_px, patch.images[i].interior->size_px);
+    EXPECT_EQ(image.interior->distortion.p2, -2e-4);
+    EXPECT_EQ(image.radiometry, patch.images[i].radiometry);
+    EXPECT_EQ(image.window_px, patch.images[i].window_px);
+    // Angles are rounded to the digits of a double.
+    EXPECT_TRUE(image.image_from_world.isApprox(patch.images[i].image_from_world, 1e-14));
+  }
+  EXPECT_EQ(read.images[0].window->width, 640);
+  EXPECT_FALSE(read.images[1].window);
+}
+
+TEST(WritePatch, RefusesACameraWithoutItsPose) {
   const TempFolder folder;
   PatchFile patch = sample_patch();
   patch.images[0].interior = InteriorOrientation{};

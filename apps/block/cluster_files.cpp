@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/block/cluster_files.h"
+
+#include "apps/block/slurm_job.h"
+#include "apps/common/say.h"
+#include "io/files/atomic_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace ridgeline::apps {
+namespace fs = std::filesystem;
+namespace {
+
+/// The words that this process was started with, without the program.
+std::vector<std::string> own_words() {
+  std::ifstream stream("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(stream, word, '\0');) words.push_back(word);
+  words.erase(words.begin());
+  return words;
+}
+
+/// Without the step and the number of threads, which the scripts state themselves.
+std::vector<std::string> words_of_all_steps() {
+  const std::vector<std::string> own = own_words();
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i] == "--slurm" || own[i].starts_with("--jobs=")) continue;
+    if (own[i] == "--jobs") {
+      ++i;  // its value
+      continue;
+    }
+    words.push_back(own[i]);
+  }
+  return words;
+}
+
+SlurmJob job_of(const BlockSteps& block, const std::string& folder, int threads) {
+  SlurmJob job;
+  job.program = fs::read_symlink("/proc/self/exe").string();
+  job.words = words_of_all_steps();
+  job.working_folder = fs::current_path().string();
+  job.folder = fs::canonical(folder).string();
+  job.n_tasks = block.n_tasks();
+  job.threads = threads;
+  for (std::size_t i = 0; i < job.n_tasks; ++i) {
+    const Foreseen task = block.foreseen_of_task(i);
+    job.task_s = std::max(job.task_s, task.seconds / threads);
+    job.task_mib = std::max(job.task_mib, task.memory_mib);
+    job.total_task_s += task.seconds / threads;
+  }
+  const Foreseen merge = block.foreseen_of_merge();
+  job.merge_s = merge.seconds / threads;
+  job.merge_mib = merge.memory_mib;
+  return job;
+}
+
+}  // namespace
+
+void write_cluster_files(const BlockSteps& block, const std::string& folder, int threads) {
+  const SlurmJob job = job_of(block, folder, threads);
+  io::write_file(job.folder + "/tasks.sbatch", tasks_script(job));
+  io::write_file(job.folder + "/merge.sbatch", merge_script(job));
+  io::write_file(job.folder + "/submit.sh", submit_script(job));
+  io::write_file(job.folder + "/parallel.sh", parallel_script(job));
+  say("{}", how_to_submit(job));
+}
+
+}  // namespace ridgeline::apps

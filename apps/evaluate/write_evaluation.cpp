@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/evaluate/write_evaluation.h"
+
+#include "apps/common/outcome.h"
+#include "apps/common/say.h"
+#include "apps/report/write_report.h"
+#include "evaluate/tables/shift_text.h"
+#include "evaluate/tables/terminal_table.h"
+#include "io/results/judged_map.h"
+#include "io/results/write_results.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace ridgeline::apps {
+namespace {
+
+void record_inputs(const std::vector<results::InputFile>& inputs,
+                   const std::vector<std::string>& unread_clouds,
+                   results::RunRecord& record) {
+  const std::set<std::string> unread(unread_clouds.begin(), unread_clouds.end());
+  for (const results::InputFile& input : inputs) {
+    if (unread.contains(input.path)) continue;
+    record.add_input(input);
+  }
+  record.end_stage("hash_inputs");
+}
+
+/// Says what came out.
+/// @return the messages beside the table
+std::vector<std::string> say_outcome(const results::JudgedFiles& judged,
+                                     const results::JudgeFilesOptions& options) {
+  if (has_figures(judged.evaluations)) {
+    say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
+  }
+  std::vector<std::string> messages = judging_messages(options.patch_name, judged.evaluations);
+  std::ranges::move(evaluate::shift_messages(judged.evaluations, options.apply_shift),
+                    std::back_inserter(messages));
+  for (const std::string& message : messages) say("{}\n", message);
+  return messages;
+}
+
+}  // namespace
+
+std::vector<results::InputFile> inputs_of(const results::JudgeFilesOptions& options,
+                                          const std::string& config) {
+  std::vector<results::InputFile> inputs;
+  for (const std::string& path : options.line_paths) inputs.push_back({"lines", path});
+  for (const std::string& path : io::expand_patterns(options.cloud_paths)) {
+    inputs.push_back({"cloud", path});
+  }
+  if (options.patch) {
+    inputs.push_back({"patch", options.patch->path});
+    for (const std::string& path : options.patch->orientation_files)
+      inputs.push_back({"orientation", path});
+  }
+  if (options.reference_lines) inputs.push_back({"reference", *options.reference_lines});
+  if (!config.empty()) inputs.push_back({"config", config});
+  if (!options.geoid.empty()) inputs.push_back({"geoid", options.geoid});
+  return inputs;
+}
+
+void write_evaluation(const results::JudgedFiles& judged,
+                      const results::JudgeFilesOptions& options,
+                      const std::vector<results::InputFile>& inputs,
+                      const results::OutputFolder& out,
+                      const EvaluationOutput& output,
+                      results::RunRecord& record) {
+  warn_of(judged.warnings);
+  record.add_warnings(judged.warnings);
+  record_inputs(inputs, judged.unread_clouds, record);
+  results::write_judged(judged, results::map_schema_named(output.schema), out, "");
+  if (!output.plane_points.empty()) results::write_plane_points(output.plane_points, judged);
+  results::write_tables(judged.evaluations, judged.truth, out);
+  const std::vector<std::string> messages = say_outcome(judged, options);
+  record.end_stage("write");
+  record.set("messages", messages);
+  record.set("page", to_json(output.page));
+  out.write("run.json", record.to_json());
+  for (const evaluate::Evaluation& e : judged.evaluations) {
+    say("Map for QGIS: {}\n", out.path(results::map_name(e.method)));
+  }
+  say("Tables: {}\n", out.path("table2.md"));
+  write_report_of_run(output.folder, output.report);
+}
+
+}  // namespace ridgeline::apps

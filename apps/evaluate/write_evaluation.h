@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/common/shared_options.h"
+#include "io/results/judge_files.h"
+#include "io/results/output_folder.h"
+#include "io/results/run_record.h"
+
+#include <string>
+#include <vector>
+
+namespace ridgeline::apps {
+
+/// How the results of a judgement are written.
+struct EvaluationOutput {
+  std::string folder;
+  std::string schema = "plain";  ///< see results::map_schema_named()
+  std::string plane_points;      ///< file for the points of the planes; may be empty
+  bool report = true;
+  PageFacts page;
+};
+
+/// The files that a judgement reads. `config`: the file of parameters; may be empty.
+std::vector<results::InputFile> inputs_of(const results::JudgeFilesOptions& options,
+                                          const std::string& config);
+
+/// Writes all files of a judgement, run.json and the report as well, and says on the terminal what came out.
+/// Throws IoError if a file cannot be written.
+void write_evaluation(const results::JudgedFiles& judged,
+                      const results::JudgeFilesOptions& options,
+                      const std::vector<results::InputFile>& inputs,
+                      const results::OutputFolder& out,
+                      const EvaluationOutput& output,
+                      results::RunRecord& record);
+
+}  // namespace ridgeline::apps

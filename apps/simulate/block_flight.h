@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/flight.h"
+#include "apps/simulate/planned_views.h"
+#include "apps/simulate/scene.h"
+#include "reconstruct/geometry/field.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// The strips of one direction, and the frames of one of them, are no more than this.
+inline constexpr int kMostOfABlock = 99;
+
+/// The strips of a photogrammetric block. Camera, flying height and errors are those of FlightOptions with whole frames.
+struct BlockOptions {
+  int num_strips = 2;            ///< along x, 1 to kMostOfABlock
+  int num_frames = 3;            ///< of each of these, 2 to kMostOfABlock
+  int num_cross_strips = 0;      ///< along y
+  double forward_overlap = 0.6;  ///< of neighbours in a strip
+  double side_overlap = 0.3;     ///< of neighbouring strips
+
+  static constexpr auto fields() {
+    using O = BlockOptions;
+    return std::tuple{Field{"cross_strips", &O::num_cross_strips, 0, kMostOfABlock,
+                            "further strips along y, with as many frames each as the block needs"},
+                      Field{"forward_overlap", &O::forward_overlap, 0.5, 0.95,
+                            "share of its columns that the next frame of the strip shows again"},
+                      Field{"side_overlap", &O::side_overlap, 0.0, 0.95,
+                            "share of their rows that the next strip shows again"}};
+  }
+};
+
+/// The extent of the plan that two frames of each strip show, in whole metres, whatever stands there and with the errors of
+/// the flight. The plan lies in the middle of the block. Throws std::invalid_argument for an option outside its range, a
+/// flight without whole frames and an extent that no village can have.
+Eigen::Vector2d block_extent_m(const BlockOptions& block,
+                               const FlightOptions& flight,
+                               double terrain_slope_deg);
+
+/// The frames as they are flown: the strips along x from south to north, every second one back, then those along y from
+/// east to west. They follow the ground. Ids are STRIP_FRAME with two digits or more, both from 1.
+std::vector<PlannedView> block_views(const BlockOptions& block,
+                                     const FlightOptions& flight,
+                                     const Scene& scene);
+
+/// Throws std::invalid_argument unless each place of an area of the plan (local) is shown by two views or more, at the
+/// lowest and the highest heights that the scene has above the mean terrain.
+void check_shown_twice(const Scene& scene,
+                       std::span<const AerialView> views,
+                       const Eigen::AlignedBox2d& area_m);
+
+}  // namespace ridgeline::simulate

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/cloud/cloud_files.h"
+#include "io/results/judge_batches.h"
+#include "io/results/judge_files.h"
+#include "io/results/prepare_lines.h"
+#include "io/results/run_record.h"
+
+namespace ridgeline::results {
+
+/// The last step of judge_lines(), which needs all lines: their shift, the figures, the check of the frame, and
+/// warnings of the values. With JudgeFilesOptions::apply_shift it judges them once more. `batches`: what judge_in_batches()
+/// gave for the prepared lines.
+/// Throws IoError as judge_files().
+JudgedFiles finish_judging(PreparedLines prepared,
+                           JudgedBatches batches,
+                           io::CloudFiles& cloud,
+                           const JudgeFilesOptions& options,
+                           RunRecord& record);
+
+}  // namespace ridgeline::results

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A block of frames: plan, tasks, merge, in one call or step by step.
+#include "tests/cli/oriented_patch.h"
+
+#include <fstream>
+#include <set>
+
+namespace ridgeline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The small patch as a block of four squares.
+class Block : public OrientedPatch {
+ protected:
+  Block() {
+    fs::create_directories(path("patch/frames"));
+    for (const char* id : {"left", "right"})
+      fs::rename(path(fmt::format("patch/{}.tif", id)),
+                 path(fmt::format("patch/frames/{}.tif", id)));
+    write_block("block.yaml");
+  }
+
+  void write_block(const std::string& file,
+                   const std::string& more = "patch_size_m: 40\noverlap_m: 8\n",
+                   const std::string& images = "frames/*.tif") const {
+    write(path("patch/" + file),
+          fmt::format(
+              "block: village\ncrs: EPSG:25832\norientation: opk.csv\ncameras: cameras.yaml\n"
+              "images: {}\nlidar: [lidar.las]\nheight_range: auto\nreference_lines: truth.geojson\n"
+              "area: {}\n{}",
+              images, area(), more));
+  }
+
+  /// The box of the true lines, moved so that squares of 40 m cut it into four.
+  [[nodiscard]] std::string area() const { return "[513004, 5403004, 513044, 5403044]"; }
+
+  [[nodiscard]] ProgramResult block(const std::string& out,
+                                    const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"block", "patch/block.yaml", "--out", out, "--no-report"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+
+  /// The files of a block's folder that are results, with their content.
+  [[nodiscard]] std::map<std::string, std::string> results(const std::string& out) const {
+    std::map<std::string, std::string> files;
+    for (const std::string& name : names_in(path(out))) {
+      if (name == "tasks" || name == "run.json") continue;
+      files[name] = read(path(out + "/" + name));
+    }
+    return files;
+  }
+};
+
+TEST_F(Block, GivesTheSameBytesInOneCallAndStepByStep) {
+  const ProgramResult whole = block("whole");
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_THAT(whole.out, HasSubstr("village"));
+  EXPECT_THAT(whole.err, HasSubstr("4 of 4: patch"));
+  const auto expected = results("whole");
+  for (const char* name : {"lines.joint.geojson", "lines.joint.gpkg", "judged.joint.gpkg",
+                           "table2.csv", "evaluation.joint.json", "patches.csv", "plan.json"})
+    EXPECT_EQ(expected.count(name), 1U) << name;
+  EXPECT_THAT(expected.at("lines.joint.geojson"), HasSubstr("12825_135075/"));
+
+  ASSERT_EQ(block("steps", {"--plan"}).exit_code, 0);
+  for (const char* task : {"4", "2-3", "1"})
+    ASSERT_EQ(block("steps", {"--task", task, "--jobs", "1"}).exit_code, 0) << task;
+  ASSERT_EQ(block("steps", {"--merge"}).exit_code, 0);
+  EXPECT_EQ(results("steps"), expected);
+
+  // A finished block is merged again, and no task runs.
+  const auto written = fs::last_write_time(path("steps/tasks/12825_135075/run.json"));
+  ASSERT_EQ(block("steps").exit_code, 0);
+  EXPECT_EQ(fs::last_write_time(path("steps/tasks/12825_135075/run.json")), written);
+
+  // A task that was killed while it wrote its lines, and one whose end was cut off, run again.
+  write(path("steps/tasks/12825_135075/12825_135075/lines.joint.geojson"), "{\"type\": \"Feat");
+  write(path("steps/tasks/12826_135075/done.json"), "{\"key\"");
+  const ProgramResult open = block("steps", {"--merge"});
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_THAT(open.err,
+              AllOf(HasSubstr("patch 12825_135075 has no lines"), HasSubstr("patch 12826_135075"),
+                    HasSubstr("2 of 4 tasks have no results")));
+  ASSERT_EQ(block("steps").exit_code, 0);
+  EXPECT_EQ(results("steps"), expected);
+}
+
+TEST_F(Block, FailedTaskIsToldAndTheOthersGoOn) {
+  ASSERT_EQ(block("out", {"--plan"}).exit_code, 0);
+  const std::string right = read(path("patch/frames/right.tif"));
+  fs::resize_file(path("patch/frames/right.tif"), right.size() / 2);
+  const ProgramResult failed = block("out");
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.err, AllOf(HasSubstr("right.tif: has changed since the block was planned"),
+                                HasSubstr("4 of 4 tasks have no results")));
+  EXPECT_THAT(read(path("out/patches.csv")),
+              AllOf(HasSubstr(",failed,"), HasSubstr("has changed")));
+  write(path("patch/frames/right.tif"), right);  // a new time alone is no change
+  const ProgramResult mended = block("out");
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_THAT(read(path("out/patches.csv")), Not(HasSubstr(",failed,")));
+
+  // Other options are another result: what is there does not count.
+  const ProgramResult other = block("out", {"--merge", "--methods", "direct"});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.err, HasSubstr("was run with other options"));
+}
+
+TEST_F(Block, WrongStepsAndFilesAreRefused) {
+  EXPECT_REFUSED(block("out", {"--task", "1"}), HasSubstr("plan.json: there is no plan"));
+  ASSERT_EQ(block("out", {"--plan"}).exit_code, 0);
+  for (const char* task : {"0", "5", "3-2", "1-9", "a", "1.5"})
+    EXPECT_REFUSED(block("out", {"--task", task}), HasSubstr("the tasks of this block are 1 to 4"));
+  EXPECT_REFUSED(block("out", {"--task", "1", "--merge"}), HasSubstr("--merge"));
+
+  fs::copy(path("patch/block.yaml"), path("patch/second.yaml"));
+  EXPECT_REFUSED(run({"block", "patch/second.yaml", "--out", "out"}),
+                 HasSubstr("a folder holds one block"));
+  write_block("block.yaml", "patch_size_m: 50\n");
+  EXPECT_REFUSED(block("out"),
+                 AllOf(HasSubstr("block.yaml: has changed since the block was planned")));
+
+  const auto refusal = [&](const std::string& more, const std::string& images = "frames/*.tif") {
+    write_block("bad.yaml", more, images);
+    return run({"block", "patch/bad.yaml", "--out", "bad"});
+  };
+  EXPECT_REFUSED(refusal("overlap_m: 60\n"), HasSubstr("overlap_m = 60, patch_size_m = 100"));
+  EXPECT_REFUSED(refusal("patch_size_m: 0\n"), HasSubstr("patch_size_m = 0; must be"));
+  EXPECT_REFUSED(refusal("patchsize: 7\n"), HasSubstr("patchsize"));
+  EXPECT_REFUSED(refusal("", "[{path: frames/left.tif}, {path: frames/right.tif}]"),
+                 HasSubstr("a folder or patterns of files"));
+  EXPECT_FALSE(fs::exists(path("bad")));
+  EXPECT_REFUSED(run({"run", "patch/block.yaml", "--out", "bad"}), HasSubstr("is a block file"));
+  EXPECT_REFUSED(run({"block", "patch/oriented.yaml", "--out", "bad"}),
+                 HasSubstr("is a patch file"));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
