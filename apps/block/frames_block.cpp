@@ -71,7 +71,11 @@ class FramesBlock final : public BlockSteps {
     }
   }
 
-  std::size_t merge() override { return merge_block(block_, *plan_, options_, folder_); }
+  std::size_t merge() override {
+    const std::size_t n_missing = merge_block(block_, *plan_, options_, folder_);
+    write_report_of_run(folder_.string(), options_.report);
+    return n_missing;
+  }
 
  private:
   [[nodiscard]] std::string plan_path() const { return (folder_ / "plan.json").string(); }

@@ -6,12 +6,20 @@ asm(R"(
 .section .rodata
 .global kRidgelineFrontEndScriptBegin, kRidgelineFrontEndScriptEnd
 .global kRidgelineFrontEndStyleBegin, kRidgelineFrontEndStyleEnd
+.global kRidgelineBlockScriptBegin, kRidgelineBlockScriptEnd
+.global kRidgelineBlockStyleBegin, kRidgelineBlockStyleEnd
 kRidgelineFrontEndScriptBegin:
 .incbin ")" RIDGELINE_FRONT_END R"(/report.js"
 kRidgelineFrontEndScriptEnd:
 kRidgelineFrontEndStyleBegin:
 .incbin ")" RIDGELINE_FRONT_END R"(/report.css"
 kRidgelineFrontEndStyleEnd:
+kRidgelineBlockScriptBegin:
+.incbin ")" RIDGELINE_FRONT_END R"(/block.js"
+kRidgelineBlockScriptEnd:
+kRidgelineBlockStyleBegin:
+.incbin ")" RIDGELINE_FRONT_END R"(/block.css"
+kRidgelineBlockStyleEnd:
 .text
 )");
 
@@ -20,16 +28,22 @@ extern const char kRidgelineFrontEndScriptBegin[];
 extern const char kRidgelineFrontEndScriptEnd[];
 extern const char kRidgelineFrontEndStyleBegin[];
 extern const char kRidgelineFrontEndStyleEnd[];
+extern const char kRidgelineBlockScriptBegin[];
+extern const char kRidgelineBlockScriptEnd[];
+extern const char kRidgelineBlockStyleBegin[];
+extern const char kRidgelineBlockStyleEnd[];
 }
 
 namespace ridgeline::apps {
 
-std::string_view front_end_script() {
-  return {kRidgelineFrontEndScriptBegin, kRidgelineFrontEndScriptEnd};
+FrontEnd run_front_end() {
+  return {{kRidgelineFrontEndScriptBegin, kRidgelineFrontEndScriptEnd},
+          {kRidgelineFrontEndStyleBegin, kRidgelineFrontEndStyleEnd}};
 }
 
-std::string_view front_end_style() {
-  return {kRidgelineFrontEndStyleBegin, kRidgelineFrontEndStyleEnd};
+FrontEnd block_front_end() {
+  return {{kRidgelineBlockScriptBegin, kRidgelineBlockScriptEnd},
+          {kRidgelineBlockStyleBegin, kRidgelineBlockStyleEnd}};
 }
 
 }  // namespace ridgeline::apps

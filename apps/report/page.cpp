@@ -20,7 +20,9 @@ std::string script_safe(std::string_view json) {
   return text;
 }
 
-std::string report_page(std::string_view title, std::string_view data) {
+std::string report_page(std::string_view title,
+                        std::string_view data,
+                        const FrontEnd& front_end) {
   std::string page = fmt::format(R"(<!doctype html>
 <html lang="en">
 <head>
@@ -33,7 +35,7 @@ std::string report_page(std::string_view title, std::string_view data) {
 <title>{}</title>
 <style>)",
                                  evaluate::escape_xml(title));
-  page += front_end_style();
+  page += front_end.style;
   page +=
       "</style>\n</head>\n<body>\n<noscript>This report is drawn by a script inside this file; "
       "please allow it. The tables beside it, table2.md first, hold the same figures."
@@ -41,7 +43,7 @@ std::string report_page(std::string_view title, std::string_view data) {
       "<script type=\"application/json\" id=\"report-data\">";
   page += script_safe(data);
   page += "</script>\n<script>";
-  page += front_end_script();
+  page += front_end.script;
   page += "</script>\n</body>\n</html>\n";
   return page;
 }

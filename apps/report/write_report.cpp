@@ -2,6 +2,8 @@
 #include "apps/report/write_report.h"
 
 #include "apps/common/say.h"
+#include "apps/report/block/block_folder.h"
+#include "apps/report/block/write_block_report.h"
 #include "apps/report/figures.h"
 #include "apps/report/page.h"
 #include "io/error.h"
@@ -84,7 +86,7 @@ std::string write_report_of(const ReportInput& input,
   // bytes that are not UTF-8 (file names, ids) become U+FFFD
   const std::string data = report_json(input, scenes, gates)
                                .dump(-1, ' ', false, evaluate::Json::error_handler_t::replace);
-  out.write(kReportFile, report_page(title_of(input), data));
+  out.write(kReportFile, report_page(title_of(input), data, run_front_end()));
   return out.path(kReportFile);
 }
 
@@ -96,6 +98,7 @@ void add_report_flag(CLI::App& app, bool& report) {
 
 std::string write_report(const std::string& folder,
                          const std::optional<evaluate::GateReport>& gates) {
+  if (is_block_folder(folder)) return write_block_report(folder, gates);
   try {
     return write_report_of(read_report_input(folder), folder, gates);
   } catch (const evaluate::Json::exception& error) {
@@ -112,6 +115,7 @@ void write_report_of_run(const std::string& folder, bool is_wanted) {
       spdlog::warn("the results are complete, but their report is not written: {}", error.what());
     }
   }
+  remove_patch_pages(folder);
   std::error_code none;
   std::filesystem::remove(std::filesystem::path(folder) / kReportFile, none);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/report/block/block_lines.h"
 
-#include "io/results/map_lines.h"
+#include "io/lines/map_lines.h"
 #include "reconstruct/geometry/check.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ ShownLines read_shown_lines(const std::string& path,
   ShownLines shown;
   shown.method = method;
   const Eigen::Vector3d origin(origin_m.x(), origin_m.y(), 0.0);
-  results::for_each_map_line(path, [&](const results::MapLine& line) {
+  io::for_each_map_line(path, [&](const io::MapLine& line) {
     const std::size_t slash = line.id.find('/');
     const auto patch = patch_of_id.find(line.id.substr(0, slash));
     if (slash == std::string::npos || patch == patch_of_id.end()) return;

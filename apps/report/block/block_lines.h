@@ -46,7 +46,7 @@ std::vector<std::size_t> thinned_lines(const std::vector<ShownLine>& lines, std:
 std::vector<std::size_t> worst_lines(const std::vector<ShownLine>& lines, std::size_t n_most);
 
 /// Reads the lines from the map at `path`. Lines whose id does not begin with one of the patches are left out.
-/// Throws IoError as results::for_each_map_line().
+/// Throws IoError as io::for_each_map_line().
 ShownLines read_shown_lines(const std::string& path,
                             const std::string& method,
                             const Eigen::Vector2d& origin_m,

@@ -51,7 +51,7 @@ TEST(ScriptSafe, LeavesNothingThatCouldEndTheScriptAndTheSameValue) {
 
 TEST(ReportPage, IsClosedAsOftenAsItIsOpened) {
   const std::string data = R"({"id": "</script><script>alert(1)</script>"})";
-  const std::string page = report_page("</title><script>", data);
+  const std::string page = report_page("</title><script>", data, run_front_end());
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
   EXPECT_EQ(count(page, "</script>"), 2U);  // the data and the front end
   EXPECT_EQ(count(page, "</title>"), 1U);
@@ -60,7 +60,7 @@ TEST(ReportPage, IsClosedAsOftenAsItIsOpened) {
 }
 
 TEST(ReportPage, AllowsNothingFromTheNetwork) {
-  const std::string page = report_page("t", "{}");
+  const std::string page = report_page("t", "{}", block_front_end());
   EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src 'unsafe-inline'; style-src "
                               "'unsafe-inline'; img-src data:"));
   EXPECT_THAT(page, Not(HasSubstr("<script src")));
@@ -68,10 +68,16 @@ TEST(ReportPage, AllowsNothingFromTheNetwork) {
 }
 
 TEST(FrontEnd, IsEmbedded) {
-  EXPECT_GT(front_end_script().size(), 100000U);
-  EXPECT_GT(front_end_style().size(), 1000U);
-  EXPECT_THAT(std::string(front_end_style()), Not(HasSubstr("</style")));
-  EXPECT_THAT(std::string(front_end_script()), Not(HasSubstr("sourceMappingURL")));
+  for (const FrontEnd& front_end : {run_front_end(), block_front_end()}) {
+    EXPECT_GT(front_end.script.size(), 10000U);
+    EXPECT_GT(front_end.style.size(), 1000U);
+    EXPECT_THAT(std::string(front_end.style), Not(HasSubstr("</style")));
+    EXPECT_THAT(std::string(front_end.script), Not(HasSubstr("sourceMappingURL")));
+  }
+}
+
+TEST(FrontEnd, OfABlockIsSmallAsEveryPatchHasACopy) {
+  EXPECT_LT(block_front_end().script.size() + block_front_end().style.size(), 60000U);
 }
 
 }  // namespace

@@ -13,13 +13,15 @@ export const uint8 = (base64: string): Uint8Array<ArrayBuffer> => new Uint8Array
 export const uint16 = (base64: string): Uint16Array<ArrayBuffer> => new Uint16Array(bytesOf(base64));
 
 /** The data of the page; throws if this front end does not know its form. */
-export function readReport(): Report {
+export function readData<Data extends { schema: number }>(schema: number): Data {
   const text = document.getElementById('report-data')?.textContent;
   if (!text) throw new Error('the page holds no data');
-  const report = JSON.parse(text) as Report;
-  if (report.schema !== 2) throw new Error(`data of schema ${report.schema}, this page knows 2`);
-  return report;
+  const data = JSON.parse(text) as Data;
+  if (data.schema !== schema) throw new Error(`data of schema ${data.schema}, this page knows ${schema}`);
+  return data;
 }
+
+export const readReport = (): Report => readData<Report>(2);
 
 /** 53-bit hash (cyrb53), to tell one data set from another; not for security. */
 export function hash53(parts: readonly string[]): string {

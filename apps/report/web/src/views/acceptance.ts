@@ -2,12 +2,13 @@
 // What a client reads first: what was judged by what, the verdict, the figure that counts, where the lines lie, and
 // the worst of them.
 import { isOfFiles, productRows } from '../data/product';
-import type { GateResult, Report, Summary, Table2Row } from '../data/schema';
+import type { Report, Summary, Table2Row } from '../data/schema';
 import type { State } from '../state';
 import { h } from '../ui/dom';
-import { fixed, interval, metres, percent } from '../ui/format';
+import { interval, metres, percent } from '../ui/format';
 import { comparedFiles, lineFiles } from './line_files';
 import { Plan } from './plan';
+import { verdict } from './verdict';
 import { WorstLines } from './worst_lines';
 
 export const titleOf = (report: Report): string =>
@@ -25,22 +26,6 @@ function pooled(rows: readonly Table2Row[]): { rms_m: number | null; n: number; 
     n += row.n_evaluated;
   }
   return { rms_m: n > 0 ? Math.sqrt(squares / n) : null, n, lines };
-}
-
-const ofGate = (g: GateResult): string => `${g.rule}${g.value === null ? '' : ` (is ${fixed(g.value, 4)})`}`;
-
-export function verdict(report: Report): HTMLElement {
-  const { gates } = report;
-  if (!gates) {
-    return h('p', { id: 'verdict', class: 'verdict none' }, h('strong', {}, 'No specification was given'), ', so that nothing is accepted or rejected here.');
-  }
-  const failed = gates.gates.filter((g) => g.verdict !== 'passed');
-  if (gates.passed) {
-    return h('p', { id: 'verdict', class: 'verdict passed' }, h('strong', {}, 'Accepted'), `: all ${gates.gates.length} checks of the specification hold.`);
-  }
-  const shown = failed.slice(0, 3).map(ofGate).join('; ');
-  return h('p', { id: 'verdict', class: 'verdict failed' }, h('strong', {}, 'Not accepted'),
-    `: ${failed.length} of ${gates.gates.length} checks of the specification fail: ${shown}${failed.length > 3 ? '; …' : ''}.`);
 }
 
 function keyFigure(report: Report): HTMLElement | null {

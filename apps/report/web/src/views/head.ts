@@ -13,7 +13,7 @@ const hasFigures = (report: Report): boolean => report.table2.some((row) => row.
 export const messages = (report: Report): HTMLElement[] =>
   (report.run.messages ?? []).map((text) => h('p', { class: 'message', role: 'status' }, text));
 
-function gateTable(report: Report): HTMLElement | null {
+export function gateTable(report: Pick<Report, 'gates'>): HTMLElement | null {
   if (!report.gates) return null;
   const number = (value: number | null): string => fixed(value, 4);
   return h('section', { id: 'gates' }, h('h2', {}, 'Gates'),
@@ -77,7 +77,7 @@ function table1(report: Report): HTMLElement | null {
 }
 
 /** The published form: a row per patch, methods side by side. */
-function table2(rows: readonly Table2Row[]): HTMLElement {
+export function table2(rows: readonly Table2Row[]): HTMLElement {
   const methods = unique(rows.map((r) => r.method));
   const order = ['not_aligned', 'aligned', 'total'];
   const classes = unique(rows.map((r) => r.class)).sort((a, b) => order.indexOf(a) - order.indexOf(b));
@@ -120,13 +120,20 @@ export function summaryColumns<Row extends Summary>(): Column<Row>[] {
   ];
 }
 
-export function head(report: Report): HTMLElement[] {
+/** All figures of all rows, folded. */
+export function table2Details(rows: readonly Table2Row[]): HTMLElement {
   const all: Column<Table2Row>[] = [
     { title: 'patch', cell: (r) => r.patch },
     { title: 'method', cell: (r) => r.method },
     { title: 'class', cell: (r) => words(r.class) },
     ...summaryColumns<Table2Row>(),
   ];
+  return h('details', {}, h('summary', {}, 'All figures'),
+    table(all, rows, { id: 'table2-all' }),
+    h('p', { class: 'caption' }, 'Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of the mean absolute distances. The distance to one plane is blind to a shift within that plane.'));
+}
+
+export function head(report: Report): HTMLElement[] {
   return [
     gateTable(report),
     table1(report),
@@ -134,8 +141,6 @@ export function head(report: Report): HTMLElement[] {
       table2(report.table2),
       report.table2_footnote === null ? null : h('p', { class: 'caption', id: 'table2-footnote' }, report.table2_footnote),
       h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note),
-      h('details', {}, h('summary', {}, 'All figures'),
-        table(all, report.table2, { id: 'table2-all' }),
-        h('p', { class: 'caption' }, 'Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of the mean absolute distances. The distance to one plane is blind to a shift within that plane.'))),
+      table2Details(report.table2)),
   ].filter((e): e is HTMLElement => e !== null);
 }

@@ -4,21 +4,8 @@ import { distanceColour, distanceSteps, okabeIto, selectionColour } from '../dat
 import type { Line, Method, Patch } from '../data/schema';
 import type { State } from '../state';
 import { h, replace } from '../ui/dom';
-
-const namespace = 'http://www.w3.org/2000/svg';
-
-function svg(tag: string, attributes: Record<string, string | number>, ...children: (SVGElement | string)[]): SVGElement {
-  const element = document.createElementNS(namespace, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  element.append(...children);
-  return element;
-}
-
-/** The greatest of 1, 2, 5, 10, ... that is not above a length. */
-export function roundLength(length: number): number {
-  const power = 10 ** Math.floor(Math.log10(length));
-  return [5, 2, 1].map((m) => m * power).find((v) => v <= length) ?? power;
-}
+import { roundLength } from '../ui/round_length';
+import { svg } from '../ui/svg';
 
 interface Box { left: number; bottom: number; width: number; height: number }
 

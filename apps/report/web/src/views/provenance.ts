@@ -13,7 +13,7 @@ const pairs = (value: unknown, id: string): HTMLElement =>
   table([{ title: 'name', cell: (r) => r.key }, { title: 'value', cell: (r) => r.value }], rowsOf(value), { id });
 
 /** Versions, options, input hashes: what it takes to repeat the run. */
-export function provenance(report: Report): HTMLElement {
+export function provenance(report: Pick<Report, 'run'>): HTMLElement {
   const { run } = report;
   return h('section', { id: 'provenance' }, h('h2', {}, 'How this was made'),
     ...(run.warnings ?? []).map((w) => h('p', { class: 'caption' }, `Warning: ${w}`)),

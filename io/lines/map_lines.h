@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace ridgeline::results {
+namespace ridgeline::io {
 
 /// A line of a map, with what its judgement says of it. Texts that the map does not hold are empty.
 struct MapLine {
@@ -18,10 +18,10 @@ struct MapLine {
   Segment3 segment_in_map{};  ///< in the units of the map
 };
 
-/// Visits the lines of a map that write_judged_map() made, or of a GeoPackage that io::write_lines() made, in their
+/// Visits the lines of a map that results::write_judged_map() made, or of a GeoPackage that write_lines() made, in their
 /// order. One line is held at a time. Features that are no segment are passed over.
 /// Throws IoError for a file that is missing or is no such map.
 void for_each_map_line(const std::string& path,
                        const std::function<void(const MapLine&)>& visit);
 
-}  // namespace ridgeline::results
+}  // namespace ridgeline::io

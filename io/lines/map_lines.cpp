@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/results/map_lines.h"
+#include "io/lines/map_lines.h"
 
 #include "io/error.h"
 #include "io/files/input_file.h"
@@ -10,7 +10,7 @@
 
 #include <memory>
 
-namespace ridgeline::results {
+namespace ridgeline::io {
 namespace {
 
 /// The columns of a layer that a MapLine is read from; -1 of one that it does not have.
@@ -72,15 +72,15 @@ OGRLayer* lines_of(GDALDataset& map) {
 
 void for_each_map_line(const std::string& path,
                        const std::function<void(const MapLine&)>& visit) {
-  io::require_regular_file(path);
-  const io::QuietGdal quiet;
-  io::register_gdal_drivers();
+  require_regular_file(path);
+  const QuietGdal quiet;
+  register_gdal_drivers();
   const char* const drivers[] = {"GPKG", nullptr};
   const std::unique_ptr<GDALDataset> map(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr));
   OGRLayer* const layer = map ? lines_of(*map) : nullptr;
   if (layer == nullptr)
-    throw io::IoError(path, "is no map of lines: " + quiet.complaints("it has no layer"));
+    throw IoError(path, "is no map of lines: " + quiet.complaints("it has no layer"));
   const MapColumns columns(*layer->GetLayerDefn());
   for (const auto& feature : *layer) {
     const std::optional<Segment3> segment = segment_of(*feature);
@@ -91,4 +91,4 @@ void for_each_map_line(const std::string& path,
   }
 }
 
-}  // namespace ridgeline::results
+}  // namespace ridgeline::io
