@@ -16,7 +16,7 @@ const countOf = (n: number, what: string): string => `${count(n)} ${what}${n ===
 
 export class BlockPage {
   private readonly plan: BlockPlan;
-  private readonly tables = h('div');
+  private readonly tables = h('div', { class: 'tables' });
   private readonly summary = h('div');
   private method = 0;
 

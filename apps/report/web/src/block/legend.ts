@@ -40,5 +40,5 @@ function swatch(colour: string, text: string): HTMLElement {
 
 /** `from_m`: the least distance that is drawn; null if all lines are. */
 export const lineLegend = (from_m: number | null): HTMLElement => h('p', { class: 'legend' },
-  ...distanceSteps.filter((s) => from_m === null || s.upTo_m > from_m).map((s) => swatch(s.colour, s.text)),
+  ...distanceSteps.filter((s) => from_m === null || s.upTo_m > from_m).map((s, i) => swatch(s.colour, from_m !== null && i === 0 ? `${from_m.toFixed(2)} – ${s.upTo_m} m` : s.text)),
   from_m === null ? swatch(okabeIto.grey, 'not judged') : null);

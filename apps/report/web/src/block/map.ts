@@ -63,7 +63,7 @@ export class Sheet {
     const byGrey: [number, number][][] = Array.from({ length: 32 }, () => []);
     greys.forEach((grey, i) => byGrey[grey >> 3]!.push(at(places, 2 * i)));
     byGrey.forEach((points, k) => {
-      const level = isDark() ? 30 + 4 * k : 120 + 4 * k;
+      const level = isDark() ? 30 + 4 * k : 165 + 2.6 * k;
       context.fillStyle = `rgb(${level} ${level} ${level})`;
       for (const [x, y] of points) context.fillRect(x - size / 2, y - size / 2, size, size);
     });
@@ -95,7 +95,7 @@ export class Sheet {
       const least = above;
       if (from_m === null || upTo > 1000 * from_m) {
         const has = (mm: number): boolean => mm <= upTo && (mm > least || least === 0);
-        if (from_m !== null) draw('#ffffff', width + 2.5, has); // a seam, for dark squares
+        if (from_m !== null) draw('#ffffff', 2 * width, has); // a seam, for dark squares
         draw(step.colour, width, has);
       }
       above = upTo;
@@ -111,7 +111,7 @@ export class Sheet {
     const foot = h('div', { class: 'sheet-foot' });
     foot.style.maxWidth = `${this.width}px`;
     foot.append(svg('svg', { viewBox: `0 0 ${this.width} ${height}`, role: 'img', 'aria-label': `Scale bar of ${text}; north is up` },
-      svg('path', { d: `M 1 6 v 7 h ${bar} v -7 M ${1 + bar / 2} 9 v 4`, class: 'ink' }),
+      svg('path', { d: `M 1 6 v 7 h ${bar} v -7`, class: 'ink' }),
       svg('text', { x: bar + 10, y: 17 }, text),
       svg('path', { d: `M ${this.width - 12} 3 l 6 20 l -6 -5 l -6 5 z`, class: 'north' }),
       svg('text', { x: this.width - 24, y: 20, 'text-anchor': 'end' }, 'N')));

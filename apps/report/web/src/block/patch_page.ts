@@ -61,7 +61,7 @@ export class PatchPage {
     const { lines } = report.methods[this.method]!;
     const pointed = h('p', { class: 'caption', id: 'pointed', role: 'status' });
     const drawn = new Map<LineRow, SVGElement>();
-    const table = new SortedTable(columns, lines, { id: 'line-table', sortBy: 'mean', descending: true, onPoint: (l) => point(l, false) });
+    const table = new SortedTable(columns, lines, { id: 'line-table', sortBy: 'mean', descending: true, limit: 50, onPoint: (l) => point(l, false) });
     const point = (line: LineRow | null, isFromPlan: boolean): void => {
       for (const [l, element] of drawn) element.setAttribute('stroke', l === line ? selectionColour : colourOf(l));
       if (isFromPlan) table.mark(line);

@@ -9,6 +9,7 @@ import { figuresOf, type Figure } from './shades';
 import { Squares } from './squares';
 
 const grossFrom_m = 0.3;
+const leastForLines = 40; // units of the drawing: on smaller squares lines hide the shades
 type LinesShown = 'none' | 'gross' | 'all';
 
 function boxOf(report: BlockReport): Box {
@@ -27,12 +28,13 @@ export class BlockPlan {
   private readonly info = h('div', { id: 'patch-info' });
   private readonly controls = h('div', { class: 'controls' });
   private figure: Figure;
-  private lines: LinesShown = 'gross';
+  private lines: LinesShown;
   private hasRelief = false;
 
   constructor(private readonly report: BlockReport, private method: number) {
     this.figure = this.figures()[0]!;
     this.sheet = new Sheet(boxOf(report), 'Plan of the patches; arrow keys go from patch to patch, Enter opens a page', 860, 820);
+    this.lines = this.report.patch_size_m * this.sheet.scale < leastForLines ? 'none' : 'gross';
     this.squares = new Squares(this.sheet, report.patches, (i) => this.showInfo(i));
     replace(this.element, h('h2', {}, 'Plan of the patches'), this.controls,
       h('div', { class: 'map' }, h('div', {}, this.sheet.element, this.sheet.foot(), this.lineColours, this.lineNote), h('div', { class: 'beside' }, this.legend, this.info)));
@@ -62,7 +64,8 @@ export class BlockPlan {
     const from_m = this.lines === 'all' ? null : grossFrom_m;
     this.squares.show(this.figure, this.method, this.hasRelief || this.lines === 'all');
     this.sheet.drawRelief(this.hasRelief ? this.report.points : null);
-    const weight = this.lines === 'gross' ? 2.6 : lines.n_shown > 20000 ? 0.7 : 1.6;
+    const isDense = this.report.patch_size_m * this.sheet.scale < leastForLines;
+    const weight = (this.lines === 'gross' ? 2.6 : 1.6) * (isDense ? 0.45 : 1);
     this.sheet.drawLines(this.lines === 'none' ? null : lines, from_m, weight);
     replace(this.legend, shadeLegend(this.figure, this.report.patches, this.method));
     replace(this.lineColours, this.lines === 'none' ? null : lineLegend(from_m));

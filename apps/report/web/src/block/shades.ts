@@ -58,7 +58,7 @@ export const shadeInk = (shade: number): string => (shade >= firstWithWhiteText 
 /** The range of a shade in words. */
 export function shadeText(figure: Figure, shade: number): string {
   const { limits, text, unit, falls } = figure;
-  const of = (i: number): string => text(limits[i]!).replace(/\.?0+$/, (zeros) => (zeros.startsWith('.') ? '' : zeros));
+  const of = (i: number): string => text(limits[i]!).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
   const last = limits.length;
   if (shade === 0) return `${falls ? 'at least' : 'up to'} ${of(0)} ${unit}`.trim();
   if (shade === last) return `${falls ? 'below' : 'above'} ${of(last - 1)} ${unit}`.trim();

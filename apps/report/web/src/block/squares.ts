@@ -42,7 +42,7 @@ export class Squares {
     const [left, top] = this.sheet.at(patch.core[0], patch.core[3]);
     const [right, bottom] = this.sheet.at(patch.core[2], patch.core[1]);
     const [width, height] = [right - left, bottom - top];
-    const rim = asFrames && !state ? Math.max(2, 0.07 * Math.min(width, height)) : 0;
+    const rim = asFrames && !state ? Math.max(2, 0.04 * Math.min(width, height)) : 0;
     const told = state ? { failed: `failed: ${patch.reason}`, empty: 'no lines', none: `no ${figure.name}` }[state] : `${figure.name} ${figure.text(value)} ${figure.unit}`;
     const link = svg('a', { href: `pages/${patch.id}.html`, tabindex: i === this.current ? 0 : -1, class: state ?? 'shade', 'data-patch': patch.id, 'aria-label': `Patch ${patch.id}, ${told}` },
       svg('rect', { x: left + rim / 2, y: top + rim / 2, width: Math.max(width - rim, 1), height: Math.max(height - rim, 1),
