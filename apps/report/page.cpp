@@ -20,9 +20,7 @@ std::string script_safe(std::string_view json) {
   return text;
 }
 
-std::string report_page(std::string_view title,
-                        std::string_view data,
-                        const FrontEnd& front_end) {
+std::string report_page(std::string_view title, std::string_view data, const FrontEnd& front_end) {
   std::string page = fmt::format(R"(<!doctype html>
 <html lang="en">
 <head>

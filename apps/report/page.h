@@ -20,8 +20,6 @@ std::string script_safe(std::string_view json);
 
 /// The whole page: one file that needs no network and, by its content security policy, can load
 /// nothing. `data` is JSON; the front end builds everything that is shown from it.
-std::string report_page(std::string_view title,
-                        std::string_view data,
-                        const FrontEnd& front_end);
+std::string report_page(std::string_view title, std::string_view data, const FrontEnd& front_end);
 
 }  // namespace ridgeline::apps

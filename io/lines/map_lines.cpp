@@ -70,8 +70,7 @@ OGRLayer* lines_of(GDALDataset& map) {
 
 }  // namespace
 
-void for_each_map_line(const std::string& path,
-                       const std::function<void(const MapLine&)>& visit) {
+void for_each_map_line(const std::string& path, const std::function<void(const MapLine&)>& visit) {
   require_regular_file(path);
   const QuietGdal quiet;
   register_gdal_drivers();

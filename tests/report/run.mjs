@@ -3,6 +3,7 @@
 // Chromium or playwright-core is missing.
 import { existsSync } from 'node:fs';
 import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
@@ -16,8 +17,12 @@ for (const [file, remedy] of needs) {
   process.exit(77);
 }
 const [binary, samples, work] = process.argv.slice(2);
-const result = spawnSync(process.execPath, ['--test', `${here}report_test.mjs`], {
-  stdio: 'inherit',
-  env: { ...process.env, RIDGELINE_BINARY: binary, RIDGELINE_SAMPLES: samples, RIDGELINE_WORK: work },
-});
-process.exit(result.status ?? 1);
+let status = 0;
+for (const [file, folder] of [['report_test.mjs', work], ['block_test.mjs', join(work, 'block_test')]]) {
+  const result = spawnSync(process.execPath, ['--test', `${here}${file}`], {
+    stdio: 'inherit',
+    env: { ...process.env, RIDGELINE_BINARY: binary, RIDGELINE_SAMPLES: samples, RIDGELINE_WORK: folder },
+  });
+  status ||= result.status ?? 1;
+}
+process.exit(status);

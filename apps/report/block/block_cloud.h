@@ -19,10 +19,11 @@ inline constexpr std::size_t kMaxPatchPoints = 20'000;
 
 /// The LIDAR of a block as its report shows it.
 struct BlockCloud {
-  std::uint64_t n_read = 0;  ///< records in the files
-  std::uint64_t n_all = 0;   ///< of these, points within the block
-  std::vector<Eigen::Vector3d> x_m;                ///< relative to BlockFolder::origin_m
-  std::vector<std::vector<std::uint32_t>> of_patch;  ///< numbers of the points in the area of each patch
+  std::uint64_t n_read = 0;          ///< records in the files
+  std::uint64_t n_all = 0;           ///< of these, points within the block
+  std::vector<Eigen::Vector3d> x_m;  ///< relative to BlockFolder::origin_m
+  std::vector<std::vector<std::uint32_t>>
+      of_patch;  ///< numbers of the points in the area of each patch
 };
 
 /// Reads the points within the block, thinned to kMaxBlockPoints. Throws IoError for clouds that cannot be read, and for those

@@ -137,10 +137,9 @@ void read_table2(const fs::path& file, const PatchNumbers& number_of, BlockFolde
 void read_lines(const fs::path& folder, const PatchNumbers& number_of, BlockFolder& block) {
   const bool is_judged = block.run.contains("cloud");
   for (ShownLines& method : block.methods) {
-    const std::string name = is_judged ? results::map_name(method.method)
-                                       : fmt::format("lines.{}.gpkg", method.method);
-    method =
-        read_shown_lines((folder / name).string(), method.method, block.origin_m, number_of);
+    const std::string name =
+        is_judged ? results::map_name(method.method) : fmt::format("lines.{}.gpkg", method.method);
+    method = read_shown_lines((folder / name).string(), method.method, block.origin_m, number_of);
   }
 }
 

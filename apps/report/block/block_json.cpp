@@ -75,12 +75,8 @@ Json relief_json(const BlockCloud& cloud,
     const double share = std::clamp((cloud.x_m[i].z() - low) / (high - low), 0.0, 1.0);
     greys.push_back(static_cast<std::uint8_t>(std::lround(255.0 * share)));
   }
-  return {{"n_shown", numbers.size()},
-          {"steps", steps.json()},
-          {"places", base64(places)},
-          {"low_m", to_digits(low, 2)},
-          {"high_m", to_digits(high, 2)},
-          {"greys", base64(greys)}};
+  return {{"n_shown", numbers.size()},  {"steps", steps.json()},        {"places", base64(places)},
+          {"low_m", to_digits(low, 2)}, {"high_m", to_digits(high, 2)}, {"greys", base64(greys)}};
 }
 
 /// The ends of lines in plan, and their distances in millimetres: 65535 of a line that is not judged.
@@ -164,8 +160,8 @@ Json run_part_json(const Json& run) {
 Json area_json(const BlockFolder& block) {
   Json json = Json::array();
   for (const Eigen::Vector2d& x : block.area_m)
-    json.push_back({to_digits(x.x() - block.origin_m.x(), 3),
-                    to_digits(x.y() - block.origin_m.y(), 3)});
+    json.push_back(
+        {to_digits(x.x() - block.origin_m.x(), 3), to_digits(x.y() - block.origin_m.y(), 3)});
   return json;
 }
 
@@ -259,8 +255,7 @@ Json PatchPages::neighbours_json(const ShownPatch& patch) const {
   Json json = Json::object();
   for (const auto& [name, column, row] :
        {Side{"north", 0, 1}, Side{"east", 1, 0}, Side{"south", 0, -1}, Side{"west", -1, 0}}) {
-    const auto found =
-        patch_of_square_.find({patch.square[0] + column, patch.square[1] + row});
+    const auto found = patch_of_square_.find({patch.square[0] + column, patch.square[1] + row});
     if (found != patch_of_square_.end()) json[name] = block_.patches[found->second].id;
   }
   return json;
@@ -277,8 +272,8 @@ Json PatchPages::json_of(std::size_t i) const {
   Json points = nullptr;
   if (i < cloud_.of_patch.size()) {
     const std::vector<std::uint32_t>& all = cloud_.of_patch[i];
-    points = relief_json(cloud_, every_kth(all, kMaxPatchPoints),
-                         block_.origin_m - patch.core_m.min());
+    points =
+        relief_json(cloud_, every_kth(all, kMaxPatchPoints), block_.origin_m - patch.core_m.min());
   }
   const Eigen::Vector2d corner_m = patch.core_m.min();
   return {{"schema", kBlockSchema},

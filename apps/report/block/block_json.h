@@ -37,7 +37,8 @@ class PatchPages {
   [[nodiscard]] evaluate::Json json_of(std::size_t patch) const;
 
  private:
-  [[nodiscard]] evaluate::Json lines_json(std::size_t method, const ShownPatch& patch,
+  [[nodiscard]] evaluate::Json lines_json(std::size_t method,
+                                          const ShownPatch& patch,
                                           const std::vector<std::uint32_t>& lines) const;
   [[nodiscard]] evaluate::Json neighbours_json(const ShownPatch& patch) const;
 

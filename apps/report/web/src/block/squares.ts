@@ -50,7 +50,7 @@ export class Squares {
     if (rim) link.append(svg('rect', { x: left, y: top, width, height, class: 'rim' }));
     const text = state === 'failed' ? '×' : state === 'empty' ? '–' : !state && !rim && value !== null && Math.min(width, height) >= leastForText ? figure.short(value) : '';
     if (text !== '') {
-      link.append(svg('text', { x: (left + right) / 2, y: (top + bottom) / 2, 'text-anchor': 'middle', 'dominant-baseline': 'central', class: state ? 'mark' : 'value',
+      link.append(svg('text', { x: (left + right) / 2, y: (top + bottom) / 2, 'text-anchor': 'middle', 'dominant-baseline': 'central', class: state ? 'mark' : Math.min(width, height) >= 110 ? 'value wide' : 'value',
         'font-size': Math.min(state ? 28 : 15, 0.5 * Math.min(width, height)), ...(state ? {} : { fill: shadeInk(shade) }) }, text));
     }
     for (const type of ['pointerenter', 'focus']) link.addEventListener(type, () => this.onPoint(i));
