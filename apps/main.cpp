@@ -204,6 +204,8 @@ int parse_and_run(CLI::App& app, int argc, char** argv) {
     subcommand->footer(footer_of(command, subcommand->get_option_no_throw("--out") != nullptr));
     subcommand->callback([&chosen, run] { chosen = run; });
   }
+  app.get_help_ptr()->group(
+      "");  // who reads this has found it, and its line makes two screens of one
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -145,7 +145,7 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
     if (const auto window = window_of_area(patch, image, size_px))
       plan.windows_mpx += 1e-6 * window->width * window->height;
   }
-  const Foreseen foreseen = foreseen_of(plan.windows_mpx, plan.images.size());
+  const Foreseen foreseen = foreseen_of_patch(plan.windows_mpx);
   plan.foreseen_s = foreseen.seconds;
   plan.foreseen_mib = foreseen.memory_mib;
   return plan;

@@ -140,6 +140,7 @@ TEST_F(SimulateBlock, HasFramesTilesOneTruthAndAFileThatNamesThem) {
 
 /// Of all classes but the outliers, which are birds and what lies below the ground.
 TEST_F(SimulateBlock, ShowsEveryPointOfItsAreaInTwoFramesOrMore) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   ASSERT_EQ(simulate("b").exit_code, 0);
   const auto area_m =
       YAML::LoadFile(path("b/block.yaml").string())["area"].as<std::array<double, 4>>();
@@ -162,6 +163,7 @@ TEST_F(SimulateBlock, ShowsEveryPointOfItsAreaInTwoFramesOrMore) {
 
 /// True lines are where the frames have edges, by the cameras that a reader of the orientation gets.
 TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   constexpr double kLeastChange = 15.0;  // grey values; a roof may look like its garden
   constexpr double kShortest_px = 25.0;
   ASSERT_EQ(simulate("b", {}, "700,600").exit_code, 0);
@@ -190,6 +192,7 @@ TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
 }
 
 TEST_F(SimulateBlock, HasTilesThatTogetherAreOneScanWithoutADoubledPoint) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   ASSERT_EQ(simulate("tiles").exit_code, 0);
   ASSERT_EQ(simulate("one", {"--tile-m", "1000"}).exit_code, 0);
   ASSERT_THAT(names_in(path("one/tiles")), SizeIs(1));
@@ -213,6 +216,7 @@ TEST_F(SimulateBlock, HasTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(SimulateBlock, HasATruthWithTheNumberOfFramesThatSeeALine) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   ASSERT_EQ(simulate("b", {}, "700,600").exit_code, 0);
   const nlohmann::json truth = read_json(path("b/truth.geojson"));
   int n_seen = 0;  // the others have less than ten pixels, or trees hide them
@@ -227,6 +231,7 @@ TEST_F(SimulateBlock, HasATruthWithTheNumberOfFramesThatSeeALine) {
 }
 
 TEST_F(SimulateBlock, HasAnyOrientationAndItsWords) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   const ProgramResult made = simulate("b", {"--orientation", "pat_b"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_THAT(read(path("b/block.yaml")),

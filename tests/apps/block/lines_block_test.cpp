@@ -145,6 +145,7 @@ class LinesBlock : public testing::Test {
 };
 
 TEST_F(LinesBlock, GivesTheBytesOfOneEvaluateForCellsOfAnySize) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   evaluate("one");
   int n_most = 0;
   for (const char* size_m : {"18.5", "5000"}) {
@@ -171,6 +172,7 @@ TEST_F(LinesBlock, GivesTheBytesOfOneEvaluateWithTheOptionsOfItsFile) {
 }
 
 TEST_F(LinesBlock, RecordsTheInputsOfOneEvaluate) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   evaluate("one");
   all_steps("block");
   const auto one = nlohmann::json::parse(folder_.read("one/run.json"));
@@ -207,6 +209,7 @@ TEST_F(LinesBlock, TheSameTaskInTwoProcessesGivesTheSameBytes) {
 }
 
 TEST_F(LinesBlock, SurvivesTasksThatAreKilled) {
+  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   evaluate("one");
   const int n_tasks = plan("block");
   for (int i = 0; i < n_tasks; ++i) {
