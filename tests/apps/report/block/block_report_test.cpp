@@ -12,6 +12,7 @@ namespace ridgeline::apps {
 namespace {
 
 using evaluate::Json;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -77,7 +78,13 @@ TEST(BlockReport, HasTheSameBytesAgain) {
   EXPECT_EQ(block.folder().read("pages/10_20.html"), page);
 }
 
-TEST(BlockReport, ThinsThePointsOfAPageAndTakesThoseOfItsArea) {
+TEST(EveryKth, LeavesAtMostSoMany) {
+  EXPECT_THAT(every_kth({1, 2, 3, 4, 5}, 2), ElementsAre(1, 4));
+  EXPECT_THAT(every_kth({1, 2, 3, 4, 5}, 5), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_TRUE(every_kth({}, 5).empty());
+}
+
+TEST(BlockReport, ShowsThePointsOfItsAreaOnAPage) {
   const BlockFixture block;
   (void)write_block_report(block.path(), std::nullopt);
   const Json page = data_of(block.folder().read("pages/10_20.html"));
