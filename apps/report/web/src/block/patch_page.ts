@@ -122,7 +122,7 @@ export class PatchPage {
     const { id } = this.report;
     const note = h('div', { id: 'full-report' }, h('h3', {}, 'With images'));
     append(note, h('p', {}, 'What its task did, with the time and memory it took, is in ', h('code', {}, `tasks/${id}/run.json`), ' beside the report of the block. The images with their segments and matches are in a report of this patch alone, which reconstructs it again; lines are not judged there. In the folder of the block:'),
-      h('p', {}, h('code', {}, `ridgeline run tasks/${id}/patch.json --out FOLDER`)));
+      h('p', {}, h('code', {}, `ridgeline run tasks/${id}/patch.yaml --out FOLDER`)));
     return note;
   }
 }
