@@ -36,7 +36,7 @@ export class BlockPage {
 
   private failures(): HTMLElement | null {
     const n = this.report.patches.length - this.done.length;
-    return n === 0 ? null : h('p', { class: 'message', id: 'failures' }, h('strong', {}, `${n} of ${countOf(this.report.patches.length, 'patch')} ${n === 1 ? 'has' : 'have'} no lines`), '. ', h('a', { href: '#failed' }, 'Their reasons'), ' are below.');
+    return n === 0 ? null : h('p', { class: 'message', id: 'failures' }, h('strong', {}, `${n} of ${countOf(this.report.patches.length, 'patch')} failed`), '. ', h('a', { href: '#failed' }, 'Their reasons'), ' are below.');
   }
 
   private show(): void {
