@@ -47,8 +47,8 @@ std::string name_of_folder(const std::string& folder) {
 }
 
 std::vector<std::string> file_names(const SimulateArguments& a) {
-  std::vector<std::string> names{std::begin(kLineFiles), std::end(kLineFiles)};
-  names.emplace_back("lidar.las");
+  std::vector<std::string> names{"lidar.las"};
+  names.insert(names.end(), std::begin(kLineFiles), std::end(kLineFiles));
   if (a.no_images) return names;
   std::ranges::move(view_file_names(a.views), std::back_inserter(names));
   return names;
