@@ -60,7 +60,7 @@ TEST(ReadLinesBlock, NamesTheLineAndTheRuleOfAFault) {
            Case{good + "patch_size: 3\n", "line 3", "unknown key 'patch_size'"},
            Case{good + "images: x\n", "line 3", "unknown key 'images'"},
            Case{"lines: a.csv\n", "line 1", "key 'lidar' is missing"},
-           Case{"lidar: a.las\n", "line 1", "key 'lines' is missing"},
+           Case{"block: b\nlidar: a.las\n", "line 1", "key 'lines' is missing"},
            Case{"lidar: a.las\nlines: []\n", "line 2", "at least one file is needed"},
            Case{good + "lines: c.csv\n", "line 3", "given twice"},
            Case{good + "patch_size_m: 0\n", "line 3", "must be in [1, 1e+06]"},
