@@ -6,11 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 namespace ridgeline::test {
@@ -39,9 +41,30 @@ std::string content_of(std::FILE* file) {
   return content;
 }
 
-[[noreturn]] void become(std::vector<char*>& argv,
+/// The variables of this process, and those given in place of them.
+std::vector<std::string> with_variables(const std::vector<std::string>& given) {
+  std::vector<std::string> all = given;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view name_and_equals(*variable, std::string_view(*variable).find('=') + 1);
+    const bool is_given = std::ranges::any_of(
+        given, [&](const std::string& one) { return one.starts_with(name_and_equals); });
+    if (!is_given) all.emplace_back(*variable);
+  }
+  return all;
+}
+
+/// What execve() takes. The texts must outlive it.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Nothing here may take a lock, as memory does: another thread may have held it during the fork, and is not there to give it back.
+[[noreturn]] void become(char* const* argv,
+                         char* const* variables,
                          const char* folder,
-                         std::vector<std::string>& environment,
                          int out,
                          int err,
                          unsigned time_limit_s) {
@@ -49,9 +72,8 @@ std::string content_of(std::FILE* file) {
   dup2(nothing, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
-  for (std::string& variable : environment) putenv(variable.data());
   alarm(time_limit_s);  // the alarm goes on in the program
-  if (chdir(folder) == 0) execv(argv.front(), argv.data());
+  if (chdir(folder) == 0) execve(argv[0], argv, variables);
   _exit(kNotStarted);
 }
 
@@ -77,17 +99,17 @@ ProgramResult run_program(const std::string& program,
                           unsigned time_limit_s) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  std::vector<std::string> variables = environment;
+  std::vector<std::string> variables = with_variables(environment);
+  const std::vector<char*> argv = pointers_to(words);
+  const std::vector<char*> envp = pointers_to(variables);
 
   const CaptureFile out = capture_file();
   const CaptureFile err = capture_file();
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) {
-    become(argv, folder.c_str(), variables, fileno(out.get()), fileno(err.get()), time_limit_s);
+    become(argv.data(), envp.data(), folder.c_str(), fileno(out.get()), fileno(err.get()),
+           time_limit_s);
   }
   ProgramResult result;
   wait_for(child, result);
