@@ -5,6 +5,7 @@
 #include "io/lines/read_lines.h"
 #include "io/orientation/read_orientation.h"
 #include "tests/cli/cli_fixture.h"
+#include "tests/support/temp_folder.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <yaml-cpp/yaml.h>
@@ -53,16 +54,26 @@ class SimulateBlock : public Cli {
     return run(arguments);
   }
 
-  [[nodiscard]] std::vector<StatedFrame> frames_of(const std::string& block) const {
-    const YAML::Node yaml = YAML::LoadFile((path(block) / "block.yaml").string());
+  /// A block for the tests that only read it, made by the first of them.
+  [[nodiscard]] fs::path made_once() const {
+    static const io::TempFolder folder;
+    const fs::path block = folder.file("b");
+    if (!fs::exists(block)) {
+      EXPECT_EQ(simulate(block.string(), {}, "700,600").exit_code, 0);
+    }
+    return block;
+  }
+
+  [[nodiscard]] static std::vector<StatedFrame> frames_of(const fs::path& block) {
+    const YAML::Node yaml = YAML::LoadFile((block / "block.yaml").string());
     io::OrientationOptions options;
-    options.cameras = (path(block) / yaml["cameras"].as<std::string>()).string();
-    const io::Orientation orientation = io::read_orientation(
-        (path(block) / yaml["orientation"].as<std::string>()).string(), options);
+    options.cameras = (block / yaml["cameras"].as<std::string>()).string();
+    const io::Orientation orientation =
+        io::read_orientation((block / yaml["orientation"].as<std::string>()).string(), options);
     std::vector<StatedFrame> frames;
     for (const io::OrientedImage& image : orientation.images) {
       const InteriorOrientation& interior = orientation.cameras[image.camera.value()].interior;
-      frames.push_back({(path(block) / "frames" / image.name).string(),
+      frames.push_back({(block / "frames" / image.name).string(),
                         projection_matrix(interior, image.exterior),
                         interior.size_px->cast<double>() - Eigen::Vector2d::Ones()});
     }
@@ -140,13 +151,12 @@ TEST_F(SimulateBlock, HasFramesTilesOneTruthAndAFileThatNamesThem) {
 
 /// Of all classes but the outliers, which are birds and what lies below the ground.
 TEST_F(SimulateBlock, ShowsEveryPointOfItsAreaInTwoFramesOrMore) {
-  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
-  ASSERT_EQ(simulate("b").exit_code, 0);
+  const fs::path block = made_once();
   const auto area_m =
-      YAML::LoadFile(path("b/block.yaml").string())["area"].as<std::array<double, 4>>();
-  const std::vector<StatedFrame> frames = frames_of("b");
+      YAML::LoadFile((block / "block.yaml").string())["area"].as<std::array<double, 4>>();
+  const std::vector<StatedFrame> frames = frames_of(block);
   ASSERT_EQ(frames.size(), 6U);
-  const io::PointCloud cloud = io::read_cloud({path("b/tiles/*.las").string()});
+  const io::PointCloud cloud = io::read_cloud({(block / "tiles/*.las").string()});
   Eigen::AlignedBox2d shown_m;
   int n_shown_once = 0;
   for (const io::CloudPoint& p : cloud.points) {
@@ -163,14 +173,13 @@ TEST_F(SimulateBlock, ShowsEveryPointOfItsAreaInTwoFramesOrMore) {
 
 /// True lines are where the frames have edges, by the cameras that a reader of the orientation gets.
 TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
-  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   constexpr double kLeastChange = 15.0;  // grey values; a roof may look like its garden
   constexpr double kShortest_px = 25.0;
-  ASSERT_EQ(simulate("b", {}, "700,600").exit_code, 0);
-  const io::LineSet truth = io::read_lines(path("b/truth.geojson").string());
+  const fs::path block = made_once();
+  const io::LineSet truth = io::read_lines((block / "truth.geojson").string());
   int n_drawn = 0;
   int n_in_place = 0;
-  for (const StatedFrame& frame : frames_of("b")) {
+  for (const StatedFrame& frame : frames_of(block)) {
     const cv::Mat grey = cv::imread(frame.file, cv::IMREAD_GRAYSCALE);
     ASSERT_EQ(grey.cols, 700) << frame.file;
     for (const io::Line& line : truth.lines) {
@@ -192,15 +201,13 @@ TEST_F(SimulateBlock, DrawsTheTrueLinesWhereItsOrientationSaysThatTheyAre) {
 }
 
 TEST_F(SimulateBlock, HasTilesThatTogetherAreOneScanWithoutADoubledPoint) {
-  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
-  ASSERT_EQ(simulate("tiles").exit_code, 0);
-  ASSERT_EQ(simulate("one", {"--tile-m", "1000"}).exit_code, 0);
+  const fs::path block = made_once();
+  ASSERT_EQ(simulate("one", {"--tile-m", "1000"}, "700,600").exit_code, 0);
   ASSERT_THAT(names_in(path("one/tiles")), SizeIs(1));
   const auto one = points_mm(path("one/tiles/*.las").string());
   EXPECT_GT(one.size(), 10000U);
-  EXPECT_EQ(points_mm(path("tiles/tiles/*.las").string()), one);
-  for (const auto& [x_mm, y_mm, z_mm] :
-       points_mm(path("tiles/tiles/513100_5403000.las").string())) {
+  EXPECT_EQ(points_mm((block / "tiles/*.las").string()), one);
+  for (const auto& [x_mm, y_mm, z_mm] : points_mm((block / "tiles/513100_5403000.las").string())) {
     ASSERT_GE(x_mm, 513100000);
     ASSERT_LE(y_mm, 5403100000);
   }
@@ -216,9 +223,7 @@ TEST_F(SimulateBlock, HasTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(SimulateBlock, HasATruthWithTheNumberOfFramesThatSeeALine) {
-  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
-  ASSERT_EQ(simulate("b", {}, "700,600").exit_code, 0);
-  const nlohmann::json truth = read_json(path("b/truth.geojson"));
+  const nlohmann::json truth = read_json(made_once() / "truth.geojson");
   int n_seen = 0;  // the others have less than ten pixels, or trees hide them
   int most_images = 0;
   for (const nlohmann::json& line : truth["features"]) {
@@ -231,7 +236,6 @@ TEST_F(SimulateBlock, HasATruthWithTheNumberOfFramesThatSeeALine) {
 }
 
 TEST_F(SimulateBlock, HasAnyOrientationAndItsWords) {
-  if (test::kIsSanitized) GTEST_SKIP() << "takes long, and other tests run the same code";
   const ProgramResult made = simulate("b", {"--orientation", "pat_b"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_THAT(read(path("b/block.yaml")),
