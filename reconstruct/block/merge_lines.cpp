@@ -64,9 +64,7 @@ Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
 
 /// How far the ends of `shorter` lie across `longer`, as squared distances by their covariances; four degrees of freedom. The
 /// correlation of the two ends is left out: it is low.
-double squared_difference(const UncertainLine& longer,
-                          const UncertainLine& shorter,
-                          double sigma_m) {
+double squared_difference(const UncertainLine& longer, const UncertainLine& shorter) {
   const Segment3& along = longer.segment_in_world;
   const auto axes = across(along.end - along.start);
   double sum = 0.0;
@@ -75,8 +73,7 @@ double squared_difference(const UncertainLine& longer,
     const double t = parameter_along(along, x);
     const Eigen::Vector2d offset = axes * (x - point_at(along, t));
     const Eigen::Matrix2d covariance =
-        axes * (covariance_at(longer, t) + covariance_at(shorter, s)) * axes.transpose() +
-        sigma_m * sigma_m * Eigen::Matrix2d::Identity();
+        axes * (covariance_at(longer, t) + covariance_at(shorter, s)) * axes.transpose();
     sum += offset.dot(covariance.ldlt().solve(offset));
   }
   return sum;
@@ -155,7 +152,7 @@ class Merger {
     const double common_m = common.share() * length(segment(a));
     if (!(common_m > 0.0) || common_m < kLeastCommon * shorter_m) return std::nullopt;
     const double difference =
-        squared_difference(lines_[a].line, lines_[b].line, options_.sigma_between_patches_m);
+        squared_difference(lines_[a].line, lines_[b].line);
     if (chi_square_tail(difference) < options_.significance) return std::nullopt;
     const bool reversed =
         (segment(i).end - segment(i).start).dot(segment(j).end - segment(j).start) < 0.0;
@@ -191,7 +188,7 @@ class Merger {
   }
 
   [[nodiscard]] MergedLine merged_line(std::size_t i, std::vector<bool>& is_taken) const {
-    MergedLine merged{i, lines_[i].line, 1 + twins_[i].size()};
+    MergedLine merged{i, lines_[i].line};
     prolong(i, false, merged.geometry, is_taken);
     prolong(i, true, merged.geometry, is_taken);
     return merged;

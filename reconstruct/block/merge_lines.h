@@ -28,15 +28,12 @@ struct MergeOptions {
   double overlap_m = 0.0;  ///< by which a patch reaches beyond its square on all sides
   /// Two lines are one if chance makes them differ more in fewer cases than this share.
   double significance = 1e-3;
-  /// Standard deviation, m, of what the covariances do not know: two patches choose images and match by themselves.
-  double sigma_between_patches_m = 0.02;
 };
 
 /// A line of the block.
 struct MergedLine {
   std::size_t line = 0;       ///< number of the found line that it is
   UncertainLine geometry;     ///< of that line, or longer if the line leaves its patch
-  std::size_t n_patches = 1;  ///< that found it
 };
 
 /// Makes one set of lines of those that overlapping patches found. `lines`: in the order of their squares, each set in the order of its
