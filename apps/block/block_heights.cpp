@@ -4,6 +4,7 @@
 #include "apps/pipeline/area_heights.h"
 #include "io/cloud/cloud_files.h"
 #include "io/error.h"
+#include "reconstruct/geometry/plan_box.h"
 
 #include <fmt/format.h>
 
@@ -18,11 +19,9 @@ void BlockHeights::read_sample(double overlap_m) {
   constexpr double kFar_m = 1e5;  // beyond all heights on Earth
   io::CloudFiles files(block_.lidar, {});
   if (!block_.area_m.empty()) {
-    Eigen::AlignedBox2d plan;
-    for (const Eigen::Vector2d& x : block_.area_m) plan.extend(x);
-    files.set_bounds(
-        {Eigen::Vector3d(plan.min().x() - overlap_m, plan.min().y() - overlap_m, -kFar_m),
-         Eigen::Vector3d(plan.max().x() + overlap_m, plan.max().y() + overlap_m, kFar_m)});
+    const Eigen::AlignedBox2d plan = grown(box_around(block_.area_m), overlap_m);
+    files.set_bounds({Eigen::Vector3d(plan.min().x(), plan.min().y(), -kFar_m),
+                      Eigen::Vector3d(plan.max().x(), plan.max().y(), kFar_m)});
   }
   const io::PointCloud cloud = files.read_thinned(std::nullopt, kMost);
   std::vector<double> heights_m;
@@ -51,10 +50,7 @@ std::array<double, 2> BlockHeights::range_m(const Eigen::AlignedBox2d& area_m) c
     patch.crs = block_.crs;
     patch.heights = block_.heights;
     patch.surface_model = block_.surface_model;
-    patch.area_m = {area_m.min(),
-                    {area_m.max().x(), area_m.min().y()},
-                    area_m.max(),
-                    {area_m.min().x(), area_m.max().y()}};
+    patch.area_m = corners_of(area_m);
     return area_heights(patch).range_m;
   }
   std::vector<double> heights_m;

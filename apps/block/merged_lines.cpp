@@ -4,6 +4,7 @@
 #include "io/lines/read_lines.h"
 #include "io/project/patch.h"
 #include "reconstruct/block/merge_lines.h"
+#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
@@ -52,15 +53,6 @@ LinesOfPatch read_lines_of(const FinishedPatch& finished) {
     found.lines.push_back(std::move(line));
   }
   return found;
-}
-
-bool is_within(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& x) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d side = polygon[(i + 1) % polygon.size()] - polygon[i];
-    const Eigen::Vector2d way = x - polygon[i];
-    if (side.x() * way.y() - side.y() * way.x() < 0.0) return false;
-  }
-  return true;
 }
 
 }  // namespace

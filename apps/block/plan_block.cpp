@@ -12,6 +12,7 @@
 #include "io/error.h"
 #include "io/results/version.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/views/normalised_image.h"
 
@@ -32,16 +33,6 @@ namespace {
 
 using reconstruct::GridCell;
 using reconstruct::PatchGrid;
-
-Eigen::AlignedBox2d box_of(const std::vector<Eigen::Vector2d>& points) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& x : points) box.extend(x);
-  return box;
-}
-
-std::vector<Eigen::Vector2d> corners_of(const Eigen::AlignedBox2d& box) {
-  return {box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}};
-}
 
 /// Where the rays through the corners of a frame meet a height; nothing if one of them looks above the horizon.
 std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double height_m) {
@@ -64,7 +55,7 @@ std::vector<Eigen::Vector2d> footprint(const io::PatchImage& image, double heigh
 
 /// The box to be cut into squares: that of the area, else of the LIDAR that gives the heights, else of what the images show.
 Eigen::AlignedBox2d extent_of(const io::PatchFile& patch, const BlockHeights& heights) {
-  if (!patch.area_m.empty()) return box_of(patch.area_m);
+  if (!patch.area_m.empty()) return box_around(patch.area_m);
   if (!heights.extent_m().isEmpty()) return heights.extent_m();
   Eigen::AlignedBox2d extent;
   for (const io::PatchImage& image : patch.images) {
@@ -72,20 +63,6 @@ Eigen::AlignedBox2d extent_of(const io::PatchFile& patch, const BlockHeights& he
     for (const Eigen::Vector2d& x : footprint(image, middle_m)) extent.extend(x);
   }
   return extent;
-}
-
-/// Whether a box has a place in common with a convex polygon whose corners run counter-clockwise.
-bool meets(const Eigen::AlignedBox2d& box, const std::vector<Eigen::Vector2d>& polygon) {
-  const std::vector<Eigen::Vector2d> corners = corners_of(box);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d side = polygon[(i + 1) % polygon.size()] - polygon[i];
-    const bool all_outside = std::ranges::all_of(corners, [&](const Eigen::Vector2d& x) {
-      const Eigen::Vector2d way = x - polygon[i];
-      return side.x() * way.y() - side.y() * way.x() <= 0.0;
-    });
-    if (all_outside) return false;
-  }
-  return true;
 }
 
 /// The squares of the extent that the area meets, in order.
@@ -102,7 +79,7 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
     for (std::int64_t row = first.row; row <= last.row; ++row) {
       const Eigen::AlignedBox2d core = grid.square({column, row}).intersection(extent);
       if ((core.sizes().array() <= 0.0).any()) continue;
-      if (area.empty() || meets(core, area)) squares.push_back({column, row});
+      if (meets(area, core)) squares.push_back({column, row});
     }
   }
   return squares;
@@ -132,8 +109,7 @@ std::optional<PlannedPatch> planned(const io::BlockFile& block,
   plan.cell = cell;
   plan.id = fmt::format("{}_{}", cell.column, cell.row);
   plan.core_m = grid.square(cell).intersection(extent);
-  const Eigen::Vector2d overlap = Eigen::Vector2d::Constant(block.overlap_m);
-  plan.area_m = {plan.core_m.min() - overlap, plan.core_m.max() + overlap};
+  plan.area_m = grown(plan.core_m, block.overlap_m);
   plan.height_range_m = heights.range_m(plan.area_m);
   io::PatchFile patch = patch_of_area(block, plan.area_m, plan.height_range_m);
   patch.images = block.patch.images;

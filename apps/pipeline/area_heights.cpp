@@ -5,6 +5,7 @@
 #include "io/error.h"
 #include "io/gdal/surface_heights.h"
 #include "io/images/image.h"
+#include "reconstruct/geometry/plan_box.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -17,22 +18,6 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-Eigen::AlignedBox2d box_of(const std::vector<Eigen::Vector2d>& corners) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& x : corners) box.extend(x);
-  return box;
-}
-
-/// Whether a point lies within a convex polygon whose corners run counter-clockwise.
-bool is_within(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& x) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector2d side = corners[(i + 1) % corners.size()] - corners[i];
-    const Eigen::Vector2d way = x - corners[i];
-    if (side.x() * way.y() - side.y() * way.x() < 0.0) return false;
-  }
-  return true;
-}
-
 struct Lidar {
   Points points_in_world;
   io::Crs crs;
@@ -43,7 +28,7 @@ Lidar lidar_of(const io::PatchFile& patch) {
   constexpr std::uint64_t kMost = 2'000'000;
   io::CloudFiles files(patch.lidar, {});
   if (!patch.area_m.empty()) {
-    const Eigen::AlignedBox2d plan = box_of(patch.area_m);
+    const Eigen::AlignedBox2d plan = box_around(patch.area_m);
     constexpr double kFar_m = 1e5;  // beyond all heights on Earth
     files.set_bounds({Eigen::Vector3d(plan.min().x(), plan.min().y(), -kFar_m),
                       Eigen::Vector3d(plan.max().x(), plan.max().y(), kFar_m)});
@@ -108,7 +93,7 @@ std::vector<double> heights_of_model(const io::PatchFile& patch) {
     throw io::IoError(patch.path, "height_range: auto with surface_model needs an area");
   }
   const double unit_m = io::describe(patch.crs).horizontal_unit_m;
-  Eigen::AlignedBox2d bounds = box_of(patch.area_m);
+  Eigen::AlignedBox2d bounds = box_around(patch.area_m);
   bounds = {Eigen::Vector2d(bounds.min() / unit_m), Eigen::Vector2d(bounds.max() / unit_m)};
   io::SurfaceHeights model = io::read_surface_heights(*patch.surface_model, bounds);
   const io::CrsAgreement agreement = io::compare(patch.crs, model.crs);

@@ -2,6 +2,7 @@
 #include "io/project/lines_block_file.h"
 
 #include "io/files/yaml_check.h"
+#include "io/project/stated_crs.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -30,7 +31,7 @@ class LinesBlockReader {
     if (map_.has("block")) block.block = map_.text("block");
     block.lines = paths("lines");
     block.lidar = paths("lidar");
-    block.crs = crs();
+    block.crs = stated_crs(map_);
     if (map_.has("reference_lines")) block.reference_lines = resolved(map_.text("reference_lines"));
     if (map_.has("patch_size_m")) block.patch_size_m = patch_size_m();
     if (map_.has("classes")) block.classes = classes();
@@ -51,17 +52,6 @@ class LinesBlockReader {
     std::vector<std::string> files = map_.texts(key);
     if (files.empty()) map_.fail(key, fmt::format("{} is empty; at least one file is needed", key));
     return transformed(files, [&](const std::string& file) { return resolved(file); });
-  }
-
-  [[nodiscard]] Crs crs() const {
-    if (!map_.has("crs")) return {};
-    Crs crs{map_.text("crs")};
-    try {
-      describe(crs);
-    } catch (const std::invalid_argument& error) {
-      map_.fail("crs", std::string("crs: ") + error.what());
-    }
-    return crs;
   }
 
   [[nodiscard]] double patch_size_m() const {

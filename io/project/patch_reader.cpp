@@ -7,6 +7,7 @@
 #include "io/project/patch.h"
 #include "io/project/patch_area.h"
 #include "io/project/patch_orientation.h"
+#include "io/project/stated_crs.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Geometry>
@@ -72,7 +73,7 @@ class PatchReader {
     PatchFile patch;
     patch.path = path_;
     patch.id = map_.text(is_block() ? "block" : "id");
-    patch.crs = crs();
+    patch.crs = stated_crs(map_);
     if (map_.has("lidar")) {
       for (const std::string& file : map_.texts("lidar")) patch.lidar.push_back(resolved(file));
     }
@@ -118,17 +119,6 @@ class PatchReader {
 
   [[nodiscard]] std::optional<std::string> optional_path(const char* key) const {
     return map_.has(key) ? std::optional(resolved(map_.text(key))) : std::nullopt;
-  }
-
-  [[nodiscard]] Crs crs() const {
-    if (!map_.has("crs")) return {};
-    Crs crs{map_.text("crs")};
-    try {
-      describe(crs);
-    } catch (const std::invalid_argument& error) {
-      map_.fail("crs", std::string("crs: ") + error.what());
-    }
-    return crs;
   }
 
   /// Reads the orientation if the patch names one. The patch takes its reference system if it states none itself.

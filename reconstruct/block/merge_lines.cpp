@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/block/merge_lines.h"
 
+#include "reconstruct/geometry/plan_box.h"
 #include "reconstruct/geometry/segment_index.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -131,9 +132,7 @@ class Merger {
   }
 
   [[nodiscard]] Eigen::AlignedBox2d covered(const GridCell& cell) const {
-    Eigen::AlignedBox2d box = grid_.square(cell);
-    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(options_.overlap_m);
-    return {box.min() - margin, box.max() + margin};
+    return grown(grid_.square(cell), options_.overlap_m);
   }
 
   [[nodiscard]] std::optional<Twin> twin_of(std::size_t i, std::size_t j) const {
@@ -151,8 +150,7 @@ class Merger {
         std::min(shown_a.share() * length(segment(a)), shown_b.share() * length(segment(b)));
     const double common_m = common.share() * length(segment(a));
     if (!(common_m > 0.0) || common_m < kLeastCommon * shorter_m) return std::nullopt;
-    const double difference =
-        squared_difference(lines_[a].line, lines_[b].line);
+    const double difference = squared_difference(lines_[a].line, lines_[b].line);
     if (chi_square_tail(difference) < options_.significance) return std::nullopt;
     const bool reversed =
         (segment(i).end - segment(i).start).dot(segment(j).end - segment(j).start) < 0.0;

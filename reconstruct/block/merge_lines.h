@@ -32,8 +32,8 @@ struct MergeOptions {
 
 /// A line of the block.
 struct MergedLine {
-  std::size_t line = 0;       ///< number of the found line that it is
-  UncertainLine geometry;     ///< of that line, or longer if the line leaves its patch
+  std::size_t line = 0;    ///< number of the found line that it is
+  UncertainLine geometry;  ///< of that line, or longer if the line leaves its patch
 };
 
 /// Makes one set of lines of those that overlapping patches found. `lines`: in the order of their squares, each set in the order of its
