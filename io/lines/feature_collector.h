@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/lines/attributes.h"
-#include "io/lines/kind_counts.h"
+#include "io/text/kind_counts.h"
 #include "io/lines/line_set.h"
 #include "io/lines/polyline.h"
 

@@ -3,7 +3,7 @@
 
 #include "io/crs/crs.h"
 #include "io/gdal/attribute_table.h"
-#include "io/lines/kind_counts.h"
+#include "io/text/kind_counts.h"
 #include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>

@@ -23,7 +23,7 @@ const std::map<std::string, Folders>& lists() {
   static const std::map<std::string, Folders> lists{
       {"<readers>",
        {"io/error.h", "io/text", "io/kinds", "io/files", "io/crs", "io/gdal", "io/images",
-        "io/orientation", "io/project", "io/cloud", "io/lines"}},
+        "io/orientation", "io/project", "io/cloud", "io/lines", "io/models"}},
       {"<judge>", {"evaluate", "io/results"}},
       {"<method>", {"reconstruct"}}};
   return lists;
@@ -67,9 +67,12 @@ const std::map<std::string, Folders>& allowed() {
         "io/images", "io/orientation"}},
       {"io/cloud",
        {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs"}},
+      {"io/models",
+       {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs",
+        "io/gdal"}},
       {"io/lines",
        {"reconstruct/geometry", "io/error.h", "io/text", "io/kinds", "io/files", "io/crs",
-        "io/gdal", "io/cloud"}},
+        "io/gdal", "io/cloud", "io/models"}},
       {"io/results", {"reconstruct/geometry", "evaluate", "<readers>"}},
       {"apps/pipeline", {"<method>", "<judge>", "<readers>"}},
       {"apps/common", {"apps/pipeline", "<method>", "<judge>", "<readers>"}},

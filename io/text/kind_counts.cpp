@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/lines/kind_counts.h"
+#include "io/text/kind_counts.h"
 
 #include <fmt/format.h>
 

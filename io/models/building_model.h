@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/crs/crs.h"
+#include "io/gdal/attribute_table.h"
+#include "io/text/kind_counts.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// What a model says that a face is. Interior surfaces, openings and the like are kOther.
+enum class SurfaceKind : std::uint8_t { kUnknown, kRoof, kWall, kGround, kOther };
+
+/// A ring in the coordinates of the file; its last vertex is not the first one again.
+using Ring = std::vector<Eigen::Vector3d>;
+
+/// A flat face of a building.
+struct ModelFace {
+  std::vector<Ring> rings;  ///< the outer one, then holes; three vertices each, at least
+  SurfaceKind kind = SurfaceKind::kUnknown;
+  std::size_t building = 0;  ///< place in BuildingModel::buildings
+  std::string id;            ///< of the surface, if the file gives it one; may be empty
+};
+
+/// A building with all of its parts.
+struct Building {
+  std::string id;
+  std::string lod;  ///< of its faces, as the file says: "2.2", "2"; empty if it does not
+};
+
+/// The buildings of a file by their faces.
+struct BuildingModel {
+  std::string path;
+  std::string format;  ///< "CityJSON 1.1", "CityGML 2.0", ...
+  Crs crs;
+  std::vector<Building> buildings;  ///< in the order of the file; those without faces stay
+  std::vector<ModelFace> faces;     ///< in the order of the file, those of a building together
+  AttributeTable attributes;        ///< what the file states of its buildings; row i is that of buildings[i]
+  KindCounts left_out;              ///< what the file holds beside faces of buildings, and faces that are none
+  std::vector<std::string> warnings;
+};
+
+struct ReadModelOptions {
+  /// The level of detail that is read: "2.2", or "2" for the highest one of 2.x. If empty, each building has the highest one that
+  /// it is given in, up to 3.x.
+  std::string lod;
+};
+
+}  // namespace ridgeline::io
