@@ -95,14 +95,20 @@ class CityGmlReader {
 
  private:
   void start(const XmlName& name, const XmlAttributes& attributes) {
-    Element element = inherited(elements_.back());
-    element.name = name.local;
-    element.role = role_in(elements_.back(), element, name, attributes);
-    if (element.role == ElementRole::kGeometry || element.role == ElementRole::kBounds) {
+    const ElementRole parent = elements_.back().role;
+    if (parent == ElementRole::kGeometry || parent == ElementRole::kSkipped) {
+      elements_.emplace_back().role = parent;  // most elements of a file
+    } else {
+      Element element = inherited(elements_.back());
+      element.name = name.local;
+      element.role = role_in(elements_.back(), element, name, attributes);
+      elements_.push_back(std::move(element));
+    }
+    const ElementRole role = elements_.back().role;
+    if (role == ElementRole::kGeometry) surfaces_.start(name, attributes);
+    if (role == ElementRole::kGeometry || role == ElementRole::kBounds) {
       note_srs_name(attributes.value("srsName"));
     }
-    if (element.role == ElementRole::kGeometry) surfaces_.start(name, attributes);
-    elements_.push_back(std::move(element));
   }
 
   static Element inherited(const Element& parent) {
@@ -139,9 +145,8 @@ class CityGmlReader {
         return begin_part(element);
       case kToInside:
         return skip_object(name);
-      case kGeometry:
       case kBounds:
-        return parent.role;
+        return kBounds;
       case kAddress:
         if (name.local == "Point") model_.left_out.add(kAddressPoint);
         return kAddress;
