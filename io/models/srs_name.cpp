@@ -100,7 +100,7 @@ SrsName read_srs_name(std::string_view name) {
   const std::string shown(name.substr(0, kMostShown));
   const std::string lower = lower_case(name);
   const bool is_adv = lower.starts_with("urn:adv:");
-  result.keeps_axis_order = !is_adv && (lower.starts_with("urn:") || lower.starts_with("http"));
+  result.keeps_axis_order = lower.starts_with("urn:") || lower.starts_with("http");
   const std::vector<std::string> codes =
       is_adv ? adv_codes(name, result.warning) : epsg_codes(name);
   Crs crs{codes.empty() ? std::string(name) : "EPSG:" + codes[0]};

@@ -183,8 +183,9 @@ TEST_F(CityGml, AReferenceMayNameASurfaceOfSeveralPolygons) {
                                 polygon_2("p", kRoofText) + polygon_2("q", kWallText) +
                                 "</g:CompositeSurface></g:surfaceMember>";
   const BuildingModel model = read(city_2(
-      building_2("B", surface_2("RoofSurface", "r", composite) + solid_2(reference_2("all")))));
+      building_2("B", surface_2("RoofSurface", "r", reference_2("all")) + solid_2(composite))));
   EXPECT_THAT(ids_of(model), ElementsAre("p", "q"));
+  EXPECT_THAT(kinds_of(model), ElementsAre(SurfaceKind::kRoof, SurfaceKind::kRoof));
   EXPECT_TRUE(model.left_out.empty()) << model.left_out.text();
 }
 
@@ -242,6 +243,18 @@ TEST_F(CityGml, PartsBelongToTheirBuilding) {
   EXPECT_EQ(model.faces[1].building, 0U);
   EXPECT_EQ(model.buildings[1].lod, "");
   EXPECT_THAT(attributes_of(model, 0), IsEmpty());
+}
+
+TEST_F(CityGml, ASolidOfAPartIsComparedWithTheSurfacesOfThatPart) {
+  const auto part = [](const std::string& content) {
+    return "<b:consistsOfBuildingPart><b:BuildingPart>" + content +
+           "</b:BuildingPart></b:consistsOfBuildingPart>";
+  };
+  const std::string first = surface_2("WallSurface", "w", polygon_2("p", kWallText));
+  const BuildingModel model =
+      read(city_2(building_2("A", part(first + solid_2(polygon_2("repeated", kWallText))) +
+                                      part(solid_2(polygon_2("other part", kWallText))))));
+  EXPECT_THAT(ids_of(model), ElementsAre("p", "other part"));
 }
 
 TEST_F(CityGml, TheHighestLevelUpTo3IsReadUnlessOneIsChosen) {
