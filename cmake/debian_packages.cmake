@@ -26,8 +26,8 @@ report of the distances, and an exit code for accuracy gates.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libridgeline-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 string(JOIN ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS  # what ridgelineConfig.cmake looks for
-  libboost-dev libeigen3-dev libfmt-dev libgdal-dev libopencv-dev libpcl-dev libproj-dev libsqlite3-dev libssl-dev
-  libtbb-dev libyaml-cpp-dev nlohmann-json3-dev pkg-config)
+  libboost-dev libeigen3-dev libexpat1-dev libfmt-dev libgdal-dev libopencv-dev libpcl-dev libproj-dev libsqlite3-dev libssl-dev
+  libtbb-dev libyaml-cpp-dev nlohmann-json3-dev pkg-config zlib1g-dev)
 set(CPACK_COMPONENT_DEV_DESCRIPTION
 "Static libraries, headers and CMake files to reconstruct 3D line segments from
 oriented aerial images and to judge lines against point clouds of PCL, from

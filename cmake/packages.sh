@@ -6,7 +6,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config git ccache
   libeigen3-dev libpcl-dev libflann-dev liblz4-dev libboost-dev
   libopencv-dev
-  libgdal-dev libsqlite3-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
+  libgdal-dev libsqlite3-dev libexpat1-dev zlib1g-dev libssl-dev libproj-dev proj-data libembree-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libfmt-dev libspdlog-dev
 )
 python_packages=(pybind11-dev python3-pybind11 python3-dev python3-numpy python3-setuptools python3-pip)

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/models/building_faces.h"
+
+#include "io/error.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr Kind kOpenReference{"reference to a surface that is not there",
+                              "references to surfaces that are not there"};
+
+std::optional<int> chosen_lod(const std::vector<GeometryProperty>& properties,
+                              const ReadModelOptions& options) {
+  constexpr int kHighestByItself = 3;  // LoD 4 adds rooms
+  std::optional<int> highest;
+  for (const GeometryProperty& property : properties) {
+    const bool fits = options.lod.empty() ? property.lod <= kHighestByItself
+                                          : std::to_string(property.lod) == options.lod;
+    const bool is_empty = property.surfaces.first == property.surfaces.end;
+    if (fits && !is_empty && !property.is_extra)
+      highest = std::max(property.lod, highest.value_or(0));
+  }
+  return highest;
+}
+
+using Outline = std::vector<std::array<double, 3>>;
+
+/// The vertices of a ring in an order that depends neither on its start nor on its direction.
+Outline outline_of(const Ring& ring) {
+  Outline outline;
+  outline.reserve(ring.size());
+  for (const Eigen::Vector3d& vertex : ring)
+    outline.push_back({vertex.x(), vertex.y(), vertex.z()});
+  std::ranges::sort(outline);
+  return outline;
+}
+
+/// Chooses the polygons of one building that become faces.
+class FaceChoice {
+ public:
+  struct Chosen {
+    std::size_t surface = 0;
+    bool is_reversed = false;
+    const GeometryProperty* property = nullptr;
+  };
+
+  FaceChoice(const GmlSurfaces& surfaces, std::size_t building, std::vector<OpenReference>& open)
+      : surfaces_(surfaces),
+        building_(building),
+        open_(open),
+        is_taken_(surfaces.surfaces().size(), 0) {}
+
+  void add(const GeometryProperty& property) {
+    push(property.surfaces, false);
+    while (!todo_.empty()) {
+      const auto [place, is_turned] = todo_.back();
+      todo_.pop_back();
+      visit(place, is_turned, property);
+    }
+  }
+
+  /// In the order of the file.
+  std::vector<Chosen> take() {
+    std::ranges::sort(chosen_, {}, &Chosen::surface);
+    return std::move(chosen_);
+  }
+
+ private:
+  struct Visit {
+    std::size_t place = 0;
+    bool is_turned = false;
+  };
+
+  void push(const SurfaceRange& range, bool is_turned) {
+    for (std::size_t i = range.end; i > range.first; --i) todo_.push_back({i - 1, is_turned});
+  }
+
+  /// Each surface and each reference is taken once, so references in a circle end.
+  void visit(std::size_t place, bool is_turned, const GeometryProperty& property) {
+    if (std::exchange(is_taken_[place], 1) != 0) return;
+    const GmlSurface& surface = surfaces_.surfaces()[place];
+    const bool is_reversed = surface.is_reversed != is_turned;
+    if (surface.reference.empty()) {
+      if (property.is_thematic || !repeats_face(surface, property.part)) {
+        chosen_.push_back({place, is_reversed, &property});
+      }
+    } else if (const SurfaceRange* const named = surfaces_.with_id(surface.reference)) {
+      push(*named, is_reversed);
+    } else {
+      open_.push_back({surface.reference, building_, property.kind});
+    }
+  }
+
+  bool repeats_face(const GmlSurface& surface, std::size_t part) {
+    for (; n_outlined_ < chosen_.size(); ++n_outlined_) {
+      const Chosen& chosen = chosen_[n_outlined_];
+      outlines_.emplace(chosen.property->part,
+                        outline_of(surfaces_.surfaces()[chosen.surface].rings[0]));
+    }
+    return outlines_.contains({part, outline_of(surface.rings[0])});
+  }
+
+  const GmlSurfaces& surfaces_;
+  std::size_t building_;
+  std::vector<OpenReference>& open_;
+  std::vector<char> is_taken_;
+  std::vector<Visit> todo_;
+  std::vector<Chosen> chosen_;
+  std::size_t n_outlined_ = 0;                          ///< so many of `chosen_` are in `outlines_`
+  std::set<std::pair<std::size_t, Outline>> outlines_;  ///< with the part that they are of
+};
+
+std::size_t num_vertices(const ModelFace& face) {
+  std::size_t n = 0;
+  for (const Ring& ring : face.rings) n += ring.size();
+  return n;
+}
+
+void reverse_rings(ModelFace& face) {
+  for (Ring& ring : face.rings) std::ranges::reverse(ring);
+}
+
+}  // namespace
+
+void append_faces(const GmlSurfaces& surfaces,
+                  const std::vector<GeometryProperty>& properties,
+                  const ReadModelOptions& options,
+                  BuildingModel& model,
+                  std::vector<OpenReference>& open) {
+  const std::optional<int> lod = chosen_lod(properties, options);
+  if (!lod) return;
+  model.buildings.back().lod = std::to_string(*lod);
+  const std::size_t building = model.buildings.size() - 1;
+  FaceChoice choice(surfaces, building, open);
+  for (const bool thematic : {true, false}) {
+    for (const GeometryProperty& property : properties) {
+      if (property.lod == *lod && property.is_thematic == thematic) choice.add(property);
+    }
+  }
+  for (const FaceChoice::Chosen& chosen : choice.take()) {
+    const GmlSurface& surface = surfaces.surfaces()[chosen.surface];
+    const GeometryProperty& property = *chosen.property;
+    ModelFace face{surface.rings, property.kind, building,
+                   surface.id.empty() ? property.surface_id : surface.id};
+    if (chosen.is_reversed) reverse_rings(face);
+    model.faces.push_back(std::move(face));
+  }
+}
+
+void resolve(const std::vector<OpenReference>& open, BuildingModel& model) {
+  if (open.empty()) return;
+  std::unordered_map<std::string, std::size_t> by_id;
+  std::size_t n_vertices_left = 0;
+  for (std::size_t i = 0; i < model.faces.size(); ++i) {
+    by_id.emplace(model.faces[i].id, i);
+    n_vertices_left += num_vertices(model.faces[i]);
+  }
+  for (const OpenReference& reference : open) {
+    const auto found = by_id.find(reference.id);
+    if (found == by_id.end()) {
+      model.left_out.add(kOpenReference);
+      continue;
+    }
+    ModelFace face = model.faces[found->second];
+    const std::size_t n_vertices = num_vertices(face);
+    // a face is shared by two buildings, so copies have fewer vertices than the file
+    if (n_vertices > n_vertices_left) {
+      throw IoError(model.path, "its buildings name the faces of others over and over");
+    }
+    n_vertices_left -= n_vertices;
+    face.building = reference.building;
+    if (reference.kind != SurfaceKind::kUnknown) face.kind = reference.kind;
+    model.faces.push_back(std::move(face));
+  }
+  std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
+}
+
+}  // namespace ridgeline::io

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/models/building_model.h"
+
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+
+namespace ridgeline::io {
+
+// One writer per format; what it is given was checked by write_model().
+void write_cityjson(const BuildingModel& model, std::ostream& stream);
+void write_citygml(const BuildingModel& model, std::ostream& stream);
+
+/// The codes that EPSG has for a CRS: one for the whole, or those of its parts.
+struct EpsgCodes {
+  std::optional<std::string> whole, plane, heights;
+};
+EpsgCodes epsg_codes_of(const Crs& crs);
+
+/// A coordinate in whole thousandths, which the formats share.
+long long in_thousandths(double coordinate);
+
+/// Whether the faces are the surface of bodies: each edge of a ring, in thousandths, has its one counterpart that runs
+/// the other way.
+bool are_closed(std::span<const ModelFace> faces);
+
+/// "RoofSurface" etc.; null for kUnknown.
+const char* surface_name(SurfaceKind kind);
+
+}  // namespace ridgeline::io

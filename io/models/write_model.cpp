@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/models/write_model.h"
+
+#include "io/crs/proj_objects.h"
+#include "io/files/atomic_file.h"
+#include "io/models/model_writers.h"
+#include "reconstruct/geometry/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace ridgeline::io {
+namespace {
+
+std::optional<std::string> code_at_epsg(const PJ* crs) {
+  if (crs == nullptr) return std::nullopt;
+  const char* const authority = proj_get_id_auth_name(crs, 0);
+  const char* const code = proj_get_id_code(crs, 0);
+  if (authority == nullptr || code == nullptr || std::string_view(authority) != "EPSG")
+    return std::nullopt;
+  return code;
+}
+
+void check_faces(const BuildingModel& model) {
+  constexpr double kMost = 9e12;  // whose thousandths are exact in a double
+  for (const ModelFace& face : model.faces) {
+    check(face.building < model.buildings.size(), "write_model: building = ", face.building,
+          ", must be that of a building of the model");
+    check(!face.rings.empty(), "write_model: a face has no ring");
+    for (const Ring& ring : face.rings) {
+      check(ring.size() >= 3, "write_model: a ring has ", ring.size(),
+            " vertices, must have three");
+      for (const Eigen::Vector3d& vertex : ring) {
+        check(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kMost,
+              "write_model: vertex = ", vertex.transpose(), ", must be finite and below 9e12");
+      }
+    }
+  }
+}
+
+/// The model with an id of its own for each building.
+BuildingModel with_ids(BuildingModel model) {
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < model.buildings.size(); ++i) {
+    std::string& id = model.buildings[i].id;
+    if (id.empty()) id = fmt::format("building_{}", i);
+    check(ids.insert(id).second, "write_model: id = ", id, ", must be that of one building");
+  }
+  std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
+  model.attributes.rows.resize(model.buildings.size());
+  return model;
+}
+
+}  // namespace
+
+EpsgCodes epsg_codes_of(const Crs& crs) {
+  if (!crs.known()) return {};
+  const proj::Context context = proj::make_context();
+  const proj::Object stated = proj::unbound(context.get(), proj::create_crs(context.get(), crs));
+  const proj::Object whole = proj::identified(context.get(), *stated);
+  const proj::Parts parts = proj::split(context.get(), crs);
+  return {code_at_epsg(whole.get()), code_at_epsg(parts.horizontal.get()),
+          code_at_epsg(parts.vertical.get())};
+}
+
+long long in_thousandths(double coordinate) { return std::llround(coordinate * 1000.0); }
+
+bool are_closed(std::span<const ModelFace> faces) {
+  using Corner = std::array<long long, 3>;
+  const auto corner = [](const Eigen::Vector3d& x) {
+    return Corner{in_thousandths(x.x()), in_thousandths(x.y()), in_thousandths(x.z())};
+  };
+  std::map<std::pair<Corner, Corner>, int> uses;
+  for (const ModelFace& face : faces) {
+    for (const Ring& ring : face.rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        ++uses[{corner(ring[i]), corner(ring[(i + 1) % ring.size()])}];
+    }
+  }
+  return !uses.empty() && std::ranges::all_of(uses, [&](const auto& use) {
+    const auto counterpart = uses.find({use.first.second, use.first.first});
+    return use.second == 1 && counterpart != uses.end() && counterpart->second == 1;
+  });
+}
+
+const char* surface_name(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::kRoof:
+      return "RoofSurface";
+    case SurfaceKind::kWall:
+      return "WallSurface";
+    case SurfaceKind::kGround:
+      return "GroundSurface";
+    case SurfaceKind::kOther:
+      return "ClosureSurface";
+    case SurfaceKind::kUnknown:
+      break;
+  }
+  return nullptr;
+}
+
+void write_model(const std::string& path, const BuildingModel& model, ModelFormat format) {
+  check_faces(model);
+  const BuildingModel written = with_ids(model);
+  AtomicFile file(path);
+  (format == ModelFormat::kCityJson ? write_cityjson : write_citygml)(written, file.stream());
+  file.commit();
+}
+
+}  // namespace ridgeline::io
