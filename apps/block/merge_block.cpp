@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -104,18 +105,25 @@ class BlockMerge {
       if (!reasons_[i].empty()) continue;
       finished.push_back({&plan_.patches[i], tasks_[i].patch_path(), tasks_[i].lines_path(method)});
     }
-    BlockLines lines = merged_lines(plan_, finished);
+    std::vector<std::unique_ptr<io::LineWriter>> writers;
     for (const auto& [format, extension] : {std::pair(io::LineFormat::kGeoJson, ".geojson"),
                                             std::pair(io::LineFormat::kGeoPackage, ".gpkg")}) {
-      (void)io::write_lines(out_.path(lines_name(method, extension)), lines.set, format);
+      writers.push_back(
+          io::line_writer(out_.path(lines_name(method, extension)), {plan_.crs}, format));
     }
+    std::vector<std::size_t>& patch_of_line = patch_of_line_.emplace_back();
+    const MergedCounts counts =
+        merge_lines_of(plan_, finished, [&](const io::Line& line, std::size_t patch) {
+          for (const auto& writer : writers) writer->add(line);
+          patch_of_line.push_back(patch);
+        });
+    for (const auto& writer : writers) writer->commit();
     say("{}: {} lines of the block, of {} that {} patches found with their overlaps\n",
-        reconstruct::name(method), lines.set.lines.size(), lines.n_found, finished.size());
+        reconstruct::name(method), patch_of_line.size(), counts.n_found, finished.size());
     record_.set(fmt::format("lines_{}", reconstruct::name(method)),
-                {{"n_found", lines.n_found},
-                 {"n_without_place", lines.n_without_place},
-                 {"n_merged", lines.set.lines.size()}});
-    patch_of_line_.push_back(std::move(lines.patch_of_line));
+                {{"n_found", counts.n_found},
+                 {"n_without_place", counts.n_without_place},
+                 {"n_merged", patch_of_line.size()}});
   }
 
   /// The frames of the block as a patch, so that image segments of the lines are evidence.

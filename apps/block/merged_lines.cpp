@@ -11,7 +11,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <deque>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -32,7 +34,6 @@ void count_from_frame(const io::PatchFile& patch, io::Line& line) {
 }
 
 struct LinesOfPatch {
-  io::Crs crs;
   std::vector<io::Line> lines;
   std::size_t n_without_place = 0;
 };
@@ -40,7 +41,7 @@ struct LinesOfPatch {
 LinesOfPatch read_lines_of(const FinishedPatch& finished) {
   const io::PatchFile patch = io::read_patch(finished.patch_path);
   io::LineSet set = io::read_lines(finished.lines_path);
-  LinesOfPatch found{set.crs, {}, 0};
+  LinesOfPatch found;
   for (io::Line& line : set.lines) {
     if (!all_finite(line.segment_in_world) || !line.covariance_m2) {
       ++found.n_without_place;
@@ -50,43 +51,78 @@ LinesOfPatch read_lines_of(const FinishedPatch& finished) {
     line.id = fmt::format("{}/{}", finished.planned->id, line.id);
     if (!line.parent_id.empty())
       line.parent_id = fmt::format("{}/{}", finished.planned->id, line.parent_id);
+    line.row = 0;
     found.lines.push_back(std::move(line));
   }
   return found;
 }
 
+class StripMerge {
+ public:
+  using Take = std::function<void(const io::Line&, std::size_t patch)>;
+
+  StripMerge(const BlockPlan& plan, const Take& take)
+      : plan_(plan),
+        take_(take),
+        merger_(reconstruct::PatchGrid{plan.patch_size_m}, {.overlap_m = plan.overlap_m}) {}
+
+  void add(std::span<const FinishedPatch> column) {
+    std::vector<LinesOfPatch> read(column.size());
+    tbb::parallel_for(std::size_t{0}, column.size(),
+                      [&](std::size_t i) { read[i] = read_lines_of(column[i]); });
+    std::vector<reconstruct::FoundLine> found;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      counts_.n_without_place += read[i].n_without_place;
+      for (io::Line& line : read[i].lines) {
+        found.push_back({{line.segment_in_world, *line.covariance_m2}, column[i].planned->cell});
+        held_.push_back(std::move(line));
+      }
+    }
+    counts_.n_found += found.size();
+    take_all(merger_.add(found));
+  }
+
+  MergedCounts finish() {
+    take_all(merger_.finish());
+    return counts_;
+  }
+
+ private:
+  void take_all(const std::vector<reconstruct::MergedLine>& merged) {
+    for (const reconstruct::MergedLine& one : merged) {
+      const Segment3& segment = one.geometry.segment_in_world;
+      if (!is_within(plan_.area_m, midpoint(segment).head<2>())) continue;
+      io::Line& line = held_[one.line - n_dropped_];
+      line.segment_in_world = segment;
+      line.covariance_m2 = one.geometry.covariance_m2;
+      const auto patch = std::ranges::lower_bound(plan_.patches, one.cell, {}, &PlannedPatch::cell);
+      take_(line, static_cast<std::size_t>(patch - plan_.patches.begin()));
+    }
+    for (; n_dropped_ < merger_.first_needed(); ++n_dropped_) held_.pop_front();
+  }
+
+  const BlockPlan& plan_;
+  const Take& take_;
+  reconstruct::LineMerger merger_;
+  std::deque<io::Line> held_;  ///< the lines from number n_dropped_ on
+  std::size_t n_dropped_ = 0;
+  MergedCounts counts_;
+};
+
 }  // namespace
 
-BlockLines merged_lines(const BlockPlan& plan, const std::vector<FinishedPatch>& patches) {
-  std::vector<LinesOfPatch> read(patches.size());
-  tbb::parallel_for(std::size_t{0}, patches.size(),
-                    [&](std::size_t i) { read[i] = read_lines_of(patches[i]); });
-  BlockLines merged;
-  std::vector<reconstruct::FoundLine> found;
-  std::vector<io::Line*> lines;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    merged.n_without_place += read[i].n_without_place;
-    for (io::Line& line : read[i].lines) {
-      found.push_back({{line.segment_in_world, *line.covariance_m2}, patches[i].planned->cell});
-      lines.push_back(&line);
-    }
+MergedCounts merge_lines_of(const BlockPlan& plan,
+                            const std::vector<FinishedPatch>& patches,
+                            const std::function<void(const io::Line&, std::size_t patch)>& take) {
+  StripMerge merge(plan, take);
+  const auto column_of = [](const FinishedPatch& patch) { return patch.planned->cell.column; };
+  for (auto first = patches.begin(); first != patches.end();) {
+    const auto last =
+        std::ranges::upper_bound(first, patches.end(), column_of(*first), {}, column_of);
+    merge.add({first, last});
+    first = last;
   }
-  merged.n_found = found.size();
-  merged.set.crs.definition = plan.crs;
-  const reconstruct::PatchGrid grid{plan.patch_size_m};
-  for (const reconstruct::MergedLine& one :
-       reconstruct::merge_lines(found, grid, {.overlap_m = plan.overlap_m})) {
-    const Segment3& segment = one.geometry.segment_in_world;
-    if (!is_within(plan.area_m, midpoint(segment).head<2>())) continue;
-    io::Line line = std::move(*lines[one.line]);
-    line.segment_in_world = segment;
-    line.covariance_m2 = one.geometry.covariance_m2;
-    line.row = 0;
-    merged.set.lines.push_back(std::move(line));
-    const auto patch = std::ranges::find(plan.patches, found[one.line].cell, &PlannedPatch::cell);
-    merged.patch_of_line.push_back(static_cast<std::size_t>(patch - plan.patches.begin()));
-  }
-  return merged;
+  return merge.finish();
 }
 
 }  // namespace ridgeline::apps

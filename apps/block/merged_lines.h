@@ -5,6 +5,7 @@
 #include "io/lines/line_set.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,17 +18,18 @@ struct FinishedPatch {
   std::string lines_path;  ///< its lines of one method
 };
 
-/// The lines of a block by one method.
-struct BlockLines {
-  io::LineSet set;
-  std::vector<std::size_t> patch_of_line;  ///< number in BlockPlan::patches
-  std::size_t n_found = 0;                 ///< lines with a place, of all patches
-  std::size_t n_without_place = 0;         ///< lines that tasks could not reconstruct
+/// Counts of the lines of a block by one method.
+struct MergedCounts {
+  std::size_t n_found = 0;          ///< lines with a place, of all patches
+  std::size_t n_without_place = 0;  ///< lines that tasks could not reconstruct
 };
 
-/// Merges the lines of finished tasks (reconstruct::merge_lines()) and leaves out those whose midpoint is outside of the
-/// area of the block. Ids become PATCH/ID, and image segments are in pixels of the whole frames.
-/// Throws IoError for files that are none of a task.
-BlockLines merged_lines(const BlockPlan& plan, const std::vector<FinishedPatch>& patches);
+/// Merges the lines of finished tasks (reconstruct::LineMerger), column by column of the grid, of which it holds a few only.
+/// Lines whose midpoint is outside of the area of the block are left out. Ids become PATCH/ID, and image segments are in pixels of
+/// the whole frames. `patches`: in the order of the plan. `take` gets each line with the number of its patch in BlockPlan::patches, in the
+/// order of the squares. Throws IoError for files that are none of a task.
+MergedCounts merge_lines_of(const BlockPlan& plan,
+                            const std::vector<FinishedPatch>& patches,
+                            const std::function<void(const io::Line&, std::size_t patch)>& take);
 
 }  // namespace ridgeline::apps

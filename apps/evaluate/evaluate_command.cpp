@@ -25,7 +25,7 @@ struct EvaluateArguments {
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
   bool vertex_pairs = false, scale_to_ground = false, report = true;
   std::vector<double> bounds, origin;
-  std::string assume_crs;
+  std::string assume_crs, lod;
   std::uint64_t max_points = 0, max_memory_mib = 0;
   std::uint64_t cloud_memory_mib = results::JudgeFilesOptions{}.cloud_memory_mib;
   double max_resolution_m = 0.0;
@@ -38,7 +38,7 @@ struct EvaluateArguments {
 void add_inputs(CLI::App& app, EvaluateArguments& a) {
   app.add_option("--lines", a.lines,
                  "3D lines: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY, Line3D++, "
-                 "LIMAP, ELSR; each file is judged")
+                 "LIMAP, ELSR; or models of buildings: CityJSON, CityGML; each file is judged")
       ->required();
   app.add_option("--cloud", a.clouds,
                  "LAS, LAZ, PCD, PLY or x y z text; files and patterns are one cloud");
@@ -51,6 +51,10 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
                  "completeness at tolerances beside the distances");
   app.add_option("--assume-crs", a.assume_crs,
                  "CRS of all inputs, whatever they state (EPSG:25832+7837, WKT, ...)");
+  app.add_option(
+      "--lod", a.lod,
+      "level of detail of a model of buildings: 2.2, or 2 for the highest of 2.x; default: "
+      "the highest up to 3 that a building has");
   app.add_flag(
       "--scale-to-ground", a.scale_to_ground,
       "divide the plan by its scale at the data, as Web Mercator needs it; default: a plan "
@@ -176,6 +180,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.geoid = a.shift.geoid;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
+  options.lines.lod = a.lod;
   const Parameters parameters = read_parameters(a.parameters);
   options.max_aligned_angle_deg = parameters.method.estimation.lines.max_aligned_angle_deg;
   options.judge = parameters.judge;

@@ -59,6 +59,7 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   options.cloud = read_options(entries);
   options.lines.assume_crs = options.cloud.assume_crs;
   take(entries, "vertex_pairs", options.lines.vertex_pairs);
+  take(entries, "lod", options.lines.lod);
   take(entries, "scale_to_ground", options.scale_to_ground);
   take(entries, "apply_shift", options.apply_shift);
   take(entries, "geoid", options.geoid);

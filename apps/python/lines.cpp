@@ -103,8 +103,12 @@ void take_arrays(const py::dict& arrays, std::vector<Line>& lines) {
              });
 }
 
-py::dict read_lines(const std::string& path, const std::string& assume_crs, bool vertex_pairs) {
+py::dict read_lines(const std::string& path,
+                    const std::string& assume_crs,
+                    bool vertex_pairs,
+                    const std::string& lod) {
   io::ReadLinesOptions options;
+  options.lod = lod;
   options.assume_crs.definition = assume_crs;
   options.vertex_pairs = vertex_pairs;
   return dict_of(interruptibly([&] { return io::read_lines(path, options); }));
@@ -163,7 +167,7 @@ io::LineSet line_set_of(const py::dict& arrays, const std::string& name) {
 
 void add_lines(py::module_& core) {
   core.def("read_lines", &read_lines, py::arg("path"), py::arg("assume_crs"),
-           py::arg("vertex_pairs"));
+           py::arg("vertex_pairs"), py::arg("lod"));
   core.def("write_lines", &write_lines, py::arg("path"), py::arg("lines"), py::arg("format"));
   std::vector<std::pair<std::string, std::string>> formats;
   for (const io::LineFormatInfo& info : io::line_formats()) {

@@ -116,6 +116,7 @@ io::ReadLinesOptions RunInputs::lines_options() const {
   options.unit_m = cloud_unit_m_;
   options.plan_scale = plan_scale_;
   options.vertex_pairs = options_.value("vertex_pairs", false);
+  options.lod = options_.value("lod", "");
   return options;
 }
 

@@ -9,6 +9,7 @@ std::string advice_on(FileGroup group) {
     case kCloud:
       return "give it as --cloud, or as lidar in a patch file";
     case kLines:
+    case kModel:
     case kLineFolder:
       return "give it as --lines";
     case kPly:

@@ -13,6 +13,7 @@ enum class FileGroup : std::uint8_t {
   kCloud,
   kPly,  ///< a cloud, a mesh or lines
   kLines,
+  kModel,    ///< of buildings, by their faces
   kNumbers,  ///< rows of numbers: a cloud, or the lines of some tool
   kImage,
   kPatch,

@@ -77,7 +77,7 @@ constexpr std::array kMarks{
     Mark{"<!doctype html", kOther, "a web page", "perhaps of a failed download"},
     Mark{"<html", kOther, "a web page", "perhaps of a failed download"}};
 
-constexpr const char* kGml = "XML, as of GML and CityGML";
+constexpr const char* kGml = "XML, as of GML";
 constexpr const char* kGmlAdvice = "which is not read, save its lines as GeoPackage";
 constexpr const char* kSequence = "a sequence of JSON texts";
 constexpr const char* kOneCollection = "which is not read, save it as one FeatureCollection";

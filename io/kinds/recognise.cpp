@@ -5,6 +5,7 @@
 #include "io/kinds/folder_kind.h"
 #include "io/kinds/marks.h"
 #include "io/kinds/text_kind.h"
+#include "io/text/gzip.h"
 #include "io/text/text.h"
 
 #include <fmt/format.h>
@@ -75,17 +76,19 @@ FileKind with_name(const FileKind& kind, std::string_view extension) {
 
 struct Reader {
   Expected expected;
-  std::array<FileGroup, 4> groups;
+  std::array<FileGroup, 5> groups;
   const char* takes;
   const char* rule;
 };
 
 // Numbers without names of columns are left to the readers of tables, which name the missing column.
 constexpr std::array kReaders{
-    Reader{Expected::kLines,
-           {kLines, kPly, kNumbers, kLineFolder},
-           "a file of 3D lines",
-           "lines are read from GeoJSON, GeoPackage, Shapefile, DXF, CSV, WKT, OBJ and PLY"},
+    Reader{
+        Expected::kLines,
+        {kLines, kPly, kNumbers, kLineFolder, kModel},
+        "a file of 3D lines",
+        "lines are read from GeoJSON, GeoPackage, Shapefile, DXF, CSV, WKT, OBJ, PLY, CityJSON and "
+        "CityGML"},
     Reader{Expected::kCloud,
            {kCloud, kPly, kNumbers},
            "a point cloud",
@@ -157,10 +160,17 @@ void refuse_wrong_ending(const std::string& path, const FileKind& kind) {
 }
 
 void refuse_kind(const std::string& path, const FileKind& kind, Expected expected) {
-  const std::array<FileGroup, 4>& groups = reader_of(expected).groups;
+  const std::array<FileGroup, 5>& groups = reader_of(expected).groups;
   const bool is_taken = std::ranges::find(groups, kind.group) != groups.end();
   if (kind.is_known() && !is_taken) throw IoError(path, refusal(kind, expected));
-  if (expected == Expected::kLines) refuse_wrong_ending(path, kind);
+  if (expected == Expected::kLines && kind.group != kModel) refuse_wrong_ending(path, kind);
+}
+
+/// Models of buildings are read compressed, too.
+FileKind kind_in_gzip(std::string_view start) {
+  const std::string text = inflated(start, kTelling_bytes).text;
+  const FileKind kind = kind_of_text(text, false);
+  return kind.group == kModel ? kind : kind_by_mark(start);
 }
 
 }  // namespace
@@ -181,6 +191,7 @@ FileKind kind_of_content(std::string_view content, const std::string& path) {
   const bool is_whole = content.size() < kTelling_bytes;
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
   const std::string extension = extension_in(path);
+  if (is_gzip(start)) return kind_in_gzip(start);
   if (const FileKind kind = kind_by_bytes(start); kind.is_known())
     return with_name(kind, extension);
   const bool is_text = start.find('\0') == std::string_view::npos;

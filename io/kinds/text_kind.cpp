@@ -34,9 +34,11 @@ FileKind kind_of_interchange(const TopKeys& keys) {
   if (std::ranges::find(kGeoJsonTypes, keys.type) != kGeoJsonTypes.end()) {
     return ours(kLines, "GeoJSON", ".geojson");
   }
-  if (keys.type == "CityJSONFeature") return not_read("a sequence of CityJSON, a city model");
+  if (keys.type == "CityJSONFeature") {
+    return not_read("a feature of CityJSON", "give the whole file, which begins with \"CityJSON\"");
+  }
   if (keys.type.starts_with("CityJSON") || keys.has("CityObjects")) {
-    return not_read("CityJSON, a city model");
+    return ours(kModel, "a model of buildings (CityJSON)", ".city.json");
   }
   if (keys.type == "Topology") return not_read("TopoJSON", "save it as GeoJSON");
   if (keys.has("asset") && (keys.has("meshes") || keys.has("scenes"))) {
@@ -90,8 +92,8 @@ FileKind kind_of_xml(std::string_view start) {
   if (holds("<VRTDataset")) return not_read("XML of a VRT", "give the images that it names");
   if (holds("<html")) return not_read("a web page", "perhaps of a failed download");
   constexpr const char* kAdvice = "which is not read, save its lines as GeoPackage";
-  if (holds("CityModel")) return not_read("XML of CityGML, a city model", kAdvice);
-  return not_read("XML, as of GML and CityGML", kAdvice);
+  if (holds("CityModel")) return ours(kModel, "a model of buildings (CityGML)", ".gml");
+  return not_read("XML, as of GML", kAdvice);
 }
 
 /// The fields of a row in lower case, without quotes, whatever divides them.
@@ -190,9 +192,6 @@ FileKind kind_of_text(std::string_view start, bool is_whole) {
   std::vector<TextRow> rows = rows_of(start);
   if (const auto format = orientation_format(start)) return kind_of_orientation(*format);
   if (!rows.empty() && rows.front().text.starts_with('<')) return kind_of_xml(start);
-  if (start.find("\"CityJSONFeature\"") != std::string_view::npos) {
-    return not_read("a sequence of CityJSON, a city model");
-  }
   if (FileKind kind = kind_of_document(top_keys(start)); kind.is_known()) return kind;
   const bool is_json =
       !rows.empty() && (rows.front().text.starts_with('{') || rows.front().text.starts_with('['));

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "io/lines/attributes.h"
-#include "io/text/kind_counts.h"
 #include "io/lines/line_set.h"
 #include "io/lines/polyline.h"
+#include "io/text/kind_counts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,17 +18,18 @@ namespace ridgeline::io {
 /// What a feature's geometry holds, however deep in collections.
 struct FeatureGeometry {
   std::vector<Vertices> lines;
-  std::vector<Vertices> rings;  ///< rings of polygons with heights; closed
-  std::size_t n_polygons = 0;   ///< number of polygons that the rings bound
+  std::vector<std::vector<Vertices>> polygons;  ///< with heights, by their rings; closed
   KindCounts others;
 
-  /// Adds a polygon to the rings. A polygon without rings, or with a ring that lacks a height, is counted in
+  /// Adds a polygon. A polygon without rings, or with a ring that lacks a height, is counted in
   /// `others`.
   void add_polygon(std::vector<Vertices> polygon_rings);
   [[nodiscard]] bool has_lines() const { return !lines.empty(); }
   /// Whether the geometry may give lines. Points alone make no line. A feature without anything stays in the set, as
   /// a line without a place.
-  [[nodiscard]] bool may_be_line() const { return has_lines() || !rings.empty() || others.empty(); }
+  [[nodiscard]] bool may_be_line() const {
+    return has_lines() || !polygons.empty() || others.empty();
+  }
 };
 
 /// A feature of a file.
@@ -44,7 +45,8 @@ struct Feature {
 };
 
 /// Turns the features of a file of points, lines and polygons into lines. These are the lines that the file holds. If
-/// it holds no 3D line, they are the edges of its polygons with heights; an edge that neighbours share is taken once.
+/// it holds no 3D line, they are the edges of its polygons with heights; an edge that neighbours share is taken once. If features are
+/// of several polygons, with walls among them, they are buildings, whose roofs give the lines (lines_of_model()).
 /// All else is counted in LineSet::left_out.
 class FeatureCollector {
  public:
@@ -62,6 +64,8 @@ class FeatureCollector {
  private:
   void append(const Feature& feature, const std::vector<Vertices>& lines);
   void append_edges();
+  [[nodiscard]] bool holds_buildings() const;
+  void append_buildings();
 
   LineSet& set_;
   AttributeReader attributes_;

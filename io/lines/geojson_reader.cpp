@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/gdal/json_columns.h"
 #include "io/gdal/ogr_support.h"
 #include "io/kinds/recognise.h"
 #include "io/kinds/text_kind.h"
@@ -13,7 +14,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 namespace ridgeline::io {
@@ -21,8 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr auto kLargestInteger =
-    static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TopKeys keys_of(const json& document) {
@@ -122,39 +120,9 @@ class GeoJsonReader {
     }
     const auto properties = feature.find("properties");
     if (properties != feature.end()) {
-      found.values = [this, &held = *properties] { return values_of(held); };
+      found.values = [this, &held = *properties] { return columns_.row_of(held, set_.features); };
     }
     features_.add(std::move(found));
-  }
-
-  /// The properties that are not null, for the columns of their names; arrays and objects as JSON text.
-  SparseRow values_of(const json& properties) {
-    SparseRow row;
-    if (!properties.is_object()) return row;
-    for (const auto& [name, value] : properties.items()) {
-      if (value.is_null()) continue;
-      const auto [type, held] = typed(value);
-      row.emplace_back(column_for(name, type), held);
-    }
-    return row;
-  }
-
-  static std::pair<ColumnType, Value> typed(const json& value) {
-    if (value.is_boolean()) return {ColumnType::kBoolean, std::int64_t{value.get<bool>() ? 1 : 0}};
-    if (value.is_number_unsigned() && value.get<std::uint64_t>() > kLargestInteger) {
-      return {ColumnType::kReal, value.get<double>()};
-    }
-    if (value.is_number_integer()) return {ColumnType::kInteger64, value.get<std::int64_t>()};
-    if (value.is_number()) return {ColumnType::kReal, value.get<double>()};
-    return {ColumnType::kText, value.is_string() ? value.get<std::string>() : json_text(value)};
-  }
-
-  std::size_t column_for(const std::string& name, ColumnType type) {
-    std::vector<Column>& columns = set_.features.columns;
-    const auto [entry, is_new] = columns_by_name_.try_emplace(name, columns.size());
-    if (is_new) columns.push_back({name, type});
-    columns[entry->second].type = common_type(columns[entry->second].type, type);
-    return entry->second;
   }
 
   void collect(const json& geometry, const std::string& where, FeatureGeometry& found) const {
@@ -222,7 +190,7 @@ class GeoJsonReader {
   FeatureCollector features_;
   json lone_geometry_;  ///< a geometry that the file holds without a feature, as a feature
   std::int64_t number_ = 0;
-  std::unordered_map<std::string, std::size_t> columns_by_name_;
+  JsonColumns columns_;
 };
 
 }  // namespace

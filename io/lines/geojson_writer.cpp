@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/files/atomic_file.h"
 #include "io/gdal/ogr_support.h"
 #include "io/lines/attributes.h"
 #include "io/lines/writers.h"
@@ -106,15 +107,32 @@ std::string crs_text(const Crs& crs) {
                      json_text(crs_name(stated(crs))));
 }
 
+class GeoJsonWriter : public LineWriter {
+ public:
+  GeoJsonWriter(const std::string& path, const Crs& crs) : file_(path) {
+    file_.stream() << "{\"type\":\"FeatureCollection\",\n\"crs\":" << crs_text(crs)
+                   << ",\n\"features\":[";
+  }
+
+  void add(const Line& line) override {
+    file_.stream() << (is_first_ ? "\n" : ",\n") << feature_text(line);
+    is_first_ = false;
+  }
+
+  void commit() override {
+    file_.stream() << "\n]}\n";
+    file_.commit();
+  }
+
+ private:
+  AtomicFile file_;
+  bool is_first_ = true;
+};
+
 }  // namespace
 
-std::string geojson_text(const LineSet& set) {
-  std::string text = fmt::format("{{\"type\":\"FeatureCollection\",\n\"crs\":{},\n\"features\":[",
-                                 crs_text(set.crs));
-  for (std::size_t i = 0; i < set.lines.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + feature_text(set.lines[i]);
-  }
-  return text + "\n]}\n";
+std::unique_ptr<LineWriter> geojson_writer(const std::string& path, const Crs& crs) {
+  return std::make_unique<GeoJsonWriter>(path, crs);
 }
 
 }  // namespace ridgeline::io

@@ -3,6 +3,7 @@
 
 #include "io/crs/crs.h"
 #include "io/gdal/attribute_table.h"
+#include "io/models/building_model.h"
 #include "io/text/kind_counts.h"
 #include "reconstruct/geometry/segment.h"
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +71,8 @@ struct LineSet {
   KindCounts left_out;                  ///< what the file holds that is no 3D line
   std::size_t n_straight_vertices = 0;  ///< vertices on a straight line, which do not divide it
   std::vector<std::string> warnings;
+  /// The model whose edges the lines are; its faces are judged, too.
+  std::shared_ptr<const BuildingModel> model = nullptr;
   /// Metres per coordinate unit by axis, where the CRS does not say.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
   /// Coordinates of the plan are divided by these to be metres on the ground, as those of the cloud.

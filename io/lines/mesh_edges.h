@@ -5,6 +5,7 @@
 #include "io/lines/polyline.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace ridgeline::io {
@@ -12,11 +13,18 @@ namespace ridgeline::io {
 /// Indices from 0 of the vertices of a polygon or a polyline.
 using IndexList = std::vector<std::size_t>;
 
-/// Adds each distinct edge of closed polygons once, in the order of first occurrence. Edges are the
+/// A mesh of closed polygons.
+struct Mesh {
+  Vertices vertices;
+  std::vector<IndexList> polygons;
+  std::vector<std::string> objects;  ///< names of the things that polygons belong to; may be empty
+};
+
+/// Adds the edges of a mesh. If it has walls, faces steeper than 80 degrees, it is a model of buildings, whose roofs give the lines
+/// (lines_of_model()): its objects are the buildings, or without objects what hangs together, "1", "2", ...
+/// Of any other mesh each distinct edge is added once, in the order of first occurrence. Edges are the
 /// same if their end points have equal coordinates, in either direction: many models repeat the
 /// vertices for each face. Edges of zero length are left out, they bound nothing.
-void append_distinct_edges(const Vertices& vertices,
-                           const std::vector<IndexList>& polygons,
-                           LineSet& set);
+void append_mesh(const Mesh& mesh, LineSet& set);
 
 }  // namespace ridgeline::io

@@ -21,6 +21,7 @@ struct ObjFile {
   Vertices vertices;
   std::vector<Record> lines;
   std::vector<Record> faces;
+  std::vector<std::string> objects;  ///< of each face: the name of the last `o` or `g` record
 };
 
 /// A row together with the rows that continue it. A row that ends in a backslash continues on the next one.
@@ -70,6 +71,7 @@ Record parse_indices(const std::vector<std::string_view>& words,
 ObjFile parse_obj(const std::string& path, std::string_view content, const LineSet& set) {
   constexpr std::size_t kLongestRow = 4U << 20U;  // polylines of half a million vertices
   ObjFile obj;
+  std::string object;
   for (const LogicalRow& row : logical_rows(content)) {
     const std::string where = place(path, row.number);
     if (row.text.size() > kLongestRow) {
@@ -80,7 +82,10 @@ ObjFile parse_obj(const std::string& path, std::string_view content, const LineS
     if (words.empty()) continue;
     if (words[0] == "v") {
       obj.vertices.push_back(parse_vertex(words, where));
+    } else if (words[0] == "o" || words[0] == "g") {
+      object = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
     } else if (words[0] == "l" || words[0] == "f") {
+      if (words[0] == "f") obj.objects.push_back(object);
       (words[0] == "l" ? obj.lines : obj.faces)
           .push_back(parse_indices(words, row.number, obj.vertices.size(), where));
       refuse_more_lines(set, obj.lines.size());
@@ -192,8 +197,11 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     append_polylines(obj.vertices, resolved(obj.lines, obj.vertices.size(), path), set);
     set.left_out.add(kinds::kFace, obj.faces.size());
   } else if (!obj.faces.empty()) {
-    set.format = "OBJ, edges of faces";
-    append_distinct_edges(obj.vertices, resolved(obj.faces, obj.vertices.size(), path), set);
+    Mesh mesh{obj.vertices, resolved(obj.faces, obj.vertices.size(), path), {}};
+    const bool has_objects =
+        std::ranges::any_of(obj.objects, [](const auto& o) { return !o.empty(); });
+    if (has_objects) mesh.objects = obj.objects;
+    append_mesh(mesh, set);
   } else if (!obj.vertices.empty()) {
     throw IoError(path,
                   "has vertices but no l and no f records; --pairs takes vertices two by two");

@@ -8,6 +8,7 @@
 #include "io/lines/geopackage_check.h"
 #include "io/lines/ogr_geometry.h"
 #include "io/lines/readers.h"
+#include "io/models/lod.h"
 #include "io/text/text.h"
 #include "io/text/utf8.h"
 
@@ -19,6 +20,9 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
 
 namespace ridgeline::io {
 namespace {
@@ -133,8 +137,9 @@ class LayersCrs {
 
 class OgrReader {
  public:
-  OgrReader(const std::string& path, const Driver& driver)
+  OgrReader(const std::string& path, const Driver& driver, const std::string& lod)
       : path_(path),
+        lod_(lod),
         set_(lines_for_file(path, driver.format, std::filesystem::file_size(path))),
         features_(set_) {
     const bool is_geopackage = std::string_view(driver.name) == "GPKG";
@@ -172,11 +177,10 @@ class OgrReader {
         unread_, [&](const UnreadLayer& unread) { return lower_case(unread.name) == name; });
   }
 
-  /// The layers with geometries. If there are several, only the one called `lines` is taken, as in our own maps.
+  /// The layers with geometries. Of several the one called `lines` alone is taken, as in our own maps, or of those of 3DBAG the one
+  /// of the level of detail that is wanted.
   std::vector<OGRLayer*> feature_layers() {
     std::vector<OGRLayer*> layers;
-    std::string others;
-    OGRLayer* lines = nullptr;
     for (OGRLayer* layer : dataset_->GetLayers()) {
       if (is_unread(*layer)) continue;
       if (layer->GetGeomType() == wkbNone) {
@@ -184,19 +188,46 @@ class OgrReader {
         continue;
       }
       layers.push_back(layer);
-      if (std::string_view(layer->GetName()) == "lines") {
-        lines = layer;
-      } else {
-        others += fmt::format("{}{}", others.empty() ? "" : ", ", layer->GetName());
-      }
     }
     if (layers.empty()) refuse_no_layer();
     for (const UnreadLayer& unread : unread_) {
       set_.warnings.push_back(fmt::format("layer {} {}; it is left out", unread.name, unread.why));
     }
-    if (lines == nullptr || layers.size() == 1) return layers;
-    set_.warnings.push_back("layer lines is read; left out: " + others);
-    return {lines};
+    const auto chosen = std::ranges::find(layers, chosen_name(layers), name_of);
+    if (chosen == layers.end() || layers.size() == 1) return layers;
+    std::vector<std::string> others;
+    for (OGRLayer* layer : layers)
+      if (layer != *chosen) others.push_back(name_of(layer));
+    set_.warnings.push_back(
+        fmt::format("layer {} is read; left out: {}", name_of(*chosen), fmt::join(others, ", ")));
+    return {*chosen};
+  }
+
+  static std::string name_of(OGRLayer* layer) { return layer->GetName(); }
+
+  /// "2.2" of lod22_3d; empty for a layer of another name.
+  static std::string lod_of(const std::string& layer) {
+    static const std::regex pattern("lod([0-9])([0-9]?)_3d");
+    std::smatch match;
+    if (!std::regex_match(layer, match, pattern)) return "";
+    return match[1].str() + (match[2].length() > 0 ? "." + match[2].str() : "");
+  }
+
+  [[nodiscard]] std::string chosen_name(const std::vector<OGRLayer*>& layers) const {
+    std::map<std::string, std::string> by_lod;
+    std::set<std::string> lods;
+    for (OGRLayer* layer : layers) {
+      const std::string name = name_of(layer);
+      if (name == "lines") return name;
+      if (lods.insert(lod_of(name)).second) by_lod[lod_of(name)] = name;
+    }
+    lods.erase("");
+    if (lods.empty()) return "";
+    const auto chosen = by_lod.find(chosen_lod(lods, lod_));
+    if (chosen == by_lod.end())
+      throw IoError(path_, fmt::format("has no layer of LoD {}; there are LoD {}", lod_,
+                                       fmt::join(lods, ", ")));
+    return chosen->second;
   }
 
   void refuse_no_layer() {
@@ -264,7 +295,7 @@ class OgrReader {
       collect_geometry(*geometry, found.geometry);
     }
     if (!found.geometry.may_be_line()) return features_.add(std::move(found));
-    (found.geometry.rings.empty() ? lines_crs_ : surfaces_crs_)
+    (found.geometry.polygons.empty() ? lines_crs_ : surfaces_crs_)
         .take(path_, set_.layers.back(), crs);
     found.properties = properties_of(feature);
     found.fid = feature.GetFID();
@@ -275,7 +306,7 @@ class OgrReader {
     features_.add(std::move(found));
   }
 
-  std::string path_;
+  std::string path_, lod_;
   QuietGdal quiet_;
   GDALDatasetUniquePtr dataset_;
   LineSet set_;
@@ -294,14 +325,14 @@ class OgrReader {
 
 }  // namespace
 
-LineSet read_ogr(const std::string& path, std::string_view extension) {
+LineSet read_ogr(const std::string& path, std::string_view extension, const std::string& lod) {
   require_regular_file(path);
   if (std::filesystem::file_size(path) == 0) throw IoError(path, "is empty");
   refuse_other_kind(path, Expected::kLines);
   if (extension == ".shp") refuse_flat_shapefile(path);
   register_gdal_drivers();
   CPLErrorReset();
-  return OgrReader(path, driver_for(extension)).read();
+  return OgrReader(path, driver_for(extension), lod).read();
 }
 
 }  // namespace ridgeline::io

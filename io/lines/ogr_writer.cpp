@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/error.h"
+#include "io/files/scratch_folder.h"
 #include "io/gdal/ogr_support.h"
 #include "io/lines/attributes.h"
 #include "io/lines/writers.h"
@@ -26,60 +27,100 @@ OgrTarget target_of(LineFormat format) {
   return {"DXF", "", false, false};
 }
 
-class OgrWriter {
+class OgrWriter : public LineWriter {
  public:
-  OgrWriter(const std::string& path, const std::string& draft, LineFormat format)
-      : path_(path), target_(target_of(format)) {
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(target_.driver);
-    if (driver != nullptr) {
-      dataset_.reset(driver->Create(draft.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    }
-    require(dataset_ != nullptr);
+  OgrWriter(const std::string& path, const Crs& crs, LineFormat format)
+      : path_(path), target_(target_of(format)), scratch_(path) {
+    require([&] { return create_dataset() && create_layer_in(crs) && create_fields(); });
+    // All lines are one transaction, as a GeoPackage would otherwise sync the disk for each line.
+    dataset_->StartTransaction();
+  }
+  OgrWriter(const OgrWriter&) = delete;
+  OgrWriter& operator=(const OgrWriter&) = delete;
+  ~OgrWriter() override {
+    const QuietGdal quiet;  // of a file that is given up
+    dataset_.reset();
   }
 
-  void write(const LineSet& set) {
-    std::optional<OGRSpatialReference> reference = spatial_reference(set.crs);
+  void add(const Line& line) override {
+    require([&] { return create_feature(line); });
+  }
+
+  void commit() override {
+    require([&] {
+      dataset_->CommitTransaction();
+      dataset_.reset();  // writes what is still in memory
+      return CPLGetLastErrorType() != CE_Failure;
+    });
+    scratch_.publish();
+  }
+
+ private:
+  /// Throws IoError with what GDAL complains of if the step fails.
+  template <typename Step>
+  void require(const Step& step) {
+    const FixedDate fixed_date;
+    const QuietGdal quiet;
+    CPLErrorReset();
+    if (!step()) throw IoError(path_, "cannot be written: " + quiet.complaints(target_.driver));
+  }
+
+  bool create_dataset() {
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(target_.driver);
+    if (driver == nullptr) return false;
+    dataset_.reset(driver->Create(scratch_.draft().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    return dataset_ != nullptr;
+  }
+
+  bool create_layer_in(const Crs& crs) {
+    std::optional<OGRSpatialReference> reference = spatial_reference(crs);
     if (!reference && target_.has_long_text) reference = undefined_plane();
     const std::string name = std::filesystem::path(path_).stem().string();
     layer_ =
         create_layer(*dataset_, name, reference ? &*reference : nullptr, wkbLineString25D, nullptr);
-    require(layer_ != nullptr);
-    create_fields();
-    // All lines are one transaction, as a GeoPackage would otherwise sync the disk for each line.
-    dataset_->StartTransaction();
-    for (const Line& line : set.lines) write_line(line);
-    dataset_->CommitTransaction();
-    dataset_.reset();  // writes what is still in memory
-    require(CPLGetLastErrorType() != CE_Failure);
+    return layer_ != nullptr;
   }
 
- private:
-  void require(bool success) const {
-    if (!success) throw IoError(path_, "cannot be written: " + quiet_.complaints(target_.driver));
-  }
-
-  void create_field(std::string_view name, OGRFieldType type) {
+  bool create_field(std::string_view name, OGRFieldType type) {
     OGRFieldDefn field(std::string(name).c_str(), type);
-    require(layer_->CreateField(&field) == OGRERR_NONE);
+    return layer_->CreateField(&field) == OGRERR_NONE;
   }
 
-  void create_fields() {
-    if (!target_.has_attributes) return;
-    for (const TextAttribute& attribute : text_attributes())
-      create_field(attribute.name, OFTString);
-    create_field(target_.angle_field, OFTReal);
-    create_field("n_points", OFTInteger);
-    create_field("n_images", OFTInteger);
-    create_field("plane_ids", OFTString);
-    if (!target_.has_long_text) return;
-    for (const NumberAttribute& attribute : number_attributes()) {
-      create_field(attribute.name, OFTReal);
+  bool create_fields() {
+    if (!target_.has_attributes) return true;
+    bool success = true;
+    const auto create = [&](std::string_view name, OGRFieldType type) {
+      success = create_field(name, type) && success;
+    };
+    for (const TextAttribute& attribute : text_attributes()) create(attribute.name, OFTString);
+    create(target_.angle_field, OFTReal);
+    create("n_points", OFTInteger);
+    create("n_images", OFTInteger);
+    create("plane_ids", OFTString);
+    if (!target_.has_long_text) return success;
+    for (const NumberAttribute& attribute : number_attributes()) create(attribute.name, OFTReal);
+    for (const SegmentAttribute& attribute : segment_attributes())
+      create(attribute.name, OFTString);
+    create("sightings", OFTString);
+    create("covariance", OFTString);
+    return success;
+  }
+
+  bool create_feature(const Line& line) {
+    const Segment3& s = line.segment_in_world;
+    OGRFeature feature(layer_->GetLayerDefn());
+    if (target_.has_attributes) {
+      set_attributes(line, feature);
+    } else {
+      feature.SetField("Layer", line.line_class.empty() ? "0" : line.line_class.c_str());
     }
-    for (const SegmentAttribute& attribute : segment_attributes()) {
-      create_field(attribute.name, OFTString);
+    if (all_finite(s)) {
+      OGRLineString geometry;
+      geometry.addPoint(s.start.x(), s.start.y(), s.start.z());
+      geometry.addPoint(s.end.x(), s.end.y(), s.end.z());
+      feature.SetGeometry(&geometry);
     }
-    create_field("sightings", OFTString);
-    create_field("covariance", OFTString);
+    return layer_->CreateFeature(&feature) == OGRERR_NONE;
   }
 
   void set_attributes(const Line& line, OGRFeature& feature) const {
@@ -114,40 +155,18 @@ class OgrWriter {
     }
   }
 
-  void write_line(const Line& line) {
-    const Segment3& s = line.segment_in_world;
-    OGRFeature feature(layer_->GetLayerDefn());
-    if (target_.has_attributes) {
-      set_attributes(line, feature);
-    } else {
-      feature.SetField("Layer", line.line_class.empty() ? "0" : line.line_class.c_str());
-    }
-    if (all_finite(s)) {
-      OGRLineString geometry;
-      geometry.addPoint(s.start.x(), s.start.y(), s.start.z());
-      geometry.addPoint(s.end.x(), s.end.y(), s.end.z());
-      feature.SetGeometry(&geometry);
-    }
-    require(layer_->CreateFeature(&feature) == OGRERR_NONE);
-  }
-
   std::string path_;
   OgrTarget target_;
-  FixedDate fixed_date_;
-  QuietGdal quiet_;
+  ScratchFolder scratch_;
   GDALDatasetUniquePtr dataset_;
   OGRLayer* layer_ = nullptr;
 };
 
 }  // namespace
 
-void write_ogr(const std::string& path,
-               const std::string& draft,
-               const LineSet& set,
-               LineFormat format) {
+std::unique_ptr<LineWriter> ogr_writer(const std::string& path, const Crs& crs, LineFormat format) {
   register_gdal_drivers();
-  CPLErrorReset();
-  OgrWriter(path, draft, format).write(set);
+  return std::make_unique<OgrWriter>(path, crs, format);
 }
 
 }  // namespace ridgeline::io

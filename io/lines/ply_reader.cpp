@@ -158,11 +158,10 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) {
       for (std::uint64_t i = 0; i < element.count; ++i) read_item(element);
     }
-    if (edges_.empty() && !faces_.empty()) set_.format = "PLY, edges of faces";
     check_indices(edges_);
     check_indices(faces_);
     for (std::size_t i = 0; i < edges_.size(); ++i) append_edge(edges_[i], i);
-    if (edges_.empty()) append_distinct_edges(vertices_, faces_, set_);
+    if (edges_.empty() && !faces_.empty()) append_mesh({vertices_, faces_, {}}, set_);
     if (!edges_.empty()) set_.left_out.add(kinds::kFace, faces_.size());
     if (edges_.empty() && faces_.empty()) set_.left_out.add(kinds::kVertex, vertices_.size());
     return std::move(set_);

@@ -5,7 +5,9 @@
 #include "io/files/input_file.h"
 #include "io/kinds/recognise.h"
 #include "io/lines/line_checks.h"
+#include "io/lines/model_edges.h"
 #include "io/lines/readers.h"
+#include "io/models/read_model.h"
 #include "io/text/text.h"
 #include "io/text/utf8.h"
 #include "io/text/wkt.h"
@@ -19,7 +21,8 @@ namespace ridgeline::io {
 namespace {
 
 constexpr const char* kKnownExtensions =
-    ".geojson .json .gpkg .shp .dxf .csv .wkt .txt .obj .ply, a folder of LIMAP tracks";
+    ".geojson .json .gpkg .shp .dxf .csv .wkt .txt .obj .ply, CityJSON, CityGML, a folder of LIMAP "
+    "tracks";
 
 std::string extension_of(const std::string& path) {
   return lower_case(std::filesystem::path(path).extension().string());
@@ -87,10 +90,11 @@ LineSet read_text_file(const std::string& path,
 
 LineSet read_any(const std::string& path, const ReadLinesOptions& options) {
   if (std::filesystem::is_directory(path)) return read_limap_folder(path);
+  if (is_model(path)) return lines_of_model(read_model(path, {options.lod}));
   const std::string extension = extension_of(path);
   refuse_by_name(path, extension);
   if (extension == ".gpkg" || extension == ".shp" || extension == ".dxf") {
-    return read_ogr(path, extension);
+    return read_ogr(path, extension, options.lod);
   }
   for (const char* const known : {".geojson", ".json", ".obj", ".ply", ".csv", ".txt", ".wkt"}) {
     if (extension == known) return read_text_file(path, extension, options);

@@ -28,8 +28,8 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
 /// Reads edge elements, ascii or binary; without them, each distinct edge of the faces once.
 LineSet read_ply(const std::string& path, std::string_view content);
 
-/// Reads a GeoPackage, Shapefile or DXF.
-LineSet read_ogr(const std::string& path, std::string_view extension);
+/// Reads a GeoPackage, Shapefile or DXF. `lod`: see ReadModelOptions::lod; it chooses among layers lod12_3d, lod22_3d of a GeoPackage.
+LineSet read_ogr(const std::string& path, std::string_view extension, const std::string& lod);
 
 LineSet read_line3dpp(const std::string& path, std::string_view content);
 LineSet read_limap_tracks(const std::string& path, std::string_view content);

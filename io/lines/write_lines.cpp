@@ -2,7 +2,6 @@
 #include "io/lines/write_lines.h"
 
 #include "io/files/atomic_file.h"
-#include "io/files/scratch_folder.h"
 #include "io/lines/writers.h"
 
 #include <Eigen/Geometry>
@@ -55,10 +54,8 @@ std::string file_text(const LineSet& set, LineFormat format, const WriteLinesOpt
       return wkt_csv_text(set);
     case LineFormat::kObj:
       return obj_text(set, origin());
-    case LineFormat::kPly:
-      return ply_text(set, origin());
     default:
-      return geojson_text(set);
+      return ply_text(set, origin());
   }
 }
 
@@ -99,14 +96,22 @@ std::size_t write_lines(const std::string& path,
     write_lines(path, kept, format, options);
     return n_left_out;
   }
-  if (!is_ogr(format)) {
+  if (!is_ogr(format) && format != LineFormat::kGeoJson) {
     write_file(path, file_text(set, format, options));
     return 0;
   }
-  const ScratchFolder scratch(path);
-  write_ogr(path, scratch.draft(), set, format);
-  scratch.publish();
+  const std::unique_ptr<LineWriter> writer = line_writer(path, set.crs, format);
+  for (const Line& line : set.lines) writer->add(line);
+  writer->commit();
   return 0;
+}
+
+std::unique_ptr<LineWriter> line_writer(const std::string& path,
+                                        const Crs& crs,
+                                        LineFormat format) {
+  if (format == LineFormat::kGeoJson) return geojson_writer(path, crs);
+  if (!is_ogr(format)) throw std::invalid_argument("lines of this format are written at once");
+  return ogr_writer(path, crs, format);
 }
 
 }  // namespace ridgeline::io

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,5 +60,19 @@ std::size_t write_lines(const std::string& path,
                         const LineSet& set,
                         LineFormat format,
                         const WriteLinesOptions& options = {});
+
+/// A file of lines that is written while they come, so that nobody has to hold them all.
+class LineWriter {
+ public:
+  virtual ~LineWriter() = default;
+  /// Throws IoError if the file cannot be written.
+  virtual void add(const Line& line) = 0;
+  /// Puts the file in place. Without it nothing is left and what stood there stays. Throws IoError.
+  virtual void commit() = 0;
+};
+
+/// A writer of GeoJSON, GeoPackage, Shapefile or DXF; the file has the bytes of write_lines(). Lines of DXF must be finite.
+/// Throws IoError if the file cannot be written, std::invalid_argument for other formats.
+std::unique_ptr<LineWriter> line_writer(const std::string& path, const Crs& crs, LineFormat format);
 
 }  // namespace ridgeline::io

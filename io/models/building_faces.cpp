@@ -2,6 +2,7 @@
 #include "io/models/building_faces.h"
 
 #include "io/error.h"
+#include "io/models/lod.h"
 
 #include <algorithm>
 #include <array>
@@ -16,18 +17,15 @@ namespace {
 constexpr Kind kOpenReference{"reference to a surface that is not there",
                               "references to surfaces that are not there"};
 
-std::optional<int> chosen_lod(const std::vector<GeometryProperty>& properties,
-                              const ReadModelOptions& options) {
-  constexpr int kHighestByItself = 3;  // LoD 4 adds rooms
-  std::optional<int> highest;
+/// The level of detail that is read of a building, as text.
+std::string lod_of_building(const std::vector<GeometryProperty>& properties,
+                            const ReadModelOptions& options) {
+  std::set<std::string> lods;
   for (const GeometryProperty& property : properties) {
-    const bool fits = options.lod.empty() ? property.lod <= kHighestByItself
-                                          : std::to_string(property.lod) == options.lod;
     const bool is_empty = property.surfaces.first == property.surfaces.end;
-    if (fits && !is_empty && !property.is_extra)
-      highest = std::max(property.lod, highest.value_or(0));
+    if (!is_empty && !property.is_extra) lods.insert(std::to_string(property.lod));
   }
-  return highest;
+  return chosen_lod(lods, options.lod);
 }
 
 using Outline = std::vector<std::array<double, 3>>;
@@ -134,14 +132,13 @@ void append_faces(const GmlSurfaces& surfaces,
                   const ReadModelOptions& options,
                   BuildingModel& model,
                   std::vector<OpenReference>& open) {
-  const std::optional<int> lod = chosen_lod(properties, options);
-  if (!lod) return;
-  model.buildings.back().lod = std::to_string(*lod);
+  const std::string lod = lod_of_building(properties, options);
+  model.buildings.back().lod = lod;
   const std::size_t building = model.buildings.size() - 1;
   FaceChoice choice(surfaces, building, open);
   for (const bool thematic : {true, false}) {
     for (const GeometryProperty& property : properties) {
-      if (property.lod == *lod && property.is_thematic == thematic) choice.add(property);
+      if (std::to_string(property.lod) == lod && property.is_thematic == thematic) choice.add(property);
     }
   }
   for (const FaceChoice::Chosen& chosen : choice.take()) {

@@ -43,9 +43,10 @@ struct BuildingModel {
   std::string format;  ///< "CityJSON 1.1", "CityGML 2.0", ...
   Crs crs;
   std::vector<Building> buildings;  ///< in the order of the file; those without faces stay
-  std::vector<ModelFace> faces;     ///< in the order of the file, those of a building together
-  AttributeTable attributes;        ///< what the file states of its buildings; row i is that of buildings[i]
-  KindCounts left_out;              ///< what the file holds beside faces of buildings, and faces that are none
+  std::vector<ModelFace> faces;     ///< in the order of the file
+  AttributeTable
+      attributes;       ///< what the file states of its buildings; row i is that of buildings[i]
+  KindCounts left_out;  ///< what the file holds beside faces of buildings, and faces that are none
   std::vector<std::string> warnings;
 };
 

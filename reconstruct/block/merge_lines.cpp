@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -80,6 +82,16 @@ double squared_difference(const UncertainLine& longer, const UncertainLine& shor
   return sum;
 }
 
+constexpr double kReach_m =
+    1.0;  // lines farther off in plan are no twins, whatever their covariances
+
+bool is_within_reach(const Segment3& longer, const Segment3& shorter) {
+  return std::ranges::all_of(std::array{shorter.start, shorter.end}, [&](const Eigen::Vector3d& x) {
+    const Eigen::Vector3d foot = point_at(longer, parameter_along(longer, x));
+    return (x - foot).head<2>().norm() <= kReach_m;
+  });
+}
+
 /// Probability that chi-square of four degrees of freedom exceeds a value.
 double chi_square_tail(double value) { return std::exp(-0.5 * value) * (1.0 + 0.5 * value); }
 
@@ -96,26 +108,41 @@ class Merger {
     owners_ = transformed(lines, [&](const FoundLine& found) {
       return grid.cell_of(midpoint(found.line.segment_in_world).head<2>());
     });
+    find_twins();
   }
 
-  std::vector<MergedLine> merge() {
-    find_twins();
-    std::vector<bool> is_taken(lines_.size(), false);  // as a line, or as a part of one
+  /// The lines that are tied to one of these by twins, over any number of them.
+  [[nodiscard]] std::vector<bool> tied_to(const std::vector<bool>& these) const {
+    std::vector<bool> is_tied = these;
+    std::vector<std::size_t> next;
+    for (std::size_t i = 0; i < these.size(); ++i)
+      if (these[i]) next.push_back(i);
+    while (!next.empty()) {
+      const std::size_t i = next.back();
+      next.pop_back();
+      for (const Twin& twin : twins_[i]) {
+        if (is_tied[twin.line]) continue;
+        is_tied[twin.line] = true;
+        next.push_back(twin.line);
+      }
+    }
+    return is_tied;
+  }
+
+  /// The merged lines of all but those of `is_left`, which have no twin among the others.
+  [[nodiscard]] std::vector<MergedLine> merge(const std::vector<bool>& is_left) const {
+    std::vector<bool> is_taken = is_left;  // as a line, or as a part of one
     std::vector<MergedLine> merged;
     for (const std::size_t i : in_order_of_choice()) {
       if (is_taken[i] || !counts(i)) continue;
       take(i, is_taken);
       merged.push_back(merged_line(i, is_taken));
     }
-    std::ranges::sort(merged, {}, [&](const MergedLine& line) {
-      return std::tuple(lines_[line.line].cell, line.line);
-    });
     return merged;
   }
 
  private:
   void find_twins() {
-    constexpr double kReach_m = 1.0;  // lines farther off are no twins, whatever their covariances
     const Eigen::Vector2d origin =
         lines_.empty() ? Eigen::Vector2d::Zero()
                        : Eigen::Vector2d(lines_[0].line.segment_in_world.start.head<2>());
@@ -150,6 +177,7 @@ class Merger {
         std::min(shown_a.share() * length(segment(a)), shown_b.share() * length(segment(b)));
     const double common_m = common.share() * length(segment(a));
     if (!(common_m > 0.0) || common_m < kLeastCommon * shorter_m) return std::nullopt;
+    if (!is_within_reach(segment(a), segment(b))) return std::nullopt;
     const double difference = squared_difference(lines_[a].line, lines_[b].line);
     if (chi_square_tail(difference) < options_.significance) return std::nullopt;
     const bool reversed =
@@ -186,7 +214,7 @@ class Merger {
   }
 
   [[nodiscard]] MergedLine merged_line(std::size_t i, std::vector<bool>& is_taken) const {
-    MergedLine merged{i, lines_[i].line};
+    MergedLine merged{i, lines_[i].cell, lines_[i].line};
     prolong(i, false, merged.geometry, is_taken);
     prolong(i, true, merged.geometry, is_taken);
     return merged;
@@ -242,12 +270,81 @@ class Merger {
   std::vector<GridCell> owners_;          ///< the square of each midpoint
 };
 
+/// The order of squares and numbers.
+std::tuple<GridCell, std::size_t> place_of(const MergedLine& line) {
+  return {line.cell, line.line};
+}
+
 }  // namespace
+
+LineMerger::LineMerger(const PatchGrid& grid, const MergeOptions& options)
+    : grid_(grid), options_(options) {}
+
+std::vector<MergedLine> LineMerger::add(std::span<const FoundLine> strip) {
+  std::int64_t last_column = std::numeric_limits<std::int64_t>::min();
+  for (const FoundLine& found : strip) {
+    last_column = std::max(last_column, found.cell.column);
+    open_.push_back(found);
+    numbers_.push_back(n_added_++);
+  }
+  if (strip.empty()) return {};
+  const double east_m = grid_.square({last_column + 1, 0}).min().x() - options_.overlap_m;
+  return merge_west_of(east_m);
+}
+
+std::vector<MergedLine> LineMerger::finish() {
+  return merge_west_of(std::numeric_limits<double>::infinity());
+}
+
+std::vector<MergedLine> LineMerger::merge_west_of(double east_m) {
+  const Merger merger(open_, grid_, options_);
+  const std::vector<bool> is_open = merger.tied_to(transformed(open_, [&](const FoundLine& found) {
+    return grid_.square(found.cell).max().x() + options_.overlap_m >= east_m;
+  }));
+  for (MergedLine& line : merger.merge(is_open)) {
+    line.line = numbers_[line.line];
+    waiting_.push_back(std::move(line));
+  }
+  std::ranges::sort(waiting_, {}, place_of);
+  keep_open(is_open);
+  return take_settled();
+}
+
+void LineMerger::keep_open(const std::vector<bool>& is_open) {
+  std::size_t n_kept = 0;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (!is_open[i]) continue;
+    open_[n_kept] = open_[i];
+    numbers_[n_kept++] = numbers_[i];
+  }
+  open_.resize(n_kept);
+  numbers_.resize(n_kept);
+}
+
+std::vector<MergedLine> LineMerger::take_settled() {
+  std::int64_t first_open = std::numeric_limits<std::int64_t>::max();
+  for (const FoundLine& found : open_) first_open = std::min(first_open, found.cell.column);
+  const auto rest = std::ranges::find_if(
+      waiting_, [&](const MergedLine& line) { return line.cell.column >= first_open; });
+  std::vector<MergedLine> settled(waiting_.begin(), rest);
+  waiting_.erase(waiting_.begin(), rest);
+  return settled;
+}
+
+std::size_t LineMerger::first_needed() const {
+  std::size_t first = n_added_;
+  for (const std::size_t number : numbers_) first = std::min(first, number);
+  for (const MergedLine& line : waiting_) first = std::min(first, line.line);
+  return first;
+}
 
 std::vector<MergedLine> merge_lines(std::span<const FoundLine> lines,
                                     const PatchGrid& grid,
                                     const MergeOptions& options) {
-  return Merger(lines, grid, options).merge();
+  LineMerger merger(grid, options);
+  std::vector<MergedLine> merged = merger.add(lines);
+  std::ranges::move(merger.finish(), std::back_inserter(merged));
+  return merged;
 }
 
 }  // namespace ridgeline::reconstruct

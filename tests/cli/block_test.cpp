@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A block of frames: plan, tasks, merge, in one call or step by step.
+#include "io/files/csv_table.h"
+#include "io/lines/read_lines.h"
+#include "io/project/patch.h"
+#include "reconstruct/geometry/segment.h"
 #include "tests/cli/oriented_patch.h"
 
 #include <fstream>
@@ -45,6 +49,45 @@ class Block : public OrientedPatch {
     return run(words);
   }
 
+  /// Lines have their midpoint in the area, and image segments where the whole frames show the lines.
+  void expect_lines_of_the_area(const std::string& lines) const {
+    constexpr double kNear_px = 3.0;  // a forgotten corner of a window is ten times that
+    constexpr double kMost = 0.9;     // some segments are longer than their line
+    const io::PatchFile patch = io::read_patch(path("patch/patch.yaml").string());
+    std::size_t n = 0, n_near = 0;
+    const Eigen::AlignedBox2d area_m(Eigen::Vector2d(513004, 5403004),
+                                     Eigen::Vector2d(513044, 5403044));
+    for (const io::Line& line : io::read_lines(path(lines).string()).lines) {
+      EXPECT_FALSE(line.left_px);
+      EXPECT_TRUE(area_m.contains(midpoint(line.segment_in_world).head<2>())) << line.id;
+      for (const io::LineSighting& sighting : line.sightings) {
+        const auto image = std::ranges::find(patch.images, sighting.image, &io::PatchImage::id);
+        ASSERT_NE(image, patch.images.end()) << sighting.image;
+        const Segment2 seen = project(image->image_from_world, line.segment_in_world);
+        ++n;
+        n_near += distance(seen, midpoint(sighting.px)) < kNear_px ? 1 : 0;
+      }
+    }
+    EXPECT_GT(n, 100U);
+    EXPECT_GT(static_cast<double>(n_near), kMost * static_cast<double>(n)) << "of " << n;
+  }
+
+  /// True lines that a neighbour found count for the square that they belong to.
+  void expect_true_lines_of_all_squares(const std::string& out) const {
+    const auto sum_of = [&](const std::string& file, const char* column, const char* of) {
+      const io::CsvTable table(path(out + "/" + file).string());
+      double sum = 0.0;
+      for (std::size_t row = 0; row < table.size(); ++row) {
+        if (*of == '\0' || table.text(row, table.column("kind")) == of)
+          sum += table.number(row, table.column(column));
+      }
+      return sum;
+    };
+    EXPECT_GT(sum_of("patches.csv", "n_reference_found", ""), 20.0);
+    EXPECT_EQ(sum_of("patches.csv", "n_reference_found", ""),
+              sum_of("reference_completeness.csv", "n_reconstructed", "all"));
+  }
+
   /// The files of a block's folder that are results, with their content.
   [[nodiscard]] std::map<std::string, std::string> results(const std::string& out) const {
     std::map<std::string, std::string> files;
@@ -66,6 +109,9 @@ TEST_F(Block, GivesTheSameBytesInOneCallAndStepByStep) {
                            "table2.csv", "evaluation.joint.json", "patches.csv", "plan.json"})
     EXPECT_EQ(expected.count(name), 1U) << name;
   EXPECT_THAT(expected.at("lines.joint.geojson"), HasSubstr("12825_135075/"));
+
+  expect_lines_of_the_area("whole/lines.joint.geojson");
+  expect_true_lines_of_all_squares("whole");
 
   ASSERT_EQ(block("steps", {"--plan"}).exit_code, 0);
   for (const char* task : {"4", "2-3", "1"})

@@ -74,9 +74,12 @@ both_nodes_work() {
     [ "$(find "$work/slurm" -name .ridgeline.lock | wc -l)" -ge 3 ]
 }
 
-# As an operator does. Slurm sets aside what started in the moment before a controller was killed.
+# As an operator does. A controller that was killed has forgotten what happened since it saved its state: it sets aside what
+# started, and waits for what ended until the nodes report.
+reported_at_s=0
 queue_is_empty() {
   local held
+  [ "$SECONDS" -lt $((reported_at_s + 5)) ] || { scontrol reconfigure && reported_at_s=$SECONDS; }
   mapfile -t held < <(squeue -h -r -t PENDING -o '%i %r' | awk '/held|Held/ { print $1 }')
   [ "${#held[@]}" -eq 0 ] || scontrol release "${held[@]}"
   [ -z "$(sinfo -h -n n1 -t drain -o %N)" ] || scontrol update nodename=n1 state=resume

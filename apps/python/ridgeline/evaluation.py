@@ -153,6 +153,7 @@ def evaluate(
     strict: bool = False,
     salvage: bool = False,
     vertex_pairs: bool = False,
+    lod: str = "",
     cloud_memory_mib: int = 512,
     name: str | None = None,
     max_aligned_angle_deg: float | None = None,
@@ -171,7 +172,7 @@ def evaluate(
     views, height_range_m: views in memory in place of a patch file, as for reconstruct().
     reference_lines: true lines, given as `lines` are; they add errors, precision and completeness.
     config: a file of `ridgeline config`, or a mapping {"judge": {...}}.
-    bounds ... salvage: how the cloud is read, as for read_cloud(). vertex_pairs: as for read_lines().
+    bounds ... salvage: how the cloud is read, as for read_cloud(). vertex_pairs, lod: as for read_lines().
     scale_to_ground: divide the plan by its scale at the data, as Web Mercator needs it; by default a plan that is not true
         to scale is refused.
     apply_shift: judge the lines without a shift that all have against the LIDAR planes, if it is significant (Result.shift).
@@ -215,6 +216,7 @@ def evaluate(
         "patch": None if patch is None else os.fspath(patch),
         "sigma_sys_m": sigma_sys_m,
         "vertex_pairs": vertex_pairs,
+        "lod": lod,
         **config_entries(config, judge),
     }
     if views is not None:

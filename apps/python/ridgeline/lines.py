@@ -107,13 +107,13 @@ def lines_of(entries: dict[str, Any]) -> Lines:
     return Lines(**{f.name: entries[f.name] for f in fields(Lines)})
 
 
-def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False) -> Lines:
+def read_lines(path: Path, *, assume_crs: str = "", vertex_pairs: bool = False, lod: str = "") -> Lines:
     """Reads the 3D lines of any tool: GeoJSON, GeoPackage, Shapefile, DXF, WKT, CSV, OBJ, PLY, Line3D++, LIMAP, ELSR.
 
     Polylines become segments. assume_crs: reference system, whatever the file states. vertex_pairs: an OBJ's vertices
     two by two are the lines. Warns of what deserves attention. Raises FileNotFoundError and InputFileError.
     """
-    entries = _core.read_lines(os.fspath(path), assume_crs, vertex_pairs)
+    entries = _core.read_lines(os.fspath(path), assume_crs, vertex_pairs, lod)
     warn(entries["warnings"])
     return lines_of(entries)
 

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <random>
 
 namespace ridgeline::reconstruct {
@@ -143,30 +145,36 @@ TEST(MergeLines, TwinsAreToldByTheirCovariances) {
   EXPECT_EQ(merged({weak, other}).size(), 1U);
 }
 
-TEST(MergeLines, OrderOfThePatchesDoesNotMatter) {
+/// Lines at random over some columns and three rows of squares, as all patches find them that have their midpoint, in the order of
+/// the squares.
+std::vector<FoundLine> town_of(std::int64_t columns) {
   Noise noise;
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(0.0, 300.0), way(-30.0, 30.0);
+  std::uniform_real_distribution<double> x_m(0.0, 100.0 * static_cast<double>(columns));
+  std::uniform_real_distribution<double> y_m(0.0, 300.0), way(-30.0, 30.0);
   std::vector<FoundLine> lines;
-  for (int i = 0; i < 300; ++i) {
-    const Eigen::Vector3d start(place(random), place(random), 0.0);
+  for (std::int64_t i = 0; i < 100 * columns; ++i) {
+    const Eigen::Vector3d start(x_m(random), y_m(random), 0.0);
     const Eigen::Vector3d end = start + Eigen::Vector3d(way(random), way(random), 1.0);
     const Eigen::Vector3d middle = 0.5 * (start + end);
-    for (std::int64_t column = 0; column < 3; ++column) {
+    for (std::int64_t column = 0; column < columns; ++column) {
       for (std::int64_t row = 0; row < 3; ++row) {
         const Eigen::Vector2d centre(100.0 * static_cast<double>(column) + 50.0,
                                      100.0 * static_cast<double>(row) + 50.0);
-        if ((middle.head<2>() - centre).cwiseAbs().maxCoeff() > 70.0) continue;
+        if ((middle.head<2>() - centre).cwiseAbs().maxCoeff() > 50.0 + kOverlap_m) continue;
         lines.push_back({uncertain(start + noise(), end + noise()), square_at(column, row)});
       }
     }
   }
-  const auto by_square = [](const FoundLine& a, const FoundLine& b) { return a.cell < b.cell; };
-  std::ranges::stable_sort(lines, by_square);
+  std::ranges::stable_sort(lines, {}, &FoundLine::cell);
+  return lines;
+}
+
+TEST(MergeLines, OrderOfThePatchesDoesNotMatter) {
+  const std::vector<FoundLine> lines = town_of(3);
   const auto forward = merged(lines);
   std::vector<FoundLine> backward = lines;
-  std::ranges::stable_sort(backward,
-                           [&](const FoundLine& a, const FoundLine& b) { return by_square(b, a); });
+  std::ranges::stable_sort(backward, std::greater(), &FoundLine::cell);
   const auto starts_of = [](const std::vector<MergedLine>& merged) {
     std::vector<double> starts;
     for (const MergedLine& line : merged)
@@ -176,6 +184,71 @@ TEST(MergeLines, OrderOfThePatchesDoesNotMatter) {
   EXPECT_GT(forward.size(), 280U);
   EXPECT_LT(forward.size(), 305U);
   EXPECT_EQ(starts_of(forward), starts_of(merged(backward)));
+}
+
+/// The lines of each column, in order.
+std::vector<std::vector<FoundLine>> strips_of(const std::vector<FoundLine>& lines) {
+  std::vector<std::vector<FoundLine>> strips;
+  for (const FoundLine& line : lines) {
+    if (strips.empty() || strips.back().back().cell.column != line.cell.column)
+      strips.emplace_back();
+    strips.back().push_back(line);
+  }
+  return strips;
+}
+
+TEST(LineMerger, StripByStripGivesTheLinesOfAllAtOnce) {
+  std::vector<FoundLine> lines = town_of(8);
+  // One line of all columns, so that what is merged before its end has to wait.
+  for (std::int64_t column = 0; column < 8; ++column) {
+    const double from = 100.0 * static_cast<double>(column) - kOverlap_m;
+    lines.push_back(
+        found({std::max(from, 10.0), 110, 0}, {std::min(from + 140.0, 790.0), 110, 0}, column));
+  }
+  std::ranges::stable_sort(lines, {}, &FoundLine::cell);
+  LineMerger merger(kGrid, {.overlap_m = kOverlap_m});
+  std::vector<MergedLine> in_strips;
+  for (const std::vector<FoundLine>& strip : strips_of(lines))
+    std::ranges::move(merger.add(strip), std::back_inserter(in_strips));
+  EXPECT_LT(in_strips.size(), 50U);  // the line of all columns holds them back
+  std::ranges::move(merger.finish(), std::back_inserter(in_strips));
+  const std::vector<MergedLine> at_once = merged(lines);
+  ASSERT_EQ(in_strips.size(), at_once.size());
+  EXPECT_GT(at_once.size(), 750U);
+  double longest_m = 0.0;
+  for (std::size_t i = 0; i < at_once.size(); ++i) {
+    EXPECT_EQ(in_strips[i].line, at_once[i].line);
+    EXPECT_EQ(in_strips[i].cell, lines[at_once[i].line].cell);
+    EXPECT_EQ(in_strips[i].geometry.segment_in_world.end, at_once[i].geometry.segment_in_world.end);
+    EXPECT_EQ(in_strips[i].geometry.covariance_m2, at_once[i].geometry.covariance_m2);
+    longest_m = std::max(longest_m, length(in_strips[i].geometry.segment_in_world));
+  }
+  EXPECT_NEAR(longest_m, 780.0, 1e-9);
+}
+
+TEST(LineMerger, NeedsTheLinesOfTwoColumnsOnly) {
+  LineMerger merger(kGrid, {.overlap_m = kOverlap_m});
+  std::size_t n_before = 0;  // lines of all columns but the last two
+  std::size_t n_last = 0;
+  std::size_t n_merged = 0;
+  for (const std::vector<FoundLine>& strip : strips_of(town_of(12))) {
+    n_merged += merger.add(strip).size();
+    EXPECT_GE(merger.first_needed(), n_before);
+    n_before += n_last;
+    n_last = strip.size();
+  }
+  EXPECT_GT(n_merged, 1000U);  // of about 1200
+  n_merged += merger.finish().size();
+  EXPECT_EQ(merger.first_needed(), n_before + n_last);
+}
+
+TEST(MergeLines, LinesFarApartInPlanAreNoTwinsWhateverTheirCovariances) {
+  FoundLine weak = found({88, 51.5, 0}, {108, 51.5, 0}, 0);
+  weak.line.covariance_m2 *= 2500.0;
+  EXPECT_EQ(merged({weak, found({92, 50, 0}, {112, 50, 0}, 1)}).size(), 2U);
+  weak.line.segment_in_world.start.y() -= 0.6;
+  weak.line.segment_in_world.end.y() -= 0.6;
+  EXPECT_EQ(merged({weak, found({92, 50, 0}, {112, 50, 0}, 1)}).size(), 1U);
 }
 
 TEST(MergeLines, NothingGivesNothing) { EXPECT_TRUE(merged({}).empty()); }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/gdal/attribute_table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+
+namespace ridgeline::io {
+
+/// Turns JSON objects into rows of a table, with a column for each name. settle_types() completes the table.
+class JsonColumns {
+ public:
+  /// The members that are not null; arrays and objects as JSON text. No row of anything but an object has values. Columns of new
+  /// names are added to the table.
+  SparseRow row_of(const nlohmann::json& object, AttributeTable& table);
+
+ private:
+  std::size_t column_for(const std::string& name, ColumnType type, AttributeTable& table);
+
+  std::unordered_map<std::string, std::size_t> by_name_;
+};
+
+}  // namespace ridgeline::io

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/models/building_model.h"
+#include "reconstruct/geometry/plane.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ridgeline::io {
+
+/// The plane of a face by Newell's method over its outer ring, which need not be flat; normal as the ring turns. Nothing if
+/// the ring has no area or is not finite.
+std::optional<Plane3> plane_of(const ModelFace& face);
+
+/// Whether a face that states nothing is a wall: steeper than 80 degrees.
+bool is_wall(const Plane3& plane);
+
+/// What each face of a building is: as the file states, or by geometry where it does not. A face without a plane is kOther. Of
+/// faces without a statement, those steeper than 80 degrees are walls, and of the others those with another such face above them are the
+/// ground. `planes`: plane_of() each face.
+std::vector<SurfaceKind> roles_of(std::span<const ModelFace> faces,
+                                  std::span<const std::optional<Plane3>> planes);
+
+/// Whether a point of the plane of a face lies within the face and none of its holes. `x` is projected along the largest axis of the
+/// normal.
+bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3d& x);
+
+}  // namespace ridgeline::io

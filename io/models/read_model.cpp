@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/models/read_model.h"
+
+#include "io/error.h"
+#include "io/files/input_file.h"
+#include "io/kinds/recognise.h"
+#include "io/models/readers.h"
+#include "io/text/gzip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ridgeline::io {
+namespace {
+
+constexpr std::size_t kMost_bytes = std::size_t{4} << 30U;
+
+/// The text of a file, decompressed.
+std::string text_of_file(const std::string& path) {
+  std::string content = read_input(path, Expected::kLines);
+  if (!is_gzip(content)) return content;
+  Inflated text = inflated(content, kMost_bytes);
+  if (!text.is_whole)
+    throw IoError(path, text.text.size() < kMost_bytes
+                            ? "is compressed by gzip and ends before its end"
+                            : "is compressed by gzip and holds more than 4 GiB");
+  return std::move(text.text);
+}
+
+BuildingModel read(const std::string& path, const ReadModelOptions& options) {
+  if (kind_of_path(path).ending == ".gml") return read_citygml(path, options);
+  std::string text = text_of_file(path);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  return read_cityjson(path, text, options);
+}
+
+/// A model without faces cannot be told from one in another LoD.
+void require_faces(const BuildingModel& model, const ReadModelOptions& options) {
+  if (!model.faces.empty()) return;
+  const std::string wanted =
+      options.lod.empty() ? "LoD 1 to 3" : fmt::format("LoD {}", options.lod);
+  throw IoError(model.path,
+                fmt::format("holds {} building{} and no faces of them in {}{}{}",
+                            model.buildings.size(), model.buildings.size() == 1 ? "" : "s", wanted,
+                            model.left_out.empty() ? "" : "; beside them ", model.left_out.text()));
+}
+
+}  // namespace
+
+bool is_model(const std::string& path) { return kind_of_path(path).group == FileGroup::kModel; }
+
+BuildingModel read_model(const std::string& path, const ReadModelOptions& options) {
+  BuildingModel model = read(path, options);
+  require_faces(model, options);
+  return model;
+}
+
+}  // namespace ridgeline::io

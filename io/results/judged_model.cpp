@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/judged_model.h"
+
+#include "evaluate/faces/judge_faces.h"
+#include "io/models/face_roles.h"
+#include "io/results/judged_lines.h"
+#include "io/results/point_budget.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace ridgeline::results {
+namespace {
+
+using evaluate::RoofBuilding;
+
+/// The roof faces of all buildings with their numbers in the model.
+JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const LocalFrame& frame) {
+  const io::BuildingModel& model = *set.model;
+  const Eigen::Vector3d unit_m = unit_m_of(set);
+  JudgedModel judged;
+  judged.buildings.resize(model.buildings.size());
+  judged.numbers.resize(model.buildings.size());
+  const std::vector<io::SurfaceKind> roles = io::roles_of(model);
+  for (std::size_t i = 0; i < model.buildings.size(); ++i)
+    judged.buildings[i].id = model.buildings[i].id;
+  for (std::size_t i = 0; i < model.faces.size(); ++i) {
+    const io::ModelFace& face = model.faces[i];
+    if (roles[i] != io::SurfaceKind::kRoof) continue;
+    std::vector<io::Ring> rings = face.rings;
+    for (io::Ring& ring : rings)
+      for (Eigen::Vector3d& x : ring) x = frame.local_from_world(x.cwiseProduct(unit_m)) + by_m;
+    RoofBuilding& building = judged.buildings[face.building];
+    building.faces.push_back(evaluate::make_roof_face(
+        face.id.empty() ? fmt::format("{}", i) : face.id, std::move(rings)));
+    judged.numbers[face.building].push_back(i);
+  }
+  return judged;
+}
+
+Eigen::AlignedBox2d plan_box(const RoofBuilding& building) {
+  Eigen::AlignedBox2d box;
+  for (const evaluate::RoofFace& face : building.faces)
+    if (!face.degenerate) box.extend(face.plan.box());
+  return box;
+}
+
+class ModelJudge {
+ public:
+  ModelJudge(io::CloudFiles& cloud,
+             JudgedModel& judged,
+             const evaluate::FaceOptions& options,
+             std::uint64_t max_points)
+      : cloud_(cloud), judged_(judged), options_(options), max_points_(max_points) {
+    for (const RoofBuilding& building : judged.buildings) boxes_.push_back(plan_box(building));
+    judged.faces.resize(judged.buildings.size());
+  }
+
+  void judge() {
+    std::vector<std::size_t> all(boxes_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::erase_if(all, [&](std::size_t i) { return boxes_[i].isEmpty(); });
+    if (!all.empty()) judge_group(all);
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (boxes_[i].isEmpty()) judge_without_points(i);
+  }
+
+ private:
+  /// Judges a group of buildings, or its halves one after the other.
+  void judge_group(std::span<std::size_t> group) {
+    std::optional<io::PointCloud> near = cloud_.read_at_most(mask_of(group), max_points_);
+    if (!near && group.size() > 1) {
+      const std::size_t half = halve(group);
+      judge_group(group.first(half));
+      judge_group(group.subspan(half));
+      return;
+    }
+    if (!near) near = cloud_.read(mask_of(group));
+    const evaluate::PointGrid grid = grid_of(*near);
+    // Neighbours beyond the group explain points beside its faces; their own judgement is another group's.
+    std::vector<std::size_t> members(group.begin(), group.end());
+    for (const std::size_t i : neighbours_of(group)) members.push_back(i);
+    std::vector<RoofBuilding> buildings;
+    for (const std::size_t i : members) buildings.push_back(judged_.buildings[i]);
+    auto faces = evaluate::judge_faces(grid, buildings, options_);
+    for (std::size_t k = 0; k < group.size(); ++k) judged_.faces[members[k]] = std::move(faces[k]);
+  }
+
+  void judge_without_points(std::size_t i) {
+    const auto nothing = evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
+    judged_.faces[i] = std::move(
+        evaluate::judge_faces(nothing, std::span(&judged_.buildings[i], 1), options_).front());
+  }
+
+  /// All places that the judge of these buildings may look at.
+  [[nodiscard]] io::PlanMask mask_of(std::span<const std::size_t> group) const {
+    constexpr double kRow_m = 4.0;
+    std::vector<Segment2> rows;
+    for (const std::size_t i : group) {
+      const Eigen::AlignedBox2d box = grown(boxes_[i], neighbour_reach_m());
+      for (double y = box.min().y(); y < box.max().y() + kRow_m; y += kRow_m)
+        rows.push_back({{box.min().x(), y}, {box.max().x(), y}});
+    }
+    return {rows, kRow_m};
+  }
+
+  [[nodiscard]] double neighbour_reach_m() const { return 2.0 * options_.reach_m; }
+
+  /// Divides a group at the median across the longer side of its box; returns the size of the first half.
+  std::size_t halve(std::span<std::size_t> group) const {
+    Eigen::AlignedBox2d all;
+    for (const std::size_t i : group) all.extend(boxes_[i].center());
+    const int axis = all.sizes().x() >= all.sizes().y() ? 0 : 1;
+    const std::size_t half = group.size() / 2;
+    std::ranges::sort(group, {}, [&](std::size_t i) {
+      return std::pair(boxes_[i].center()[axis], i);
+    });
+    return half;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> neighbours_of(std::span<const std::size_t> group) const {
+    std::vector<std::size_t> neighbours;
+    Eigen::AlignedBox2d all;
+    std::vector<bool> is_in(boxes_.size(), false);
+    for (const std::size_t i : group) {
+      all.extend(grown(boxes_[i], neighbour_reach_m()));
+      is_in[i] = true;
+    }
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (!is_in[i] && !boxes_[i].isEmpty() && all.intersects(boxes_[i])) neighbours.push_back(i);
+    return neighbours;
+  }
+
+  io::CloudFiles& cloud_;
+  JudgedModel& judged_;
+  const evaluate::FaceOptions& options_;
+  std::uint64_t max_points_;
+  std::vector<Eigen::AlignedBox2d> boxes_;  ///< of the buildings in plan
+};
+
+}  // namespace
+
+JudgedModel judge_model(io::CloudFiles& cloud,
+                        const io::LineSet& set,
+                        const evaluate::Evaluation& evaluation,
+                        const LocalFrame& frame,
+                        const evaluate::JudgeOptions& options,
+                        std::uint64_t max_memory_bytes) {
+  const bool is_moved = evaluation.shift && evaluation.shift->applied;
+  const Eigen::Vector3d by_m = is_moved ? Eigen::Vector3d(-evaluation.shift->shift_m) : Eigen::Vector3d::Zero();
+  JudgedModel judged = roofs_of(set, by_m, frame);
+  evaluate::FaceOptions face_options;
+  face_options.judge = options;
+  ModelJudge(cloud, judged, face_options, max_memory_bytes / kBytesPerPoint).judge();
+  judged.rows =
+      evaluate::building_table(judged.buildings, judged.faces, evaluation.lines, face_options);
+  return judged;
+}
+
+}  // namespace ridgeline::results

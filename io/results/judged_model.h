@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/faces/building_table.h"
+#include "evaluate/faces/face_evaluation.h"
+#include "evaluate/faces/roof_face.h"
+#include "evaluate/judge/options.h"
+#include "evaluate/statistics/evaluation.h"
+#include "io/cloud/cloud_files.h"
+#include "io/lines/line_set.h"
+#include "reconstruct/geometry/local_frame.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ridgeline::results {
+
+/// The buildings of a model by their roof faces, judged; local metres.
+struct JudgedModel {
+  std::vector<evaluate::RoofBuilding> buildings;            ///< all, in the order of the model
+  std::vector<std::vector<std::size_t>> numbers;            ///< of their roof faces in LineSet::model
+  std::vector<std::vector<evaluate::FaceEvaluation>> faces;  ///< of each building
+  std::vector<evaluate::BuildingRow> rows;                   ///< of each building
+};
+
+/// Judges the roof faces of a model whose edges were judged as lines: `set` as it was read, or moved before as `evaluation.shift`
+/// says. The points over the faces are read anew, for groups of neighbouring buildings if they need more memory than
+/// `max_memory_bytes`; the results do not depend on the groups. Throws IoError as read_cloud().
+JudgedModel judge_model(io::CloudFiles& cloud,
+                        const io::LineSet& set,
+                        const evaluate::Evaluation& evaluation,
+                        const LocalFrame& frame,
+                        const evaluate::JudgeOptions& options,
+                        std::uint64_t max_memory_bytes);
+
+}  // namespace ridgeline::results
