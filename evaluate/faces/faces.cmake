@@ -4,5 +4,5 @@ set(evaluate_faces_sources
   faces/roof_face.cpp)
 set(evaluate_faces_headers
   faces/covered_share.h faces/face_evaluation.h faces/face_index.h faces/face_plane.h faces/face_points.h
-  faces/judge_face.h faces/judge_faces.h faces/options.h faces/outline.h faces/plan_polygon.h faces/plane_difference.h
+  faces/judge_face.h faces/judge_faces.h faces/neighbour_face.h faces/options.h faces/outline.h faces/plan_polygon.h faces/plane_difference.h
   faces/roof_face.h)

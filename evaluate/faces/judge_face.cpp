@@ -3,6 +3,7 @@
 
 #include "evaluate/faces/covered_share.h"
 #include "evaluate/faces/face_plane.h"
+#include "evaluate/faces/outline.h"
 #include "evaluate/faces/plane_difference.h"
 #include "reconstruct/geometry/degrees.h"
 
@@ -71,9 +72,9 @@ void set_areas(std::span<const FacePoint> points,
 
 }  // namespace
 
-FaceEvaluation judge_plane(const PointSearch& search,
-                           const RoofFace& face,
-                           const FaceOptions& options) {
+FaceEvaluation find_plane(const PointSearch& search,
+                          const RoofFace& face,
+                          const FaceOptions& options) {
   FaceEvaluation evaluation;
   evaluation.id = face.id;
   evaluation.area_m2 = face.area_m2;
@@ -90,15 +91,25 @@ FaceEvaluation judge_plane(const PointSearch& search,
     evaluation.status = none_anywhere ? FaceStatus::kNoLidar : FaceStatus::kTooSmall;
     return evaluation;
   }
-  const std::optional<PlaneFit> fit = fit_face_plane(points, face, options, search.normals());
+  const std::optional<PlaneFit> fit = find_face_plane(points, face, options, search.normals());
   if (!fit || share_on(fit->plane, points, options) < options.min_share) {
     evaluation.status = FaceStatus::kNoPlane;
     return evaluation;
   }
   evaluation.fit = *fit;
-  evaluation.difference = difference_of(face, *fit);
-  evaluation.share_on_plane = share_on(fit->plane, points, options);
   return evaluation;
+}
+
+void refine_plane(const PointSearch& search,
+                  const RoofFace& face,
+                  std::span<const NeighbourFace> neighbours,
+                  const FaceOptions& options,
+                  FaceEvaluation& evaluation) {
+  if (evaluation.status != FaceStatus::kEvaluated) return;
+  const std::vector<FacePoint> points = points_around(search, face, 0.0);
+  evaluation.fit = refit_face_plane(points, evaluation.fit, neighbours, options);
+  evaluation.difference = difference_of(face, evaluation.fit);
+  evaluation.share_on_plane = share_on(evaluation.fit.plane, points, options);
 }
 
 void judge_outline(const PointSearch& search,
@@ -120,7 +131,8 @@ void judge_outline(const PointSearch& search,
 FaceEvaluation judge_face(const PointSearch& search,
                           const RoofFace& face,
                           const FaceOptions& options) {
-  FaceEvaluation evaluation = judge_plane(search, face, options);
+  FaceEvaluation evaluation = find_plane(search, face, options);
+  refine_plane(search, face, {}, options, evaluation);
   judge_outline(search, face, {}, options, evaluation);
   return evaluation;
 }

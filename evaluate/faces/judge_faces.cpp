@@ -27,20 +27,36 @@ FaceIndex index_of(const std::vector<const RoofFace*>& faces) {
   return FaceIndex(boxes);
 }
 
-/// The faces within reach of the k-th one, with the planes of their points.
-std::vector<NeighbourFace> neighbours_of(std::size_t k,
-                                         const std::vector<const RoofFace*>& faces,
-                                         const std::vector<FaceEvaluation>& evaluations,
-                                         const FaceIndex& index,
-                                         double reach_m) {
-  std::vector<NeighbourFace> neighbours;
-  for (const std::size_t other : index.near(faces[k]->plan.box(), 2.0 * reach_m)) {
-    if (other == k || evaluations[other].status == FaceStatus::kSteep) continue;
-    const bool has_plane = evaluations[other].status == FaceStatus::kEvaluated;
-    neighbours.push_back({faces[other], has_plane ? &evaluations[other].fit : nullptr});
+/// The faces within reach of each one, with the planes found for them.
+class Neighbours {
+ public:
+  Neighbours(const std::vector<const RoofFace*>& faces,
+             const std::vector<FaceEvaluation>& found,
+             double reach_m)
+      : faces_(faces), index_(index_of(faces)), reach_m_(reach_m) {
+    for (const FaceEvaluation& evaluation : found) {
+      fits_.push_back(evaluation.fit);
+      statuses_.push_back(evaluation.status);
+    }
   }
-  return neighbours;
-}
+
+  [[nodiscard]] std::vector<NeighbourFace> of(std::size_t k) const {
+    std::vector<NeighbourFace> neighbours;
+    for (const std::size_t other : index_.near(faces_[k]->plan.box(), 2.0 * reach_m_)) {
+      if (other == k || statuses_[other] == FaceStatus::kSteep) continue;
+      const bool has_plane = statuses_[other] == FaceStatus::kEvaluated;
+      neighbours.push_back({faces_[other], has_plane ? &fits_[other] : nullptr});
+    }
+    return neighbours;
+  }
+
+ private:
+  const std::vector<const RoofFace*>& faces_;
+  FaceIndex index_;
+  double reach_m_;
+  std::vector<PlaneFit> fits_;
+  std::vector<FaceStatus> statuses_;
+};
 
 std::vector<std::vector<FaceEvaluation>> by_building(std::span<const RoofBuilding> buildings,
                                                      std::vector<FaceEvaluation> evaluations) {
@@ -63,17 +79,20 @@ std::vector<std::vector<FaceEvaluation>> judge_faces(const PointSearch& search,
   ridgeline::validate(options.judge);
   const std::vector<const RoofFace*> faces = all_faces(buildings);
   std::vector<FaceEvaluation> evaluations(faces.size());
-  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t k) {
-    Interruption::check();
-    evaluations[k] = judge_plane(search, *faces[k], options);
+  const auto for_all = [&](const auto& judge) {
+    tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t k) {
+      Interruption::check();
+      judge(k);
+    });
+  };
+  for_all([&](std::size_t k) { evaluations[k] = find_plane(search, *faces[k], options); });
+  const Neighbours found(faces, evaluations, options.reach_m);
+  for_all([&](std::size_t k) {
+    refine_plane(search, *faces[k], found.of(k), options, evaluations[k]);
   });
-  const FaceIndex index = index_of(faces);
-  // planes are only read here, outlines only written
-  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t k) {
-    Interruption::check();
-    const std::vector<NeighbourFace> neighbours =
-        neighbours_of(k, faces, evaluations, index, options.reach_m);
-    judge_outline(search, *faces[k], neighbours, options, evaluations[k]);
+  const Neighbours refined(faces, evaluations, options.reach_m);
+  for_all([&](std::size_t k) {
+    judge_outline(search, *faces[k], refined.of(k), options, evaluations[k]);
   });
   return by_building(buildings, std::move(evaluations));
 }

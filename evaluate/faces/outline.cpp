@@ -2,7 +2,6 @@
 #include "evaluate/faces/outline.h"
 
 #include "evaluate/faces/face_plane.h"
-#include "reconstruct/geometry/degrees.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,6 @@ PlacedPoint placed(const FacePoint& point,
   const Eigen::Vector2d x = point.point.x.head<2>();
   const bool on_face = is_on(fit.plane, point, options);
   const double distance_m = fit.plane.absDistance(point.point.x);
-  const double nearly_one = std::cos(options.judge.ridge_angle_deg * kRadPerDeg);
   PlacedPoint result{on_face ? PointPlace::kOnFace : PointPlace::kElsewhere, on_face};
   for (const NeighbourFace& other : neighbours) {
     const double away_m = other.face->plan.distance_m(x);
@@ -35,7 +33,7 @@ PlacedPoint placed(const FacePoint& point,
     }
     if (!is_on(other.fit->plane, point, options)) continue;
     result.explained = true;
-    const bool one_plane = fit.plane.normal().dot(other.fit->plane.normal()) > nearly_one;
+    const bool one_plane = are_nearly_one(fit.plane, other.fit->plane, options);
     const bool one_above_the_other = !on_face && over_other && point.beyond_m < 0.0;
     if ((on_face && one_plane) || one_above_the_other) {
       result.place = PointPlace::kUnknown;

@@ -3,20 +3,13 @@
 
 #include "evaluate/faces/face_evaluation.h"
 #include "evaluate/faces/face_points.h"
+#include "evaluate/faces/neighbour_face.h"
 #include "evaluate/faces/options.h"
-#include "evaluate/faces/roof_face.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace ridgeline::evaluate {
-
-/// Another face, which points beside a face may lie on.
-struct NeighbourFace {
-  const RoofFace* face = nullptr;
-  const PlaneFit* fit = nullptr;  ///< nullptr if no plane was found in its points
-};
 
 /// What a point says of a face's outline.
 enum class PointPlace : std::uint8_t {
