@@ -38,8 +38,7 @@ struct Estimate {
 struct PlaneDifference {
   Estimate shift_m;   ///< along the face's normal at its centroid, positive if the face is too high
   Estimate height_m;  ///< the same vertically
-  double angle_deg = 0.0;  ///< between both planes, not negative
-  bool tilted = false;  ///< whether the angle is significant: Hotelling's test of both parts at 5 %
+  Estimate angle_deg;  ///< between both planes, not negative
   /// Parts of the angle in the face's own axes, which level faces have too. `along` is positive if the face rises more than its
   /// points up its own slope; `across`, if it rises more to the left of that. The slope of a level face is towards y.
   Estimate along_deg, across_deg;

@@ -67,13 +67,14 @@ Estimate part_of_angle(const RoofFace& face,
   return {std::atan2(a, b) / kRadPerDeg, half_width.of_normal(gradient) / kRadPerDeg};
 }
 
-/// Hotelling's test at 5 %: T^2 of two parts is 2 F(2, n - 3), whose quantile has a closed form.
-bool is_tilted(const PlaneFit& fit, const Eigen::Vector3d& own_normal) {
-  const Eigen::Vector2d parts = fit.axes.transpose() * own_normal;
-  const double dof = fit.n - kParameters;
-  const double t2 = (parts.array().square() * fit.spread_m2.array()).sum();
-  const double largest_f = 0.5 * dof * (std::pow(0.05, -2.0 / dof) - 1.0);
-  return t2 > 2.0 * largest_f * fit.sigma0_m * fit.sigma0_m;
+Estimate angle_between(const RoofFace& face, const PlaneFit& fit, const HalfWidth& half_width) {
+  const Eigen::Vector3d& own = face.plane.normal();
+  const Eigen::Vector3d& n = fit.plane.normal();
+  constexpr double kExact = 1e-15;
+  const Eigen::Vector3d towards_own = own - own.dot(n) * n;  // of length sin(angle)
+  const double sine = towards_own.norm();  // of equal planes the direction is rounding
+  const Eigen::Vector3d gradient = towards_own / std::max(sine, kExact);
+  return {std::atan2(sine, own.dot(n)) / kRadPerDeg, half_width.of_normal(gradient) / kRadPerDeg};
 }
 
 double wrapped_deg(double angle_deg) { return std::remainder(angle_deg, 360.0); }
@@ -100,7 +101,7 @@ void set_slopes(const RoofFace& face,
 }
 
 bool exceeds(const Estimate& estimate, double tolerance) {
-  return std::abs(estimate.value) > std::max(tolerance, estimate.half_width);
+  return std::abs(estimate.value) - estimate.half_width > tolerance;
 }
 
 /// The smallest distance of the face's vertices above the plane of its points, or below it, whichever the centroid is.
@@ -129,8 +130,7 @@ PlaneDifference difference_of(const RoofFace& face, const PlaneFit& fit) {
   PlaneDifference difference;
   difference.shift_m = estimate_along(own);
   difference.height_m = estimate_along(Eigen::Vector3d::UnitZ());
-  difference.angle_deg = std::atan2(own.cross(n).norm(), own.dot(n)) / kRadPerDeg;
-  difference.tilted = is_tilted(fit, own);
+  difference.angle_deg = angle_between(face, fit, half_width);
   difference.along_deg = part_of_angle(face, fit, axes.up, half_width);
   difference.across_deg = part_of_angle(face, fit, axes.left, half_width);
   set_slopes(face, fit, half_width, difference);
@@ -142,7 +142,7 @@ FaceVerdict plane_verdict(const RoofFace& face,
                           const PlaneDifference& difference,
                           const FaceOptions& options) {
   FaceVerdict verdict;
-  verdict.tilt = difference.tilted && difference.angle_deg > options.tilt_tolerance_deg;
+  verdict.tilt = exceeds(difference.angle_deg, options.tilt_tolerance_deg);
   verdict.height = exceeds(difference.shift_m, options.height_tolerance_m);
   if (verdict.tilt && verdict.height) {
     const double sign = difference.shift_m.value > 0.0 ? 1.0 : -1.0;

@@ -36,7 +36,8 @@ inline evaluate::PointGrid scan_of(const MadeBuilding& made, const ScanSpec& spe
   return grid_of(scan(std::span(&made, 1), spec));
 }
 
-inline evaluate::RoofFace transformed(const evaluate::RoofFace& face, const Eigen::Isometry3d& b_from_a) {
+inline evaluate::RoofFace transformed(const evaluate::RoofFace& face,
+                                      const Eigen::Isometry3d& b_from_a) {
   Rings rings = face.rings;
   for (auto& ring : rings) {
     for (Eigen::Vector3d& x : ring) x = b_from_a * x;
@@ -70,8 +71,9 @@ inline evaluate::RoofFace with_edge_moved(const evaluate::RoofFace& face,
 inline evaluate::RoofFace with_fault(const evaluate::RoofFace& face, const Fault& fault) {
   const Eigen::Vector3d fall(face.plane.normal().x(), face.plane.normal().y(), 0.0);
   // about the level axis to the left of the fall, the normal sinks further towards the fall
-  const Eigen::Vector3d level =
-      fall.norm() > 0.0 ? Eigen::Vector3d(-fall.y(), fall.x(), 0.0).normalized() : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d level = fall.norm() > 0.0
+                                    ? Eigen::Vector3d(-fall.y(), fall.x(), 0.0).normalized()
+                                    : Eigen::Vector3d::UnitX();
   const Eigen::Isometry3d turned =
       Eigen::Translation3d(face.centroid) *
       Eigen::AngleAxisd(-fault.aspect_deg * kRadPerDeg, Eigen::Vector3d::UnitZ()) *
@@ -80,6 +82,22 @@ inline evaluate::RoofFace with_fault(const evaluate::RoofFace& face, const Fault
   const Eigen::Vector3d raise = fault.shift_m * wrong.plane.normal();
   wrong = transformed(wrong, Eigen::Isometry3d(Eigen::Translation3d(raise)));
   return with_edge_moved(wrong, fault.edge, fault.outwards_m);
+}
+
+/// The face over the same outline in plan, raised by `height_m` and steeper by `pitch_deg` about the middle of its first edge: a model
+/// with the right ground plan.
+inline evaluate::RoofFace with_height(const evaluate::RoofFace& face,
+                                      double height_m,
+                                      double pitch_deg) {
+  const Eigen::Vector2d fall = face.plane.normal().head<2>().normalized();
+  const double slope_rad = ridgeline::slope_rad(face.plane);
+  const double more = std::tan(slope_rad + pitch_deg * kRadPerDeg) - std::tan(slope_rad);
+  Rings rings = face.rings;
+  const Eigen::Vector2d pivot = 0.5 * (rings[0][0] + rings[0][1]).head<2>();
+  for (auto& ring : rings) {
+    for (Eigen::Vector3d& x : ring) x.z() += height_m - more * fall.dot(x.head<2>() - pivot);
+  }
+  return evaluate::make_roof_face(face.id, rings);
 }
 
 /// A gabled house of random pitch, direction and shape whose two faces have this area.
@@ -94,15 +112,15 @@ inline BuildingSpec random_gable(double area_m2, Random& random) {
           .position = random.vector(-100.0, 100.0)};
 }
 
-/// The evaluation of the first face of a made building, which alone has a fault.
-inline evaluate::FaceEvaluation judged_with(const BuildingSpec& spec,
-                                            const Fault& fault,
-                                            const ScanSpec& scan_spec,
-                                            const evaluate::FaceOptions& options = {}) {
+/// The evaluation of the first face of a made building, which `change` makes another one.
+template <typename Change>
+evaluate::FaceEvaluation judged_after(const BuildingSpec& spec,
+                                      const Change& change,
+                                      const ScanSpec& scan_spec) {
   const MadeBuilding made = make_building(spec);
   evaluate::RoofBuilding building = roof_of(made);
-  building.faces[0] = with_fault(building.faces[0], fault);
-  return evaluate::judge_faces(scan_of(made, scan_spec), std::span(&building, 1), options)[0][0];
+  building.faces[0] = change(building.faces[0]);
+  return evaluate::judge_faces(scan_of(made, scan_spec), std::span(&building, 1), {})[0][0];
 }
 
 }  // namespace ridgeline::test
