@@ -30,6 +30,11 @@ struct FaceOptions {
   /// surface, the odds of five are 9^5 to 1.
   int min_contradictions = 5;
 
+  /// Above this share of points over a building's faces that lie on none of its planes, the building lacks faces. Unmodelled
+  /// dormers and chimneys are below it as a rule.
+  double max_unexplained = 0.25;
+  double max_wrong_share = 0.25;  ///< of a building's judged area; above, the building is wrong
+
   static constexpr auto fields() {
     using O = FaceOptions;
     return std::tuple{
@@ -51,7 +56,11 @@ struct FaceOptions {
         Field{"outline_tolerance_m", &O::outline_tolerance_m, 0.0, 10.0,
               "a larger offset of an edge is a wrong outline"},
         Field{"min_contradictions", &O::min_contradictions, 1, 1000000,
-              "points that an edge's wrong place needs"}};
+              "points that an edge's wrong place needs"},
+        Field{"max_unexplained", &O::max_unexplained, 0.0, 1.0,
+              "share of points on none of a building's planes that it may have"},
+        Field{"max_wrong_share", &O::max_wrong_share, 0.0, 1.0,
+              "share of a building's judged area that may be wrong"}};
   }
 };
 
