@@ -13,7 +13,7 @@
 namespace ridgeline::test {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // rounding at coordinates of 1000 m
+constexpr double kRounding_m = 1e-9;  // rounding at coordinates of 1000 m
 
 using Place = std::tuple<double, double, double>;
 Place place_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
@@ -65,7 +65,7 @@ TEST(MakeBuilding, GivesClosedShellsOfFlatFaces) {
       const Eigen::Vector3d normal = twice_area(face).normalized();
       for (const auto& ring : face.rings) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
-          EXPECT_NEAR(normal.dot(ring[i] - ring[0]), 0.0, kTolerance);
+          EXPECT_NEAR(normal.dot(ring[i] - ring[0]), 0.0, kRounding_m);
           const std::pair edge(place_of(ring[i]), place_of(ring[(i + 1) % ring.size()]));
           const auto twin = open.find({edge.second, edge.first});
           twin == open.end() ? void(open.insert(edge)) : void(open.erase(twin));
@@ -105,11 +105,11 @@ TEST(MakeBuilding, CoversItsFootprintOnce) {
   for (const RoofShape shape :
        {RoofShape::kGable, RoofShape::kHip, RoofShape::kPyramid, RoofShape::kHalfHip,
         RoofShape::kMansard, RoofShape::kShed, RoofShape::kFlat, RoofShape::kDormer}) {
-    EXPECT_NEAR(area(shape), 12.0 * 8.0, kTolerance) << static_cast<int>(shape);
+    EXPECT_NEAR(area(shape), 12.0 * 8.0, kRounding_m) << static_cast<int>(shape);
   }
-  EXPECT_NEAR(area(RoofShape::kLShape), 12.0 * 8.0 + 4.0 * 8.0, kTolerance);
-  EXPECT_NEAR(area(RoofShape::kTShape), 12.0 * 8.0 + 5.6 * 4.8, kTolerance);
-  EXPECT_NEAR(area(RoofShape::kAnnex), 12.0 * 8.0 + 7.2 * 3.0, kTolerance);
+  EXPECT_NEAR(area(RoofShape::kLShape), 12.0 * 8.0 + 4.0 * 8.0, kRounding_m);
+  EXPECT_NEAR(area(RoofShape::kTShape), 12.0 * 8.0 + 5.6 * 4.8, kRounding_m);
+  EXPECT_NEAR(area(RoofShape::kAnnex), 12.0 * 8.0 + 7.2 * 3.0, kRounding_m);
 }
 
 TEST(RoofEdges, AreThoseOfTheShape) {
@@ -139,7 +139,7 @@ TEST(RoofEdges, StayWholeAtTJunctions) {
   split.t_junctions = true;
   EXPECT_EQ(make_building(split).faces.size(), make_building(whole).faces.size() + 1);
   EXPECT_EQ(make_building(split).edges.size(), make_building(whole).edges.size());
-  EXPECT_NEAR(roof_area_in_plan(make_building(split)), 12.0 * 8.0, kTolerance);
+  EXPECT_NEAR(roof_area_in_plan(make_building(split)), 12.0 * 8.0, kRounding_m);
   EXPECT_EQ(make_building(split).faces[4].kind, MadeSurface::kRoof);
 }
 
@@ -160,9 +160,20 @@ TEST(Scan, LiesOnTheRoofOrTheGround) {
         Eigen::Rotation2Dd(-std::numbers::pi / 6.0) * Eigen::Vector2d(x.x() - 50.0, x.y() - 20.0);
     const bool on_roof = std::abs(own.x()) < 6.0 && std::abs(own.y()) < 4.0;
     n_roof += on_roof ? 1 : 0;
-    EXPECT_NEAR(x.z(), on_roof ? 15.0 + slope * (4.0 - std::abs(own.y())) : 10.0, kTolerance);
+    EXPECT_NEAR(x.z(), on_roof ? 15.0 + slope * (4.0 - std::abs(own.y())) : 10.0, kRounding_m);
   }
   EXPECT_NEAR(n_roof, 5.0 * 96.0, 3.0 * std::sqrt(480.0));
+}
+
+TEST(Scan, SeesTheUppermostOfSeveralRoofs) {
+  std::vector<MadeBuilding> buildings;
+  for (const double height_m : {6.0, 9.0, 3.0}) {
+    buildings.push_back(
+        make_building({.shape = RoofShape::kShed, .eave_height_m = height_m, .pitch_deg = 0.0}));
+  }
+  for (const Eigen::Vector3d& x : scan(buildings, {.sigma_m = 0.0, .margin_m = 0.0})) {
+    EXPECT_NEAR(x.z(), 9.0, kRounding_m);
+  }
 }
 
 TEST(Scan, HasItsNoiseAlongTheNormal) {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/faces/edge_heights.h"
+#include "evaluate/faces/face_evaluation.h"
+#include "evaluate/faces/options.h"
+#include "evaluate/faces/roof_face.h"
+#include "evaluate/line_evaluation.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+enum class BuildingVerdict : std::uint8_t {
+  kNotJudged,  ///< less than half of its roof's area could be
+  kRight,
+  kWrongHeight,  ///< most of what is wrong, by area; the same for the next two
+  kWrongTilt,
+  kWrongOutline,
+  kFacesMissing,  ///< too many points over it lie on none of its planes
+};
+/// "right", "not judged", "wrong height", "wrong tilt", "wrong outline" or "faces missing".
+const char* text(BuildingVerdict verdict);
+
+/// A building by its judged lines and faces.
+struct BuildingRow {
+  std::string id;
+  BuildingVerdict verdict = BuildingVerdict::kNotJudged;
+
+  int n_lines = 0, n_judged_lines = 0;  ///< those of LineEvaluation::building
+  std::optional<double> rms_m;          ///< of the judged lines' mean distances
+  std::string
+      worst_line;  ///< the judged line of the largest mean distance, the first of several; "" for none
+  std::optional<double> worst_distance_m;
+
+  int n_faces = 0, n_judged_faces = 0;
+  double area_m2 = 0.0;         ///< of its faces but walls, on their planes
+  double judged_area_m2 = 0.0;  ///< of those that were evaluated or have no plane
+  /// Shares of judged_area_m2 by the faces' verdicts; a face may be in several. A face without a plane is in none.
+  double wrong_height = 0.0, wrong_tilt = 0.0, wrong_outline = 0.0;
+  EdgeHeights heights;
+  /// Of the points over the judged faces, those on no plane of a face nearby; empty without points.
+  std::optional<double> unexplained;
+};
+
+/// One row a building, in their order.
+/// @param evaluations  of each building's faces, by judge_faces()
+/// @param lines        of any buildings; those of no building given are left out
+/// Throws std::invalid_argument if evaluations and buildings do not match.
+std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
+                                        std::span<const std::vector<FaceEvaluation>> evaluations,
+                                        std::span<const LineEvaluation> lines,
+                                        const FaceOptions& options);
+
+/// `buildings.csv`: id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_judged_faces,area_m2,
+/// judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share. Heights
+/// are model minus scan. Four decimals, one for areas; an empty cell is a figure that does not exist.
+std::string to_buildings_csv(std::span<const BuildingRow> rows);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/faces/edge_heights.h"
+
+#include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/segment.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+constexpr double kLevelEdge_rad = 5.0 * kRadPerDeg;  // as in roof_kind.cpp, also for faces
+constexpr double kTouching_m = 0.05;                 // of edges that models give as one
+
+/// Where a face lies from one of its level edges.
+enum class Side : std::uint8_t { kBelow, kAbove, kBeside };
+
+struct LevelEdge {
+  std::size_t face;
+  Segment3 segment;
+  Side side;
+};
+
+bool is_counter_clockwise(const std::vector<Eigen::Vector3d>& ring) {
+  double twice_area = 0.0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Eigen::Vector3d a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
+    twice_area += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice_area > 0.0;
+}
+
+Side side_of(const RoofFace& face, const Segment3& edge, bool counter_clockwise) {
+  if (slope_rad(face.plane) < kLevelEdge_rad) return Side::kBeside;
+  const Eigen::Vector3d along = edge.end - edge.start;
+  const double sign = counter_clockwise ? 1.0 : -1.0;
+  const Eigen::Vector2d inwards(-sign * along.y(), sign * along.x());
+  return inwards.dot(face.plane.normal().head<2>()) > 0.0 ? Side::kBelow : Side::kAbove;
+}
+
+bool is_level(const Segment3& edge) {
+  const Eigen::Vector3d d = edge.end - edge.start;
+  return d.head<2>().norm() > 0.0 &&
+         std::atan2(std::abs(d.z()), d.head<2>().norm()) < kLevelEdge_rad;
+}
+
+/// The level edges of all faces' outer rings.
+std::vector<LevelEdge> level_edges(std::span<const RoofFace> faces) {
+  std::vector<LevelEdge> edges;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].degenerate) continue;
+    const std::vector<Eigen::Vector3d>& ring = faces[f].rings.front();
+    const bool counter_clockwise = is_counter_clockwise(ring);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Segment3 edge{ring[i], ring[(i + 1) % ring.size()]};
+      if (is_level(edge)) edges.push_back({f, edge, side_of(faces[f], edge, counter_clockwise)});
+    }
+  }
+  return edges;
+}
+
+/// The edge of another face at the middle of this one, or nullptr.
+const LevelEdge* partner_of(const LevelEdge& edge, const std::vector<LevelEdge>& edges) {
+  for (const LevelEdge& other : edges) {
+    const bool touches = distance(other.segment, midpoint(edge.segment)) <= kTouching_m;
+    if (other.face != edge.face && touches) return &other;
+  }
+  return nullptr;
+}
+
+/// How high the edge lies above the line in which two planes meet; nothing for planes that are nearly parallel.
+std::optional<double> above_intersection_m(const LevelEdge& edge,
+                                           const Plane3& a,
+                                           const Plane3& b) {
+  constexpr double kParallel = 0.1;  // sine of 6 degrees
+  const Eigen::Vector3d middle = midpoint(edge.segment);
+  const Eigen::Vector3d along = (edge.segment.end - edge.segment.start).normalized();
+  if (a.normal().cross(b.normal()).norm() < kParallel) return std::nullopt;
+  Eigen::Matrix3d rows;
+  rows << a.normal().transpose(), b.normal().transpose(), along.transpose();
+  const Eigen::Vector3d distances(a.signedDistance(middle), b.signedDistance(middle), 0.0);
+  return rows.fullPivLu().solve(distances).z();
+}
+
+struct Mean {
+  double sum = 0.0, weight = 0.0;
+  void add(double value, double by) { sum += by * value, weight += by; }
+  [[nodiscard]] std::optional<double> value() const {
+    return weight > 0.0 ? std::optional(sum / weight) : std::nullopt;
+  }
+};
+
+}  // namespace
+
+EdgeHeights edge_heights(std::span<const RoofFace> faces,
+                         std::span<const FaceEvaluation> evaluations) {
+  const auto is_judged = [&](std::size_t face) {
+    return evaluations[face].status == FaceStatus::kEvaluated;
+  };
+  const std::vector<LevelEdge> edges = level_edges(faces);
+  Mean ridge, eave;
+  for (const LevelEdge& edge : edges) {
+    if (!is_judged(edge.face)) continue;
+    const Plane3& plane = evaluations[edge.face].fit.plane;
+    const Eigen::Vector3d middle = midpoint(edge.segment);
+    const double above_plane_m = middle.z() - height_at(plane, middle.head<2>());
+    const LevelEdge* partner = partner_of(edge, edges);
+    if (edge.side != Side::kBelow) {
+      if (!partner) eave.add(above_plane_m, length(edge.segment));
+      continue;
+    }
+    if (partner && partner->side != Side::kBelow) continue;  // the kink of a mansard
+    std::optional<double> above_m;
+    if (partner && is_judged(partner->face)) {
+      above_m = above_intersection_m(edge, plane, evaluations[partner->face].fit.plane);
+    }
+    ridge.add(above_m.value_or(above_plane_m), length(edge.segment));
+  }
+  return {ridge.value(), eave.value()};
+}
+
+}  // namespace ridgeline::evaluate

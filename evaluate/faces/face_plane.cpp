@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/faces/face_plane.h"
+
+#include "evaluate/judge/plane_search.h"
+#include "evaluate/probability.h"
+#include "reconstruct/geometry/degrees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// The consensus looks at this many points at most; the fit takes all of them.
+constexpr std::size_t kMostSearched = 2000;
+
+/// The points that a plane like the face's own can hold.
+std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
+                                  const RoofFace& face,
+                                  const FaceOptions& options) {
+  const double slope_rad = ridgeline::slope_rad(face.plane);
+  const double tilt_rad = options.max_tilt_deg * kRadPerDeg;
+  // heights of planes that are steeper by the largest tilt and so much less steep, per metre from the centroid in plan
+  constexpr double kNearlyUpright_rad = 89.0 * kRadPerDeg;
+  const double steeper = std::tan(std::min(slope_rad + tilt_rad, kNearlyUpright_rad));
+  const double spread =
+      std::max(steeper - std::tan(slope_rad), std::tan(slope_rad) - std::tan(slope_rad - tilt_rad));
+  std::vector<ZonePoint> kept;
+  for (const FacePoint& p : points) {
+    if (!is_well_inside(p, options)) continue;
+    const Eigen::Vector2d x = p.point.x.head<2>();
+    const double height_m = std::abs(p.point.x.z() - height_at(face.plane, x));
+    const double distance_m = (x - face.centroid.head<2>()).norm();
+    if (height_m <= options.max_height_m + options.judge.inlier_distance_m + spread * distance_m) {
+      kept.push_back(p.point);
+    }
+  }
+  return kept;
+}
+
+std::vector<ZonePoint> thinned(const std::vector<ZonePoint>& points) {
+  if (points.size() <= kMostSearched) return points;
+  std::vector<ZonePoint> kept;
+  for (std::size_t i = 0; i < kMostSearched; ++i) {
+    kept.push_back(points[i * points.size() / kMostSearched]);
+  }
+  return kept;
+}
+
+bool is_like(const Plane3& plane, const RoofFace& face, const FaceOptions& options) {
+  const double cosine = plane.normal().dot(face.plane.normal());
+  const double height_m = height_at(plane, face.centroid.head<2>()) - face.centroid.z();
+  return cosine >= std::cos(options.max_tilt_deg * kRadPerDeg) &&
+         std::abs(height_m) <= options.max_height_m;
+}
+
+std::vector<Eigen::Vector3d> inliers_of(const std::vector<ZonePoint>& points,
+                                        const Plane3& plane,
+                                        double distance_m) {
+  std::vector<Eigen::Vector3d> inliers;
+  for (const ZonePoint& p : points) {
+    if (plane.absDistance(p.x) <= distance_m) inliers.push_back(p.x);
+  }
+  return inliers;
+}
+
+/// Total least squares of the points within the limit, repeated until these stay the same.
+std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
+                                    const Plane3& start,
+                                    const FaceOptions& options) {
+  constexpr int kMostPasses = 20;  // 3 to 6 as a rule; two sets may take turns
+  const double limit_m = options.judge.inlier_distance_m;
+  std::vector<Eigen::Vector3d> inliers = inliers_of(points, start, limit_m);
+  std::optional<PlaneFit> fit;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    fit = fit_plane(inliers);
+    if (!fit || fit->n < options.judge.min_points) return std::nullopt;
+    std::vector<Eigen::Vector3d> next = inliers_of(points, fit->plane, limit_m);
+    if (next == inliers) break;
+    inliers = std::move(next);
+  }
+  fit->sigma0_m = untruncated_sigma_m(fit->sigma0_m, limit_m);
+  return fit;
+}
+
+/// Variance of a standard normal distribution that is cut off at -k and k.
+double variance_cut_off_at(double k) {
+  const double density = std::exp(-0.5 * k * k) / std::sqrt(2.0 * std::numbers::pi);
+  return 1.0 - 2.0 * k * density / (2.0 * normal_cdf(k) - 1.0);
+}
+
+bool may_be_on(const NeighbourFace& other,
+               const PlaneFit& fit,
+               const FacePoint& point,
+               const FaceOptions& options) {
+  return other.fit && is_on(other.fit->plane, point, options) &&
+         !are_nearly_one(fit.plane, other.fit->plane, options) &&
+         other.face->plan.distance_m(point.point.x.head<2>()) <= options.reach_m;
+}
+
+}  // namespace
+
+bool is_well_inside(const FacePoint& point, const FaceOptions& options) {
+  return point.beyond_m <= -options.border_gap_m;
+}
+
+bool is_on(const Plane3& plane, const FacePoint& point, const FaceOptions& options) {
+  return plane.absDistance(point.point.x) <= options.judge.inlier_distance_m;
+}
+
+std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
+                                        const RoofFace& face,
+                                        const FaceOptions& options,
+                                        const PointNormals& normals) {
+  const std::vector<ZonePoint> inside = candidates(points, face, options);
+  const std::uint64_t key = line_key(face.id, options.judge.seed);
+  std::optional<PlaneFit> best;
+  for (const FoundPlane& found : search_planes(thinned(inside), options.judge, key, normals)) {
+    const std::optional<PlaneFit> fit = settled_fit(inside, found.fit.plane, options);
+    if (fit && is_like(fit->plane, face, options) && (!best || fit->n > best->n)) best = fit;
+  }
+  return best;
+}
+
+PlaneFit refit_face_plane(std::span<const FacePoint> points,
+                          const PlaneFit& fit,
+                          std::span<const NeighbourFace> neighbours,
+                          const FaceOptions& options) {
+  std::vector<ZonePoint> own;
+  for (const FacePoint& p : points) {
+    const bool shared = std::ranges::any_of(
+        neighbours, [&](const NeighbourFace& other) { return may_be_on(other, fit, p, options); });
+    if (is_well_inside(p, options) && !shared) own.push_back(p.point);
+  }
+  return settled_fit(own, fit.plane, options).value_or(fit);
+}
+
+double untruncated_sigma_m(double truncated_m, double limit_m) {
+  double low = 1.5, high = 10.0;  // of k
+  for (int i = 0; i < 50; ++i) {
+    const double k = 0.5 * (low + high);
+    const bool too_narrow = std::sqrt(variance_cut_off_at(k)) * limit_m < k * truncated_m;
+    (too_narrow ? high : low) = k;
+  }
+  return truncated_m / variance_cut_off_at(low);
+}
+
+bool are_nearly_one(const Plane3& a, const Plane3& b, const FaceOptions& options) {
+  return a.normal().dot(b.normal()) > std::cos(options.judge.ridge_angle_deg * kRadPerDeg);
+}
+
+}  // namespace ridgeline::evaluate

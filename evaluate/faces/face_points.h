@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/faces/roof_face.h"
+#include "evaluate/judge/footprint.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ridgeline::evaluate {
+
+/// A laser point over or beside a face.
+struct FacePoint {
+  ZonePoint point;      ///< s and t: x and y from the face's centroid
+  double beyond_m;      ///< distance from the outline in plan, negative over the face
+  std::size_t edge;     ///< the nearest one, place in PlanPolygon::edges()
+  bool beside = false;  ///< whether its foot lies within that edge
+};
+
+/// The points over a face that is not degenerate and up to `reach_m` beside it in plan, whatever their height. They are in the
+/// order of x, then y, then z, and points at the same place are one, so that the same points give the same result in
+/// whatever order they come.
+std::vector<FacePoint> points_around(const PointSearch& search,
+                                     const RoofFace& face,
+                                     double reach_m);
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/faces/judge_face.h"
+
+#include "evaluate/faces/covered_share.h"
+#include "evaluate/faces/face_plane.h"
+#include "evaluate/faces/outline.h"
+#include "evaluate/faces/plane_difference.h"
+#include "reconstruct/geometry/degrees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::evaluate {
+namespace {
+
+/// Why a face cannot be judged, whatever the cloud holds; `evaluated` if it can.
+FaceStatus status_of(const RoofFace& face, const FaceOptions& options) {
+  constexpr double kUpright_deg = 85.0;  // above, heights mean nothing
+  if (face.degenerate) return FaceStatus::kDegenerate;
+  const double slope_deg = slope_rad(face.plane) / kRadPerDeg;
+  if (slope_deg > std::min(options.judge.max_slope_deg, kUpright_deg)) return FaceStatus::kSteep;
+  return face.plan.area_m2() < options.min_area_m2 ? FaceStatus::kTooSmall : FaceStatus::kEvaluated;
+}
+
+int count(std::span<const FacePoint> points, auto&& is_counted) {
+  return static_cast<int>(std::ranges::count_if(points, is_counted));
+}
+
+double share_on(const Plane3& plane,
+                std::span<const FacePoint> points,
+                const FaceOptions& options) {
+  const auto inside = [&](const FacePoint& p) { return is_well_inside(p, options); };
+  const int n_on =
+      count(points, [&](const FacePoint& p) { return inside(p) && is_on(plane, p, options); });
+  return static_cast<double>(n_on) / std::max(1, count(points, inside));
+}
+
+/// A circle of this radius has eight points on average.
+double cover_radius_m(double points_per_m2) {
+  return std::sqrt(8.0 / (std::numbers::pi * points_per_m2));
+}
+
+void set_cover(const RoofFace& face,
+               std::span<const FacePoint> points,
+               const FaceOptions& options,
+               FaceEvaluation& evaluation) {
+  std::vector<Eigen::Vector2d> on_plane;
+  for (const FacePoint& p : points) {
+    const bool over = p.beyond_m <= 0.0;
+    if (over && is_on(evaluation.fit.plane, p, options)) on_plane.emplace_back(p.point.x.head<2>());
+  }
+  const double points_per_m2 = evaluation.n_over / evaluation.plan_area_m2;
+  evaluation.covered_share = covered_share(face.plan, on_plane, cover_radius_m(points_per_m2));
+}
+
+void set_areas(std::span<const FacePoint> points,
+               std::span<const PlacedPoint> places,
+               FaceEvaluation& evaluation) {
+  int n_beyond = 0, n_missing = 0, n_unexplained = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool over = points[i].beyond_m <= 0.0;
+    if (over && places[i].place == PointPlace::kElsewhere) ++n_missing;
+    if (!over && places[i].place == PointPlace::kOnFace) ++n_beyond;
+    if (over && !places[i].explained) ++n_unexplained;
+  }
+  const double m2_per_point = evaluation.plan_area_m2 / evaluation.n_over;
+  evaluation.beyond_m2 = n_beyond * m2_per_point;
+  evaluation.missing_m2 = n_missing * m2_per_point;
+  evaluation.n_unexplained = n_unexplained;
+}
+
+}  // namespace
+
+FaceEvaluation find_plane(const PointSearch& search,
+                          const RoofFace& face,
+                          const FaceOptions& options) {
+  FaceEvaluation evaluation;
+  evaluation.id = face.id;
+  evaluation.area_m2 = face.area_m2;
+  evaluation.plan_area_m2 = face.plan.area_m2();
+  evaluation.status = status_of(face, options);
+  if (evaluation.status != FaceStatus::kEvaluated) return evaluation;
+  const std::vector<FacePoint> points = points_around(search, face, 0.0);
+  evaluation.n_over = static_cast<int>(points.size());
+  evaluation.n_unexplained = evaluation.n_over;
+  const int n_inside =
+      count(points, [&](const FacePoint& p) { return is_well_inside(p, options); });
+  if (n_inside < options.judge.min_points) {
+    const bool none_anywhere = evaluation.n_over < options.judge.min_points;
+    evaluation.status = none_anywhere ? FaceStatus::kNoLidar : FaceStatus::kTooSmall;
+    return evaluation;
+  }
+  const std::optional<PlaneFit> fit = find_face_plane(points, face, options, search.normals());
+  if (!fit || share_on(fit->plane, points, options) < options.min_share) {
+    evaluation.status = FaceStatus::kNoPlane;
+    return evaluation;
+  }
+  evaluation.fit = *fit;
+  return evaluation;
+}
+
+void refine_plane(const PointSearch& search,
+                  const RoofFace& face,
+                  std::span<const NeighbourFace> neighbours,
+                  const FaceOptions& options,
+                  FaceEvaluation& evaluation) {
+  if (evaluation.status != FaceStatus::kEvaluated) return;
+  const std::vector<FacePoint> points = points_around(search, face, 0.0);
+  evaluation.fit = refit_face_plane(points, evaluation.fit, neighbours, options);
+  evaluation.difference = difference_of(face, evaluation.fit);
+  evaluation.share_on_plane = share_on(evaluation.fit.plane, points, options);
+}
+
+void judge_outline(const PointSearch& search,
+                   const RoofFace& face,
+                   std::span<const NeighbourFace> neighbours,
+                   const FaceOptions& options,
+                   FaceEvaluation& evaluation) {
+  if (evaluation.status != FaceStatus::kEvaluated) return;
+  const std::vector<FacePoint> points = points_around(search, face, options.reach_m);
+  const std::vector<PlacedPoint> places =
+      placed_points(points, face, evaluation.fit, neighbours, options);
+  set_cover(face, points, options, evaluation);
+  set_areas(points, places, evaluation);
+  evaluation.edges = edge_offsets(points, places, face, options);
+  evaluation.verdict = plane_verdict(face, evaluation.fit, evaluation.difference, options);
+  evaluation.verdict.outline = is_outline_wrong(evaluation.edges, options);
+}
+
+FaceEvaluation judge_face(const PointSearch& search,
+                          const RoofFace& face,
+                          const FaceOptions& options) {
+  FaceEvaluation evaluation = find_plane(search, face, options);
+  refine_plane(search, face, {}, options, evaluation);
+  judge_outline(search, face, {}, options, evaluation);
+  return evaluation;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/faces/roof_face.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ridgeline::evaluate {
+namespace {
+
+using Ring = std::vector<Eigen::Vector3d>;
+
+constexpr double kFarthest_m = 1e7;  // as in_range() of lines
+constexpr double kLongest_m = 1e4;   // a fault of the file, not a roof
+constexpr double kSmallest_m2 = 1e-6;
+
+bool is_fit(const std::vector<Ring>& rings) {
+  if (rings.empty()) return false;
+  Eigen::AlignedBox3d box;
+  for (const Ring& ring : rings) {
+    if (ring.size() < 3) return false;
+    for (const Eigen::Vector3d& x : ring) {
+      if (!x.allFinite() || x.cwiseAbs().maxCoeff() > kFarthest_m) return false;
+      box.extend(x);
+    }
+  }
+  return box.sizes().maxCoeff() <= kLongest_m;
+}
+
+/// The normal of a ring, as long as its area.
+Eigen::Vector3d area_vector(const Ring& ring) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    sum += (ring[i] - ring[0]).cross(ring[i + 1] - ring[0]);
+  }
+  return 0.5 * sum;
+}
+
+Eigen::Vector3d mean_of(const Ring& ring) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& x : ring) sum += x - ring[0];
+  return ring[0] + sum / static_cast<double>(ring.size());
+}
+
+}  // namespace
+
+RoofFace make_roof_face(std::string id, std::vector<Ring> rings) {
+  RoofFace face;
+  face.id = std::move(id);
+  face.rings = std::move(rings);
+  if (!is_fit(face.rings)) return face;
+  const Ring& outer = face.rings.front();
+  const Eigen::Vector3d normal = area_vector(outer);
+  face.area_m2 = normal.norm();
+  for (std::size_t i = 1; i < face.rings.size(); ++i) {
+    face.area_m2 -= area_vector(face.rings[i]).norm();
+  }
+  if (!(face.area_m2 > kSmallest_m2)) {
+    face.area_m2 = 0.0;
+    return face;
+  }
+  face.degenerate = false;
+  face.plane = upward(Plane3(normal.normalized(), mean_of(outer)));
+  for (const Ring& ring : face.rings) {
+    for (const Eigen::Vector3d& x : ring) {
+      face.flatness_m = std::max(face.flatness_m, face.plane.absDistance(x));
+    }
+  }
+  face.plan = PlanPolygon(face.rings);
+  const bool is_upright = face.plane.normal().z() < 1e-9;
+  face.centroid << face.plan.centroid(),
+      is_upright ? mean_of(outer).z() : height_at(face.plane, face.plan.centroid());
+  return face;
+}
+
+}  // namespace ridgeline::evaluate
