@@ -9,6 +9,7 @@
 #include "io/cloud/labelled_points.h"
 #include "io/results/cloud_name.h"
 #include "io/results/judge_files.h"
+#include "io/results/judged_attributes.h"
 #include "io/results/output_folder.h"
 #include "io/results/write_results.h"
 
@@ -25,7 +26,8 @@ struct EvaluateArguments {
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
   bool vertex_pairs = false, scale_to_ground = false, report = true;
   std::vector<double> bounds, origin;
-  std::string assume_crs, lod;
+  std::string assume_crs, lod, write_attributes;
+  std::vector<std::string> by;
   std::uint64_t max_points = 0, max_memory_mib = 0;
   std::uint64_t cloud_memory_mib = results::JudgeFilesOptions{}.cloud_memory_mib;
   double max_resolution_m = 0.0;
@@ -55,6 +57,13 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
       "--lod", a.lod,
       "level of detail of a model of buildings: 2.2, or 2 for the highest of 2.x; default: "
       "the highest up to 3 that a building has");
+  app.add_option("--by", a.by,
+                 "attributes of the buildings of a model, by which buildings_by.csv groups them")
+      ->delimiter(',');
+  app.add_option(
+      "--write-attributes", a.write_attributes,
+      "file (.json, .jsonl, .gml, .gpkg) for the model with the figures of its buildings "
+      "as attributes; of one model");
   app.add_flag(
       "--scale-to-ground", a.scale_to_ground,
       "divide the plan by its scale at the data, as Web Mercator needs it; default: a plan "
@@ -181,6 +190,8 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.lines.lod = a.lod;
+  options.by = a.by;
+  options.needs_models = !a.write_attributes.empty();
   const Parameters parameters = read_parameters(a.parameters);
   options.max_aligned_angle_deg = parameters.method.estimation.lines.max_aligned_angle_deg;
   options.judge = parameters.judge;
@@ -199,6 +210,14 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
   results::check_is_own(a.write_points, io::is_own_points_file, "points file");
 }
 
+void check_attributes(const EvaluateArguments& a, const std::vector<std::string>& inputs) {
+  if (a.write_attributes.empty()) return;
+  check(a.lines.size() == 1, "--write-attributes: there are ", a.lines.size(),
+        " line files; give one model");
+  (void)results::output_file(a.write_attributes, inputs);
+  results::check_attributes_file(a.write_attributes);
+}
+
 int run_evaluate(const EvaluateArguments& arguments) {
   check_shift_options(arguments.shift);
   results::RunRecord record("evaluate");
@@ -215,12 +234,14 @@ int run_evaluate(const EvaluateArguments& arguments) {
   for (const std::string& name : results::result_names(options.line_paths)) (void)out.path(name);
 
   check_points_file(arguments, paths);
+  check_attributes(arguments, paths);
 
   const results::JudgedFiles judged = results::judge_files(options, record);
   write_evaluation(judged, options, inputs, out,
                    {.folder = arguments.out,
                     .schema = arguments.schema,
                     .plane_points = arguments.write_points,
+                    .attributes = arguments.write_attributes,
                     .report = arguments.report,
                     .page = arguments.page},
                    record);

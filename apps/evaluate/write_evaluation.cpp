@@ -6,7 +6,9 @@
 #include "apps/report/write_report.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
+#include "io/results/judged_attributes.h"
 #include "io/results/judged_map.h"
+#include "io/results/model_files.h"
 #include "io/results/write_results.h"
 
 #include <algorithm>
@@ -37,6 +39,7 @@ std::vector<std::string> say_outcome(const results::JudgedFiles& judged,
   std::vector<std::string> messages = judging_messages(options.patch_name, judged.evaluations);
   std::ranges::move(evaluate::shift_messages(judged.evaluations, options.apply_shift),
                     std::back_inserter(messages));
+  std::ranges::move(results::model_messages(judged), std::back_inserter(messages));
   for (const std::string& message : messages) say("{}\n", message);
   return messages;
 }
@@ -72,7 +75,9 @@ void write_evaluation(const results::JudgedFiles& judged,
   record_inputs(inputs, judged.unread_clouds, record);
   results::write_judged(judged, results::map_schema_named(output.schema), out, "");
   if (!output.plane_points.empty()) results::write_plane_points(output.plane_points, judged);
+  if (!output.attributes.empty()) results::write_model_with_figures(output.attributes, judged, 0);
   results::write_tables(judged.evaluations, judged.truth, out);
+  results::write_models(judged, options.by, out);
   const std::vector<std::string> messages = say_outcome(judged, options);
   record.end_stage("write");
   record.set("messages", messages);
@@ -81,6 +86,7 @@ void write_evaluation(const results::JudgedFiles& judged,
   for (const evaluate::Evaluation& e : judged.evaluations) {
     say("Map for QGIS: {}\n", out.path(results::map_name(e.method)));
   }
+  if (!results::model_messages(judged).empty()) say("Buildings: {}\n", out.path("buildings.csv"));
   say("Tables: {}\n", out.path("table2.md"));
   write_report_of_run(output.folder, output.report);
 }

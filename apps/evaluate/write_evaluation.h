@@ -16,6 +16,7 @@ struct EvaluationOutput {
   std::string folder;
   std::string schema = "plain";  ///< see results::map_schema_named()
   std::string plane_points;      ///< file for the points of the planes; may be empty
+  std::string attributes = {};   ///< file for the model with its figures; may be empty
   bool report = true;
   PageFacts page;
 };

@@ -259,6 +259,7 @@ nlohmann::ordered_json echo(const results::JudgeFilesOptions& options) {
   json["scale_to_ground"] = options.scale_to_ground;
   json["vertex_pairs"] = options.lines.vertex_pairs;
   json["lod"] = options.lines.lod;
+  json["by"] = options.by;
   json["apply_shift"] = options.apply_shift;
   json["geoid"] = options.geoid;
   json["reconstruct"]["max_aligned_angle_deg"] = options.max_aligned_angle_deg;

@@ -7,6 +7,7 @@
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/results/judged_map.h"
+#include "io/results/model_files.h"
 #include "io/results/output_folder.h"
 #include "io/results/write_results.h"
 
@@ -99,6 +100,12 @@ std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
       {"table2", evaluate::to_csv(table2)},
       {"parts", evaluate::parts_to_csv(table2)},
       {"tolerances", evaluate::tolerances_to_csv(truth.tolerances)}};
+  const results::ModelTables of_model = results::model_tables(judged.files, {});
+  if (!of_model.buildings.empty()) {
+    all.emplace_back("buildings", of_model.buildings);
+    all.emplace_back("faces", of_model.faces);
+    all.emplace_back("kinds", of_model.kinds);
+  }
   if (truth.references.empty()) return all;
   all.emplace_back("reference_errors", evaluate::reference_errors_to_csv(truth.references));
   all.emplace_back("reference_completeness",
@@ -112,7 +119,8 @@ void write_map(const Judged& judged, const std::string& path, const std::string&
   const results::MapSchema columns = results::map_schema_named(schema);
   const py::gil_scoped_release release;
   results::write_judged_map(file, judged.files.line_sets.front(), judged.files.cloud_crs,
-                            judged.evaluation(), judged.files.planes.front(), columns);
+                            judged.evaluation(), judged.files.planes.front(),
+                            judged.files.models.front(), columns);
 }
 
 void write_folder(const Judged& judged, const std::string& folder, const std::string& schema) {
@@ -127,6 +135,7 @@ void write_folder(const Judged& judged, const std::string& folder, const std::st
   for (const results::InputFile& input : judged.inputs) record.add_input(input);
   results::write_judged(judged.files, results::map_schema_named(schema), out, "");
   results::write_tables(judged.files.evaluations, judged.files.truth, out);
+  results::write_models(judged.files, {}, out);
   record.end_stage("write");
   out.write("run.json", record.to_json());
 }

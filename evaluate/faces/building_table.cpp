@@ -73,13 +73,13 @@ BuildingVerdict verdict_of(const BuildingRow& row, const FaceOptions& options) {
   return verdict;
 }
 
-std::string csv_row(const BuildingRow& row) {
+std::string csv_row(const std::string& method, const BuildingRow& row) {
   const auto figure = [](std::optional<double> value) { return fixed(value, 4, ""); };
   const auto area = [](double value_m2) { return fixed(value_m2, 1, ""); };
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(row.id),
-                     text(row.verdict), row.n_lines, row.n_judged_lines, figure(row.rms_m),
-                     escape_csv(row.worst_line), figure(row.worst_distance_m), row.n_faces,
-                     row.n_judged_faces, area(row.area_m2), area(row.judged_area_m2),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(method),
+                     escape_csv(row.id), text(row.verdict), row.n_lines, row.n_judged_lines,
+                     figure(row.rms_m), escape_csv(row.worst_line), figure(row.worst_distance_m),
+                     row.n_faces, row.n_judged_faces, area(row.area_m2), area(row.judged_area_m2),
                      figure(row.wrong_height), figure(row.wrong_tilt), figure(row.wrong_outline),
                      figure(row.heights.ridge_m), figure(row.heights.eave_m),
                      figure(row.unexplained));
@@ -131,12 +131,16 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
   return rows;
 }
 
-std::string to_buildings_csv(std::span<const BuildingRow> rows) {
-  std::string text =
-      "id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_judged_faces,"
-      "area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,"
-      "ridge_height_m,eave_height_m,unexplained_share\n";
-  for (const BuildingRow& row : rows) text += csv_row(row);
+std::string buildings_csv_header() {
+  return "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_"
+         "judged_faces,"
+         "area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,"
+         "ridge_height_m,eave_height_m,unexplained_share\n";
+}
+
+std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows) {
+  std::string text;
+  for (const BuildingRow& row : rows) text += csv_row(method, row);
   return text;
 }
 

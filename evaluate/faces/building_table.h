@@ -56,9 +56,11 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
                                         std::span<const LineEvaluation> lines,
                                         const FaceOptions& options);
 
-/// `buildings.csv`: id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_judged_faces,area_m2,
+/// `buildings.csv`: method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_judged_faces,area_m2,
 /// judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share. Heights
 /// are model minus scan. Four decimals, one for areas; an empty cell is a figure that does not exist.
-std::string to_buildings_csv(std::span<const BuildingRow> rows);
+std::string buildings_csv_header();
+/// The rows of one method.
+std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows);
 
 }  // namespace ridgeline::evaluate

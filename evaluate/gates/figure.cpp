@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <map>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -80,6 +82,37 @@ std::vector<Summary> classes_of_images(const Evaluation& e, int n_images) {
   return summarize_classes(lines, e.options);
 }
 
+/// The share of the buildings with judged lines of a class whose lines have an RMS of Gate::within_m at most.
+Figure building_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
+  struct Sum {
+    double squares_m2 = 0.0;
+    double n = 0.0;
+  };
+  std::map<std::string, Sum> buildings;
+  for (const LineEvaluation& line : e.lines) {
+    const bool counts =
+        line.status == Status::kEvaluated && !line.building.empty() &&
+        (line_class == kTotal || line.line_class == line_class) &&
+        (!gate.n_images || image_group(line.n_images) == image_group(*gate.n_images));
+    if (!counts) continue;
+    Sum& sum = buildings[line.building];
+    sum.squares_m2 += line.mean_distance_m * line.mean_distance_m;
+    sum.n += 1.0;
+  }
+  Figure figure{e.patch, e.method, line_class, {}, {}, buildings.size(), {}, {}};
+  if (buildings.empty()) {
+    figure.why_missing =
+        "no line of a building was judged; models of buildings and files with a column "
+        "building name them";
+    return figure;
+  }
+  const auto n_within = std::ranges::count_if(buildings, [&](const auto& building) {
+    return std::sqrt(building.second.squares_m2 / building.second.n) <= *gate.within_m;
+  });
+  figure.value = static_cast<double>(n_within) / static_cast<double>(buildings.size());
+  return figure;
+}
+
 Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
   const std::string& metric = gate.metric;
   Figure figure{e.patch, e.method, line_class, {}, {}, 0, {}, {}};
@@ -130,7 +163,8 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
   std::vector<Figure> figures;
   for (const Evaluation* e : of_patch) {
     if (gate.method.value_or(e->method) != e->method) continue;
-    figures.push_back(accuracy_figure(*e, line_class, gate));
+    figures.push_back(is_building_metric(gate.metric) ? building_figure(*e, line_class, gate)
+                                                      : accuracy_figure(*e, line_class, gate));
   }
   if (figures.empty()) {
     figures.push_back(missing_figure(gate, patch, line_class,

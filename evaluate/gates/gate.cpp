@@ -84,8 +84,10 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
   const std::string of_images =
       gate.n_images ? fmt::format(" of {} images", image_group_name(*image_group(gate.n_images)))
                     : "";
-  result.rule = fmt::format("{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
-                            gate.metric, of_images, rule);
+  const std::string within = gate.within_m ? fmt::format(" {}", *gate.within_m) : "";
+  result.rule =
+      fmt::format("{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
+                  gate.metric, within, of_images, rule);
   if (gate.n_min) result.rule += fmt::format(" (n >= {})", *gate.n_min);
   result.patch = figure.patch;
   result.method = figure.method;
@@ -204,6 +206,12 @@ void validate(const Gate& gate) {
   check(!gate.n_images || (*gate.n_images >= kFewestImages && *gate.n_images <= kMostImages),
         "n_images: ", gate.n_images.value_or(0), "; must be ", kFewestImages, " to ", kMostImages,
         "; ", kMostImages, " means ", kMostImages, " and more");
+  const bool of_buildings = is_building_metric(gate.metric);
+  check(of_buildings == gate.within_m.has_value(), "within_m: ", gate.metric,
+        of_buildings ? " needs it, the largest RMS of a building's lines that is good"
+                     : " has no use for it; it belongs to buildings_within_m");
+  check(!gate.within_m || *gate.within_m >= 0.0, "within_m: ", gate.within_m.value_or(0.0),
+        "; must be >= 0");
   check(!gate.max_ratio_to_class || !of_matching, "max_ratio_to: ", gate.metric,
         " is a figure of matching, which has no classes to relate to each other");
   check(!gate.max_ratio_to_class || !metric.is_signed, "max_ratio_to: ", gate.metric,

@@ -23,8 +23,9 @@ struct Gate {
   std::optional<std::string> patch;   ///< if empty, every patch
   std::optional<std::string> method;  ///< or matcher; if empty, see figures_of()
   std::string line_class = "total";
-  std::optional<int> n_images;   ///< only lines of so many images, 5 being five and more
-  std::string metric = "rms_m";  ///< of accuracy_metrics() or matching_metrics()
+  std::optional<int> n_images;     ///< only lines of so many images, 5 being five and more
+  std::optional<double> within_m;  ///< of building_metrics()
+  std::string metric = "rms_m";    ///< see find_metric()
 
   std::optional<double> max;
   std::optional<double> min;

@@ -98,6 +98,14 @@ constexpr std::array kTrackMetrics{
                 [](const TrackCounts& c) { return c.sighting_precision(); },
                 [](const TrackCounts& c) { return c.n_right + c.n_wrong; }}};
 
+struct BuildingMetric {
+  Metric metric;
+};
+
+constexpr std::array kBuildingMetrics{BuildingMetric{
+    {"buildings_within_m", "share of the buildings whose lines have an RMS of within_m at most",
+     kAsShare}}};
+
 template <typename Entries>
 std::vector<Metric> metrics_of(const Entries& entries) {
   return transformed(entries, [&](const auto& entry) { return entry.metric; });
@@ -128,14 +136,21 @@ std::vector<Metric> matching_metrics() { return metrics_of(kMatchingMetrics); }
 
 std::vector<Metric> track_metrics() { return metrics_of(kTrackMetrics); }
 
+std::vector<Metric> building_metrics() { return metrics_of(kBuildingMetrics); }
+
 std::optional<Metric> find_metric(std::string_view name) {
   if (const auto* entry = find_entry(kAccuracyMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kMatchingMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kTrackMetrics, name)) return entry->metric;
+  if (const auto* entry = find_entry(kBuildingMetrics, name)) return entry->metric;
   return std::nullopt;
 }
 
 bool is_track_metric(std::string_view name) { return find_entry(kTrackMetrics, name) != nullptr; }
+
+bool is_building_metric(std::string_view name) {
+  return find_entry(kBuildingMetrics, name) != nullptr;
+}
 
 bool is_matching_metric(std::string_view name) {
   return find_entry(kMatchingMetrics, name) != nullptr;

@@ -30,10 +30,14 @@ std::vector<Metric> matching_metrics();
 /// Figures of tracks: edge_recall, sighting_recall, sighting_precision.
 std::vector<Metric> track_metrics();
 
+/// Figures of buildings, whose lines name them: buildings_within_m.
+std::vector<Metric> building_metrics();
+
 /// A metric of any kind by its name; empty if there is none.
 std::optional<Metric> find_metric(std::string_view name);
 bool is_matching_metric(std::string_view name);
 bool is_track_metric(std::string_view name);
+bool is_building_metric(std::string_view name);
 
 /// The figure of a class by the name of its metric; empty if the class does not have it.
 /// Throws std::invalid_argument for a name that is not in accuracy_metrics().

@@ -53,30 +53,44 @@ void set_value(const Value& value, int field, ColumnType type, OGRFeature& featu
   }
 }
 
+void add_vertices(const std::vector<Eigen::Vector3d>& vertices, OGRSimpleCurve& curve) {
+  for (const Eigen::Vector3d& x : vertices) curve.addPoint(x.x(), x.y(), x.z());
+}
+
+std::unique_ptr<OGRPolygon> polygon_of(const std::vector<std::vector<Eigen::Vector3d>>& rings) {
+  auto polygon = std::make_unique<OGRPolygon>();
+  for (const std::vector<Eigen::Vector3d>& vertices : rings) {
+    auto ring = std::make_unique<OGRLinearRing>();
+    add_vertices(vertices, *ring);
+    ring->closeRings();
+    polygon->addRingDirectly(ring.release());
+  }
+  return polygon;
+}
+
 std::unique_ptr<OGRGeometry> geometry_of(const MapFeature& feature, MapGeometry kind) {
+  if (kind == MapGeometry::kMultiPolygon && !feature.polygons.empty()) {
+    auto polygons = std::make_unique<OGRMultiPolygon>();
+    for (const auto& rings : feature.polygons)
+      polygons->addGeometryDirectly(polygon_of(rings).release());
+    return polygons;
+  }
   if (feature.vertices.empty()) return nullptr;
   if (kind == MapGeometry::kPoint) {
     const Eigen::Vector3d& x = feature.vertices.front();
     return std::make_unique<OGRPoint>(x.x(), x.y(), x.z());
   }
-  const auto add_vertices = [&](OGRSimpleCurve& curve) {
-    for (const Eigen::Vector3d& x : feature.vertices) curve.addPoint(x.x(), x.y(), x.z());
-  };
   if (kind == MapGeometry::kLine) {
     auto line = std::make_unique<OGRLineString>();
-    add_vertices(*line);
+    add_vertices(feature.vertices, *line);
     return line;
   }
-  auto ring = std::make_unique<OGRLinearRing>();
-  add_vertices(*ring);
-  ring->closeRings();
-  auto polygon = std::make_unique<OGRPolygon>();
-  polygon->addRingDirectly(ring.release());
-  return polygon;
+  return polygon_of({feature.vertices});
 }
 
 OGRwkbGeometryType ogr_type(MapGeometry geometry) {
   if (geometry == MapGeometry::kPoint) return wkbPoint25D;
+  if (geometry == MapGeometry::kMultiPolygon) return wkbMultiPolygon25D;
   return geometry == MapGeometry::kLine ? wkbLineString25D : wkbPolygon25D;
 }
 

@@ -12,12 +12,14 @@
 
 namespace ridgeline::io {
 
-enum class MapGeometry : std::uint8_t { kPoint, kLine, kPolygon };
+enum class MapGeometry : std::uint8_t { kPoint, kLine, kPolygon, kMultiPolygon };
 
 struct MapFeature {
   /// Vertices in the map's CRS; one for a point. A polygon's ring need not be closed. Without vertices the feature has no geometry.
   std::vector<Eigen::Vector3d> vertices;
   SparseRow values;
+  /// Of a multi-polygon, in place of `vertices`: each polygon by its rings, the outer one first.
+  std::vector<std::vector<std::vector<Eigen::Vector3d>>> polygons;
 };
 
 /// How QGIS (qml) and other programs (sld) draw a layer at first.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <numeric>
@@ -174,6 +175,26 @@ class EdgesOfBuilding {
   const ModelEdgeOptions& options_;
 };
 
+/// Lines and tables name buildings by their ids.
+void make_building_ids_unique(std::vector<Building>& buildings,
+                              std::vector<std::string>& warnings) {
+  std::map<std::string, int> n_taken;  // how often an id was asked for
+  std::size_t n_renamed = 0;
+  for (Building& building : buildings) {
+    const std::string id = building.id;
+    int& n = n_taken[id];
+    n_renamed += n > 0 ? 1 : 0;
+    while (n > 0 && n_taken.contains(building.id)) building.id = fmt::format("{}_{}", id, n++);
+    n = std::max(n, 1);
+    n_taken.try_emplace(building.id, 1);
+  }
+  if (n_renamed > 0) {
+    warnings.push_back(
+        fmt::format("{} building{} the id of an earlier one, and \"_1\", \"_2\", ... behind it",
+                    n_renamed, n_renamed == 1 ? " has" : "s have"));
+  }
+}
+
 }  // namespace
 
 LineSet lines_of_model(BuildingModel model, const ModelEdgeOptions& options) {
@@ -185,6 +206,7 @@ LineSet lines_of_model(BuildingModel model, const ModelEdgeOptions& options) {
   set.left_out = model.left_out;
   set.warnings = model.warnings;
   std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
+  make_building_ids_unique(model.buildings, set.warnings);
   const std::span<const ModelFace> faces = model.faces;
   for (std::size_t first = 0; first < faces.size();) {
     const std::size_t building = faces[first].building;

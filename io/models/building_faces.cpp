@@ -138,7 +138,8 @@ void append_faces(const GmlSurfaces& surfaces,
   FaceChoice choice(surfaces, building, open);
   for (const bool thematic : {true, false}) {
     for (const GeometryProperty& property : properties) {
-      if (std::to_string(property.lod) == lod && property.is_thematic == thematic) choice.add(property);
+      if (std::to_string(property.lod) == lod && property.is_thematic == thematic)
+        choice.add(property);
     }
   }
   for (const FaceChoice::Chosen& chosen : choice.take()) {

@@ -2,11 +2,11 @@
 // CityJSON 1.0, 1.1 and 2.0 (https://www.cityjson.org/specs), one document or a sequence of features.
 #include "io/error.h"
 #include "io/gdal/json_columns.h"
+#include "io/models/cityjson_text.h"
 #include "io/models/lod.h"
 #include "io/models/readers.h"
 #include "io/models/srs_name.h"
 #include "io/text/json_text.h"
-#include "io/text/text.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -25,17 +25,6 @@ using nlohmann::json;
 constexpr Kind kUnusableFace{"face without three vertices", "faces without three vertices"};
 constexpr Kind kNoSurface{"geometry without surfaces", "geometries without surfaces"};
 constexpr Kind kUnknownTemplate{"unknown geometry template", "unknown geometry templates"};
-
-json parse(const std::string& where, std::string_view text) {
-  if (!is_shallow_json(text))
-    throw IoError(where, "is no CityJSON: its arrays and objects lie too deep within each other");
-  try {
-    return json::parse(text);
-  } catch (const json::exception& error) {
-    const std::string message = error.what();
-    throw IoError(where, "is no CityJSON: " + message.substr(message.find("] ") + 2));
-  }
-}
 
 const json& member(const json& object, const char* name) {
   static const json nothing;
@@ -306,8 +295,6 @@ class ObjectReader {
 
 /// The header of a document or of a sequence.
 BuildingModel model_of(const json& document, const std::string& path) {
-  if (text_member(document, "type") != "CityJSON")
-    throw IoError(path, "is no CityJSON: \"type\" must be \"CityJSON\"");
   const std::string version = text_member(document, "version");
   BuildingModel model;
   model.path = path;
@@ -321,51 +308,25 @@ BuildingModel model_of(const json& document, const std::string& path) {
   return model;
 }
 
-/// A document on its first line, and a feature on each other line.
-void read_sequence(std::string_view rest,
-                   std::size_t n_lines_before,
-                   const Transform& transform,
-                   ObjectReader& reader,
-                   const std::string& path) {
-  for (std::size_t line = n_lines_before + 1; !rest.empty(); ++line) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view text = trimmed(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (text.empty()) continue;
-    const std::string where = fmt::format("{}: line {}", path, line);
-    const json feature = parse(where, text);
-    if (text_member(feature, "type") != "CityJSONFeature")
-      throw IoError(where, "\"type\" must be \"CityJSONFeature\"");
-    reader.read(member(feature, "CityObjects"),
-                vertices_of(member(feature, "vertices"), transform, where));
-  }
-}
-
-/// Whether the first line is a document of its own, which others follow.
-bool is_sequence(std::string_view content) {
-  const std::size_t end = content.find('\n');
-  if (end == std::string_view::npos) return false;
-  const std::string_view first = trimmed(content.substr(0, end));
-  return first.starts_with('{') && first.ends_with('}') &&
-         content.find_first_not_of(" \t\r\n", end) != std::string_view::npos;
-}
-
 }  // namespace
 
 BuildingModel read_cityjson(const std::string& path,
                             std::string_view content,
                             const ReadModelOptions& options) {
-  const bool in_lines = is_sequence(content);
-  const std::size_t end = in_lines ? content.find('\n') : content.size();
-  const json document = parse(path, content.substr(0, end));
-  BuildingModel model = model_of(document, path);
-  if (in_lines) model.format += " in lines";
-  const Transform transform = transform_of(document, path);
-  ObjectReader reader(model, options, content.size());
-  reader.set_templates(document);
-  reader.read(member(document, "CityObjects"),
-              vertices_of(member(document, "vertices"), transform, path));
-  if (in_lines) read_sequence(content.substr(end + 1), 1, transform, reader, path);
+  BuildingModel model;
+  Transform transform;
+  std::optional<ObjectReader> reader;
+  for_each_cityjson(path, content, [&](const json& document, const std::string& where) {
+    if (!reader) {
+      model = model_of(document, path);
+      transform = transform_of(document, path);
+      reader.emplace(model, options, content.size());
+      reader->set_templates(document);
+    }
+    reader->read(member(document, "CityObjects"),
+                 vertices_of(member(document, "vertices"), transform, where));
+  });
+  if (is_cityjson_sequence(content)) model.format += " in lines";
   settle_types(model.attributes);
   return model;
 }

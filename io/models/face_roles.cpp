@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/models/face_roles.h"
 
+#include "reconstruct/geometry/transformed.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace ridgeline::io {
@@ -150,6 +153,20 @@ std::vector<SurfaceKind> roles_of(std::span<const ModelFace> faces,
     if (std::ranges::any_of(by_place.at(x->head<2>()),
                             [&](std::size_t j) { return j != i && is_above(j, *x); }))
       roles[i] = SurfaceKind::kGround;
+  }
+  return roles;
+}
+
+std::vector<SurfaceKind> roles_of(const BuildingModel& model) {
+  const std::span<const ModelFace> faces = model.faces;
+  std::vector<SurfaceKind> roles;
+  for (std::size_t first = 0; first < faces.size();) {
+    std::size_t last = first;
+    while (last < faces.size() && faces[last].building == faces[first].building) ++last;
+    const std::span<const ModelFace> of_building = faces.subspan(first, last - first);
+    std::ranges::copy(roles_of(of_building, transformed(of_building, plane_of)),
+                      std::back_inserter(roles));
+    first = last;
   }
   return roles;
 }

@@ -25,6 +25,9 @@ bool is_wall(const Plane3& plane);
 std::vector<SurfaceKind> roles_of(std::span<const ModelFace> faces,
                                   std::span<const std::optional<Plane3>> planes);
 
+/// The roles of all faces of a model, which has those of a building together.
+std::vector<SurfaceKind> roles_of(const BuildingModel& model);
+
 /// Whether a point of the plane of a face lies within the face and none of its holes. `x` is projected along the largest axis of the
 /// normal.
 bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3d& x);

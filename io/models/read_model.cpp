@@ -17,23 +17,9 @@ namespace {
 
 constexpr std::size_t kMost_bytes = std::size_t{4} << 30U;
 
-/// The text of a file, decompressed.
-std::string text_of_file(const std::string& path) {
-  std::string content = read_input(path, Expected::kLines);
-  if (!is_gzip(content)) return content;
-  Inflated text = inflated(content, kMost_bytes);
-  if (!text.is_whole)
-    throw IoError(path, text.text.size() < kMost_bytes
-                            ? "is compressed by gzip and ends before its end"
-                            : "is compressed by gzip and holds more than 4 GiB");
-  return std::move(text.text);
-}
-
 BuildingModel read(const std::string& path, const ReadModelOptions& options) {
   if (kind_of_path(path).ending == ".gml") return read_citygml(path, options);
-  std::string text = text_of_file(path);
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  return read_cityjson(path, text, options);
+  return read_cityjson(path, text_of_model(path), options);
 }
 
 /// A model without faces cannot be told from one in another LoD.
@@ -48,6 +34,20 @@ void require_faces(const BuildingModel& model, const ReadModelOptions& options) 
 }
 
 }  // namespace
+
+std::string text_of_model(const std::string& path) {
+  std::string text = read_input(path, Expected::kLines);
+  if (is_gzip(text)) {
+    Inflated all = inflated(text, kMost_bytes);
+    if (!all.is_whole)
+      throw IoError(path, all.text.size() < kMost_bytes
+                              ? "is compressed by gzip and ends before its end"
+                              : "is compressed by gzip and holds more than 4 GiB");
+    text = std::move(all.text);
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  return text;
+}
 
 bool is_model(const std::string& path) { return kind_of_path(path).group == FileGroup::kModel; }
 

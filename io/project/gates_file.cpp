@@ -117,9 +117,9 @@ class GatesReader {
   [[nodiscard]] GateEntry entry(const YAML::Node& map) const {
     if (!map.IsMap())
       fail(map, "a gate must be a map such as {class: total, metric: rms_m, max: 0.3}");
-    check_keys(map,
-               {"patch", "method", "class", "metric", "n_images", "max", "min", "max_ratio_to",
-                "ratio", "max_increase_over_baseline", "max_decrease_below_baseline", "n_min"});
+    check_keys(map, {"patch", "method", "class", "metric", "n_images", "within_m", "max", "min",
+                     "max_ratio_to", "ratio", "max_increase_over_baseline",
+                     "max_decrease_below_baseline", "n_min"});
     GateEntry entry;
     entry.line = map.Mark().line + 1;
     entry.patch = text(map, "patch");
@@ -127,6 +127,7 @@ class GatesReader {
     entry.line_class = text(map, "class");
     entry.n_images = count(map, "n_images");
     entry.metric = text(map, "metric");
+    entry.within_m = number(map, "within_m");
     entry.max = number(map, "max");
     entry.min = number(map, "min");
     entry.max_ratio_to_class = ratio_class(map);

@@ -19,6 +19,7 @@ evaluate::Gate gate_of(const io::GateEntry& entry) {
   gate.method = entry.method;
   if (entry.line_class) gate.line_class = *entry.line_class;
   gate.n_images = entry.n_images;
+  gate.within_m = entry.within_m;
   if (entry.metric) gate.metric = *entry.metric;
   gate.max = entry.max;
   gate.min = entry.min;

@@ -22,6 +22,7 @@ constexpr std::string_view kKeys =
 #           Lines without classes are judged as total; classes come from images (run, demo,
 #           evaluate --patch PATCH.yaml) or from a column class of the line file.
 #   n_images  only lines of so many images, 2 to 5, where 5 is five and more; all if left out
+#   within_m  of buildings_within_m: the largest RMS of a building's lines that is good
 #   patch   the patch's id; each patch if left out
 #   method  direct, joint, network or planes; after evaluate the line file's name without extension;
 #           for the figures of matching the matcher: pairwise, chio or both. If left out:
@@ -59,6 +60,9 @@ gates:
   # - {metric: completeness, min: 0.90}
   # - {metric: quality, min: 0.85}
 
+  # Of models of buildings, or of lines with a column building:
+  # - {metric: buildings_within_m, within_m: 0.20, min: 0.90}
+
   # Against --baseline DIR:
   # - {class: total, metric: rms_m, max_increase_over_baseline: 0.02}
   # - {class: total, metric: evaluated_share, max_decrease_below_baseline: 0.02}
@@ -77,9 +81,9 @@ std::string list_of(const std::vector<evaluate::Metric>& metrics) {
 std::string gates_template() {
   return fmt::format(
       "{}# Metrics of lines:\n{}# Metrics of matches:\n{}# Metrics of tracks, where the patch file "
-      "names reference_tracks:\n{}{}",
+      "names reference_tracks:\n{}# Metrics of buildings:\n{}{}",
       kKeys, list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
-      list_of(evaluate::track_metrics()), kGates);
+      list_of(evaluate::track_metrics()), list_of(evaluate::building_metrics()), kGates);
 }
 
 }  // namespace ridgeline::results

@@ -3,6 +3,7 @@
 
 #include "evaluate/judge/batch_judge.h"
 #include "evaluate/judge/image_evidence.h"
+#include "io/results/point_budget.h"
 
 #include <fmt/core.h>
 
@@ -17,10 +18,6 @@ namespace ridgeline::results {
 namespace {
 
 using evaluate::JudgedLine;
-
-/// A point as it is read, in the grid, and its share of the grid's cells while that is built.
-constexpr std::uint64_t kBytesPerPoint =
-    sizeof(io::CloudPoint) + sizeof(evaluate::PointGrid::Point) + 32;
 
 struct LineRef {
   std::size_t set, line;
@@ -58,16 +55,6 @@ class Surroundings {
   double reach_m_ = 0.0;  ///< an edge seen in an image may lie between two segments of its sweep
   std::vector<Segment2> footprints_;
 };
-
-evaluate::PointGrid grid_of(io::PointCloud& cloud) {
-  const auto position = [&](std::size_t i) {
-    const io::CloudPoint& p = cloud.points[i];
-    return Eigen::Vector3d(p.x, p.y, p.z);
-  };
-  evaluate::PointGrid grid = evaluate::PointGrid::build(cloud.points.size(), position);
-  cloud.points = {};  // the grid holds them now
-  return grid;
-}
 
 /// All lines: those about the frame's origin, which is amid the points of the cloud, and those far from it.
 /// A few lines that a wrong coordinate has put elsewhere would make the raster around all of them coarse.

@@ -8,12 +8,54 @@
 #include "io/text/utf8.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 namespace ridgeline::results {
+namespace {
+
+/// Throws IoError, before anything is judged, for a file that is no model though it must be one, and for an attribute that no model has.
+void check_models(const std::vector<io::LineSet>& sets, const JudgeFilesOptions& options) {
+  for (const io::LineSet& set : sets) {
+    if (!options.needs_models || set.model) continue;
+    throw io::IoError(set.path, "is no model of buildings, which --write-attributes needs");
+  }
+  for (const std::string& name : options.by) {
+    std::vector<std::string> known;
+    for (const io::LineSet& set : sets) {
+      if (!set.model) continue;
+      for (const io::Column& column : set.features.columns) known.push_back(column.name);
+    }
+    if (std::ranges::find(known, name) != known.end()) continue;
+    throw io::IoError(
+        sets.front().path,
+        fmt::format("--by {}: buildings have no such attribute; {}", name,
+                    known.empty() ? "the file is no model of buildings with attributes"
+                                  : fmt::format("there are: {}", fmt::join(known, ", "))));
+  }
+}
+
+/// Judges the buildings of those line files that are models.
+void judge_models(io::CloudFiles& cloud,
+                  const JudgeFilesOptions& options,
+                  RunRecord& record,
+                  JudgedFiles& judged) {
+  judged.models.resize(judged.line_sets.size());
+  bool has_models = false;
+  for (std::size_t i = 0; i < judged.line_sets.size(); ++i) {
+    if (!judged.line_sets[i].model) continue;
+    judged.models[i] = judge_model(cloud, judged.line_sets[i], judged.evaluations[i], judged.frame,
+                                   options.judge, options.cloud_memory_mib << 20U);
+    has_models = true;
+  }
+  if (has_models) record.end_stage("judge_faces");
+}
+
+}  // namespace
 
 void refuse_mismatch(std::string_view what,
                      const std::string& path,
@@ -51,10 +93,14 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
                         const JudgeFilesOptions& options,
                         RunRecord& record) {
   PreparedLines prepared = prepare_lines(std::move(to_judge), cloud, options);
+  check_models(prepared.judged.line_sets, options);
   record.end_stage("read_lines");
   JudgedBatches batches =
       judge_in_batches(cloud, prepared.lines, options.judge, options.cloud_memory_mib << 20U);
-  return finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
+  JudgedFiles judged =
+      finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
+  judge_models(cloud, options, record, judged);
+  return judged;
 }
 
 }  // namespace ridgeline::results

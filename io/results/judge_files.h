@@ -9,6 +9,7 @@
 #include "io/lines/read_lines.h"
 #include "io/project/patch.h"
 #include "io/results/judged_lines.h"
+#include "io/results/judged_model.h"
 #include "io/results/run_record.h"
 
 #include <cstdint>
@@ -36,6 +37,9 @@ struct JudgeFilesOptions {
   std::string geoid;  ///< grid for the likely cause of a shift, see io::geoid_at(); may be empty
   /// Memory for the points that are held at one time, see judge_in_batches(). 512 MiB hold about 5.6 million.
   std::uint64_t cloud_memory_mib = 512;
+  bool needs_models = false;  ///< whether line files must be models of buildings
+  /// Attributes of the buildings of models by which figures are grouped.
+  std::vector<std::string> by;
 };
 
 struct JudgedFiles {
@@ -47,6 +51,8 @@ struct JudgedFiles {
   io::Crs cloud_crs;
   Eigen::Vector3d cloud_unit_m = Eigen::Vector3d::Ones();
   std::vector<TruthRows> truth;  ///< one per evaluation
+  /// One per line file: the buildings and faces of a model, nothing for other files.
+  std::vector<std::optional<JudgedModel>> models;
   std::vector<std::string> warnings;
   std::vector<std::string> unread_clouds;  ///< cloud files that have no line near them
 };

@@ -4,6 +4,7 @@
 #include "evaluate/judge/roof_kind.h"
 #include "io/gdal/geopackage_writer.h"
 #include "io/results/judged_lines.h"
+#include "io/results/map_layers.h"
 #include "io/results/map_style.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
@@ -13,9 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace ridgeline::results {
@@ -29,38 +30,6 @@ using io::ColumnType;
 using io::Value;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-Value number(std::optional<double> x) {
-  return x && std::isfinite(*x) ? Value(*x) : Value(std::monostate());
-}
-Value integer(std::int64_t n) { return n; }
-Value text(std::string words) {
-  return words.empty() ? Value(std::monostate()) : Value(std::move(words));
-}
-
-/// A column of a layer, with the function that gives its value for one feature.
-template <typename... Thing>
-struct Field {
-  const char* name;
-  ColumnType type;
-  Value (*value)(const Thing&...);
-};
-
-template <typename Fields>
-std::vector<Column> columns_of(const Fields& fields) {
-  return transformed(fields, [&](const auto& field) -> Column { return {field.name, field.type}; });
-}
-
-template <typename Fields, typename... Thing>
-void add_values(const Fields& fields,
-                std::size_t first,
-                io::SparseRow& row,
-                const Thing&... thing) {
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    Value value = fields[i].value(thing...);
-    if (value.index() != 0) row.emplace_back(first + i, std::move(value));
-  }
-}
 
 std::optional<double> if_evaluated(const LineEvaluation& e, double value) {
   return e.status == evaluate::Status::kEvaluated ? std::optional(value) : std::nullopt;
@@ -166,12 +135,23 @@ const std::vector<LineField>& moved_fields() {
   return fields;
 }
 
+/// Columns that only the edges of models of buildings have.
+const std::vector<LineField>& model_fields() {
+  static const std::vector<LineField> fields{
+      {"building", ColumnType::kText, [](const auto& m) { return text(m.line.building); }},
+      {"stated_kind", ColumnType::kText, [](const auto& m) { return text(m.line.kind); }}};
+  return fields;
+}
+
 bool is_moved(const evaluate::Evaluation& evaluation) {
   return evaluation.shift && evaluation.shift->applied;
 }
 
-std::vector<LineField> fields_of(MapSchema schema, const evaluate::Evaluation& evaluation) {
+std::vector<LineField> fields_of(const io::LineSet& set,
+                                 MapSchema schema,
+                                 const evaluate::Evaluation& evaluation) {
   std::vector<LineField> fields = line_fields();
+  if (set.model) fields.insert(fields.end(), model_fields().begin(), model_fields().end());
   if (is_moved(evaluation)) {
     fields.insert(fields.end(), moved_fields().begin(), moved_fields().end());
   }
@@ -221,44 +201,10 @@ const std::vector<VectorField>& vector_fields() {
   return fields;
 }
 
-std::string lower(std::string name) {
-  std::ranges::transform(name, name.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  });
-  return name;
-}
-
-/// The input's columns under names that no other column of the layer has, whatever the case.
-std::vector<Column> renamed(std::vector<Column> columns, const std::vector<LineField>& fields) {
-  std::set<std::string> taken{"fid", "geom"};
-  for (const LineField& field : fields) taken.insert(lower(field.name));
-  for (Column& column : columns) {
-    if (column.name.empty()) column.name = "column";
-    const std::string name = column.name;
-    for (int n = 1; !taken.insert(lower(column.name)).second; ++n) {
-      column.name = n == 1 ? name + "_in" : fmt::format("{}_in{}", name, n);
-    }
-  }
-  return columns;
-}
-
-/// Takes local metres to the coordinates of the map.
-class ToMap {
- public:
-  ToMap(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& unit_m)
-      : origin_m_(origin_m), unit_m_(unit_m) {}
-  Eigen::Vector3d operator()(const Eigen::Vector3d& x_in_local) const {
-    return (x_in_local + origin_m_).cwiseQuotient(unit_m_);
-  }
-
- private:
-  Eigen::Vector3d origin_m_, unit_m_;
-};
-
 constexpr std::size_t kMostInputColumns = 1900;  // of the 2000 that a table of SQLite has room for
 
 std::vector<Column> input_columns(const io::LineSet& set, const std::vector<LineField>& fields) {
-  std::vector<Column> columns = renamed(set.features.columns, fields);
+  std::vector<Column> columns = renamed(set.features.columns, columns_of(fields));
   if (columns.size() > kMostInputColumns) columns.resize(kMostInputColumns);
   return columns;
 }
@@ -276,7 +222,7 @@ io::MapLayer lines_layer(const io::LineSet& set,
                          const evaluate::Evaluation& evaluation,
                          const std::vector<JudgedPlane>& planes,
                          MapSchema schema) {
-  const std::vector<LineField> fields = fields_of(schema, evaluation);
+  const std::vector<LineField> fields = fields_of(set, schema, evaluation);
   io::MapLayer layer{
       .name = "lines",
       .description =
@@ -371,12 +317,15 @@ void write_judged_map(const std::string& path,
                       const io::Crs& cloud_crs,
                       const evaluate::Evaluation& evaluation,
                       const std::vector<JudgedPlane>& planes,
+                      const std::optional<JudgedModel>& model,
                       MapSchema schema) {
   const Eigen::Vector3d unit_m = unit_m_of(set);
   const ToMap to_map(evaluation.origin_m, unit_m);
-  io::write_geopackage(path, set.crs.known() ? set.crs : cloud_crs,
-                       {planes_layer(planes, to_map), lines_layer(set, evaluation, planes, schema),
-                        vectors_layer(set, evaluation, unit_m, to_map)});
+  std::vector<io::MapLayer> layers{planes_layer(planes, to_map)};
+  if (model) std::ranges::move(model_layers(*model, set, to_map), std::back_inserter(layers));
+  layers.push_back(lines_layer(set, evaluation, planes, schema));
+  layers.push_back(vectors_layer(set, evaluation, unit_m, to_map));
+  io::write_geopackage(path, set.crs.known() ? set.crs : cloud_crs, layers);
 }
 
 }  // namespace ridgeline::results

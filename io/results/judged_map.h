@@ -4,8 +4,10 @@
 #include "evaluate/judge/judged_planes.h"
 #include "evaluate/statistics/evaluation.h"
 #include "io/lines/line_set.h"
+#include "io/results/judged_model.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +35,14 @@ std::string left_out_of_map(const io::LineSet& set);
 ///            and moved_z_m say by how much
 ///   planes   the LIDAR planes that judged them, as the hulls of their points
 ///   vectors  from the middle of each judged line to its foot on each of its planes
+///   buildings, faces  of a model, see model_layers()
 /// Throws IoError if the file cannot be written.
 void write_judged_map(const std::string& path,
                       const io::LineSet& set,
                       const io::Crs& cloud_crs,
                       const evaluate::Evaluation& evaluation,
                       const std::vector<evaluate::JudgedPlane>& planes,
+                      const std::optional<JudgedModel>& model,
                       MapSchema schema);
 
 }  // namespace ridgeline::results

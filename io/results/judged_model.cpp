@@ -5,6 +5,7 @@
 #include "io/models/face_roles.h"
 #include "io/results/judged_lines.h"
 #include "io/results/point_budget.h"
+#include "reconstruct/geometry/plan_box.h"
 
 #include <fmt/format.h>
 
@@ -73,18 +74,16 @@ class ModelJudge {
  private:
   /// Judges a group of buildings, or its halves one after the other.
   void judge_group(std::span<std::size_t> group) {
-    std::optional<io::PointCloud> near = cloud_.read_at_most(mask_of(group), max_points_);
+    const std::vector<std::size_t> members = with_neighbours(group);
+    std::optional<io::PointCloud> near = cloud_.read_at_most(mask_of(members), max_points_);
     if (!near && group.size() > 1) {
       const std::size_t half = halve(group);
       judge_group(group.first(half));
       judge_group(group.subspan(half));
       return;
     }
-    if (!near) near = cloud_.read(mask_of(group));
+    if (!near) near = cloud_.read(mask_of(members));
     const evaluate::PointGrid grid = grid_of(*near);
-    // Neighbours beyond the group explain points beside its faces; their own judgement is another group's.
-    std::vector<std::size_t> members(group.begin(), group.end());
-    for (const std::size_t i : neighbours_of(group)) members.push_back(i);
     std::vector<RoofBuilding> buildings;
     for (const std::size_t i : members) buildings.push_back(judged_.buildings[i]);
     auto faces = evaluate::judge_faces(grid, buildings, options_);
@@ -92,16 +91,17 @@ class ModelJudge {
   }
 
   void judge_without_points(std::size_t i) {
-    const auto nothing = evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
+    const auto nothing =
+        evaluate::PointGrid::build(0, [](std::size_t) { return Eigen::Vector3d(); });
     judged_.faces[i] = std::move(
         evaluate::judge_faces(nothing, std::span(&judged_.buildings[i], 1), options_).front());
   }
 
   /// All places that the judge of these buildings may look at.
-  [[nodiscard]] io::PlanMask mask_of(std::span<const std::size_t> group) const {
+  [[nodiscard]] io::PlanMask mask_of(const std::vector<std::size_t>& members) const {
     constexpr double kRow_m = 4.0;
     std::vector<Segment2> rows;
-    for (const std::size_t i : group) {
+    for (const std::size_t i : members) {
       const Eigen::AlignedBox2d box = grown(boxes_[i], neighbour_reach_m());
       for (double y = box.min().y(); y < box.max().y() + kRow_m; y += kRow_m)
         rows.push_back({{box.min().x(), y}, {box.max().x(), y}});
@@ -117,23 +117,27 @@ class ModelJudge {
     for (const std::size_t i : group) all.extend(boxes_[i].center());
     const int axis = all.sizes().x() >= all.sizes().y() ? 0 : 1;
     const std::size_t half = group.size() / 2;
-    std::ranges::sort(group, {}, [&](std::size_t i) {
-      return std::pair(boxes_[i].center()[axis], i);
-    });
+    std::ranges::sort(group, {},
+                      [&](std::size_t i) { return std::pair(boxes_[i].center()[axis], i); });
     return half;
   }
 
-  [[nodiscard]] std::vector<std::size_t> neighbours_of(std::span<const std::size_t> group) const {
-    std::vector<std::size_t> neighbours;
-    Eigen::AlignedBox2d all;
+  /// The group, then the buildings whose planes its faces need: those in reach, and those in reach of these, as a plane depends on
+  /// the planes around it.
+  [[nodiscard]] std::vector<std::size_t> with_neighbours(std::span<const std::size_t> group) const {
+    std::vector<std::size_t> members(group.begin(), group.end());
     std::vector<bool> is_in(boxes_.size(), false);
-    for (const std::size_t i : group) {
-      all.extend(grown(boxes_[i], neighbour_reach_m()));
-      is_in[i] = true;
+    for (const std::size_t i : group) is_in[i] = true;
+    for (int ring = 0; ring < 2; ++ring) {
+      Eigen::AlignedBox2d all;
+      for (const std::size_t i : members) all.extend(grown(boxes_[i], neighbour_reach_m()));
+      for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        if (is_in[i] || boxes_[i].isEmpty() || !all.intersects(boxes_[i])) continue;
+        is_in[i] = true;
+        members.push_back(i);
+      }
     }
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if (!is_in[i] && !boxes_[i].isEmpty() && all.intersects(boxes_[i])) neighbours.push_back(i);
-    return neighbours;
+    return members;
   }
 
   io::CloudFiles& cloud_;
@@ -152,7 +156,8 @@ JudgedModel judge_model(io::CloudFiles& cloud,
                         const evaluate::JudgeOptions& options,
                         std::uint64_t max_memory_bytes) {
   const bool is_moved = evaluation.shift && evaluation.shift->applied;
-  const Eigen::Vector3d by_m = is_moved ? Eigen::Vector3d(-evaluation.shift->shift_m) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d by_m =
+      is_moved ? Eigen::Vector3d(-evaluation.shift->shift_m) : Eigen::Vector3d::Zero();
   JudgedModel judged = roofs_of(set, by_m, frame);
   evaluate::FaceOptions face_options;
   face_options.judge = options;

@@ -76,6 +76,13 @@ std::string qml_of_one(const std::string& symbol) {
              symbol + "</symbols></renderer-v2>\n");
 }
 
+std::string qml_by_rules(const std::string& rules, const std::string& symbols) {
+  return qml(fmt::format(
+      "<renderer-v2 type=\"RuleRenderer\" symbollevels=\"0\" forceraster=\"0\">\n<rules "
+      "key=\"{{root}}\">\n{}</rules>\n<symbols>\n{}</symbols></renderer-v2>\n",
+      rules, symbols));
+}
+
 std::string qml_by_distance() {
   std::string rules;
   std::string symbols;
@@ -96,10 +103,7 @@ std::string qml_by_distance() {
       "<rule key=\"{{rest}}\" symbol=\"{}\" label=\"not judged (see status)\" filter=\"ELSE\"/>\n",
       last);
   symbols += qml_line(last, kNotJudged, 0.4);
-  return qml(fmt::format(
-      "<renderer-v2 type=\"RuleRenderer\" symbollevels=\"0\" forceraster=\"0\">\n<rules "
-      "key=\"{{root}}\">\n{}</rules>\n<symbols>\n{}</symbols></renderer-v2>\n",
-      rules, symbols));
+  return qml_by_rules(rules, symbols);
 }
 
 std::string hex(std::uint32_t colour) { return fmt::format("#{:06x}", colour); }
@@ -171,6 +175,44 @@ io::MapStyle planes_style() {
       "name=\"fill-opacity\">0.27</CssParameter></Fill>{}</PolygonSymbolizer></Rule>\n",
       hex(kPlane), sld_stroke(kPlane, 0.7));
   return {"LIDAR planes", qml_of_one(symbol), sld("planes", rule)};
+}
+
+io::MapStyle verdict_style(const std::string& name) {
+  struct Group {
+    const char *label, *qml_filter, *sld_filter;
+    std::uint32_t colour;
+  };
+  constexpr std::array kGroups{
+      Group{"right", "&quot;verdict&quot; = 'right'",
+            "<ogc:Filter><ogc:PropertyIsEqualTo><ogc:PropertyName>verdict</ogc:PropertyName>"
+            "<ogc:Literal>right</ogc:Literal></ogc:PropertyIsEqualTo></ogc:Filter>",
+            kSteps[0].colour},
+      Group{"not judged", "&quot;verdict&quot; IS NULL OR &quot;verdict&quot; = 'not judged'",
+            "<ogc:Filter><ogc:Or><ogc:PropertyIsNull><ogc:PropertyName>verdict</ogc:PropertyName>"
+            "</ogc:PropertyIsNull><ogc:PropertyIsEqualTo><ogc:PropertyName>verdict"
+            "</ogc:PropertyName><ogc:Literal>not judged</ogc:Literal></ogc:PropertyIsEqualTo>"
+            "</ogc:Or></ogc:Filter>",
+            kNotJudged},
+      Group{"wrong (see verdict)", "ELSE", "<ElseFilter/>", kSteps[4].colour}};
+  std::string rules, symbols, sld_rules;
+  for (std::size_t i = 0; i < kGroups.size(); ++i) {
+    const Group& group = kGroups[i];
+    rules += fmt::format("<rule key=\"{{group{}}}\" symbol=\"{}\" label=\"{}\" filter=\"{}\"/>\n",
+                         i, i, group.label, group.qml_filter);
+    symbols += qml_symbol(static_cast<int>(i), "fill", "SimpleFill",
+                          {{"color", rgba(group.colour, 120)},
+                           {"style", "solid"},
+                           {"outline_color", rgba(group.colour)},
+                           {"outline_style", "solid"},
+                           {"outline_width", "0.2"},
+                           {"outline_width_unit", "MM"}});
+    sld_rules += fmt::format(
+        "<Rule><Name>{}</Name>{}<PolygonSymbolizer><Fill><CssParameter name=\"fill\">{}"
+        "</CssParameter><CssParameter name=\"fill-opacity\">0.47</CssParameter></Fill>{}"
+        "</PolygonSymbolizer></Rule>\n",
+        group.label, group.sld_filter, hex(group.colour), sld_stroke(group.colour, 0.7));
+  }
+  return {"verdict", qml_by_rules(rules, symbols), sld(name, sld_rules)};
 }
 
 io::MapStyle vectors_style() {

@@ -11,6 +11,8 @@ namespace ridgeline::results {
 io::MapStyle lines_style();
 /// Planes as thin outlines with a light fill.
 io::MapStyle planes_style();
+/// Faces, or buildings, of a model coloured by `verdict`.
+io::MapStyle verdict_style(const std::string& name);
 /// Vectors as thin dark lines.
 io::MapStyle vectors_style();
 

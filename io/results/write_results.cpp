@@ -9,6 +9,7 @@
 #include "evaluate/tables/standards_table.h"
 #include "evaluate/tables/table2.h"
 #include "io/cloud/labelled_points.h"
+#include "io/results/model_files.h"
 
 #include <fmt/core.h>
 
@@ -131,6 +132,7 @@ std::vector<std::string> result_names(const std::vector<std::string>& line_paths
       "reference.md", "reference_errors.csv", "reference_completeness.csv",
       "parts.csv",    "wireframe.csv",        "quality.csv",
       "quality.xml"};
+  for (std::string& name : model_names()) names.push_back(std::move(name));
   for (const std::string& path : line_paths) {
     for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
   }
@@ -153,7 +155,8 @@ void write_judged(const JudgedFiles& judged,
                   evaluate::to_markdown(evaluate::stratify(e)) +
                   evaluate::standards_to_markdown(evaluate::standards_blocks(e)));
     write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
-                     judged.planes[i], schema);
+                     judged.planes[i], i < judged.models.size() ? judged.models[i] : std::nullopt,
+                     schema);
   }
 }
 

@@ -89,9 +89,18 @@ class Result:
         return shift
 
     @cached_property
+    def buildings(self) -> list[dict[str, Any]]:
+        """The buildings of a model, a dict each; empty for other line files.
+
+        id, verdict, n_lines, n_judged_lines, rms_m, worst_line, worst_distance_m, n_faces, area_m2, ridge_height_m, ... as in the file
+        buildings.csv (docs/models.md). The faces are in tables["faces"].
+        """
+        return self.tables.get("buildings", [])
+
+    @cached_property
     def tables(self) -> dict[str, list[dict[str, Any]]]:
         """The tables by name, each row a dict: table2 and parts; tolerances; with reference lines reference_errors,
-        reference_completeness and wireframe. Columns as in the files of that name (docs/outputs.md)."""
+        reference_completeness and wireframe; of models buildings, faces and kinds. Columns as in the files of that name (docs/outputs.md)."""
         return {name: [_typed(row) for row in csv.DictReader(io.StringIO(text))] for name, text in self._judged.tables()}
 
     @cached_property

@@ -176,14 +176,15 @@ TEST(ToBuildingsCsv, HasOneRowABuilding) {
   row.wrong_tilt = 0.5;
   row.heights.ridge_m = -0.25;
   row.unexplained = 0.01;
-  const std::string csv = evaluate::to_buildings_csv(std::vector{row, BuildingRow{}});
+  const std::string csv = evaluate::buildings_csv_header() +
+                          evaluate::buildings_csv_rows("m", std::vector{row, BuildingRow{}});
   EXPECT_EQ(csv,
-            "id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,"
+            "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,"
             "n_judged_faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,"
             "wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share\n"
-            "\"a,b\",wrong tilt,3,2,0.1235,7,0.2000,4,3,120.0,100.0,0.0000,0.5000,0.0000,-0.2500,,"
+            "m,\"a,b\",wrong tilt,3,2,0.1235,7,0.2000,4,3,120.0,100.0,0.0000,0.5000,0.0000,-0.2500,,"
             "0.0100\n"
-            ",not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,\n");
+            "m,,not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,\n");
 }
 
 TEST(EdgeHeights, AreThoseOfThePlanesWhereTheyMeet) {

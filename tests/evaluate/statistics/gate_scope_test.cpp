@@ -176,6 +176,51 @@ TEST(FiguresOf, ExistForEveryMetricThatIsListed) {
   }
 }
 
+/// Lines of ten buildings: the i-th has two lines, i/10 and i/5 m off. One more line is of none, and one was not judged.
+ResultFolder buildings() {
+  Evaluation e;
+  e.patch = "1";
+  e.method = "model";
+  for (int i = 0; i < 10; ++i) {
+    for (const int k : {1, 2}) {
+      e.lines.push_back(evaluated_line(std::to_string(10 * i + k), 0.1 * i * k, 1));
+      e.lines.back().building = std::to_string(i);
+    }
+  }
+  e.lines.push_back(evaluated_line("lone", 9.0, 1));
+  e.lines.push_back(excluded_line("out", Status::kNoLidar));
+  e.lines.back().building = "11";
+  ResultFolder folder;
+  folder.evaluations.push_back(with_summaries(std::move(e)));
+  return folder;
+}
+
+TEST(FiguresOf, BuildingsAreSharesOfThoseWithJudgedLines) {
+  Gate gate = gate_on("total", "buildings_within_m");
+  gate.min = 0.4;
+  gate.within_m = 0.5;  // the RMS of the i-th is 0.158 i
+  const GateResult result = only_result(gate, buildings());
+  EXPECT_DOUBLE_EQ(*result.value, 0.4);
+  EXPECT_EQ(result.n, 10U);
+  EXPECT_EQ(result.verdict, Verdict::kPassed);
+  EXPECT_EQ(result.rule, "total buildings_within_m 0.5 >= 0.4");
+  gate.within_m = 0.47;
+  EXPECT_DOUBLE_EQ(*only_result(gate, buildings()).value, 0.3);
+  EXPECT_EQ(only_result(gate, results_with(0.1)).verdict, Verdict::kMissing);
+}
+
+TEST(ValidateGate, WithinBelongsToBuildings) {
+  Gate gate = gate_on("total", "buildings_within_m");
+  gate.min = 0.4;
+  EXPECT_THROW(validate(gate), std::invalid_argument);
+  gate.within_m = -1.0;
+  EXPECT_THROW(validate(gate), std::invalid_argument);
+  gate.within_m = 0.0;
+  EXPECT_NO_THROW(validate(gate));
+  gate.metric = "evaluated_share";
+  EXPECT_THROW(validate(gate), std::invalid_argument);
+}
+
 TEST(ApplyGates, SaysWhatTheBaselineLacks) {
   Gate gate = gate_on("total");
   gate.max_increase_over_baseline = BaselineIncrease{0.02};

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/results/model_files.h"
+
+#include "evaluate/faces/face_table.h"
+#include "evaluate/judge/roof_kind.h"
+#include "evaluate/tables/format.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace ridgeline::results {
+namespace {
+
+/// The number of lines by stated kind and kind in the scan; a line that was not judged has the kind "not judged".
+std::string kinds_rows(const JudgedFiles& judged, std::size_t i) {
+  evaluate::PlanesById planes;
+  for (const evaluate::JudgedPlane& plane : judged.planes[i]) planes[plane.id] = &plane;
+  const io::LineSet& set = judged.line_sets[i];
+  const Eigen::Vector3d unit_m = unit_m_of(set);
+  std::map<std::pair<std::string, std::string>, int> counts;
+  for (std::size_t k = 0; k < set.lines.size(); ++k) {
+    const std::string kind =
+        evaluate::roof_kind(judged.evaluations[i].lines[k],
+                            segment_in_local(set.lines[k], unit_m, judged.frame), planes);
+    ++counts[{set.lines[k].kind, kind.empty() ? "not judged" : kind}];
+  }
+  std::string text;
+  for (const auto& [kinds, n] : counts) {
+    text += fmt::format("{},{},{},{}\n", evaluate::escape_csv(judged.evaluations[i].method),
+                        kinds.first, kinds.second, n);
+  }
+  return text;
+}
+
+/// What the buildings of one value of an attribute add up to.
+struct Group {
+  int n_buildings = 0, n_right = 0, n_judged_buildings = 0, n_lines = 0, n_judged_lines = 0;
+  double squares_m2 = 0.0;
+};
+
+std::string text_of(const io::Value& value) {
+  if (const auto* const n = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *n);
+  if (const auto* const x = std::get_if<double>(&value)) return fmt::format("{}", *x);
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  return "";
+}
+
+/// The value of a column in a row; empty text if the row has none.
+std::string value_in(const io::AttributeTable& table, std::size_t row, const std::string& name) {
+  if (row >= table.rows.size()) return "";
+  for (const auto& [column, value] : table.rows[row])
+    if (table.columns[column].name == name) return text_of(value);
+  return "";
+}
+
+std::string by_rows(const JudgedFiles& judged, std::size_t i, const std::string& column) {
+  const JudgedModel& model = *judged.models[i];
+  std::map<std::string, Group> groups;
+  for (std::size_t b = 0; b < model.rows.size(); ++b) {
+    const evaluate::BuildingRow& row = model.rows[b];
+    Group& group = groups[value_in(judged.line_sets[i].features, b, column)];
+    ++group.n_buildings;
+    group.n_right += row.verdict == evaluate::BuildingVerdict::kRight ? 1 : 0;
+    group.n_judged_buildings += row.verdict != evaluate::BuildingVerdict::kNotJudged ? 1 : 0;
+    group.n_lines += row.n_lines;
+    group.n_judged_lines += row.n_judged_lines;
+    group.squares_m2 += row.n_judged_lines * row.rms_m.value_or(0.0) * row.rms_m.value_or(0.0);
+  }
+  std::string text;
+  for (const auto& [value, group] : groups) {
+    std::optional<double> rms_m;
+    if (group.n_judged_lines > 0) rms_m = std::sqrt(group.squares_m2 / group.n_judged_lines);
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n",
+                        evaluate::escape_csv(judged.evaluations[i].method),
+                        evaluate::escape_csv(column), evaluate::escape_csv(value),
+                        group.n_buildings, group.n_judged_buildings, group.n_right, group.n_lines,
+                        group.n_judged_lines, evaluate::fixed(rms_m, 4, ""));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> model_names() {
+  return {"buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv"};
+}
+
+ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::string>& by) {
+  ModelTables tables;
+  for (std::size_t i = 0; i < judged.models.size(); ++i) {
+    if (!judged.models[i]) continue;
+    const JudgedModel& model = *judged.models[i];
+    const std::string& method = judged.evaluations[i].method;
+    tables.buildings += evaluate::buildings_csv_rows(method, model.rows);
+    for (std::size_t b = 0; b < model.buildings.size(); ++b)
+      tables.faces += evaluate::faces_csv_rows(method, model.buildings[b].id, model.faces[b]);
+    tables.kinds += kinds_rows(judged, i);
+    for (const std::string& column : by) tables.by += by_rows(judged, i, column);
+  }
+  if (tables.buildings.empty()) return tables;
+  tables.buildings.insert(0, evaluate::buildings_csv_header());
+  tables.faces.insert(0, evaluate::faces_csv_header());
+  tables.kinds.insert(0, "method,stated_kind,scan_kind,n_lines\n");
+  if (!tables.by.empty())
+    tables.by.insert(0,
+                     "method,column,value,n_buildings,n_judged_buildings,n_right,n_lines,"
+                     "n_judged_lines,rms_m\n");
+  return tables;
+}
+
+void write_models(const JudgedFiles& judged,
+                  const std::vector<std::string>& by,
+                  const OutputFolder& out) {
+  const ModelTables tables = model_tables(judged, by);
+  const std::vector<std::string> names = model_names();
+  const std::array texts{&tables.buildings, &tables.faces, &tables.kinds, &tables.by};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (texts[i]->empty())
+      out.remove(names[i]);
+    else
+      out.write(names[i], *texts[i]);
+  }
+}
+
+std::vector<std::string> model_messages(const JudgedFiles& judged) {
+  using evaluate::BuildingVerdict;
+  std::vector<std::string> messages;
+  for (std::size_t i = 0; i < judged.models.size(); ++i) {
+    if (!judged.models[i]) continue;
+    std::map<BuildingVerdict, std::size_t> counts;
+    for (const evaluate::BuildingRow& row : judged.models[i]->rows) ++counts[row.verdict];
+    std::string text = fmt::format("{}: {} buildings", judged.evaluations[i].method,
+                                   judged.models[i]->rows.size());
+    const char* separator = ": ";
+    for (const BuildingVerdict verdict :
+         {BuildingVerdict::kRight, BuildingVerdict::kWrongHeight, BuildingVerdict::kWrongTilt,
+          BuildingVerdict::kWrongOutline, BuildingVerdict::kFacesMissing,
+          BuildingVerdict::kNotJudged}) {
+      if (counts[verdict] == 0) continue;
+      text += fmt::format("{}{} {}", std::exchange(separator, ", "), counts[verdict],
+                          evaluate::text(verdict));
+    }
+    messages.push_back(std::move(text));
+  }
+  return messages;
+}
+
+}  // namespace ridgeline::results
