@@ -3,7 +3,9 @@
 
 #include "apps/simulate/mesh_builder.h"
 #include "apps/simulate/roof_lines.h"
+#include "apps/simulate/true_faces.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace ridgeline::simulate {
@@ -100,6 +102,7 @@ void add_structure(std::span<const RoofPart> parts, Scene& scene) {
     add_slab(part, face, scene.mesh);
     add_walls(part, face, scene.mesh);
   }
+  std::ranges::move(true_faces(parts, faces), std::back_inserter(scene.faces));
   for (SceneLine& line : roof_lines(parts, faces)) {
     (line.kind == LineKind::kJoint ? scene.joints : scene.lines).push_back(std::move(line));
   }

@@ -3,8 +3,12 @@
 
 #include "evaluate/judge/segment_plane.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/degrees.h"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <utility>
 
 namespace ridgeline::simulate {
 
@@ -76,6 +80,35 @@ io::LineSet true_lines(const Scene& scene) {
     set.lines.push_back(std::move(out));
   }
   return set;
+}
+
+io::BuildingModel true_model(const Scene& scene) {
+  io::BuildingModel model;
+  model.format = "simulated";
+  model.crs = scene.crs;
+  model.attributes.columns = {{"building", io::ColumnType::kInteger64},
+                              {"roof", io::ColumnType::kText},
+                              {"pitch_deg", io::ColumnType::kReal},
+                              {"ridge_azimuth_deg", io::ColumnType::kReal}};
+  for (const Building& building : scene.buildings) {
+    model.buildings.push_back({fmt::format("building_{}", building.id), "2"});
+    model.attributes.rows.push_back({{0, std::int64_t{building.id}},
+                                     {1, std::string(name(building.type))},
+                                     {2, building.pitch_rad / kRadPerDeg},
+                                     {3, building.ridge_azimuth_rad / kRadPerDeg}});
+  }
+  for (const SceneFace& face : scene.faces) {
+    io::ModelFace out;
+    for (const std::vector<Eigen::Vector3d>& ring : face.rings) {
+      io::Ring& ring_in_world = out.rings.emplace_back();
+      for (const Eigen::Vector3d& x : ring)
+        ring_in_world.push_back(scene.frame.world_from_local(x));
+    }
+    out.kind = face.kind;
+    out.building = static_cast<std::size_t>(face.building_id);
+    model.faces.push_back(std::move(out));
+  }
+  return model;
 }
 
 double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id) {

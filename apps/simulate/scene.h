@@ -4,6 +4,7 @@
 #include "apps/simulate/plan_geometry.h"
 #include "io/crs/crs.h"
 #include "io/lines/line_set.h"
+#include "io/models/building_model.h"
 #include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
@@ -111,6 +112,14 @@ struct Building {
   std::vector<ConvexPolygon> roof_footprint;  ///< outlines of its roofs with the overhangs
 };
 
+/// A face of a building as a model of it has it, see true_faces().
+struct SceneFace {
+  /// Local; the outer one is counter-clockwise seen from outside, holes run the other way.
+  std::vector<std::vector<Eigen::Vector3d>> rings;
+  io::SurfaceKind kind = io::SurfaceKind::kUnknown;
+  int building_id = kNone;
+};
+
 /// A synthetic village with its exact truth. Everything is local; world = local + frame.origin_m.
 struct Scene {
   LocalFrame frame;
@@ -122,11 +131,16 @@ struct Scene {
   std::vector<SceneLine> lines;   ///< true lines
   std::vector<SceneLine> joints;  ///< kind kJoint: they close the outlines of the visible faces
   std::vector<Building> buildings;
+  std::vector<SceneFace> faces;  ///< of the buildings, those of one together
 };
 
 /// The true lines in the CRS of the scene. Their id is the number in Scene::lines. They have no class, and no covariance
 /// because they are exact.
 io::LineSet true_lines(const Scene& scene);
+
+/// The buildings in the CRS of the scene, with their faces and what was drawn for them. The building of true lines "7" is
+/// "building_7", as ids of CityGML begin with a letter.
+io::BuildingModel true_model(const Scene& scene);
 
 /// Mean over the planes of true line `line_id` of the mean |distance| of a segment (local) to them:
 /// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line.

@@ -14,6 +14,7 @@
 #include "io/cloud/las_writer.h"
 #include "io/crs/crs.h"
 #include "io/lines/write_lines.h"
+#include "io/models/write_model.h"
 #include "io/results/output_folder.h"
 #include "reconstruct/geometry/check.h"
 
@@ -34,6 +35,34 @@ namespace {
 constexpr std::array kLineFiles{"lines.good.geojson", "lines.fair.geojson", "lines.poor.geojson",
                                 "truth.geojson"};
 
+struct ModelFile {
+  const char* option;  ///< of --models
+  const char* name;
+  io::ModelFormat format;
+};
+constexpr std::array kModelFiles{
+    ModelFile{"cityjson", "buildings.city.json", io::ModelFormat::kCityJson},
+    ModelFile{"citygml", "buildings.gml", io::ModelFormat::kCityGml}};
+
+/// The files of the models that the options ask for, each once.
+std::vector<ModelFile> model_files(const SimulateArguments& a) {
+  std::vector<ModelFile> files;
+  std::ranges::copy_if(kModelFiles, std::back_inserter(files), [&](const ModelFile& file) {
+    return std::ranges::find(a.models, file.option) != a.models.end();
+  });
+  return files;
+}
+
+void write_models(const simulate::Scene& scene,
+                  const SimulateArguments& a,
+                  const results::OutputFolder& out) {
+  if (a.models.empty()) return;
+  const io::BuildingModel model = simulate::true_model(scene);
+  for (const ModelFile& file : model_files(a)) {
+    io::write_model(out.path(file.name), model, file.format);
+  }
+}
+
 void write_lines_of(const results::OutputFolder& out,
                     const std::string& name,
                     const io::LineSet& lines) {
@@ -49,6 +78,7 @@ std::string name_of_folder(const std::string& folder) {
 std::vector<std::string> file_names(const SimulateArguments& a) {
   std::vector<std::string> names{"lidar.las"};
   names.insert(names.end(), std::begin(kLineFiles), std::end(kLineFiles));
+  for (const ModelFile& file : model_files(a)) names.emplace_back(file.name);
   if (a.no_images) return names;
   std::ranges::move(view_file_names(a.views), std::back_inserter(names));
   return names;
@@ -113,6 +143,7 @@ int simulate_patch(const SimulateArguments& a) {
   write_lines_of(
       out, "truth.geojson",
       a.no_images ? truth : write_views(scene, name_of_folder(a.out), a.views, truth, out));
+  write_models(scene, a, out);
   record_scene_files(out, names);
   say("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
       truth.lines.size(), cloud.points.size());
@@ -125,12 +156,14 @@ int simulate_block(const SimulateArguments& a) {
   const std::vector<simulate::AerialView> frames = block_frames(scene, a);
   std::vector<std::string> names = block_file_names(scene, frames, a);
   names.insert(names.end(), std::begin(kLineFiles), std::end(kLineFiles));
+  for (const ModelFile& file : model_files(a)) names.emplace_back(file.name);
   check_scene_files(out, names);
 
   const std::size_t num_points = write_block(scene, frames, name_of_folder(a.out), a, out);
   const io::LineSet truth = simulate::seen_in_block(scene, frames, nominal_truth(scene));
   write_graded_lines(truth, a.seed, out);
   write_lines_of(out, "truth.geojson", truth);
+  write_models(scene, a, out);
   record_scene_files(out, names);
   say("{}: {} frames, a village of {} x {} m, {} buildings, {} true lines, {} laser points\n",
       a.out, frames.size(), scene.extent_m.x(), scene.extent_m.y(), scene.buildings.size(),

@@ -56,6 +56,15 @@ void add_village_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
+/// Files of the truth that are not always written.
+void add_truth_options(CLI::App& app, SimulateArguments& a) {
+  app.add_option("--models", a.models,
+                 "writes the true buildings with their roofs, walls and grounds as well: cityjson "
+                 "(buildings.city.json), citygml (buildings.gml) or both, cityjson,citygml")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cityjson", "citygml"}));
+}
+
 void add_scanner_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Laser scanner";
   app.add_option("--density-per-m2", a.als.density_per_m2, "pulses per m^2, all strips together")
@@ -185,6 +194,7 @@ void add_scene_options(CLI::App& app, SimulateArguments& a) {
 
 void add_simulate_options(CLI::App& app, SimulateArguments& a) {
   add_scene_options(app, a);
+  add_truth_options(app, a);
   add_village_options(app, a);
   add_scanner_options(app, a);
   add_image_options(app, a);

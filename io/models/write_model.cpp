@@ -84,9 +84,10 @@ bool are_closed(std::span<const ModelFace> faces) {
         ++uses[{corner(ring[i]), corner(ring[(i + 1) % ring.size()])}];
     }
   }
+  // each edge is the counterpart of another one, so this also counts its own uses
   return !uses.empty() && std::ranges::all_of(uses, [&](const auto& use) {
     const auto counterpart = uses.find({use.first.second, use.first.first});
-    return use.second == 1 && counterpart != uses.end() && counterpart->second == 1;
+    return counterpart != uses.end() && counterpart->second == 1;
   });
 }
 

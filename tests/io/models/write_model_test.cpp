@@ -131,8 +131,10 @@ TEST_F(WriteModel, AShellThatIsOpenOrTurnedIsNoSolid) {
   model.faces.insert(model.faces.begin(), model.faces[0]);
   EXPECT_EQ(type_of(model), "MultiSurface");
   model = two_boxes();
-  model.faces[0].rings[0][0].x() += 0.0004;  // less than the step of the vertices
-  EXPECT_EQ(type_of(model), "Solid");
+  for (const double shift : {0.0004, -0.0008}) {  // less than the step of the vertices
+    model.faces[0].rings[0][0].x() += shift;
+    EXPECT_EQ(type_of(model), "Solid");
+  }
 }
 
 TEST_F(WriteModel, TheReferenceSystemIsThatOfTheWholeOrOfThePlan) {

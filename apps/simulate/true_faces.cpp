@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/simulate/true_faces.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ridgeline::simulate {
+namespace {
+
+namespace bg = boost::geometry;
+using PlanPoint = bg::model::d2::point_xy<double>;
+constexpr bool kClockwise = true;
+using PlanPolygon = bg::model::polygon<PlanPoint, !kClockwise>;
+using PlanPolygons = bg::model::multi_polygon<PlanPolygon>;
+
+constexpr double kSameM = 1e-6;     // vertices that are so near are one; rounding gives 1e-8
+constexpr double kSliverM2 = 1e-4;  // left between outlines that touch
+
+PlanPolygon plan_polygon(const ConvexPolygon& corners) {
+  PlanPolygon polygon;
+  for (const Eigen::Vector2d& x : corners) bg::append(polygon, PlanPoint(x.x(), x.y()));
+  bg::correct(polygon);
+  return polygon;
+}
+
+/// The ring without vertices that repeat another or lie on the line between their neighbours.
+std::vector<Eigen::Vector3d> tidied(std::vector<Eigen::Vector3d> ring) {
+  for (std::size_t i = 0; i < ring.size() && ring.size() > 2;) {
+    const Eigen::Vector3d& before = ring[(i + ring.size() - 1) % ring.size()];
+    const Eigen::Vector3d& after = ring[(i + 1) % ring.size()];
+    const Eigen::Vector3d along = (after - before).normalized();
+    const Eigen::Vector3d to = ring[i] - before;
+    const bool is_needless = to.norm() < kSameM || (to - along * along.dot(to)).norm() < kSameM;
+    if (is_needless) {
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;  // its neighbours have new ones
+    } else {
+      ++i;
+    }
+  }
+  return ring;
+}
+
+/// A polygon of the plan on a surface; nothing of it if it is a sliver. `holes` of that size are left out.
+std::vector<std::vector<Eigen::Vector3d>> lifted_rings(const PlanPolygon& polygon,
+                                                       const PlanFunction& height) {
+  std::vector<std::vector<Eigen::Vector3d>> rings;
+  const auto add = [&](const PlanPolygon::ring_type& ring) {
+    if (std::abs(bg::area(ring)) < kSliverM2) return;
+    std::vector<Eigen::Vector3d> corners;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {  // the last repeats the first
+      const Eigen::Vector2d x(ring[i].x(), ring[i].y());
+      corners.emplace_back(x.x(), x.y(), height(x));
+    }
+    corners = tidied(std::move(corners));
+    if (corners.size() > 2) rings.push_back(std::move(corners));
+  };
+  add(polygon.outer());
+  if (rings.empty()) return rings;
+  for (const PlanPolygon::ring_type& hole : polygon.inners()) add(hole);
+  return rings;
+}
+
+double top_of(const RoofPart& part, const Eigen::Vector2d& x) {
+  double z = part.tops.front()(x);
+  for (const PlanFunction& top : part.tops) z = std::min(z, top(x));
+  return z;
+}
+
+/// The face of a wall as its seen piece is walked along: what bounds it from below and from above.
+struct WallProfile {
+  std::vector<Eigen::Vector3d> lower, upper;
+};
+
+class FaceCollector {
+ public:
+  FaceCollector(std::span<const RoofPart> parts, std::span<const RoofFace> roof_faces)
+      : parts_(parts), roof_faces_(roof_faces) {}
+
+  std::vector<SceneFace> collect() {
+    for (const RoofFace& face : roof_faces_) add_roof(face);
+    for (const RoofPart& part : parts_) {
+      for (std::size_t i = 0; i < part.walls.size(); ++i) add_wall(part, i);
+    }
+    std::vector<int> ids;
+    for (const RoofPart& part : parts_) {
+      if (std::ranges::find(ids, part.building_id) == ids.end()) ids.push_back(part.building_id);
+    }
+    for (const int id : ids) add_ground(id);
+    std::ranges::stable_sort(faces_, {}, &SceneFace::building_id);
+    return std::move(faces_);
+  }
+
+ private:
+  /// The other parts of the building of a part.
+  [[nodiscard]] std::vector<const RoofPart*> others(const RoofPart& part) const {
+    std::vector<const RoofPart*> found;
+    for (const RoofPart& other : parts_) {
+      const bool counts =
+          other.building_id == part.building_id && other.kind != PlaneKind::kChimney;
+      if (counts && &other != &part) found.push_back(&other);
+    }
+    return found;
+  }
+
+  void add(std::vector<std::vector<Eigen::Vector3d>> rings, io::SurfaceKind kind, int building_id) {
+    if (!rings.empty()) faces_.push_back({std::move(rings), kind, building_id});
+  }
+
+  void add_roof(const RoofFace& face) {
+    const RoofPart& part = parts_[static_cast<std::size_t>(face.part)];
+    if (part.kind == PlaneKind::kChimney) return;
+    PlanPolygons seen;
+    seen.push_back(plan_polygon(face.cell.corners));
+    for (const RoofPart* other : others(part)) {
+      std::vector<PlanFunction> above;
+      for (const PlanFunction& top : other->tops) above.push_back(top - face.height);
+      const ConvexPolygon cover = clip(other->outline, above);
+      if (cover.empty()) continue;
+      PlanPolygons rest;
+      bg::difference(seen, plan_polygon(cover), rest);
+      seen = std::move(rest);
+    }
+    for (const PlanPolygon& polygon : seen)
+      add(lifted_rings(polygon, face.height), io::SurfaceKind::kRoof, part.building_id);
+  }
+
+  /// Where another part hides the foot of a wall: just outside the wall one is inside that part.
+  static Interval hidden_interval(const RoofPart& other, const Segment2& wall) {
+    const Eigen::Vector2d along = (wall.end - wall.start).normalized();
+    const Eigen::Vector2d outwards = kSameM * Eigen::Vector2d(along.y(), -along.x());
+    const Segment2 beside{wall.start + outwards, wall.end + outwards};
+    Interval interval;
+    for (const PlanFunction& side : half_planes(other.walls))
+      interval = clip(interval, beside, side);
+    return interval;
+  }
+
+  /// The places along a wall, 0 to 1, between which its upper and its lower border are straight.
+  static std::vector<double> breaks_of(const Segment2& wall,
+                                       const RoofPart& part,
+                                       const std::vector<const RoofPart*>& hiding) {
+    std::vector<PlanFunction> heights = part.tops;
+    std::vector<double> breaks{0.0, 1.0};
+    for (const RoofPart* other : hiding) {
+      heights.insert(heights.end(), other->tops.begin(), other->tops.end());
+      const Interval interval = hidden_interval(*other, wall);
+      breaks.insert(breaks.end(), {interval.begin, interval.end});
+    }
+    heights.push_back({Eigen::Vector2d::Zero(), part.base_z_m});
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      for (std::size_t k = i + 1; k < heights.size(); ++k) {
+        const PlanFunction difference = heights[i] - heights[k];
+        const double slope = difference.gradient.dot(wall.end - wall.start);
+        if (slope != 0.0) breaks.push_back(-difference(wall.start) / slope);
+      }
+    }
+    std::erase_if(breaks, [](double t) { return !(t >= 0.0 && t <= 1.0); });
+    std::ranges::sort(breaks);
+    return breaks;
+  }
+
+  void add_wall(const RoofPart& part, std::size_t side) {
+    if (part.kind == PlaneKind::kChimney) return;
+    const Segment2 wall{part.walls[side], part.walls[(side + 1) % part.walls.size()]};
+    const std::vector<const RoofPart*> hiding = others(part);
+    const std::vector<double> breaks = breaks_of(wall, part, hiding);
+    WallProfile profile;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      if ((breaks[i + 1] - breaks[i]) * length(wall) < kSameM) continue;
+      if (!extend(part, wall, hiding, {breaks[i], breaks[i + 1]}, profile)) flush(part, profile);
+    }
+    flush(part, profile);
+  }
+
+  /// Adds what is seen of a piece of a wall to the profile; false if nothing is.
+  static bool extend(const RoofPart& part,
+                     const Segment2& wall,
+                     const std::vector<const RoofPart*>& hiding,
+                     const Interval& piece,
+                     WallProfile& profile) {
+    const auto at = [&](double t) -> Eigen::Vector2d {
+      return (1.0 - t) * wall.start + t * wall.end;
+    };
+    const double middle = 0.5 * (piece.begin + piece.end);
+    const auto foot = [&](double t) {
+      double z = part.base_z_m;
+      for (const RoofPart* other : hiding) {
+        const Interval hidden = hidden_interval(*other, wall);
+        if (!hidden.empty() && hidden.begin < middle && middle < hidden.end)
+          z = std::max(z, top_of(*other, at(t)));
+      }
+      return z;
+    };
+    if (top_of(part, at(middle)) - foot(middle) < kSameM) return false;
+    for (const double t : {piece.begin, piece.end}) {
+      const Eigen::Vector2d x = at(t);
+      profile.lower.emplace_back(x.x(), x.y(), foot(t));
+      profile.upper.emplace_back(x.x(), x.y(), top_of(part, x));
+    }
+    return true;
+  }
+
+  void flush(const RoofPart& part, WallProfile& profile) {
+    std::vector<Eigen::Vector3d> ring = std::move(profile.lower);
+    ring.insert(ring.end(), profile.upper.rbegin(), profile.upper.rend());
+    profile = {};
+    ring = tidied(std::move(ring));
+    if (ring.size() > 2) add({std::move(ring)}, io::SurfaceKind::kWall, part.building_id);
+  }
+
+  /// The ground below the parts that stand on it; dormers and the like begin higher up.
+  void add_ground(int building_id) {
+    const auto counts = [&](const RoofPart& part) {
+      return part.building_id == building_id && part.kind != PlaneKind::kChimney;
+    };
+    double base_z_m = 0.0;
+    bool found = false;
+    for (const RoofPart& part : parts_) {
+      if (!counts(part)) continue;
+      base_z_m = found ? std::min(base_z_m, part.base_z_m) : part.base_z_m;
+      found = true;
+    }
+    PlanPolygons plan;
+    for (const RoofPart& part : parts_) {
+      if (!counts(part) || part.base_z_m > base_z_m + kSameM) continue;
+      PlanPolygons sum;
+      bg::union_(plan, plan_polygon(part.walls), sum);
+      plan = std::move(sum);
+    }
+    for (const PlanPolygon& polygon : plan) {
+      auto rings = lifted_rings(polygon, {Eigen::Vector2d::Zero(), base_z_m});
+      for (std::vector<Eigen::Vector3d>& ring : rings)
+        std::ranges::reverse(ring);  // its outside is below
+      add(std::move(rings), io::SurfaceKind::kGround, building_id);
+    }
+  }
+
+  std::span<const RoofPart> parts_;
+  std::span<const RoofFace> roof_faces_;
+  std::vector<SceneFace> faces_;
+};
+
+}  // namespace
+
+std::vector<SceneFace> true_faces(std::span<const RoofPart> parts,
+                                  std::span<const RoofFace> roof_faces) {
+  return FaceCollector(parts, roof_faces).collect();
+}
+
+}  // namespace ridgeline::simulate
