@@ -19,7 +19,7 @@ struct MapFeature {
   std::vector<Eigen::Vector3d> vertices;
   SparseRow values;
   /// Of a multi-polygon, in place of `vertices`: each polygon by its rings, the outer one first.
-  std::vector<std::vector<std::vector<Eigen::Vector3d>>> polygons;
+  std::vector<std::vector<std::vector<Eigen::Vector3d>>> polygons = {};
 };
 
 /// How QGIS (qml) and other programs (sld) draw a layer at first.

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models of buildings, judged: `evaluate --lines MODEL`.
+#include "io/cloud/las_writer.h"
+#include "io/models/write_model.h"
+#include "tests/cli/cli_fixture.h"
+#include "tests/io/models/made_model.h"
+#include "tests/support/csv_rows.h"
+#include "tests/support/made_buildings.h"
+#include "tests/support/made_points.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace ridgeline::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Four houses in the world with a scan of them, in a folder for all tests.
+class Models : public Cli {
+ protected:
+  static constexpr double kRaised_m = 0.5;
+
+  void SetUp() override {
+    const std::vector<test::MadeBuilding> made = buildings();
+    write_scan(made);
+    io::BuildingModel model = io::model_of(made, true);
+    model.crs = {"EPSG:25832"};
+    model.attributes.columns = {{"roof", io::ColumnType::kText}};
+    for (std::size_t b = 0; b < made.size(); ++b)
+      model.attributes.rows[b] = {{0, std::string(b < 2 ? "gable" : "hip")}};
+    // The second house is too high.
+    for (io::ModelFace& face : model.faces) {
+      if (face.building != 1) continue;
+      for (io::Ring& ring : face.rings)
+        for (Eigen::Vector3d& x : ring) x.z() += kRaised_m;
+    }
+    io::write_model(path("town.city.json").string(), model, io::ModelFormat::kCityJson);
+    io::write_model(path("town.gml").string(), model, io::ModelFormat::kCityGml);
+  }
+
+  static std::vector<test::MadeBuilding> buildings() {
+    using enum test::RoofShape;
+    std::vector<test::MadeBuilding> made;
+    for (const test::RoofShape shape : {kGable, kGable, kHip, kMansard}) {
+      const double x_m = 30.0 * static_cast<double>(made.size());
+      made.push_back(test::make_building({.shape = shape,
+                                          .length_m = 16.0,
+                                          .width_m = 12.0,
+                                          .azimuth_deg = 10.0 * x_m,
+                                          .position = {x_m, 0.0, 0.0}}));
+    }
+    return made;
+  }
+
+  void write_scan(const std::vector<test::MadeBuilding>& made) const {
+    std::vector<io::CloudPoint> points;
+    for (const Eigen::Vector3d& x : test::scan(made, {.points_per_m2 = 8.0})) {
+      io::CloudPoint& point = points.emplace_back();
+      point.x = x.x();
+      point.y = x.y();
+      point.z = x.z();
+    }
+    io::write_las(path("scan.las").string(), points, LocalFrame{io::kMadeOrigin}, {"EPSG:25832"});
+  }
+
+  [[nodiscard]] ProgramResult judge(const std::string& model,
+                                    const std::string& out,
+                                    const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"evaluate", "--lines",    model, "--cloud",
+                                   "scan.las", "--out",      out,   "--bootstrap-replicates",
+                                   "50",       "--no-report"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+
+  [[nodiscard]] std::vector<std::string> column(const std::string& file, const char* name) const {
+    std::vector<std::string> values;
+    for (const auto& row : test::read_csv(path(file))) values.push_back(row.at(name));
+    return values;
+  }
+};
+
+TEST_F(Models, TellTheHouseThatIsTooHighFromThoseThatAreRight) {
+  const ProgramResult result = judge("town.city.json", "out");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(column("out/buildings.csv", "id"), testing::ElementsAre("1", "2", "3", "4"));
+  EXPECT_THAT(column("out/buildings.csv", "verdict"),
+              testing::ElementsAre("right", "wrong height", "right", "right"));
+  EXPECT_THAT(result.out, HasSubstr("town.city: 4 buildings: 3 right, 1 wrong height"));
+  for (const auto& row : test::read_csv(path("out/faces.csv"))) {
+    if (row.at("status") != "evaluated") continue;
+    const double expected_m = row.at("building") == "2" ? kRaised_m : 0.0;
+    constexpr double kNoise_m = 0.03;  // 3 sigma of a face with 100 points, and more
+    EXPECT_NEAR(std::stod(row.at("height_m")), expected_m, kNoise_m) << row.at("face");
+  }
+}
+
+TEST_F(Models, HaveTheKindsThatTheScanShows) {
+  ASSERT_EQ(judge("town.city.json", "out").exit_code, 0);
+  int n_same = 0, n_other = 0;
+  for (const auto& row : test::read_csv(path("out/kinds.csv"))) {
+    const int n = std::stoi(row.at("n_lines"));
+    if (row.at("scan_kind") == "not judged") continue;
+    (row.at("stated_kind") == row.at("scan_kind") ? n_same : n_other) += n;
+  }
+  EXPECT_GT(n_same, 30);
+  EXPECT_LE(n_other, n_same / 10);
+}
+
+TEST_F(Models, OfCityGmlGiveTheFiguresOfCityJson) {
+  ASSERT_EQ(judge("town.city.json", "json").exit_code, 0);
+  ASSERT_EQ(judge("town.gml", "gml").exit_code, 0);
+  EXPECT_EQ(column("gml/buildings.csv", "verdict"), column("json/buildings.csv", "verdict"));
+  EXPECT_EQ(column("gml/buildings.csv", "n_lines"), column("json/buildings.csv", "n_lines"));
+  EXPECT_EQ(column("gml/buildings.csv", "rms_m"), column("json/buildings.csv", "rms_m"));
+}
+
+TEST_F(Models, DoNotDependOnTheMemoryForPoints) {
+  ASSERT_EQ(judge("town.city.json", "whole").exit_code, 0);
+  ASSERT_EQ(judge("town.city.json", "parts", {"--cloud-memory-mib", "1"}).exit_code, 0);
+  EXPECT_EQ(read(path("parts/faces.csv")), read(path("whole/faces.csv")));
+  EXPECT_EQ(read(path("parts/buildings.csv")), read(path("whole/buildings.csv")));
+}
+
+TEST_F(Models, AreGroupedByAnAttributeAndGatedByBuildings) {
+  ASSERT_EQ(judge("town.city.json", "out", {"--by", "roof"}).exit_code, 0);
+  EXPECT_THAT(column("out/buildings_by.csv", "value"), testing::ElementsAre("gable", "hip"));
+  EXPECT_THAT(column("out/buildings_by.csv", "n_right"), testing::ElementsAre("1", "2"));
+  const auto gate = [&](const char* min) {
+    write(
+        path("gates.yaml"),
+        std::string("gates:\n  - {metric: buildings_within_m, within_m: 0.2, min: ") + min + "}\n");
+    return run({"gate", "out", "--gates", "gates.yaml"}).exit_code;
+  };
+  EXPECT_EQ(gate("0.75"), 0);
+  EXPECT_EQ(gate("0.76"), 3);
+}
+
+TEST_F(Models, GoBackWithTheirFigures) {
+  nlohmann::json model = read_json(path("town.city.json"));
+  model["metadata"]["title"] = "kept";
+  write(path("town.city.json"), model.dump());
+  ASSERT_EQ(judge("town.city.json", "out", {"--write-attributes", "judged.city.json"}).exit_code,
+            0);
+  const nlohmann::json judged = read_json(path("judged.city.json"));
+  EXPECT_EQ(judged["metadata"], model["metadata"]);
+  EXPECT_EQ(judged["vertices"], model["vertices"]);
+  const nlohmann::json attributes = judged["CityObjects"]["2"]["attributes"];
+  EXPECT_EQ(attributes["roof"], "gable");
+  EXPECT_EQ(attributes["ridgeline_verdict"], "wrong height");
+  EXPECT_NEAR(attributes["ridgeline_ridge_height_m"].get<double>(), kRaised_m, 0.03);
+  // What was written is a model again, in each format.
+  ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gml"}).exit_code, 0);
+  EXPECT_THAT(read(path("judged.gml")), HasSubstr("ridgeline_verdict"));
+  ASSERT_EQ(judge("judged.gml", "again").exit_code, 0);
+  EXPECT_EQ(column("again/buildings.csv", "rms_m"), column("gml/buildings.csv", "rms_m"));
+  ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gpkg"}).exit_code, 0);
+  ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gpkg"}).exit_code, 0);
+}
+
+TEST_F(Models, AndOptionsThatDoNotFitAreRefused) {
+  write(path("lines.csv"), "x1,y1,z1,x2,y2,z2\n513000,5403000,250,513010,5403000,250\n");
+  write(path("own.json"), "{}");
+  EXPECT_REFUSED(judge("town.gml", "out", {"--by", "colour"}),
+                 AllOf(HasSubstr("--by colour"), HasSubstr("there are: roof")));
+  EXPECT_REFUSED(judge("lines.csv", "out", {"--by", "roof"}), HasSubstr("no model of buildings"));
+  EXPECT_REFUSED(judge("lines.csv", "out", {"--write-attributes", "a.json"}),
+                 HasSubstr("lines.csv: is no model of buildings"));
+  EXPECT_REFUSED(judge("town.gml", "out", {"--write-attributes", "a.txt"}),
+                 HasSubstr("must end in .json, .jsonl, .gml or .gpkg"));
+  EXPECT_REFUSED(judge("town.gml", "out", {"--write-attributes", "own.json"}),
+                 HasSubstr("own.json"));
+  EXPECT_EQ(read(path("own.json")), "{}");
+  EXPECT_REFUSED(judge("town.gml", "out", {"--write-attributes", "town.gml"}),
+                 HasSubstr("town.gml"));
+  EXPECT_REFUSED(judge("town.gml", "out", {"--lod", "1"}),
+                 HasSubstr("town.gml: holds 4 buildings and no faces of them in LoD 1"));
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+TEST_F(Models, TablesOfAnEarlierRunDoNotStay) {
+  ASSERT_EQ(judge("town.gml", "out", {"--by", "roof"}).exit_code, 0);
+  EXPECT_THAT(names_in(path("out")), Contains("buildings_by.csv"));
+  write(path("lines.csv"), "x1,y1,z1,x2,y2,z2\n513000,5403000,250,513010,5403000,250\n");
+  ASSERT_EQ(judge("lines.csv", "out").exit_code, 0);
+  for (const char* const name : {"buildings.csv", "faces.csv", "kinds.csv", "buildings_by.csv"})
+    EXPECT_THAT(names_in(path("out")), Not(Contains(name)));
+}
+
+}  // namespace
+}  // namespace ridgeline::cli
