@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/building_table.h"
 
+#include "evaluate/faces/face_table.h"
 #include "tests/evaluate/faces/judged_building.h"
 
 #include <gmock/gmock.h>
@@ -184,6 +185,38 @@ TEST(ToBuildingsCsv, HasOneRowABuilding) {
             "\"a,b\",wrong tilt,3,2,0.1235,7,0.2000,4,3,120.0,100.0,0.0000,0.5000,0.0000,-0.2500,,"
             "0.0100\n"
             ",not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,\n");
+}
+
+TEST(ToFacesCsv, HasOneRowAFace) {
+  const MadeBuilding made = make_building({.shape = RoofShape::kShed, .pitch_deg = 30.0});
+  RoofBuilding building = roof_of(made, "a");
+  building.faces.push_back(evaluate::make_roof_face("x,y", {}));
+  FaceEvaluation face;
+  face.status = FaceStatus::kEvaluated;
+  face.verdict.tilt = true;
+  face.area_m2 = 110.8;
+  face.n_over = 480;
+  face.fit.n = 470;
+  face.fit.rms_m = 0.034;
+  face.difference.shift_m = {0.01, 0.002};
+  face.difference.height_m = {0.0115, 0.0023};
+  face.difference.angle_deg = {1.5, 0.1};
+  face.difference.pitch_deg = evaluate::Estimate{-1.5, 0.1};
+  face.share_on_plane = 0.98;
+  face.covered_share = 1.0;
+  face.beyond_m2 = 0.4;
+  face.missing_m2 = 1.2;
+  face.edges = {{{}, 0.2, 3}, {{}, -0.3, 4}, {{}, 0.1, 0}};
+  const std::vector<std::vector<FaceEvaluation>> evaluations{{face, FaceEvaluation{}}};
+  EXPECT_EQ(evaluate::to_faces_csv(std::span(&building, 1), evaluations),
+            "building,face,status,verdict,area_m2,slope_deg,flatness_m,n_over,n_on_plane,rms_m,"
+            "shift_m,shift_95_m,height_m,height_95_m,angle_deg,angle_95_deg,pitch_deg,pitch_95_deg,"
+            "aspect_deg,aspect_95_deg,share_on_plane,covered_share,beyond_m2,missing_m2,"
+            "largest_offset_m\n"
+            "a,0,evaluated,tilt,110.8,30.0000,0.0000,480,470,0.0340,0.0100,0.0020,0.0115,0.0023,"
+            "1.5000,0.1000,-1.5000,0.1000,,,0.9800,1.0000,0.4,1.2,-0.3000\n"
+            "a,\"x,y\",degenerate,,0.0,,,0,,,,,,,,,,,,,,,,,\n");
+  EXPECT_THROW(evaluate::to_faces_csv({}, evaluations), std::invalid_argument);
 }
 
 TEST(EdgeHeights, AreThoseOfThePlanesWhereTheyMeet) {

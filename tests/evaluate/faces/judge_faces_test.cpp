@@ -245,6 +245,32 @@ TEST(JudgeFaces, GivesTheSameBitsForAnyNumberOfThreadsAndOrderOfPoints) {
   }
 }
 
+TEST(JudgeFaces, TakesFacesOfAnyRings) {
+  const evaluate::PointGrid grid = scan_of(gable(), {});
+  Random random(8);
+  RoofBuilding building{"b", {}};
+  for (int i = 0; i < 500; ++i) {
+    Rings rings(1 + random.bits() % 3);
+    for (std::vector<V>& ring : rings) {
+      ring.resize(random.bits() % 8);  // crossing itself, as a rule
+      for (V& x : ring) x = random.vector(-8.0, 8.0);
+      if (ring.size() > 3 && i % 3 == 0) ring[1] = ring[3];
+      if (i % 5 == 0) {
+        for (V& x : ring) x.z() = 6.0;
+      }
+    }
+    building.faces.push_back(evaluate::make_roof_face(std::to_string(i), rings));
+  }
+  for (const FaceEvaluation& face : judged(building, grid)) {
+    EXPECT_GE(face.share_on_plane, 0.0);
+    EXPECT_LE(face.share_on_plane, 1.0);
+    EXPECT_LE(face.n_unexplained, face.n_over);
+    EXPECT_TRUE(std::isfinite(face.beyond_m2 + face.missing_m2 + face.covered_share));
+    EXPECT_TRUE(std::isfinite(face.difference.shift_m.value));
+    EXPECT_TRUE(std::isfinite(face.difference.shift_m.half_width));
+  }
+}
+
 TEST(JudgeFaces, RefusesOptionsOutOfRange) {
   const evaluate::PointGrid grid = scan_of(gable(), {});
   FaceOptions options;
