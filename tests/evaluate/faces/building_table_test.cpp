@@ -239,6 +239,22 @@ TEST(EdgeHeights, AreThoseOfThePlanesWhereTheyMeet) {
   EXPECT_NEAR(*of_one.eave_m, -0.1, 1e-9);
 }
 
+TEST(EdgeHeights, TakeTheRidgeOfTheScanWhereverItIs) {
+  // slopes of 1 and 1/2 that meet in a level ridge at z = 0; the points of the first lie 0.3 m higher: their ridge is at
+  // y = 0.2, z = 0.1
+  const std::vector<RoofFace> faces{
+      evaluate::make_roof_face("0", {{V(9, 0, 0), V(9, 4, -4), V(0, 4, -4), V(0, 0, 0)}}),
+      evaluate::make_roof_face("1", {{V(0, 0, 0), V(0, -4, -2), V(9, -4, -2), V(9, 0, 0)}})};
+  std::vector<FaceEvaluation> evaluations(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    evaluations[i].status = FaceStatus::kEvaluated;
+    evaluations[i].fit.plane = faces[i].plane;
+  }
+  const V raised(0, 0, 0.3);
+  evaluations[0].fit.plane = Plane3(faces[0].plane.normal(), raised);
+  EXPECT_NEAR(*edge_heights(faces, evaluations).ridge_m, -0.1, 1e-9);
+}
+
 TEST(EdgeHeights, LeaveOutTheKinkOfAMansard) {
   const RoofBuilding building = roof_of(make_building(spec_of(RoofShape::kMansard)));
   std::vector<FaceEvaluation> evaluations(building.faces.size());
