@@ -22,20 +22,20 @@ std::vector<ZonePoint> candidates(std::span<const FacePoint> points,
                                   const FaceOptions& options) {
   const double slope_rad = ridgeline::slope_rad(face.plane);
   const double tilt_rad = options.max_tilt_deg * kRadPerDeg;
-  // heights of planes that are steeper by the largest tilt and so much less steep, per metre from the centroid in plan
   constexpr double kNearlyUpright_rad = 89.0 * kRadPerDeg;
   const double steeper = std::tan(std::min(slope_rad + tilt_rad, kNearlyUpright_rad));
+  // how far a plane of another tilt gets away from the face's own, per metre from the centroid in plan
   const double spread =
       std::max(steeper - std::tan(slope_rad), std::tan(slope_rad) - std::tan(slope_rad - tilt_rad));
+  const double farthest_m =
+      options.max_height_m + options.judge.inlier_distance_m / face.plane.normal().z();
   std::vector<ZonePoint> kept;
   for (const FacePoint& p : points) {
     if (!is_well_inside(p, options)) continue;
     const Eigen::Vector2d x = p.point.x.head<2>();
     const double height_m = std::abs(p.point.x.z() - height_at(face.plane, x));
     const double distance_m = (x - face.centroid.head<2>()).norm();
-    if (height_m <= options.max_height_m + options.judge.inlier_distance_m + spread * distance_m) {
-      kept.push_back(p.point);
-    }
+    if (height_m <= farthest_m + spread * distance_m) kept.push_back(p.point);
   }
   return kept;
 }

@@ -2,20 +2,22 @@
 #pragma once
 
 #include "evaluate/faces/face_evaluation.h"
+#include "evaluate/faces/roof_face.h"
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace ridgeline::evaluate {
 
-/// The header of `faces.csv`: method,building,face,status,verdict,area_m2,n_points,shift_m,shift_95_m,height_m,height_95_m,pitch_deg,
-/// pitch_95_deg,aspect_deg,aspect_95_deg,angle_deg,rms_m,on_plane_share,covered_share,beyond_m2,missing_m2,outline_offset_m. Differences are model
-/// minus scan; `_95` is the half width of the 95 % interval; `outline_offset_m` is the largest one of an edge, positive outwards.
+/// `faces.csv`, one row a face: method,building,face,status,verdict,area_m2,slope_deg,flatness_m,n_over,n_on_plane,rms_m,shift_m,
+/// shift_95_m,height_m,height_95_m,angle_deg,angle_95_deg,pitch_deg,pitch_95_deg,aspect_deg,aspect_95_deg,share_on_plane,
+/// covered_share,beyond_m2,missing_m2,largest_offset_m. Columns with 95 are half widths of intervals; largest_offset_m is that of the
+/// edge whose offset is the largest either way. Four decimals, one for areas; an empty cell is a figure that does not exist.
+/// Throws std::invalid_argument if evaluations and buildings do not match.
 std::string faces_csv_header();
-
-/// The rows of a building's faces. An empty cell is a figure that does not exist.
 std::string faces_csv_rows(const std::string& method,
-                           const std::string& building,
-                           std::span<const FaceEvaluation> faces);
+                           std::span<const RoofBuilding> buildings,
+                           std::span<const std::vector<FaceEvaluation>> evaluations);
 
 }  // namespace ridgeline::evaluate

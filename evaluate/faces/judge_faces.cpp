@@ -9,6 +9,9 @@
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -35,17 +38,16 @@ class Neighbours {
              double reach_m)
       : faces_(faces), index_(index_of(faces)), reach_m_(reach_m) {
     for (const FaceEvaluation& evaluation : found) {
-      fits_.push_back(evaluation.fit);
-      statuses_.push_back(evaluation.status);
+      const bool has_plane = evaluation.status == FaceStatus::kEvaluated;
+      fits_.push_back(has_plane ? std::optional(evaluation.fit) : std::nullopt);
     }
   }
 
   [[nodiscard]] std::vector<NeighbourFace> of(std::size_t k) const {
     std::vector<NeighbourFace> neighbours;
     for (const std::size_t other : index_.near(faces_[k]->plan.box(), 2.0 * reach_m_)) {
-      if (other == k || statuses_[other] == FaceStatus::kSteep) continue;
-      const bool has_plane = statuses_[other] == FaceStatus::kEvaluated;
-      neighbours.push_back({faces_[other], has_plane ? &fits_[other] : nullptr});
+      if (other == k) continue;
+      neighbours.push_back({faces_[other], fits_[other] ? &*fits_[other] : nullptr});
     }
     return neighbours;
   }
@@ -54,8 +56,7 @@ class Neighbours {
   const std::vector<const RoofFace*>& faces_;
   FaceIndex index_;
   double reach_m_;
-  std::vector<PlaneFit> fits_;
-  std::vector<FaceStatus> statuses_;
+  std::vector<std::optional<PlaneFit>> fits_;
 };
 
 std::vector<std::vector<FaceEvaluation>> by_building(std::span<const RoofBuilding> buildings,

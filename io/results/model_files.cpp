@@ -99,8 +99,7 @@ ModelTables model_tables(const JudgedFiles& judged, const std::vector<std::strin
     const JudgedModel& model = *judged.models[i];
     const std::string& method = judged.evaluations[i].method;
     tables.buildings += evaluate::buildings_csv_rows(method, model.rows);
-    for (std::size_t b = 0; b < model.buildings.size(); ++b)
-      tables.faces += evaluate::faces_csv_rows(method, model.buildings[b].id, model.faces[b]);
+    tables.faces += evaluate::faces_csv_rows(method, model.buildings, model.faces);
     tables.kinds += kinds_rows(judged, i);
     for (const std::string& column : by) tables.by += by_rows(judged, i, column);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/building_table.h"
 
+#include "evaluate/faces/face_table.h"
 #include "tests/evaluate/faces/judged_building.h"
 
 #include <gmock/gmock.h>
@@ -178,13 +179,48 @@ TEST(ToBuildingsCsv, HasOneRowABuilding) {
   row.unexplained = 0.01;
   const std::string csv = evaluate::buildings_csv_header() +
                           evaluate::buildings_csv_rows("m", std::vector{row, BuildingRow{}});
-  EXPECT_EQ(csv,
-            "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,"
-            "n_judged_faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,"
-            "wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share\n"
-            "m,\"a,b\",wrong tilt,3,2,0.1235,7,0.2000,4,3,120.0,100.0,0.0000,0.5000,0.0000,-0.2500,,"
-            "0.0100\n"
-            "m,,not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,\n");
+  EXPECT_EQ(
+      csv,
+      "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,"
+      "n_judged_faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,"
+      "wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share\n"
+      "m,\"a,b\",wrong tilt,3,2,0.1235,7,0.2000,4,3,120.0,100.0,0.0000,0.5000,0.0000,-0.2500,,"
+      "0.0100\n"
+      "m,,not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,\n");
+}
+
+TEST(ToFacesCsv, HasOneRowAFace) {
+  const MadeBuilding made = make_building({.shape = RoofShape::kShed, .pitch_deg = 30.0});
+  RoofBuilding building = roof_of(made, "a");
+  building.faces.push_back(evaluate::make_roof_face("x,y", {}));
+  FaceEvaluation face;
+  face.status = FaceStatus::kEvaluated;
+  face.verdict.tilt = true;
+  face.area_m2 = 110.8;
+  face.n_over = 480;
+  face.fit.n = 470;
+  face.fit.rms_m = 0.034;
+  face.difference.shift_m = {0.01, 0.002};
+  face.difference.height_m = {0.0115, 0.0023};
+  face.difference.angle_deg = {1.5, 0.1};
+  face.difference.pitch_deg = evaluate::Estimate{-1.5, 0.1};
+  face.share_on_plane = 0.98;
+  face.covered_share = 1.0;
+  face.beyond_m2 = 0.4;
+  face.missing_m2 = 1.2;
+  face.edges = {{{}, 0.2, 3}, {{}, -0.3, 4}, {{}, 0.1, 0}};
+  const std::vector<std::vector<FaceEvaluation>> evaluations{{face, FaceEvaluation{}}};
+  EXPECT_EQ(
+      evaluate::faces_csv_header() +
+          evaluate::faces_csv_rows("m", std::span(&building, 1), evaluations),
+      "method,building,face,status,verdict,area_m2,slope_deg,flatness_m,n_over,n_on_plane,rms_m,"
+      "shift_m,shift_95_m,height_m,height_95_m,angle_deg,angle_95_deg,pitch_deg,pitch_95_deg,"
+      "aspect_deg,aspect_95_deg,share_on_plane,covered_share,beyond_m2,missing_m2,"
+      "largest_offset_m\n"
+      "m,a,0,evaluated,tilt,110.8,30.0000,0.0000,480,470,0.0340,0.0100,0.0020,0.0115,0.0023,"
+      "1.5000,0.1000,-1.5000,0.1000,,,0.9800,1.0000,0.4,1.2,-0.3000\n"
+      "m,a,\"x,y\",degenerate,,0.0,,,0,,,,,,,,,,,,,,,,,\n");
+  EXPECT_THROW(evaluate::faces_csv_rows("m", {}, evaluations), std::invalid_argument);
 }
 
 TEST(EdgeHeights, AreThoseOfThePlanesWhereTheyMeet) {
@@ -205,6 +241,22 @@ TEST(EdgeHeights, AreThoseOfThePlanesWhereTheyMeet) {
   const evaluate::EdgeHeights of_one = edge_heights(building.faces, evaluations);
   EXPECT_NEAR(*of_one.ridge_m, -0.1, 1e-9);
   EXPECT_NEAR(*of_one.eave_m, -0.1, 1e-9);
+}
+
+TEST(EdgeHeights, TakeTheRidgeOfTheScanWhereverItIs) {
+  // slopes of 1 and 1/2 that meet in a level ridge at z = 0; the points of the first lie 0.3 m higher: their ridge is at
+  // y = 0.2, z = 0.1
+  const std::vector<RoofFace> faces{
+      evaluate::make_roof_face("0", {{V(9, 0, 0), V(9, 4, -4), V(0, 4, -4), V(0, 0, 0)}}),
+      evaluate::make_roof_face("1", {{V(0, 0, 0), V(0, -4, -2), V(9, -4, -2), V(9, 0, 0)}})};
+  std::vector<FaceEvaluation> evaluations(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    evaluations[i].status = FaceStatus::kEvaluated;
+    evaluations[i].fit.plane = faces[i].plane;
+  }
+  const V raised(0, 0, 0.3);
+  evaluations[0].fit.plane = Plane3(faces[0].plane.normal(), raised);
+  EXPECT_NEAR(*edge_heights(faces, evaluations).ridge_m, -0.1, 1e-9);
 }
 
 TEST(EdgeHeights, LeaveOutTheKinkOfAMansard) {

@@ -88,11 +88,21 @@ TEST(JudgeFaces, CountsAllPointsOfAFaceWithoutAPlaneAsUnexplained) {
   EXPECT_NEAR(face.n_over, 5.0 * 96.0, 3.0 * std::sqrt(480.0));
 }
 
-TEST(JudgeFaces, NeedsMostPointsOnOnePlane) {
-  // level at the ridge's height: few points are that high
-  FaceOptions options;
-  const RoofBuilding level = one_face({V(-6, -4, 8.4), V(6, -4, 8.4), V(6, 4, 8.4), V(-6, 4, 8.4)});
-  EXPECT_EQ(judged(level, scan_of(gable(), {}), options)[0].status, FaceStatus::kNoPlane);
+TEST(JudgeFaces, NeedsAShareOfThePointsOnOnePlane) {
+  // a tree's crown over the face, and a few points on it
+  const RoofBuilding level = one_face({V(-6, -4, 8), V(6, -4, 8), V(6, 4, 8), V(-6, 4, 8)});
+  for (const int n_on_face : {40, 400}) {
+    Random random(2);
+    std::vector<V> points;
+    for (int i = 0; i < 300; ++i) {
+      points.emplace_back(random.uniform(-6, 6), random.uniform(-4, 4), random.uniform(6.0, 11.0));
+    }
+    for (int i = 0; i < n_on_face; ++i) {
+      points.emplace_back(random.uniform(-6, 6), random.uniform(-4, 4), 8.0);
+    }
+    EXPECT_EQ(judged(level, grid_of(points))[0].status,
+              n_on_face == 40 ? FaceStatus::kNoPlane : FaceStatus::kEvaluated);
+  }
 }
 
 TEST(JudgeFaces, TellsTheTiltOfALevelFaceByItsParts) {
@@ -241,7 +251,34 @@ TEST(JudgeFaces, GivesTheSameBitsForAnyNumberOfThreadsAndOrderOfPoints) {
     if (expected.empty()) expected = bits;
     EXPECT_EQ(bits, expected) << n_threads;
     std::ranges::reverse(points);
-    points.push_back(points.front());  // where tiles overlap
+    const std::vector<V> again(points.begin(), points.begin() + 5000);
+    points.insert(points.end(), again.begin(), again.end());  // tiles overlap
+  }
+}
+
+TEST(JudgeFaces, TakesFacesOfAnyRings) {
+  const evaluate::PointGrid grid = scan_of(gable(), {});
+  Random random(8);
+  RoofBuilding building{"b", {}};
+  for (int i = 0; i < 500; ++i) {
+    Rings rings(1 + random.bits() % 3);
+    for (std::vector<V>& ring : rings) {
+      ring.resize(random.bits() % 8);  // crossing itself, as a rule
+      for (V& x : ring) x = random.vector(-8.0, 8.0);
+      if (ring.size() > 3 && i % 3 == 0) ring[1] = ring[3];
+      if (i % 5 == 0) {
+        for (V& x : ring) x.z() = 6.0;
+      }
+    }
+    building.faces.push_back(evaluate::make_roof_face(std::to_string(i), rings));
+  }
+  for (const FaceEvaluation& face : judged(building, grid)) {
+    EXPECT_GE(face.share_on_plane, 0.0);
+    EXPECT_LE(face.share_on_plane, 1.0);
+    EXPECT_LE(face.n_unexplained, face.n_over);
+    EXPECT_TRUE(std::isfinite(face.beyond_m2 + face.missing_m2 + face.covered_share));
+    EXPECT_TRUE(std::isfinite(face.difference.shift_m.value));
+    EXPECT_TRUE(std::isfinite(face.difference.shift_m.half_width));
   }
 }
 

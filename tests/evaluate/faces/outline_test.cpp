@@ -88,11 +88,29 @@ TEST(EdgeOffsets, AreNotMovedByAFewOddPoints) {
   EXPECT_NEAR(offset_by(points).offset_m, 0.0, 0.11);
 }
 
+TEST(EdgeOffsets, AreNotMovedByWhatLiesBeyondACorner) {
+  std::vector<V> points = points_up_to(10.0);
+  for (int i = 0; i < 50; ++i) points.emplace_back(10.2 + 0.01 * i, 10.2 + 0.015 * i, 0.0);
+  EXPECT_EQ(offset_by(points).offset_m, 0.0);
+}
+
 TEST(EdgeOffsets, TakeTheNearestOfSeveralPlaces) {
   // no points between 9.6 and 11: the face may end anywhere there
   std::vector<V> points = points_up_to(10.0);
   std::erase_if(points, [](const V& x) { return x.x() > 9.6 && x.x() < 11.0; });
   EXPECT_EQ(offset_by(points).offset_m, 0.0);
+}
+
+TEST(EdgeOffsets, TakeTheNearestOfSeveralThatContradictAsManyPoints) {
+  for (const double odd :
+       {10.12, 9.87}) {  // a point that is wrong, before one further outwards or inwards is
+    std::vector<V> points = points_up_to(10.0);
+    for (V& x : points) {
+      if (std::abs(x.x() - odd) < 0.02) x.z() = odd > 10.0 ? 0.0 : -3.0;
+    }
+    EXPECT_EQ(offset_by(points).offset_m, 0.0) << odd;
+    EXPECT_EQ(offset_by(points).n_contradictions, 0) << odd;
+  }
 }
 
 TEST(EdgeOffsets, LeaveOutEdgesWithFewPoints) {
