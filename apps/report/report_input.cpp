@@ -189,6 +189,32 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
   }
 }
 
+/// Reads the table of the buildings of those methods that are models.
+void read_buildings(const fs::path& folder, ReportPatch& patch) {
+  const fs::path file = folder / "buildings.csv";
+  if (!fs::exists(file)) return;
+  const io::CsvTable table(file.string());
+  const std::size_t name = table.column("method");
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const auto method = std::ranges::find_if(patch.methods, [&](const ReportMethod& m) {
+      return m.evaluation.method == table.text(row, name);
+    });
+    if (method == patch.methods.end()) continue;
+    evaluate::Json& building = method->buildings.emplace_back();
+    for (const char* const key : {"id", "verdict", "worst_line"})
+      building[key] = std::string(table.text(row, table.column(key)));
+    for (const char* const key :
+         {"n_lines", "n_judged_lines", "rms_m", "worst_distance_m", "n_faces", "n_judged_faces",
+          "ridge_height_m", "eave_height_m", "unexplained_share"}) {
+      const std::size_t column = table.column(key);
+      if (table.text(row, column).empty())
+        building[key] = nullptr;
+      else
+        building[key] = table.number(row, column);
+    }
+  }
+}
+
 /// Reads the data of the run from the paths that it recorded.
 void read_run_data(const fs::path& folder, const RunInputs& inputs, ReportPatch& patch) {
   read_or_note(patch, "images and cameras are not shown", [&] {
@@ -261,7 +287,10 @@ ReportInput read_report_input(const std::string& folder) {
   input.input_paths = inputs.all_paths();
   input.table1 = results::read_matching(path, inputs.is_of_files());
   input.patches = read_evaluated_patches(path, inputs);
-  for (ReportPatch& patch : input.patches) read_run_data(path, inputs, patch);
+  for (ReportPatch& patch : input.patches) {
+    if (inputs.is_of_files()) read_buildings(path, patch);
+    read_run_data(path, inputs, patch);
+  }
   const PathShortener shortener = path_shortener(folder, inputs, input.patches);
   shortener.shorten(input.run);
   for (ReportPatch& patch : input.patches) {

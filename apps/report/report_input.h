@@ -44,6 +44,8 @@ struct ReportMethod {
     if (!segments[i]) return std::nullopt;
     return Segment3{segments[i]->start + moved_m(), segments[i]->end + moved_m()};
   }
+  /// The rows of buildings.csv, if the lines are those of a model; else empty.
+  evaluate::Json buildings = evaluate::Json::array();
   std::vector<std::optional<double>> true_errors_m;  ///< error of each line; empty without truth
 };
 

@@ -284,6 +284,7 @@ Json method_json(const ReportPatch& patch, const ReportMethod& method, const Sho
   json["planes"] = Json::array();
   for (const ShownPlane& plane : planes.planes) json["planes"].push_back(plane_json(plane));
   json["plane_of_point"] = base64(planes.plane_of_point);
+  if (!method.buildings.empty()) json["buildings"] = method.buildings;
   return json;
 }
 

@@ -10,6 +10,7 @@ import { append, button, h, replace, tabs } from './ui/dom';
 import { fixed, percent, words } from './ui/format';
 import { themeButton } from './ui/theme';
 import { Acceptance, titleOf } from './views/acceptance';
+import { buildingsOf } from './views/buildings';
 import { Charts } from './views/charts';
 import { Details } from './views/details';
 import { figuresOfMethod } from './views/figures_of_method';
@@ -105,7 +106,7 @@ class Page {
 
   private showFigures(): void {
     this.charts.show(this.state.method);
-    replace(this.figures, ...figuresOfMethod(this.state.method, this.state.patch, this.state.report.note));
+    replace(this.figures, ...buildingsOf(this.state), ...figuresOfMethod(this.state.method, this.state.patch, this.state.report.note));
   }
 
   private onKey(event: KeyboardEvent): void {

@@ -191,6 +191,22 @@ export interface Plane {
   outline: Triple[];
 }
 
+/** A row of buildings.csv. Heights are model minus scan. */
+export interface Building {
+  id: string;
+  verdict: string;
+  n_lines: number;
+  n_judged_lines: number;
+  rms_m: number | null;
+  worst_line: string;
+  worst_distance_m: number | null;
+  n_faces: number;
+  n_judged_faces: number;
+  ridge_height_m: number | null;
+  eave_height_m: number | null;
+  unexplained_share: number | null;
+}
+
 export interface Method {
   name: string;
   options: { gross_m: number; [key: string]: unknown };
@@ -203,6 +219,8 @@ export interface Method {
   lines: Line[];
   planes: Plane[];
   plane_of_point: string;
+  /** Of a model of buildings. */
+  buildings?: Building[];
 }
 
 /** Focal lengths and principal point in pixels of the file, then k1, k2, k3, p1, p2. */

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The buildings of a model: how many are right, and a table that begins with the worst.
+import type { Building } from '../data/schema';
+import type { State } from '../state';
+import { button, h } from '../ui/dom';
+import { metres, missing, percent } from '../ui/format';
+import { SortedTable, type SortedColumn } from '../ui/sorted_table';
+
+const shownRows = 50;
+
+/** Right ones last, those that could not be judged before them. */
+const order = ['wrong height', 'wrong tilt', 'wrong outline', 'faces missing', 'not judged', 'right'];
+
+function countsText(buildings: readonly Building[]): string {
+  const counts = order.map((verdict) => ({ verdict, n: buildings.filter((b) => b.verdict === verdict).length })).filter(({ n }) => n > 0);
+  return `${buildings.length} buildings: ${counts.map(({ verdict, n }) => `${n} ${verdict}`).join(', ')}.`;
+}
+
+function columns(select: (line: string) => void): SortedColumn<Building>[] {
+  const share = (value: number | null): string => (value === null ? missing : percent(value));
+  return [
+    { key: 'id', title: 'building', value: (b) => b.id },
+    { key: 'verdict', title: 'verdict', value: (b) => b.verdict, hint: 'what most of its wrong area has' },
+    { key: 'rms', title: 'RMS, m', number: true, value: (b) => b.rms_m, cell: (b) => metres(b.rms_m), hint: 'of its lines' },
+    { key: 'lines', title: 'lines', number: true, value: (b) => b.n_judged_lines, cell: (b) => `${b.n_judged_lines}/${b.n_lines}`, hint: 'judged, of all' },
+    { key: 'worst', title: 'worst line, m', number: true, value: (b) => b.worst_distance_m,
+      cell: (b) => (b.worst_line === '' ? missing : button(metres(b.worst_distance_m), () => select(b.worst_line), { class: 'plain', title: `select line ${b.worst_line}` })) },
+    { key: 'ridge', title: 'ridge, m', number: true, value: (b) => b.ridge_height_m, cell: (b) => metres(b.ridge_height_m), hint: 'height of its ridges, model minus scan' },
+    { key: 'eave', title: 'eave, m', number: true, value: (b) => b.eave_height_m, cell: (b) => metres(b.eave_height_m), hint: 'height of its eaves, model minus scan' },
+    { key: 'faces', title: 'faces', number: true, value: (b) => b.n_judged_faces, cell: (b) => `${b.n_judged_faces}/${b.n_faces}`, hint: 'judged, of all' },
+    { key: 'unexplained', title: 'unexplained, %', number: true, value: (b) => b.unexplained_share, cell: (b) => share(b.unexplained_share), hint: 'points over it that lie on none of its planes' },
+  ];
+}
+
+/** Nothing for lines that are of no model. */
+export function buildingsOf(state: State): HTMLElement[] {
+  const { buildings, lines, name } = state.method;
+  if (!buildings) return [];
+  const select = (id: string): void => {
+    const line = lines.findIndex((l) => l.id === id);
+    if (line >= 0) state.set({ line });
+  };
+  const table = new SortedTable<Building>(columns(select), buildings, { id: 'buildings', sortBy: 'rms', descending: true, limit: shownRows });
+  return [
+    h('h3', {}, `Buildings: ${name}`),
+    h('p', { id: 'building-counts' }, countsText(buildings)),
+    table.element,
+    h('p', { class: 'caption' }, 'A building is wrong in height, tilt or outline by what most of its wrong roof area has; faces are missing where too many points over it lie on none of its planes. faces.csv has each face, the map judged.*.gpkg both as layers.'),
+  ];
+}
