@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/models/face_seams.h"
+
+#include "io/models/face_roles.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace ridgeline::io {
+namespace {
+
+using testing::ElementsAre;
+
+ModelFace face_of(const Ring& ring) { return {{ring}, SurfaceKind::kUnknown, 0, ""}; }
+
+/// Two squares of 10 m beside each other; the second one may have its edge in pieces.
+std::vector<ModelFace> squares(const std::vector<double>& divided_at) {
+  Ring second{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {10, 10, 0}};
+  for (auto y = divided_at.rbegin(); y != divided_at.rend(); ++y) second.push_back({10, *y, 0});
+  return {face_of({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}), face_of(second)};
+}
+
+std::size_t n_common(const std::vector<FaceSeam>& seams) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(seams, [](const FaceSeam& seam) { return seam.faces.size() == 2; }));
+}
+
+TEST(FaceSeams, FacesMeetAlongACommonEdge) {
+  const auto seams = seams_of(squares({}));
+  EXPECT_EQ(seams.size(), 7U);
+  ASSERT_EQ(n_common(seams), 1U);
+  const auto common = std::ranges::find(seams, 2U, [](const auto& s) { return s.faces.size(); });
+  EXPECT_THAT(common->faces, ElementsAre(0U, 1U));
+  EXPECT_DOUBLE_EQ(length(common->segment), 10.0);
+}
+
+TEST(FaceSeams, VerticesWithinAnEdgeOfTheNeighbourDoNotDivideIt) {
+  const auto seams = seams_of(squares({3.0, 7.5}));
+  EXPECT_EQ(seams.size(), 7U);
+  EXPECT_EQ(n_common(seams), 1U);
+}
+
+TEST(FaceSeams, EndWhereTheNeighbourEnds) {
+  std::vector<ModelFace> faces = squares({});
+  for (Eigen::Vector3d& x : faces[1].rings[0]) x.y() += 4.0;
+  const auto seams = seams_of(faces);
+  ASSERT_EQ(n_common(seams), 1U);
+  for (const FaceSeam& seam : seams)
+    if (seam.faces.size() == 2) EXPECT_DOUBLE_EQ(length(seam.segment), 6.0);
+}
+
+TEST(FaceSeams, VerticesWithinACentimetreAreOne) {
+  std::vector<ModelFace> faces = squares({});
+  for (Eigen::Vector3d& x : faces[1].rings[0]) x += Eigen::Vector3d(0.004, -0.003, 0.002);
+  EXPECT_EQ(n_common(seams_of(faces)), 1U);
+  for (Eigen::Vector3d& x : faces[1].rings[0]) x.z() += 0.02;
+  EXPECT_EQ(n_common(seams_of(faces)), 0U);
+}
+
+TEST(FaceSeams, BridgeToAHoleIsNone) {
+  // The ring runs to the hole and back along the diagonal.
+  const auto seams = seams_of(std::vector{face_of({{0, 0, 0},
+                                                   {10, 0, 0},
+                                                   {10, 10, 0},
+                                                   {0, 10, 0},
+                                                   {0, 0, 0},
+                                                   {4, 4, 0},
+                                                   {4, 6, 0},
+                                                   {6, 6, 0},
+                                                   {6, 4, 0},
+                                                   {4, 4, 0}})});
+  EXPECT_EQ(seams.size(), 8U);
+}
+
+TEST(FaceSeams, RegionsHaveNoEdgesWithin) {
+  const std::vector<std::size_t> regions{0, 0};
+  const auto seams = seams_of(squares({}), regions);
+  EXPECT_EQ(seams.size(), 4U);  // the outline of both, whose long sides are whole
+  EXPECT_EQ(n_common(seams), 0U);
+}
+
+TEST(FaceSeams, CoordinatesFarOffOrNotFiniteAreNoTrouble) {
+  std::vector<ModelFace> faces = squares({});
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  faces.push_back(face_of({{0, 0, 0}, {1e300, 0, 0}, {0, kInfinity, 0}}));
+  faces.push_back(face_of({{1e9, 1e9, 0}, {1e9 + 1, 1e9, 0}, {1e9, 1e9 + 1, 0}}));
+  EXPECT_EQ(seams_of(faces).size(), 10U);
+  EXPECT_TRUE(seams_of({}).empty());
+}
+
+TEST(FaceRoles, AFaceBelowAnotherIsTheGround) {
+  const std::vector<ModelFace> faces{face_of({{0, 0, 0}, {0, 9, 0}, {9, 9, 0}, {9, 0, 0}}),
+                                     face_of({{0, 0, 3}, {9, 0, 3}, {9, 9, 5}, {0, 9, 5}}),
+                                     face_of({{0, 0, 0}, {9, 0, 0}, {9, 0, 3}, {0, 0, 3}})};
+  BuildingModel model;
+  model.buildings = {{"1", ""}};
+  model.faces = faces;
+  EXPECT_THAT(roles_of(model),
+              ElementsAre(SurfaceKind::kGround, SurfaceKind::kRoof, SurfaceKind::kWall));
+  model.faces[0].kind = SurfaceKind::kOther;
+  EXPECT_THAT(roles_of(model),
+              ElementsAre(SurfaceKind::kOther, SurfaceKind::kRoof, SurfaceKind::kWall));
+}
+
+}  // namespace
+}  // namespace ridgeline::io
