@@ -25,7 +25,7 @@ struct SimulateArguments {
   ViewOptions views;
   std::vector<int> frame_px;  ///< empty: images around the plan
   bool no_images = false;
-  std::vector<std::string> models;  ///< formats of building models: cityjson, citygml
+  std::vector<std::string> models;     ///< formats of building models: cityjson, citygml
   std::vector<int> strips_and_frames;  ///< of a block; empty: no block
   simulate::BlockOptions block;
   int tile_m = 100;  ///< side of a tile of the LIDAR of a block

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ridgeline::simulate {
@@ -17,8 +18,9 @@ constexpr bool kClockwise = true;
 using PlanPolygon = bg::model::polygon<PlanPoint, !kClockwise>;
 using PlanPolygons = bg::model::multi_polygon<PlanPolygon>;
 
-constexpr double kSameM = 1e-6;     // vertices that are so near are one; rounding gives 1e-8
-constexpr double kSliverM2 = 1e-4;  // left between outlines that touch
+constexpr double kSameM = 1e-6;          // vertices that are so near are one; rounding gives 1e-8
+constexpr double kShortestWallM = 1e-4;  // at a mitre, a probe beside the wall misses the neighbour
+constexpr double kSliverM2 = 1e-4;       // left between outlines that touch
 
 PlanPolygon plan_polygon(const ConvexPolygon& corners) {
   PlanPolygon polygon;
@@ -171,7 +173,7 @@ class FaceCollector {
     const std::vector<double> breaks = breaks_of(wall, part, hiding);
     WallProfile profile;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      if ((breaks[i + 1] - breaks[i]) * length(wall) < kSameM) continue;
+      if ((breaks[i + 1] - breaks[i]) * length(wall) < kShortestWallM) continue;
       if (!extend(part, wall, hiding, {breaks[i], breaks[i + 1]}, profile)) flush(part, profile);
     }
     flush(part, profile);
@@ -213,21 +215,13 @@ class FaceCollector {
     if (ring.size() > 2) add({std::move(ring)}, io::SurfaceKind::kWall, part.building_id);
   }
 
-  /// The ground below the parts that stand on it; dormers and the like begin higher up.
+  /// The ground below the walls of all parts; those of a dormer stand within others.
   void add_ground(int building_id) {
-    const auto counts = [&](const RoofPart& part) {
-      return part.building_id == building_id && part.kind != PlaneKind::kChimney;
-    };
-    double base_z_m = 0.0;
-    bool found = false;
-    for (const RoofPart& part : parts_) {
-      if (!counts(part)) continue;
-      base_z_m = found ? std::min(base_z_m, part.base_z_m) : part.base_z_m;
-      found = true;
-    }
+    double base_z_m = std::numeric_limits<double>::infinity();
     PlanPolygons plan;
     for (const RoofPart& part : parts_) {
-      if (!counts(part) || part.base_z_m > base_z_m + kSameM) continue;
+      if (part.building_id != building_id || part.kind == PlaneKind::kChimney) continue;
+      base_z_m = std::min(base_z_m, part.base_z_m);
       PlanPolygons sum;
       bg::union_(plan, plan_polygon(part.walls), sum);
       plan = std::move(sum);

@@ -41,8 +41,9 @@ TEST_F(SimulateModels, HaveTheBuildingsOfTheTruth) {
   ASSERT_EQ(simulate("s", {"--models", "cityjson"}).exit_code, 0);
   const nlohmann::json city = read_json(path("s/buildings.city.json"));
   EXPECT_EQ(city["metadata"]["referenceSystem"], "https://www.opengis.net/def/crs/EPSG/0/25832");
+  const nlohmann::json truth = read_json(path("s/truth.geojson"));
   std::size_t num_lines = 0;
-  for (const nlohmann::json& line : read_json(path("s/truth.geojson"))["features"]) {
+  for (const nlohmann::json& line : truth["features"]) {
     if (!line["properties"].contains("building")) continue;
     ++num_lines;
     const std::string id = "building_" + line["properties"]["building"].get<std::string>();

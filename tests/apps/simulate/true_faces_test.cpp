@@ -129,6 +129,24 @@ TEST(TrueFaces, ARimHasWallsOnBothSidesAndTheDeckNone) {
   EXPECT_NEAR(total_area(grounds), 12.0 * 9.0, kFaceTol_m);
 }
 
+TEST(TrueFaces, ARimThatIsTurnedHasNoMoreWalls) {
+  std::vector<RoofPart> parts = parapet(HouseShape{}, 0.3, 0.5);
+  for (RoofPart& part : parts) part = placed(part, {31.7, 12.3}, 0.7);
+  EXPECT_EQ(of_surface(faces_of(parts), io::SurfaceKind::kWall).size(), 8U);
+}
+
+TEST(TrueFaces, HousesOfARowHaveAllFourWalls) {
+  VillageOptions options;
+  options.roof_types = {RoofType::kRow};
+  const Scene scene = make_village(options);
+  std::vector<int> num_walls(scene.buildings.size(), 0);
+  for (const SceneFace& face : of_surface(scene.faces, io::SurfaceKind::kWall)) {
+    ++num_walls[static_cast<std::size_t>(face.building_id)];
+  }
+  EXPECT_THAT(num_walls, testing::Each(4));
+  EXPECT_FALSE(num_walls.empty());
+}
+
 TEST(TrueFaces, ADormerIsCutWhereItEntersTheRoof) {
   HouseShape shape;
   shape.pitch_rad = 0.8;
