@@ -37,8 +37,7 @@ std::vector<std::size_t> FaceIndex::near(const Eigen::AlignedBox2d& box, double 
     }
   });
   std::ranges::sort(found);
-  const auto again = std::ranges::unique(found);
-  found.erase(again.begin(), again.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

@@ -47,8 +47,8 @@ std::vector<FacePoint> points_around(const PointSearch& search,
   std::ranges::sort(found, [&](const FacePoint& a, const FacePoint& b) {
     return std::tuple(place(a), a.point.index) < std::tuple(place(b), b.point.index);
   });
-  const auto again = std::ranges::unique(found, {}, place);
-  found.erase(again.begin(), again.end());
+  const auto is_same = [&](const FacePoint& a, const FacePoint& b) { return place(a) == place(b); };
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   for (std::uint32_t i = 0; i < found.size(); ++i) found[i].point.rank = i;
   return found;
 }

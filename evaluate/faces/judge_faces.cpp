@@ -26,6 +26,7 @@ std::vector<const RoofFace*> all_faces(std::span<const RoofBuilding> buildings) 
 
 FaceIndex index_of(const std::vector<const RoofFace*>& faces) {
   std::vector<Eigen::AlignedBox2d> boxes;
+  boxes.reserve(faces.size());
   for (const RoofFace* face : faces) boxes.push_back(face->plan.box());
   return FaceIndex(boxes);
 }

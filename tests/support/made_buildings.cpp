@@ -45,8 +45,8 @@ void split_a_roof_face(std::vector<MadeFace>& faces) {
 MadeBuilding make_building(const BuildingSpec& spec) {
   std::vector<MadeFace> faces = shell_of(spec).faces;
   place(faces, spec);
-  std::ranges::stable_partition(
-      faces, [](const MadeFace& face) { return face.kind == MadeSurface::kRoof; });
+  std::stable_partition(faces.begin(), faces.end(),
+                        [](const MadeFace& face) { return face.kind == MadeSurface::kRoof; });
   MadeBuilding building{spec, std::move(faces), {}};
   building.edges = roof_edges(building.faces);
   if (spec.t_junctions) split_a_roof_face(building.faces);

@@ -103,7 +103,7 @@ TEST(EdgeOffsets, TakeTheNearestOfSeveralPlaces) {
 
 TEST(EdgeOffsets, TakeTheNearestOfSeveralThatContradictAsManyPoints) {
   for (const double odd :
-       {10.12, 9.87}) {  // a point that is wrong, before one further outwards or inwards is
+       {10.07, 9.92}) {  // a point that is wrong, before one further outwards or inwards is
     std::vector<V> points = points_up_to(10.0);
     for (V& x : points) {
       if (std::abs(x.x() - odd) < 0.02) x.z() = odd > 10.0 ? 0.0 : -3.0;
