@@ -67,10 +67,13 @@ struct JudgedLine {
   std::optional<double> epipolar_angle_deg;
   /// Covariance of (start, end), m^2, world axes.
   std::optional<Eigen::Matrix<double, 6, 6>> covariance_m2;
-  std::optional<ImageEvidence> images;  ///< if empty, the line's own plan view is its footprint
-  bool reconstructed = true;            ///< if false, the status is not_reconstructed
-  bool confirmed = true;                ///< if false, the status is unconfirmed
-  std::optional<int> n_images;          ///< that support it, by its file
+  /// Direction in plan to the inside of the only surface that the line is the border of, if its file tells: its plane lies there.
+  std::optional<Eigen::Vector2d> inside = {};
+  std::optional<ImageEvidence> images =
+      {};                       ///< if empty, the line's own plan view is its footprint
+  bool reconstructed = true;    ///< if false, the status is not_reconstructed
+  bool confirmed = true;        ///< if false, the status is unconfirmed
+  std::optional<int> n_images;  ///< that support it, by its file
 };
 
 /// A LIDAR plane chosen for a line.

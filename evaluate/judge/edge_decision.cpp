@@ -158,14 +158,31 @@ bool runs_over_several(std::span<const CandidatePlane> candidates,
          image_cost(images, chosen.fit.plane) > least_cost - kImageMargin;
 }
 
-/// The candidates that accompany the line and come close to it, the uppermost first.
+/// Whether a plane has as many points to the inside of the line as to the outside.
+bool is_inside(const CandidatePlane& plane,
+               const Footprint& footprint,
+               const JudgeOptions& options,
+               const Eigen::Vector2d& inside) {
+  const double side = footprint.across.dot(inside) < 0.0 ? -1.0 : 1.0;
+  const auto beyond_gap = [&](double sign) {
+    return std::ranges::count_if(
+        plane.beside, [&](const ZonePoint& p) { return sign * p.t > options.side_gap_m; });
+  };
+  return beyond_gap(side) >= beyond_gap(-side);
+}
+
+/// The candidates that accompany the line and come close to it, the uppermost first; on the side `inside` if that is known.
 std::vector<std::size_t> planes_along(std::span<const CandidatePlane> candidates,
                                       const Footprint& footprint,
-                                      const JudgeOptions& options) {
-  const double least = least_coverage(candidates, options);
+                                      const JudgeOptions& options,
+                                      const std::optional<Eigen::Vector2d>& inside) {
+  const double least = inside ? options.min_coverage : least_coverage(candidates, options);
   std::vector<std::size_t> along;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (is_near(candidates[i], options) && candidates[i].coverage >= least) along.push_back(i);
+    const CandidatePlane& plane = candidates[i];
+    if (!is_near(plane, options) || plane.coverage < least) continue;
+    if (inside && !is_inside(plane, footprint, options, *inside)) continue;
+    along.push_back(i);
   }
   const auto height = [&](std::size_t i) {
     return height_at(candidates[i].fit.plane, footprint.middle());
@@ -233,8 +250,9 @@ std::optional<std::size_t> seen_instead(std::span<const CandidatePlane> candidat
 EdgeDecision step_decision(std::span<const CandidatePlane> candidates,
                            const Footprint& footprint,
                            const JudgeOptions& options,
-                           const std::optional<ImageEvidence>& images) {
-  const std::vector<std::size_t> along = planes_along(candidates, footprint, options);
+                           const std::optional<ImageEvidence>& images,
+                           const std::optional<Eigen::Vector2d>& inside) {
+  const std::vector<std::size_t> along = planes_along(candidates, footprint, options, inside);
   EdgeDecision decision;
   if (along.empty()) {
     decision.status = Status::kLowCoverage;
@@ -318,20 +336,22 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b) {
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
                          const JudgeOptions& options,
-                         const std::optional<ImageEvidence>& images) {
+                         const std::optional<ImageEvidence>& images,
+                         const std::optional<Eigen::Vector2d>& inside) {
   if (candidates.empty()) {
     EdgeDecision none;
     none.reason = "points beside the line, but no plane among them";
     return none;
   }
-  if (const auto ridge = best_ridge(candidates, footprint, options)) {
+  const auto ridge = inside ? std::nullopt : best_ridge(candidates, footprint, options);
+  if (ridge) {
     return {.status = Status::kEvaluated,
             .reason = "",
             .kind = Kind::kRidge,
             .planes = {ridge->a, ridge->b},
             .flags = {}};
   }
-  return step_decision(candidates, footprint, options, images);
+  return step_decision(candidates, footprint, options, images, inside);
 }
 
 }  // namespace ridgeline::evaluate

@@ -49,9 +49,13 @@ void separate_at_intersection(CandidatePlane& a, CandidatePlane& b);
 /// others, though at least min_coverage of it, judges only if the images show the line on it and not on
 /// the others. The line then gets the flag `seen_instead`, which judge_line() also gives to a line that it
 /// looked for in another place.
+/// If the line is the border of one surface on a side that is known (`inside`, see JudgedLine), it is a step, judged by a plane
+/// with most of its points beside the line on that side. Of an edge and the foot of a wall below it, which lie at one place in plan, each
+/// has its own plane so.
 EdgeDecision decide_edge(std::span<const CandidatePlane> candidates,
                          const Footprint& footprint,
                          const JudgeOptions& options,
-                         const std::optional<ImageEvidence>& images = std::nullopt);
+                         const std::optional<ImageEvidence>& images = std::nullopt,
+                         const std::optional<Eigen::Vector2d>& inside = std::nullopt);
 
 }  // namespace ridgeline::evaluate

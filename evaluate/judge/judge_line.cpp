@@ -165,7 +165,7 @@ Surroundings surroundings(const PointSearch& search,
   }
   around.candidates = candidate_planes(around.zone, footprint, line.images, options,
                                        line_key(line.id, options.seed), search.normals());
-  around.decision = decide_edge(around.candidates, footprint, options, line.images);
+  around.decision = decide_edge(around.candidates, footprint, options, line.images, line.inside);
   return around;
 }
 

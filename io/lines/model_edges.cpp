@@ -46,26 +46,16 @@ struct BuildingFaces {
 
   [[nodiscard]] Plane3 roof(std::size_t i) const { return upward(*planes[i]); }
 
+  [[nodiscard]] std::optional<Eigen::Vector3d> inward(std::size_t i, const Segment3& edge) const {
+    return inward_of(faces[i], *planes[i], edge);
+  }
+
   /// The angle between two faces.
   [[nodiscard]] double angle_rad(std::size_t a, std::size_t b) const {
     const Eigen::Vector3d n = roof(a).normal(), m = roof(b).normal();
     return std::atan2(n.cross(m).norm(), n.dot(m));
   }
 };
-
-/// The direction in a face, across an edge, to its inside; nothing if it lies on both sides of the edge, or on none.
-std::optional<Eigen::Vector3d> inward(const BuildingFaces& building,
-                                      std::size_t face,
-                                      const Segment3& edge) {
-  constexpr double kStep = 0.02;
-  const Plane3& plane = *building.planes[face];
-  const Eigen::Vector3d across = plane.normal().cross(edge.end - edge.start).normalized();
-  const Eigen::Vector3d middle = plane.projection(midpoint(edge));
-  const bool is_left = is_on_face(building.faces[face], plane, middle + kStep * across);
-  const bool is_right = is_on_face(building.faces[face], plane, middle - kStep * across);
-  if (is_left == is_right) return std::nullopt;
-  return is_left ? across : Eigen::Vector3d(-across);
-}
 
 std::string kind_of_border(const Plane3& roof, const Segment3& edge) {
   if (slope_rad(roof) < kLevel_rad) return "step";
@@ -79,8 +69,8 @@ std::string kind_of_fold(const BuildingFaces& building,
                          std::size_t a,
                          std::size_t b,
                          const Segment3& edge) {
-  const auto inward_a = inward(building, a, edge);
-  const auto inward_b = inward(building, b, edge);
+  const auto inward_a = building.inward(a, edge);
+  const auto inward_b = building.inward(b, edge);
   const double above = (inward_a ? building.roof(b).normal().dot(*inward_a) : 0.0) +
                        (inward_b ? building.roof(a).normal().dot(*inward_b) : 0.0);
   if (above > 0.0) return "valley";
@@ -165,7 +155,7 @@ class EdgesOfBuilding {
   [[nodiscard]] std::string kind_of_border_of(const FaceSeam& seam, std::size_t roof) const {
     const std::vector<std::size_t> walls = with_role(seam, SurfaceKind::kWall);
     const bool is_foot = std::ranges::any_of(walls, [&](std::size_t wall) {
-      const auto way = inward(building_, wall, seam.part);
+      const auto way = building_.inward(wall, seam.part);
       return way && way->z() > 0.0;
     });
     return is_foot ? "step" : kind_of_border(building_.roof(roof), seam.segment);

@@ -15,7 +15,7 @@ struct ReadLinesOptions {
   /// Metres per coordinate unit by axis, for a file that states no CRS; unset: metres.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
   Eigen::Vector2d plan_scale = Eigen::Vector2d::Ones();  ///< see LineSet::plan_scale
-  std::string lod;            ///< of models of buildings, see ReadModelOptions::lod
+  std::string lod = {};       ///< of models of buildings, see ReadModelOptions::lod
   bool vertex_pairs = false;  ///< whether the vertices of an OBJ, two by two, are the segments
 };
 

@@ -117,6 +117,18 @@ std::optional<Plane3> plane_of(const ModelFace& face) {
   return Plane3(area / norm, ring[0] + middle);
 }
 
+std::optional<Eigen::Vector3d> inward_of(const ModelFace& face,
+                                         const Plane3& plane,
+                                         const Segment3& edge) {
+  constexpr double kStep = 0.02;
+  const Eigen::Vector3d across = plane.normal().cross(edge.end - edge.start).normalized();
+  const Eigen::Vector3d middle = plane.projection(midpoint(edge));
+  const bool is_left = is_on_face(face, plane, middle + kStep * across);
+  const bool is_right = is_on_face(face, plane, middle - kStep * across);
+  if (is_left == is_right) return std::nullopt;
+  return is_left ? across : Eigen::Vector3d(-across);
+}
+
 bool is_wall(const Plane3& plane) { return slope_rad(plane) > kSteepestRoof_rad; }
 
 bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3d& x) {

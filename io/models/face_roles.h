@@ -3,6 +3,7 @@
 
 #include "io/models/building_model.h"
 #include "reconstruct/geometry/plane.h"
+#include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
 
@@ -31,5 +32,11 @@ std::vector<SurfaceKind> roles_of(const BuildingModel& model);
 /// Whether a point of the plane of a face lies within the face and none of its holes. `x` is projected along the largest axis of the
 /// normal.
 bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3d& x);
+
+/// The direction in a face, across an edge at its middle, to the inside of the face, a unit vector; nothing if the face lies on both sides
+/// of the edge, or on none.
+std::optional<Eigen::Vector3d> inward_of(const ModelFace& face,
+                                         const Plane3& plane,
+                                         const Segment3& edge);
 
 }  // namespace ridgeline::io

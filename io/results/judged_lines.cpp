@@ -2,6 +2,7 @@
 #include "io/results/judged_lines.h"
 
 #include "io/error.h"
+#include "io/models/face_roles.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
@@ -104,6 +105,17 @@ JudgedLine judged_line(const io::Line& line,
   return judged;
 }
 
+/// The inside of the only roof face of an edge, in plan.
+std::optional<Eigen::Vector2d> inside_of_border(const io::Line& line,
+                                                const io::BuildingModel& model) {
+  if (line.plane_ids.size() != 1) return std::nullopt;
+  const io::ModelFace& face = model.faces[static_cast<std::size_t>(line.plane_ids[0])];
+  const std::optional<Plane3> plane = io::plane_of(face);
+  const auto inward = plane ? io::inward_of(face, *plane, line.segment_in_world) : std::nullopt;
+  if (!inward || inward->head<2>().isZero()) return std::nullopt;
+  return inward->head<2>().normalized();
+}
+
 std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& patch) {
   std::vector<ProjectionMatrix> cameras;
   if (!patch) return cameras;
@@ -157,7 +169,9 @@ std::vector<JudgedLine> judged_lines_of(const io::LineSet& set,
   const std::vector<ProjectionMatrix> cameras = cameras_of(patch);
   const Eigen::Vector3d unit_m = unit_m_of(set);
   return transformed(set.lines, [&](const io::Line& line) {
-    return judged_line(line, unit_m, frame, patch, cameras, max_aligned_angle_deg);
+    JudgedLine judged = judged_line(line, unit_m, frame, patch, cameras, max_aligned_angle_deg);
+    if (set.model) judged.inside = inside_of_border(line, *set.model);
+    return judged;
   });
 }
 

@@ -83,6 +83,31 @@ TEST(DecideEdge, TakesTheUpperPlaneAtAStep) {
   EXPECT_THAT(decision.flags.empty() ? "" : decision.flags.front(), std::string("upper_plane"));
 }
 
+TEST(DecideEdge, TakesThePlaneOnTheKnownSideOfABorder) {
+  const std::vector<CandidatePlane> planes{candidate(ground, -1.5, 0.25),
+                                           candidate(left_slope, 0, 1.5)};
+  const auto plane_inside = [&](double y) {
+    return decide_edge(planes, kLine, {}, std::nullopt, Eigen::Vector2d(0.0, y)).planes;
+  };
+  EXPECT_EQ(plane_inside(1.0), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(plane_inside(-1.0), (std::vector<std::size_t>{0}));
+}
+
+TEST(DecideEdge, IsNoRidgeForTheBorderOfOneSurface) {
+  const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5),
+                                           candidate(right_slope, -1.5, 0)};
+  const EdgeDecision decision =
+      decide_edge(planes, kLine, {}, std::nullopt, Eigen::Vector2d(0.0, -1.0));
+  EXPECT_EQ(decision.kind, Kind::kStep);
+  EXPECT_EQ(decision.planes, (std::vector<std::size_t>{1}));
+}
+
+TEST(DecideEdge, FindsNoPlaneIfNoneLiesOnTheKnownSide) {
+  const std::vector<CandidatePlane> planes{candidate(left_slope, 0, 1.5)};
+  EXPECT_EQ(decide_edge(planes, kLine, {}, std::nullopt, Eigen::Vector2d(0.0, -1.0)).status,
+            Status::kLowCoverage);
+}
+
 TEST(DecideEdge, FlagsALineInsideAPlaneAsMerged) {
   const EdgeDecision decision =
       decide_edge(std::vector<CandidatePlane>{candidate(ground, -1.5, 1.5)}, kLine, {});

@@ -264,8 +264,8 @@ INSTANTIATE_TEST_SUITE_P(,
                                          "DH_01_subs.city.json",
                                          "delft_1b.json",
                                          "multi_lod.json"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& file) {
+                           std::string name = file.param;
                            std::erase_if(name, [](char c) { return c == '.'; });
                            return name;
                          });

@@ -47,8 +47,8 @@ TEST(FaceSeams, EndWhereTheNeighbourEnds) {
   for (Eigen::Vector3d& x : faces[1].rings[0]) x.y() += 4.0;
   const auto seams = seams_of(faces);
   ASSERT_EQ(n_common(seams), 1U);
-  for (const FaceSeam& seam : seams)
-    if (seam.faces.size() == 2) EXPECT_DOUBLE_EQ(length(seam.segment), 6.0);
+  const auto common = std::ranges::find(seams, 2U, [](const auto& s) { return s.faces.size(); });
+  EXPECT_DOUBLE_EQ(length(common->segment), 6.0);
 }
 
 TEST(FaceSeams, VerticesWithinACentimetreAreOne) {
