@@ -223,11 +223,11 @@ class OgrReader {
     }
     lods.erase("");
     if (lods.empty()) return "";
-    const auto chosen = by_lod.find(chosen_lod(lods, lod_));
-    if (chosen == by_lod.end())
+    const std::optional<std::string> chosen = chosen_lod(lods, lod_);
+    if (!chosen)
       throw IoError(path_, fmt::format("has no layer of LoD {}; there are LoD {}", lod_,
                                        fmt::join(lods, ", ")));
-    return chosen->second;
+    return by_lod[*chosen];
   }
 
   void refuse_no_layer() {

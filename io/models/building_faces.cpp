@@ -18,8 +18,8 @@ constexpr Kind kOpenReference{"reference to a surface that is not there",
                               "references to surfaces that are not there"};
 
 /// The level of detail that is read of a building, as text.
-std::string lod_of_building(const std::vector<GeometryProperty>& properties,
-                            const ReadModelOptions& options) {
+std::optional<std::string> lod_of_building(const std::vector<GeometryProperty>& properties,
+                                           const ReadModelOptions& options) {
   std::set<std::string> lods;
   for (const GeometryProperty& property : properties) {
     const bool is_empty = property.surfaces.first == property.surfaces.end;
@@ -132,13 +132,14 @@ void append_faces(const GmlSurfaces& surfaces,
                   const ReadModelOptions& options,
                   BuildingModel& model,
                   std::vector<OpenReference>& open) {
-  const std::string lod = lod_of_building(properties, options);
-  model.buildings.back().lod = lod;
+  const std::optional<std::string> lod = lod_of_building(properties, options);
+  if (!lod) return;
+  model.buildings.back().lod = *lod;
   const std::size_t building = model.buildings.size() - 1;
   FaceChoice choice(surfaces, building, open);
   for (const bool thematic : {true, false}) {
     for (const GeometryProperty& property : properties) {
-      if (std::to_string(property.lod) == lod && property.is_thematic == thematic)
+      if (std::to_string(property.lod) == *lod && property.is_thematic == thematic)
         choice.add(property);
     }
   }

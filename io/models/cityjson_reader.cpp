@@ -157,8 +157,8 @@ class ObjectReader {
                      const Members& members,
                      const std::vector<Eigen::Vector3d>& vertices) {
     const std::size_t number = model_.buildings.size();
-    const std::string lod = chosen_lod(lods_of(members), options_.lod);
-    model_.buildings.push_back({id, lod});
+    const std::optional<std::string> lod = chosen_lod(lods_of(members), options_.lod);
+    model_.buildings.push_back({id, lod.value_or("")});
     model_.attributes.rows.push_back(
         columns_.row_of(member(*members.front(), "attributes"), model_.attributes));
     where_ = fmt::format("{}: building {}", model_.path, id);
@@ -195,7 +195,7 @@ class ObjectReader {
 
   /// A template is put at a vertex of the file by a matrix of 4 x 4, by rows.
   void read_instance(const json& instance,
-                     const std::string& lod,
+                     const std::optional<std::string>& lod,
                      const std::vector<Eigen::Vector3d>& vertices,
                      std::size_t building) {
     const json* const geometry = template_of(instance);
@@ -216,7 +216,7 @@ class ObjectReader {
   }
 
   void read_geometry(const json& geometry,
-                     const std::string& lod,
+                     const std::optional<std::string>& lod,
                      const Placed& placed,
                      std::size_t building) {
     const std::optional<int> depth = depth_of_faces(text_member(geometry, "type"));

@@ -114,7 +114,7 @@ class Seams {
     std::ranges::sort(by_x, {}, x_of);
     for (const Piece& edge : edges_) {
       std::vector<std::pair<double, std::size_t>> on_edge;
-      const auto [low, high] = std::minmax(x_of(edge.from), x_of(edge.to));
+      const auto [low, high] = std::minmax({x_of(edge.from), x_of(edge.to)});
       for (auto it = std::ranges::lower_bound(by_x, low - kSame, {}, x_of);
            it != by_x.end() && x_of(*it) <= high + kSame; ++it) {
         if (const auto t = place_on(edge, *it)) on_edge.emplace_back(*t, *it);

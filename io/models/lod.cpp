@@ -23,13 +23,14 @@ bool is_of(const std::string& lod, std::string_view wanted) {
 
 }  // namespace
 
-std::string chosen_lod(const std::set<std::string>& lods, const std::string& wanted) {
+std::optional<std::string> chosen_lod(const std::set<std::string>& lods,
+                                      const std::string& wanted) {
   const std::string* chosen = nullptr;
   for (const std::string& lod : lods) {
     if (is_of(lod, wanted) && (chosen == nullptr || level_of(lod) >= level_of(*chosen)))
       chosen = &lod;
   }
-  return chosen == nullptr ? wanted : *chosen;
+  return chosen == nullptr ? std::nullopt : std::optional(*chosen);
 }
 
 }  // namespace ridgeline::io

@@ -100,10 +100,10 @@ void fields(auto& archive, Some<evaluate::ImageEvidence> auto& images) {
 }
 
 void fields(auto& archive, Some<evaluate::JudgedLine> auto& line) {
-  auto& [id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2, images,
-         reconstructed, confirmed, n_images] = line;
+  auto& [id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2, inside,
+         images, reconstructed, confirmed, n_images] = line;
   all(archive, id, segment, line_class, class_base, building, epipolar_angle_deg, covariance_m2,
-      images, reconstructed, confirmed, n_images);
+      inside, images, reconstructed, confirmed, n_images);
 }
 
 void fields(auto& archive, Some<LinesPart> auto& part) {
@@ -117,7 +117,7 @@ namespace {
 /// file of its own here.
 std::string beginning(const std::string& key) {
   ByteWriter writer;
-  writer(std::string("ridgeline part 1"));
+  writer(std::string("ridgeline part 2"));
   writer(std::uint32_t{0x01020304});
   writer(key);
   return writer.take();

@@ -242,17 +242,16 @@ TEST(ReadGeoJson, TakesTheEdgesOfPolygonsWithHeightsThoseOfNeighboursOnce) {
 }
 
 TEST(ReadGeoJson, NamesAFileOfAnotherKind) {
-  EXPECT_THAT(
-      error_of("city.json", R"({"type":"CityJSON","version":"1.1","vertices":[]})"),
-      HasSubstr("city.json: is CityJSON, a city model, which is not read; lines are read from"));
+  EXPECT_THAT(error_of("city.json", R"({"type":"CityJSONFeature","vertices":[]})"),
+              HasSubstr("city.json: is a feature of CityJSON, give the whole file"));
   EXPECT_THAT(error_of("a.json", R"({"type":"Topology","objects":{}})"), HasSubstr("TopoJSON"));
   EXPECT_THAT(error_of("a.json", R"({"geometryType":"esriGeometryPolyline","features":[]})"),
               HasSubstr("Esri"));
   EXPECT_THAT(error_of("a.geojson", "LASF\1\2"),
               HasSubstr("is a LAS point cloud, not a file of 3D lines; give it as --cloud"));
-  EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is XML"));
+  EXPECT_THAT(error_of("a.json", "<?xml version='1.0'?><CityModel/>"), HasSubstr("is no CityGML"));
   EXPECT_THAT(error_of("a.csv", std::string("\xFF\xFEx\0", 4)), HasSubstr("UTF-16"));
-  EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("is XML, as of GML and CityGML"));
+  EXPECT_THAT(error_of("a.gml", "<gml/>"), HasSubstr("is XML, as of GML, which is not read"));
 }
 
 TEST(ReadGeoJson, OfLatin1BecomesUtf8) {
