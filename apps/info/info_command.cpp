@@ -13,9 +13,11 @@
 #include "io/kinds/recognise.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
+#include "io/models/face_roles.h"
 #include "io/project/patch.h"
 #include "io/results/judged_lines.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
@@ -25,6 +27,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 
 namespace ridgeline::apps {
@@ -119,6 +122,21 @@ void print_cloud(const std::string& path, double max_resolution_m) {
   print_warnings(facts.warnings);
 }
 
+/// Buildings and roof faces by LoD, and the kinds of the edges.
+void print_buildings(const io::LineSet& set) {
+  std::map<std::string, std::size_t> lods, kinds;
+  for (const io::Building& building : set.model->buildings)
+    ++lods[building.lod.empty() ? "of no stated LoD" : "of LoD " + building.lod];
+  for (const io::Line& line : set.lines) ++kinds[line.kind];
+  const auto listed = [](const std::map<std::string, std::size_t>& counts) {
+    return transformed(
+        counts, [](const auto& entry) { return fmt::format("{} {}", entry.second, entry.first); });
+  };
+  const auto n_roofs = std::ranges::count(io::roles_of(*set.model), io::SurfaceKind::kRoof);
+  fmt::print("  buildings   {}; {} roof faces\n  kinds       {}\n", fmt::join(listed(lods), ", "),
+             n_roofs, fmt::join(listed(kinds), ", "));
+}
+
 void print_lines(const std::string& path) {
   const io::LineSet set = io::read_lines(path);
   const io::LineFacts facts = io::line_facts(set);
@@ -136,6 +154,7 @@ void print_lines(const std::string& path) {
     print_scale(io::grid_scale(set.crs, facts.bounds.center().head<2>()));
   }
   if (!set.stated_unit.empty()) fmt::print("  $INSUNITS   {}\n", set.stated_unit);
+  if (set.model) print_buildings(set);
   print_warnings(set.warnings);
 }
 

@@ -22,8 +22,6 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kLevel_rad = 5.0 * kRadians;  // as the judge's roof_kind()
 
-constexpr Kind kWallEdge{"edge of walls or the ground", "edges of walls or the ground"};
-constexpr Kind kFlatEdge{"edge within a plane", "edges within a plane"};
 constexpr Kind kCrowdedEdge{"edge of three roof faces or more",
                             "edges of three roof faces or more"};
 constexpr Kind kFlatFace{"face without an area", "faces without an area"};
@@ -138,17 +136,13 @@ class EdgesOfBuilding {
   /// Empty for an edge that is no line.
   [[nodiscard]] std::string kind_of(const FaceSeam& seam, KindCounts& left_out) const {
     const std::vector<std::size_t> roofs = roofs_of(seam);
-    if (roofs.empty()) {
-      left_out.add(kWallEdge);
-      return "";
-    }
+    if (roofs.empty()) return "";
     if (roofs.size() > 2) left_out.add(kCrowdedEdge);
     if (roofs.size() > 2) return "";
     if (roofs.size() == 1) return kind_of_border_of(seam, roofs[0]);
-    if (building_.angle_rad(roofs[0], roofs[1]) < options_.least_angle_deg * kRadians) {
-      left_out.add(kFlatEdge);
-      return "";
-    }
+    const bool is_flat =
+        building_.angle_rad(roofs[0], roofs[1]) < options_.least_angle_deg * kRadians;
+    if (is_flat) return "";
     return kind_of_fold(building_, roofs[0], roofs[1], seam.part);
   }
 

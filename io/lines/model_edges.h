@@ -21,8 +21,7 @@ struct ModelEdgeOptions {
 /// another face of the building above them are the ground. Faces meet where their edges run along each other, with or without common
 /// vertices (up to 1 cm); an edge ends where its faces change. `plane_ids` of a line are the numbers of its roof faces in
 /// LineSet::model, which has the faces of a building together, `building` is the id of the building, and LineSet::features has a row for each building.
-/// Counts in `left_out`: edges of walls and of the ground, edges between roof faces in one plane, faces without an area, edges of three
-/// roof faces and more.
+/// Counts in `left_out`: faces without an area, and edges of three roof faces and more.
 LineSet lines_of_model(BuildingModel model, const ModelEdgeOptions& options = {});
 
 }  // namespace ridgeline::io

@@ -187,6 +187,14 @@ TEST_F(Models, AndOptionsThatDoNotFitAreRefused) {
   EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
+TEST_F(Models, AreShownByInfoWithoutAWarning) {
+  const ProgramResult result = run({"info", "town.city.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("CityJSON 2.0, edges of roofs"),
+                                HasSubstr("buildings   4 of LoD 2; "), HasSubstr(" ridge"),
+                                Not(HasSubstr("warning"))));
+}
+
 TEST_F(Models, TablesOfAnEarlierRunDoNotStay) {
   ASSERT_EQ(judge("town.gml", "out", {"--by", "roof"}).exit_code, 0);
   EXPECT_THAT(names_in(path("out")), Contains("buildings_by.csv"));
