@@ -79,6 +79,8 @@ void write_line_files(Writer& out) {
     io::write_lines(out.path(name), truth, info.format);
     out.add(name, kLineCommands);
   }
+  for (const char* const model : {"buildings.city.json", "buildings.gml"})
+    out.add(model, kLineCommands);
   for (const char* kind : {"line_text", "line_mesh"}) {
     const fs::path seeds = fs::path(test::source_dir()) / "tests/fuzz/seeds" / kind;
     for (const auto& entry : fs::directory_iterator(seeds)) {
