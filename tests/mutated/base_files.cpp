@@ -32,6 +32,9 @@ const Commands kLineCommands{
     {"evaluate", "--lines", "FILE", "--cloud", "lidar.las", "--out", "OUT", "--no-report"},
     {"evaluate", "--lines", "truth.geojson", "--reference-lines", "FILE", "--cloud", "lidar.las",
      "--out", "OUT"}};
+const Commands kModelCommands{
+    {"info", "FILE"},
+    {"evaluate", "--lines", "FILE", "--cloud", "town/lidar.las", "--out", "OUT", "--no-report"}};
 const Commands kCloudCommands{
     {"info", "FILE"},
     {"evaluate", "--lines", "truth.geojson", "--cloud", "FILE", "--out", "OUT"},
@@ -80,7 +83,7 @@ void write_line_files(Writer& out) {
     out.add(name, kLineCommands);
   }
   for (const char* const model : {"buildings.city.json", "buildings.gml"})
-    out.add(model, kLineCommands);
+    out.add(fmt::format("town/{}", model), kModelCommands);
   for (const char* kind : {"line_text", "line_mesh"}) {
     const fs::path seeds = fs::path(test::source_dir()) / "tests/fuzz/seeds" / kind;
     for (const auto& entry : fs::directory_iterator(seeds)) {

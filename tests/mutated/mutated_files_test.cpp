@@ -61,7 +61,9 @@ class MutatedFiles : public testing::Test {
     folder_ = pattern;
     for (const std::vector<std::string>& command :
          {std::vector<std::string>{"simulate", "--out", ".", "--seed", "5", "--extent-m", "40,40",
-                                   "--samples-per-side", "1", "--models", "cityjson,citygml"},
+                                   "--samples-per-side", "1"},
+          {"simulate", "--out", "town", "--seed", "3", "--extent-m", "60,60", "--no-images",
+           "--models", "cityjson,citygml"},
           {"run", "patch.yaml", "--out", "results"}}) {
       const ProgramResult made = test::run_program(test::program(), command, folder_);
       if (made.exit_code != 0) throw std::runtime_error(made.err);
