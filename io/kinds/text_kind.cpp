@@ -25,6 +25,12 @@ FileKind not_read(const char* what, const char* advice = "which is not read") {
   return {.group = kOther, .what = what, .advice = advice};
 }
 
+FileKind city_json() { return ours(kModel, "a model of buildings (CityJSON)", ".city.json"); }
+
+bool mentions(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
 constexpr std::array kGeoJsonTypes{"FeatureCollection", "Feature",      "Point",
                                    "MultiPoint",        "LineString",   "MultiLineString",
                                    "Polygon",           "MultiPolygon", "GeometryCollection"};
@@ -38,7 +44,7 @@ FileKind kind_of_interchange(const TopKeys& keys) {
     return not_read("a feature of CityJSON", "give the whole file, which begins with \"CityJSON\"");
   }
   if (keys.type.starts_with("CityJSON") || keys.has("CityObjects")) {
-    return ours(kModel, "a model of buildings (CityJSON)", ".city.json");
+    return city_json();
   }
   if (keys.type == "Topology") return not_read("TopoJSON", "save it as GeoJSON");
   if (keys.has("asset") && (keys.has("meshes") || keys.has("scenes"))) {
@@ -192,6 +198,8 @@ FileKind kind_of_text(std::string_view start, bool is_whole) {
   std::vector<TextRow> rows = rows_of(start);
   if (const auto format = orientation_format(start)) return kind_of_orientation(*format);
   if (!rows.empty() && rows.front().text.starts_with('<')) return kind_of_xml(start);
+  // The keys of a sequence would be those of its last document.
+  if (mentions(start, "\"CityJSON\"") && mentions(start, "\"CityJSONFeature\"")) return city_json();
   if (FileKind kind = kind_of_document(top_keys(start)); kind.is_known()) return kind;
   const bool is_json =
       !rows.empty() && (rows.front().text.starts_with('{') || rows.front().text.starts_with('['));

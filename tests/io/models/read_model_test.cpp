@@ -71,6 +71,21 @@ TEST_F(ModelFiles, GiveTheLinesOfTheModelWhateverTheirNames) {
   }
 }
 
+TEST_F(ModelFiles, OfSequencesAreRecognised) {
+  nlohmann::json document = nlohmann::json::parse(folder_.read("a.json"));
+  nlohmann::json feature{{"type", "CityJSONFeature"},
+                         {"CityObjects", document["CityObjects"]},
+                         {"vertices", document["vertices"]}};
+  document["CityObjects"] = nlohmann::json::object();
+  document["vertices"] = nlohmann::json::array();
+  const std::string text = document.dump() + "\n" + feature.dump() + "\n";
+  for (const char* const name : {"s.city.jsonl", "s.jsonl", "s.json"}) {
+    const LineSet set = read_lines(folder_.write(name, text));
+    EXPECT_EQ(set.lines.size(), lines_of_model(made_model()).lines.size()) << name;
+    EXPECT_EQ(set.format, "CityJSON 2.0 in lines, edges of roofs");
+  }
+}
+
 TEST_F(ModelFiles, WithoutFacesInTheWantedLevelAreRefused) {
   try {
     (void)read_model(folder_.file("a.json"), {"1.3"});
