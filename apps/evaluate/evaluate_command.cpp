@@ -210,11 +210,14 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
   results::check_is_own(a.write_points, io::is_own_points_file, "points file");
 }
 
-void check_attributes(const EvaluateArguments& a, const std::vector<std::string>& inputs) {
+void check_attributes(const EvaluateArguments& a,
+                      std::vector<std::string> others,
+                      const results::OutputFolder& out) {
   if (a.write_attributes.empty()) return;
   check(a.lines.size() == 1, "--write-attributes: there are ", a.lines.size(),
         " line files; give one model");
-  (void)results::output_file(a.write_attributes, inputs);
+  for (const std::string& name : results::result_names(a.lines)) others.push_back(out.path(name));
+  (void)results::output_file(a.write_attributes, others);
   results::check_attributes_file(a.write_attributes);
 }
 
@@ -234,7 +237,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
   for (const std::string& name : results::result_names(options.line_paths)) (void)out.path(name);
 
   check_points_file(arguments, paths);
-  check_attributes(arguments, paths);
+  check_attributes(arguments, paths, out);
 
   const results::JudgedFiles judged = results::judge_files(options, record);
   write_evaluation(judged, options, inputs, out,

@@ -75,7 +75,6 @@ void write_evaluation(const results::JudgedFiles& judged,
   record_inputs(inputs, judged.unread_clouds, record);
   results::write_judged(judged, results::map_schema_named(output.schema), out, "");
   if (!output.plane_points.empty()) results::write_plane_points(output.plane_points, judged);
-  if (!output.attributes.empty()) results::write_model_with_figures(output.attributes, judged, 0);
   results::write_tables(judged.evaluations, judged.truth, out);
   results::write_models(judged, options.by, out);
   const std::vector<std::string> messages = say_outcome(judged, options);
@@ -83,6 +82,7 @@ void write_evaluation(const results::JudgedFiles& judged,
   record.set("messages", messages);
   record.set("page", to_json(output.page));
   out.write("run.json", record.to_json());
+  if (!output.attributes.empty()) results::write_model_with_figures(output.attributes, judged, 0);
   for (const evaluate::Evaluation& e : judged.evaluations) {
     say("Map for QGIS: {}\n", out.path(results::map_name(e.method)));
   }

@@ -40,16 +40,22 @@ void append_distinct_edges(const Vertices& vertices,
   }
 }
 
-/// The polygons as faces of one building.
-BuildingModel model_of(const Mesh& mesh) {
+/// The polygons as faces of one building; those that are none lose their objects as well.
+BuildingModel model_of(Mesh& mesh) {
   BuildingModel model;
-  for (const IndexList& polygon : mesh.polygons) {
-    Ring ring = transformed(polygon, [&](std::size_t i) { return mesh.vertices[i]; });
-    if (ring.size() > 2)
-      model.faces.push_back({{std::move(ring)}, SurfaceKind::kUnknown, 0, ""});
-    else
+  const bool has_objects = mesh.objects.size() == mesh.polygons.size();
+  std::vector<std::string> objects;
+  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const IndexList& polygon = mesh.polygons[i];
+    Ring ring = transformed(polygon, [&](std::size_t k) { return mesh.vertices[k]; });
+    if (ring.size() < 3) {
       model.left_out.add({"face of two vertices", "faces of two vertices"});
+      continue;
+    }
+    model.faces.push_back({{std::move(ring)}, SurfaceKind::kUnknown, 0, ""});
+    if (has_objects) objects.push_back(mesh.objects[i]);
   }
+  mesh.objects = std::move(objects);
   return model;
 }
 
@@ -97,16 +103,16 @@ bool has_walls(const BuildingModel& model) {
 
 }  // namespace
 
-void append_mesh(const Mesh& mesh, LineSet& set) {
+void append_mesh(Mesh mesh, LineSet& set) {
   BuildingModel model = model_of(mesh);
   if (!has_walls(model)) {
     set.format += ", edges of faces";
     return append_distinct_edges(mesh.vertices, mesh.polygons, set);
   }
+  refuse_more_lines(set, model.faces.size());
   divide(mesh, model);
   model.path = set.path;
   model.format = set.format;
-  refuse_more_lines(set, model.faces.size());
   set = lines_of_model(std::move(model));
 }
 

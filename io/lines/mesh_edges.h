@@ -25,6 +25,6 @@ struct Mesh {
 /// Of any other mesh each distinct edge is added once, in the order of first occurrence. Edges are the
 /// same if their end points have equal coordinates, in either direction: many models repeat the
 /// vertices for each face. Edges of zero length are left out, they bound nothing.
-void append_mesh(const Mesh& mesh, LineSet& set);
+void append_mesh(Mesh mesh, LineSet& set);
 
 }  // namespace ridgeline::io

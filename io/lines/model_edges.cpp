@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -159,6 +160,34 @@ class EdgesOfBuilding {
   const ModelEdgeOptions& options_;
 };
 
+/// Leaves one of the faces of a building with the same outline, as a solid and a multi-surface of one level have: the first that
+/// states what it is.
+void drop_repeats(BuildingModel& model, KindCounts& left_out) {
+  using Outline = std::vector<std::array<double, 3>>;
+  std::map<std::pair<std::size_t, Outline>, std::size_t> kept_at;
+  std::vector<ModelFace> kept;
+  for (ModelFace& face : model.faces) {
+    Outline outline;
+    for (const Eigen::Vector3d& x : face.rings.front())
+      outline.push_back(
+          {std::round(1000.0 * x.x()), std::round(1000.0 * x.y()), std::round(1000.0 * x.z())});
+    std::ranges::sort(outline);
+    const bool is_usable = std::ranges::all_of(
+        face.rings.front(), [](const Eigen::Vector3d& x) { return x.allFinite(); });
+    const auto [entry, is_new] =
+        is_usable ? kept_at.try_emplace({face.building, std::move(outline)}, kept.size())
+                  : std::pair(kept_at.end(), true);
+    if (is_new) {
+      kept.push_back(std::move(face));
+      continue;
+    }
+    left_out.add({"repeated face", "repeated faces"});
+    ModelFace& first = kept[entry->second];
+    if (first.kind == SurfaceKind::kUnknown) first = std::move(face);
+  }
+  model.faces = std::move(kept);
+}
+
 /// Lines and tables name buildings by their ids.
 void make_building_ids_unique(std::vector<Building>& buildings,
                               std::vector<std::string>& warnings) {
@@ -191,6 +220,7 @@ LineSet lines_of_model(BuildingModel model, const ModelEdgeOptions& options) {
   set.warnings = model.warnings;
   std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
   make_building_ids_unique(model.buildings, set.warnings);
+  drop_repeats(model, set.left_out);
   const std::span<const ModelFace> faces = model.faces;
   for (std::size_t first = 0; first < faces.size();) {
     const std::size_t building = faces[first].building;

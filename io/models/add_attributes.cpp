@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+#include <utility>
 #include <variant>
 
 namespace ridgeline::io {
@@ -19,33 +21,41 @@ json json_of(const Value& value) {
   return nullptr;
 }
 
-void add_to(json& document, const std::vector<Column>& columns, const BuildingValues& values) {
+/// Returns whether no object is one of those in `done`.
+bool add_to(json& document,
+            const std::vector<Column>& columns,
+            const BuildingValues& values,
+            std::set<std::string>& done) {
   const auto objects = document.find("CityObjects");
-  if (objects == document.end() || !objects->is_object()) return;
+  if (objects == document.end() || !objects->is_object()) return true;
   for (auto& [id, object] : objects->items()) {
     const auto found = values.find(id);
     if (found == values.end() || !object.is_object()) continue;
+    if (!done.insert(id).second) return false;
     json& attributes = object["attributes"];
     if (!attributes.is_object()) attributes = json::object();
     for (const auto& [column, value] : found->second)
       attributes[columns[column].name] = json_of(value);
   }
+  return true;
 }
 
 }  // namespace
 
-std::string with_attributes(const std::string& path,
-                            std::string_view content,
-                            const std::vector<Column>& columns,
-                            const BuildingValues& values) {
+std::optional<std::string> with_attributes(const std::string& path,
+                                           std::string_view content,
+                                           const std::vector<Column>& columns,
+                                           const BuildingValues& values) {
   const bool in_lines = is_cityjson_sequence(content);
   std::string text;
+  std::set<std::string> done;
+  bool are_told_apart = true;
   for_each_cityjson(path, content, [&](json document, const std::string&) {
-    add_to(document, columns, values);
+    are_told_apart = add_to(document, columns, values, done) && are_told_apart;
     text += document.dump(-1, ' ', false, json::error_handler_t::replace);
     if (in_lines) text += "\n";
   });
-  return text;
+  return are_told_apart ? std::optional(std::move(text)) : std::nullopt;
 }
 
 }  // namespace ridgeline::io

@@ -79,7 +79,7 @@ std::string ring_text(const Ring& ring, const char* role) {
 }
 
 std::string member_text(const ModelFace& face) {
-  const std::string id = face.id.empty() ? "" : fmt::format(" gml:id=\"{}\"", xml_id(face.id));
+  const std::string id = face.id.empty() ? "" : fmt::format(" gml:id=\"{}\"", face.id);
   std::string rings;
   for (std::size_t i = 0; i < face.rings.size(); ++i)
     rings += ring_text(face.rings[i], i == 0 ? "exterior" : "interior");
@@ -164,16 +164,34 @@ std::string envelope_text(const BuildingModel& model) {
       name.empty() ? "" : fmt::format(" srsName=\"{}\"", name), corner(low), corner(high));
 }
 
+/// The model with ids that XML takes, each once in the document. A face whose id is taken has none.
+BuildingModel with_xml_ids(BuildingModel model) {
+  std::set<std::string> taken;
+  for (Building& building : model.buildings) {
+    const std::string id = xml_id(building.id);
+    building.id = id;
+    for (int n = 1; !taken.insert(building.id).second; ++n)
+      building.id = fmt::format("{}_{}", id, n);
+  }
+  for (ModelFace& face : model.faces) {
+    if (face.id.empty()) continue;
+    face.id = xml_id(face.id);
+    if (!taken.insert(face.id).second) face.id.clear();
+  }
+  return model;
+}
+
 }  // namespace
 
-void write_citygml(const BuildingModel& model, std::ostream& stream) {
+void write_citygml(const BuildingModel& stated, std::ostream& stream) {
+  const BuildingModel model = with_xml_ids(stated);
   stream << kHead << envelope_text(model);
   std::size_t first = 0;
   for (std::size_t i = 0; i < model.buildings.size(); ++i) {
     std::size_t end = first;
     while (end < model.faces.size() && model.faces[end].building == i) ++end;
     stream << fmt::format("<core:cityObjectMember><bldg:Building gml:id=\"{}\">\n",
-                          xml_id(model.buildings[i].id));
+                          model.buildings[i].id);
     for (const auto& [column, value] : model.attributes.rows[i])
       stream << attribute_text(model.attributes.columns[column].name, value);
     stream << faces_text(model.buildings[i], {model.faces.data() + first, end - first})

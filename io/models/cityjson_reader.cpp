@@ -145,10 +145,14 @@ class ObjectReader {
     std::string root = id;
     for (int depth = 0; depth < kDeepest; ++depth) {
       const json& parents = member(member(objects, root.c_str()), "parents");
-      if (!parents.is_array() || parents.empty() || !parents[0].is_string()) break;
-      const auto parent = parents[0].get<std::string>();
-      if (!objects.contains(parent)) break;
-      root = parent;
+      const auto parent = std::ranges::find_if(parents, [&](const json& id_of_parent) {
+        if (!id_of_parent.is_string()) return false;
+        const std::string type =
+            text_member(member(objects, id_of_parent.get<std::string>().c_str()), "type");
+        return type == "Building" || type == "BuildingPart";  // not a group of buildings
+      });
+      if (parent == parents.end()) break;
+      root = parent->get<std::string>();
     }
     return root;
   }

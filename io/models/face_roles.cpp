@@ -86,17 +86,19 @@ class FacesByPlace {
 
   [[nodiscard]] const std::vector<std::size_t>& at(const Eigen::Vector2d& x) const {
     const Eigen::Vector2i c = cell_of(x);
-    return cells_[static_cast<std::size_t>(c.x() * n_ + c.y())];
+    return cells_[place(c.x(), c.y())];
   }
 
  private:
   [[nodiscard]] Eigen::Vector2i cell_of(const Eigen::Vector2d& x) const {
     const Eigen::Array2d share = (x - extent_.min()).array() / extent_.sizes().array().max(1e-9);
-    return (share * n_).cast<int>().max(0).min(n_ - 1).matrix();
+    // NaN, of an extent that is not finite, goes to the first cell.
+    return (share >= 0.0).select((share * n_).min(n_ - 1.0), 0.0).cast<int>().matrix();
   }
-  std::vector<std::size_t>& cell(int u, int v) {
-    return cells_[static_cast<std::size_t>(u * n_ + v)];
+  [[nodiscard]] std::size_t place(int u, int v) const {
+    return static_cast<std::size_t>(u) * static_cast<std::size_t>(n_) + static_cast<std::size_t>(v);
   }
+  std::vector<std::size_t>& cell(int u, int v) { return cells_[place(u, v)]; }
 
   Eigen::AlignedBox2d extent_;
   int n_ = 1;

@@ -104,7 +104,8 @@ void GmlSurfaces::start(const XmlName& name, const XmlAttributes& attributes) {
   if (const std::string_view dimension = attributes.value("srsDimension"); !dimension.empty()) {
     frame.dimension = dimension == "2" ? 2 : 3;
   }
-  if (const std::string_view href = attributes.value("href", kXlinkSpace); href.starts_with('#')) {
+  const std::string_view href = attributes.value("href", kXlinkSpace);
+  if (href.starts_with('#') && href.size() > 1) {
     surfaces_.push_back({{}, {}, std::string(href.substr(1)), frame.is_reversed});
   } else if (!href.empty()) {
     left_out_.add(kForeignReference);

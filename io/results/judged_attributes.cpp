@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace ridgeline::results {
@@ -36,19 +37,38 @@ bool is_json(const std::string& file) {
 bool is_own_file(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return text.find("unexplained_share") != std::string::npos;
+  // A map of judged lines has more layers than the buildings.
+  return text.find("unexplained_share") != std::string::npos &&
+         text.find("signed_mean_m") == std::string::npos;
 }
 
-std::string city_json(const io::LineSet& set, const JudgedModel& model) {
+/// Nothing if buildings of the file share an id.
+std::optional<std::string> city_json(const io::LineSet& set, const JudgedModel& model) {
   io::BuildingValues values;
   for (std::size_t b = 0; b < model.rows.size(); ++b)
     values[model.buildings[b].id] = building_values(model.rows[b], 0);
   return io::with_attributes(set.path, io::text_of_model(set.path), prefixed_columns(), values);
 }
 
+/// Takes away rings and faces that no file of buildings has room for; the reader has counted such faces as without an area.
+void drop_unwritable(io::BuildingModel& model) {
+  constexpr double kFarthest = 1e12;
+  const auto is_bad = [](const io::Ring& ring) {
+    return ring.size() < 3 || std::ranges::any_of(ring, [](const Eigen::Vector3d& x) {
+             return !x.allFinite() || x.cwiseAbs().maxCoeff() > kFarthest;
+           });
+  };
+  std::erase_if(model.faces, [&](const io::ModelFace& face) { return is_bad(face.rings.front()); });
+  for (io::ModelFace& face : model.faces) std::erase_if(face.rings, is_bad);
+}
+
 /// The model as it was read, with the figures behind the attributes of its file.
-io::BuildingModel with_figures(const io::LineSet& set, const JudgedModel& judged) {
+io::BuildingModel with_figures(const io::LineSet& set,
+                               const JudgedModel& judged,
+                               const io::Crs& cloud_crs) {
   io::BuildingModel model = *set.model;
+  model.crs = set.crs.known() ? set.crs : cloud_crs;
+  drop_unwritable(model);
   model.attributes = set.features;
   const std::size_t first = model.attributes.columns.size();
   std::ranges::move(prefixed_columns(), std::back_inserter(model.attributes.columns));
@@ -76,12 +96,14 @@ void write_model_with_figures(const std::string& file, const JudgedFiles& judged
     const ToMap to_map(judged.evaluations[i].origin_m, unit_m_of(set));
     io::write_geopackage(file, set.crs.known() ? set.crs : judged.cloud_crs,
                          model_layers(model, set, to_map));
-  } else if (is_json(file) && set.format.starts_with("CityJSON")) {
-    io::write_file(file, city_json(set, model));
-  } else {
-    io::write_model(file, with_figures(set, model),
-                    is_json(file) ? io::ModelFormat::kCityJson : io::ModelFormat::kCityGml);
+    return;
   }
+  if (is_json(file) && set.format.starts_with("CityJSON")) {
+    if (const std::optional<std::string> text = city_json(set, model))
+      return io::write_file(file, *text);
+  }
+  io::write_model(file, with_figures(set, model, judged.cloud_crs),
+                  is_json(file) ? io::ModelFormat::kCityJson : io::ModelFormat::kCityGml);
 }
 
 }  // namespace ridgeline::results

@@ -131,6 +131,42 @@ TEST_F(Models, DoNotDependOnTheMemoryForPoints) {
   EXPECT_EQ(read(path("parts/buildings.csv")), read(path("whole/buildings.csv")));
 }
 
+TEST_F(Models, LowerRoofsAreJudgedByTheirOwnPlaneAlsoInPieces) {
+  // A flat roof whose level part at a wall is 3 m lower than the house behind; the lower one is two faces side by side.
+  const auto write_house = [&](int n_pieces) {
+    io::BuildingModel model;
+    model.crs = {"EPSG:25832"};
+    model.buildings = {{"h", "2"}};
+    model.attributes.rows.resize(1);
+    const auto add = [&](double x0, double x1, double y0, double y1, double z) {
+      io::Ring ring{{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
+      for (Eigen::Vector3d& x : ring) x += io::kMadeOrigin;
+      model.faces.push_back({{ring}, io::SurfaceKind::kRoof, 0, ""});
+    };
+    add(0, 12, 0, 8, 6);
+    for (int i = 0; i < n_pieces; ++i)
+      add(12.0 * i / n_pieces, 12.0 * (i + 1) / n_pieces, -6, 0, 3);
+    io::write_model(path("h.gml").string(), model, io::ModelFormat::kCityGml);
+  };
+  std::vector<io::CloudPoint> points;
+  for (double x = -6.0; x < 18.0; x += 0.4) {
+    for (double y = -12.0; y < 14.0; y += 0.4) {
+      io::CloudPoint& point = points.emplace_back();
+      const bool is_house = x > 0.0 && x < 12.0;
+      point.x = x;
+      point.y = y;
+      point.z = !is_house || y < -6.0 || y > 8.0 ? 0.0 : y > 0.0 ? 6.0 : 3.0;
+    }
+  }
+  io::write_las(path("scan.las").string(), points, LocalFrame{io::kMadeOrigin}, {"EPSG:25832"});
+  for (const int n_pieces : {1, 2, 3}) {
+    write_house(n_pieces);
+    ASSERT_EQ(judge("h.gml", "out").exit_code, 0);
+    EXPECT_EQ(column("out/buildings.csv", "n_judged_lines"), std::vector<std::string>{"8"});
+    EXPECT_LT(std::stod(column("out/buildings.csv", "worst_distance_m")[0]), 0.01) << n_pieces;
+  }
+}
+
 TEST_F(Models, AreGroupedByAnAttributeAndGatedByBuildings) {
   ASSERT_EQ(judge("town.city.json", "out", {"--by", "roof"}).exit_code, 0);
   EXPECT_THAT(column("out/buildings_by.csv", "value"), testing::ElementsAre("gable", "hip"));

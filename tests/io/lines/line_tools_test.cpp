@@ -103,6 +103,22 @@ TEST(ReadObj, ReadsRoofModels) {
   EXPECT_GT(topolap.lines.size(), 40U);
 }
 
+TEST(ReadObj, ObjectsOfAMeshWithWallsAreItsBuildings) {
+  // Two sheds side by side; a record of two vertices is no face.
+  std::string obj;
+  for (const int x : {0, 5}) {
+    for (const char* const yz : {"0 0", "4 0", "0 3", "4 5"})
+      obj += "v " + std::to_string(x) + " " + yz + "\nv " + std::to_string(x + 4) + " " + yz + "\n";
+  }
+  obj += "f 1 2\no A\nf 5 6 8 7\nf 1 2 6 5\no B\nf 13 14 16 15\nf 9 10 14 13\n";
+  const LineSet set = read_tool("sheds.obj", obj);
+  ASSERT_TRUE(set.model);
+  ASSERT_EQ(set.model->buildings.size(), 2U);
+  EXPECT_EQ(set.model->buildings[1].id, "B");
+  EXPECT_EQ(set.lines.size(), 8U);
+  EXPECT_THAT(set.left_out.text(), HasSubstr("1 face of two vertices"));
+}
+
 std::string binary_ply(bool big_endian) {
   std::string ply = "ply\nformat binary_" + std::string(big_endian ? "big" : "little") +
                     "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

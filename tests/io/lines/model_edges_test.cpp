@@ -156,6 +156,20 @@ TEST(ModelEdges, DuplicateVerticesDoNotDivideOrLoseAnEdge) {
   EXPECT_EQ(lines_of_model(model).lines.size(), lines_of_model(folded(60.0)).lines.size());
 }
 
+TEST(ModelEdges, FacesThatRepeatAreOne) {
+  BuildingModel model = folded(60.0);
+  const std::vector<ModelFace> once = model.faces;
+  for (ModelFace face : once) {
+    std::ranges::reverse(face.rings[0]);
+    face.kind = SurfaceKind::kUnknown;
+    model.faces.push_back(face);
+  }
+  const LineSet set = lines_of_model(model);
+  EXPECT_EQ(set.lines.size(), lines_of_model(folded(60.0)).lines.size());
+  EXPECT_EQ(set.model->faces.size(), once.size());
+  EXPECT_EQ(set.left_out.text(), "2 repeated faces");
+}
+
 TEST(ModelEdges, ThreeRoofFacesAtOneEdgeGiveNoLine) {
   BuildingModel model = folded(60.0);
   ModelFace third = model.faces[0];

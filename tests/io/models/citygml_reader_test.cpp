@@ -195,6 +195,13 @@ TEST_F(CityGml, ReferencesInACircleEnd) {
   EXPECT_THAT(ids_of(read(city_2(building_2("B", solid_2(circle))))), ElementsAre("p"));
 }
 
+TEST_F(CityGml, AReferenceToNothingIsNone) {
+  const BuildingModel model =
+      read(city_2(building_2("B", solid_2(reference_2("") + polygon_2("p", kRoofText)))));
+  EXPECT_THAT(ids_of(model), ElementsAre("p"));
+  EXPECT_FALSE(model.left_out.empty());
+}
+
 TEST_F(CityGml, ALongChainOfReferencesIsFollowed) {
   std::string chain;
   for (int i = 0; i < 100'000; ++i) {

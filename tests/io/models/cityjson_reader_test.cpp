@@ -90,6 +90,17 @@ TEST(CityJson, PartsBelongToTheirBuilding) {
   EXPECT_EQ(model.left_out.text(), "1 SolitaryVegetationObject");
 }
 
+TEST(CityJson, GroupsOfBuildingsAreNoBuildings) {
+  json document = house();
+  json& objects = document["CityObjects"];
+  objects["h1"]["parents"] = {"g"};
+  objects["h2"] = objects["h1"];
+  objects["g"] = {{"type", "CityObjectGroup"}, {"children", {"h1", "h2"}}};
+  const BuildingModel model = read(document);
+  EXPECT_EQ(model.buildings.size(), 2U);
+  EXPECT_EQ(model.left_out.text(), "1 CityObjectGroup");
+}
+
 TEST(CityJson, PartsOfEachOtherEnd) {
   json document = house();
   json& objects = document["CityObjects"];

@@ -101,7 +101,7 @@ TEST_F(ModelFiles, TakeFurtherAttributesAndKeepAllElse) {
   const std::string text = folder_.read("a.json");
   const BuildingValues values{{"2", {{0, std::string("right")}, {1, 0.25}}}, {"none", {{1, 1.0}}}};
   const nlohmann::json before = nlohmann::json::parse(text);
-  nlohmann::json after = nlohmann::json::parse(with_attributes("a.json", text, columns, values));
+  nlohmann::json after = nlohmann::json::parse(*with_attributes("a.json", text, columns, values));
   EXPECT_EQ(after["CityObjects"]["2"]["attributes"]["verdict"], "right");
   EXPECT_EQ(after["CityObjects"]["2"]["attributes"]["rms_m"], 0.25);
   for (const char* const name : {"verdict", "rms_m"})
