@@ -22,6 +22,7 @@ Metric metric_of(const Gate& gate) {
   for (const Metric& m : accuracy_metrics()) known.push_back(m.name);
   for (const Metric& m : matching_metrics()) known.push_back(m.name);
   for (const Metric& m : track_metrics()) known.push_back(m.name);
+  for (const Metric& m : building_metrics()) known.push_back(m.name);
   check(metric.has_value(), "metric: ", gate.metric, "; must be one of ",
         fmt::format("{}", fmt::join(known, ", ")));
   return *metric;

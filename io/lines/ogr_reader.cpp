@@ -217,7 +217,7 @@ class OgrReader {
     std::map<std::string, std::string> by_lod;
     std::set<std::string> lods;
     for (OGRLayer* layer : layers) {
-      const std::string name = name_of(layer);
+      std::string name = name_of(layer);
       if (name == "lines") return name;
       if (lods.insert(lod_of(name)).second) by_lod[lod_of(name)] = name;
     }

@@ -22,7 +22,8 @@ constexpr std::string_view kKeys =
 #           Lines without classes are judged as total; classes come from images (run, demo,
 #           evaluate --patch PATCH.yaml) or from a column class of the line file.
 #   n_images  only lines of so many images, 2 to 5, where 5 is five and more; all if left out
-#   within_m  of buildings_within_m: the largest RMS of a building's lines that is good
+#   within_m  of buildings_within_m: the largest RMS of a building's lines that is good, as in
+#           {metric: buildings_within_m, within_m: 0.20, min: 0.90}
 #   patch   the patch's id; each patch if left out
 #   method  direct, joint, network or planes; after evaluate the line file's name without extension;
 #           for the figures of matching the matcher: pairwise, chio or both. If left out:
@@ -59,9 +60,6 @@ gates:
   # - {metric: correctness, min: 0.95}
   # - {metric: completeness, min: 0.90}
   # - {metric: quality, min: 0.85}
-
-  # Of models of buildings, or of lines with a column building:
-  # - {metric: buildings_within_m, within_m: 0.20, min: 0.90}
 
   # Against --baseline DIR:
   # - {class: total, metric: rms_m, max_increase_over_baseline: 0.02}

@@ -6,6 +6,7 @@
 #include "io/results/judged_lines.h"
 #include "io/results/point_budget.h"
 #include "reconstruct/geometry/plan_box.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/format.h>
 
@@ -84,8 +85,8 @@ class ModelJudge {
     }
     if (!near) near = cloud_.read(mask_of(members));
     const evaluate::PointGrid grid = grid_of(*near);
-    std::vector<RoofBuilding> buildings;
-    for (const std::size_t i : members) buildings.push_back(judged_.buildings[i]);
+    const auto buildings =
+        transformed(members, [&](std::size_t i) { return judged_.buildings[i]; });
     auto faces = evaluate::judge_faces(grid, buildings, options_);
     for (std::size_t k = 0; k < group.size(); ++k) judged_.faces[members[k]] = std::move(faces[k]);
   }
@@ -103,8 +104,11 @@ class ModelJudge {
     std::vector<Segment2> rows;
     for (const std::size_t i : members) {
       const Eigen::AlignedBox2d box = grown(boxes_[i], neighbour_reach_m());
-      for (double y = box.min().y(); y < box.max().y() + kRow_m; y += kRow_m)
+      const int n_rows = static_cast<int>(box.sizes().y() / kRow_m) + 2;
+      for (int row = 0; row < n_rows; ++row) {
+        const double y = box.min().y() + kRow_m * row;
         rows.push_back({{box.min().x(), y}, {box.max().x(), y}});
+      }
     }
     return {rows, kRow_m};
   }
