@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <set>
+#include <string>
 #include <string_view>
 #include <variant>
 
