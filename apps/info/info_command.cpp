@@ -36,7 +36,8 @@ namespace {
 constexpr const char* kKnownKinds =
     "known are point clouds (LAS, LAZ, COPC, PCD, PLY, text), lines (GeoJSON, GeoPackage, "
     "Shapefile, DXF, CSV, WKT, OBJ, "
-    "PLY), images (TIFF, PNG, JPEG, JPEG 2000), orientations (omega-phi-kappa, OpenSfM, Pix4D, "
+    "PLY), models of buildings (CityJSON, CityGML), images (TIFF, PNG, JPEG, JPEG 2000), "
+    "orientations (omega-phi-kappa, OpenSfM, Pix4D, "
     "Inpho, PAT-B, "
     "BlocksExchange, Metashape, COLMAP), patch, gates and config files, tables of matches and "
     "segments, and folders of "
@@ -338,6 +339,7 @@ void print_facts(const std::string& path, const Arguments& arguments) {
     case io::FileGroup::kPly:
       return is_line_ply(path) ? print_lines(path) : print_cloud(path, max_resolution_m);
     case io::FileGroup::kLines:
+    case io::FileGroup::kModel:
     case io::FileGroup::kLineFolder:
       return print_lines(path);
     case io::FileGroup::kOther:

@@ -229,6 +229,7 @@ TEST_F(Models, AreShownByInfoWithoutAWarning) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("CityJSON 2.0, edges of roofs"),
                                 HasSubstr("buildings   4 of LoD 2; "), HasSubstr(" ridge"),
                                 Not(HasSubstr("warning"))));
+  EXPECT_THAT(run({"info", "town.gml"}).out, HasSubstr("buildings   4 of LoD 2; "));
 }
 
 TEST_F(Models, TablesOfAnEarlierRunDoNotStay) {
