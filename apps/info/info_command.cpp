@@ -13,7 +13,6 @@
 #include "io/kinds/recognise.h"
 #include "io/lines/line_facts.h"
 #include "io/lines/read_lines.h"
-#include "io/models/face_roles.h"
 #include "io/project/patch.h"
 #include "io/results/judged_lines.h"
 #include "io/text/text.h"
@@ -133,7 +132,8 @@ void print_buildings(const io::LineSet& set) {
     return transformed(
         counts, [](const auto& entry) { return fmt::format("{} {}", entry.second, entry.first); });
   };
-  const auto n_roofs = std::ranges::count(io::roles_of(*set.model), io::SurfaceKind::kRoof);
+  const auto n_roofs =
+      std::ranges::count(set.model->faces, io::SurfaceKind::kRoof, &io::ModelFace::kind);
   fmt::print("  buildings   {}; {} roof faces\n  kinds       {}\n", fmt::join(listed(lods), ", "),
              n_roofs, fmt::join(listed(kinds), ", "));
 }

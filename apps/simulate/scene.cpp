@@ -100,7 +100,7 @@ io::BuildingModel true_model(const Scene& scene) {
   for (const SceneFace& face : scene.faces) {
     io::ModelFace out;
     for (const std::vector<Eigen::Vector3d>& ring : face.rings) {
-      io::Ring& ring_in_world = out.rings.emplace_back();
+      Ring& ring_in_world = out.rings.emplace_back();
       for (const Eigen::Vector3d& x : ring)
         ring_in_world.push_back(scene.frame.world_from_local(x));
     }

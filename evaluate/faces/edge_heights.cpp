@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/edge_heights.h"
 
-#include "reconstruct/geometry/degrees.h"
-#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/box_index.h"
+#include "reconstruct/geometry/ring.h"
+#include "reconstruct/geometry/roof_edge.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Dense>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -13,8 +16,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kLevelEdge_rad = 5.0 * kRadPerDeg;  // as in roof_kind.cpp, also for faces
-constexpr double kTouching_m = 0.05;                 // of edges that models give as one
+constexpr double kTouching_m = 0.05;  // of edges that models give as one
 
 /// Where a face lies from one of its level edges.
 enum class Side : std::uint8_t { kBelow, kAbove, kBeside };
@@ -25,27 +27,12 @@ struct LevelEdge {
   Side side;
 };
 
-bool is_counter_clockwise(const std::vector<Eigen::Vector3d>& ring) {
-  double twice_area = 0.0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    const Eigen::Vector3d a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
-    twice_area += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice_area > 0.0;
-}
-
 Side side_of(const RoofFace& face, const Segment3& edge, bool counter_clockwise) {
-  if (slope_rad(face.plane) < kLevelEdge_rad) return Side::kBeside;
+  if (slope_rad(face.plane) < kLevelRoof_rad) return Side::kBeside;
   const Eigen::Vector3d along = edge.end - edge.start;
   const double sign = counter_clockwise ? 1.0 : -1.0;
   const Eigen::Vector2d inwards(-sign * along.y(), sign * along.x());
   return inwards.dot(face.plane.normal().head<2>()) > 0.0 ? Side::kBelow : Side::kAbove;
-}
-
-bool is_level(const Segment3& edge) {
-  const Eigen::Vector3d d = edge.end - edge.start;
-  return d.head<2>().norm() > 0.0 &&
-         std::atan2(std::abs(d.z()), d.head<2>().norm()) < kLevelEdge_rad;
 }
 
 /// The level edges of all faces' outer rings.
@@ -54,23 +41,38 @@ std::vector<LevelEdge> level_edges(std::span<const RoofFace> faces) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (faces[f].degenerate) continue;
     const std::vector<Eigen::Vector3d>& ring = faces[f].rings.front();
-    const bool counter_clockwise = is_counter_clockwise(ring);
+    const bool counter_clockwise = area_vector(ring).z() > 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Segment3 edge{ring[i], ring[(i + 1) % ring.size()]};
-      if (is_level(edge)) edges.push_back({f, edge, side_of(faces[f], edge, counter_clockwise)});
+      if (is_level(edge) && length(plan(edge)) > 0.0)
+        edges.push_back({f, edge, side_of(faces[f], edge, counter_clockwise)});
     }
   }
   return edges;
 }
 
-/// The edge of another face at the middle of this one, or nullptr.
-const LevelEdge* partner_of(const LevelEdge& edge, const std::vector<LevelEdge>& edges) {
-  for (const LevelEdge& other : edges) {
-    const bool touches = distance(other.segment, midpoint(edge.segment)) <= kTouching_m;
-    if (other.face != edge.face && touches) return &other;
+/// Finds the edge of another face at the middle of an edge.
+class Partners {
+ public:
+  explicit Partners(const std::vector<LevelEdge>& edges)
+      : edges_(edges), index_(transformed(edges, [](const LevelEdge& edge) {
+          return plan_box_of(std::array{edge.segment.start, edge.segment.end});
+        })) {}
+
+  /// The first such edge, or nullptr.
+  [[nodiscard]] const LevelEdge* of(const LevelEdge& edge) const {
+    const Eigen::Vector3d middle = midpoint(edge.segment);
+    for (const std::size_t i : index_.near(Eigen::AlignedBox2d(middle.head<2>()), kTouching_m)) {
+      const LevelEdge& other = edges_[i];
+      if (other.face != edge.face && distance(other.segment, middle) <= kTouching_m) return &other;
+    }
+    return nullptr;
   }
-  return nullptr;
-}
+
+ private:
+  const std::vector<LevelEdge>& edges_;
+  BoxIndex index_;
+};
 
 /// How high the edge lies above the line in which two planes meet; nothing for planes that are nearly parallel.
 std::optional<double> above_intersection_m(const LevelEdge& edge,
@@ -102,13 +104,14 @@ EdgeHeights edge_heights(std::span<const RoofFace> faces,
     return evaluations[face].status == FaceStatus::kEvaluated;
   };
   const std::vector<LevelEdge> edges = level_edges(faces);
+  const Partners partners(edges);
   Mean ridge, eave;
   for (const LevelEdge& edge : edges) {
     if (!is_judged(edge.face)) continue;
     const Plane3& plane = evaluations[edge.face].fit.plane;
     const Eigen::Vector3d middle = midpoint(edge.segment);
     const double above_plane_m = middle.z() - height_at(plane, middle.head<2>());
-    const LevelEdge* partner = partner_of(edge, edges);
+    const LevelEdge* partner = partners.of(edge);
     if (edge.side != Side::kBelow) {
       if (!partner) eave.add(above_plane_m, length(edge.segment));
       continue;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/judge_faces.h"
 
-#include "evaluate/faces/face_index.h"
 #include "evaluate/faces/judge_face.h"
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/field.h"
 #include "reconstruct/geometry/interruption.h"
 
@@ -24,11 +24,11 @@ std::vector<const RoofFace*> all_faces(std::span<const RoofBuilding> buildings) 
   return faces;
 }
 
-FaceIndex index_of(const std::vector<const RoofFace*>& faces) {
+BoxIndex index_of(const std::vector<const RoofFace*>& faces) {
   std::vector<Eigen::AlignedBox2d> boxes;
   boxes.reserve(faces.size());
   for (const RoofFace* face : faces) boxes.push_back(face->plan.box());
-  return FaceIndex(boxes);
+  return BoxIndex(std::move(boxes));
 }
 
 /// The faces within reach of each one, with the planes found for them.
@@ -55,7 +55,7 @@ class Neighbours {
 
  private:
   const std::vector<const RoofFace*>& faces_;
-  FaceIndex index_;
+  BoxIndex index_;
   double reach_m_;
   std::vector<std::optional<PlaneFit>> fits_;
 };

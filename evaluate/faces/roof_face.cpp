@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/roof_face.h"
 
+#include "reconstruct/geometry/ring.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 
 namespace ridgeline::evaluate {
 namespace {
-
-using Ring = std::vector<Eigen::Vector3d>;
 
 constexpr double kFarthest_m = 1e7;  // as in_range() of lines
 constexpr double kLongest_m = 1e4;   // a fault of the file, not a roof
@@ -27,21 +27,6 @@ bool is_fit(const std::vector<Ring>& rings) {
     }
   }
   return box.sizes().maxCoeff() <= kLongest_m;
-}
-
-/// The normal of a ring, as long as its area.
-Eigen::Vector3d area_vector(const Ring& ring) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    sum += (ring[i] - ring[0]).cross(ring[i + 1] - ring[0]);
-  }
-  return 0.5 * sum;
-}
-
-Eigen::Vector3d mean_of(const Ring& ring) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& x : ring) sum += x - ring[0];
-  return ring[0] + sum / static_cast<double>(ring.size());
 }
 
 }  // namespace

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/roof_kind.h"
 
-#include <cmath>
-#include <numbers>
+#include "reconstruct/geometry/roof_edge.h"
+
 #include <tuple>
 #include <vector>
 
 namespace ridgeline::evaluate {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180.0;
-constexpr double kLevelLine_rad = 5.0 * kRadians;
-constexpr double kLevelPlane_rad = 5.0 * kRadians;
-
-double rise_rad(const Segment3& s) {
-  const Eigen::Vector3d d = s.end - s.start;
-  return std::atan2(std::abs(d.z()), d.head<2>().norm());
-}
 
 /// Distance of the middle of a plane's points above another plane.
 double height_above(const PlanesById& planes, std::uint64_t id, const Plane3& other) {
@@ -34,13 +25,6 @@ bool is_convex(const LineEvaluation& line, const PlanesById& planes) {
   return height_above(planes, a.id, b.plane) + height_above(planes, b.id, a.plane) < 0.0;
 }
 
-std::string kind_of_border(const Plane3& plane, const Segment3& segment) {
-  if (slope_rad(plane) < kLevelPlane_rad) return "step";
-  const Eigen::Vector2d down = plane.normal().head<2>().normalized();
-  const Eigen::Vector2d along = (segment.end - segment.start).head<2>().normalized();
-  return std::abs(down.dot(along)) < std::numbers::sqrt2 / 2.0 ? "eave" : "verge";
-}
-
 }  // namespace
 
 std::string roof_kind(const LineEvaluation& line,
@@ -49,7 +33,7 @@ std::string roof_kind(const LineEvaluation& line,
   if (line.planes.empty()) return "";
   if (line.planes.size() == 1) return kind_of_border(line.planes[0].plane, segment_in_local);
   if (!is_convex(line, planes)) return "valley";
-  return rise_rad(segment_in_local) < kLevelLine_rad ? "ridge" : "hip";
+  return is_level(segment_in_local) ? "ridge" : "hip";
 }
 
 }  // namespace ridgeline::evaluate

@@ -2,7 +2,7 @@
 #include "io/lines/feature_collector.h"
 
 #include "io/lines/model_edges.h"
-#include "io/models/face_roles.h"
+#include "io/models/face_geometry.h"
 
 #include <fmt/format.h>
 

@@ -2,14 +2,14 @@
 #include "io/lines/mesh_edges.h"
 
 #include "io/lines/model_edges.h"
-#include "io/models/face_roles.h"
+#include "io/models/face_geometry.h"
 #include "io/models/face_seams.h"
+#include "reconstruct/geometry/disjoint_sets.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -40,57 +40,38 @@ void append_distinct_edges(const Vertices& vertices,
   }
 }
 
-/// The polygons as faces of one building; those that are none lose their objects as well.
-BuildingModel model_of(Mesh& mesh) {
+/// The polygons as faces of one building.
+BuildingModel model_of(const Mesh& mesh) {
   BuildingModel model;
-  const bool has_objects = mesh.objects.size() == mesh.polygons.size();
-  std::vector<std::string> objects;
-  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-    const IndexList& polygon = mesh.polygons[i];
-    Ring ring = transformed(polygon, [&](std::size_t k) { return mesh.vertices[k]; });
-    if (ring.size() < 3) {
-      model.left_out.add({"face of two vertices", "faces of two vertices"});
-      continue;
-    }
-    model.faces.push_back({{std::move(ring)}, SurfaceKind::kUnknown, 0, ""});
-    if (has_objects) objects.push_back(mesh.objects[i]);
+  for (const IndexList& polygon : mesh.polygons) {
+    const auto place_of = [&](std::size_t i) { return mesh.vertices[i]; };
+    model.faces.push_back({{transformed(polygon, place_of)}, SurfaceKind::kUnknown, 0, ""});
   }
-  mesh.objects = std::move(objects);
   return model;
 }
 
-/// The lowest number of the faces that a face hangs together with, for each face.
-std::vector<std::size_t> connected_faces(const std::vector<ModelFace>& faces) {
-  std::vector<std::size_t> parent(faces.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const FaceSeam& seam : seams_of(faces)) {
-    for (const std::size_t face : seam.faces) {
-      const std::size_t a = root(seam.faces[0]), b = root(face);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+/// Names of what hangs together, for each face.
+std::vector<std::string> connected_parts(const std::vector<ModelFace>& faces) {
+  DisjointSets parts(faces.size());
+  for (const FaceSeam& seam : seams_of(faces))
+    for (const std::size_t face : seam.faces) parts.join(seam.faces[0], face);
+  std::map<std::size_t, std::size_t> numbers;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto number = numbers.try_emplace(parts.name_of(i), numbers.size() + 1).first->second;
+    names.push_back(std::to_string(number));
   }
-  std::vector<std::size_t> lowest;
-  for (std::size_t i = 0; i < faces.size(); ++i) lowest.push_back(root(i));
-  return lowest;
+  return names;
 }
 
-/// Gives each face its building, and puts the faces of a building together.
-void divide(const Mesh& mesh, BuildingModel& model) {
-  const bool has_objects = mesh.objects.size() == model.faces.size();
-  const std::vector<std::size_t> connected =
-      has_objects ? std::vector<std::size_t>() : connected_faces(model.faces);
+/// Gives each face its building.
+void divide(const std::vector<std::string>& names, BuildingModel& model) {
   std::map<std::string, std::size_t> numbers;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
-    const std::string key = has_objects ? mesh.objects[i] : std::to_string(connected[i]);
-    const auto [entry, is_new] = numbers.try_emplace(key, model.buildings.size());
-    if (is_new) model.buildings.push_back({has_objects ? key : std::to_string(numbers.size()), ""});
+    const auto [entry, is_new] = numbers.try_emplace(names[i], model.buildings.size());
+    if (is_new) model.buildings.push_back({names[i], ""});
     model.faces[i].building = entry->second;
   }
-  std::ranges::stable_sort(model.faces, {}, &ModelFace::building);
   model.attributes.rows.resize(model.buildings.size());
 }
 
@@ -103,14 +84,14 @@ bool has_walls(const BuildingModel& model) {
 
 }  // namespace
 
-void append_mesh(Mesh mesh, LineSet& set) {
+void append_mesh(const Mesh& mesh, LineSet& set) {
   BuildingModel model = model_of(mesh);
   if (!has_walls(model)) {
     set.format += ", edges of faces";
     return append_distinct_edges(mesh.vertices, mesh.polygons, set);
   }
   refuse_more_lines(set, model.faces.size());
-  divide(mesh, model);
+  divide(mesh.objects.empty() ? connected_parts(model.faces) : mesh.objects, model);
   model.path = set.path;
   model.format = set.format;
   set = lines_of_model(std::move(model));

@@ -17,7 +17,7 @@ using IndexList = std::vector<std::size_t>;
 struct Mesh {
   Vertices vertices;
   std::vector<IndexList> polygons;
-  std::vector<std::string> objects;  ///< names of the things that polygons belong to; may be empty
+  std::vector<std::string> objects;  ///< for each polygon the name of its thing; empty without
 };
 
 /// Adds the edges of a mesh. If it has walls, faces steeper than 80 degrees, it is a model of buildings, whose roofs give the lines
@@ -25,6 +25,6 @@ struct Mesh {
 /// Of any other mesh each distinct edge is added once, in the order of first occurrence. Edges are the
 /// same if their end points have equal coordinates, in either direction: many models repeat the
 /// vertices for each face. Edges of zero length are left out, they bound nothing.
-void append_mesh(Mesh mesh, LineSet& set);
+void append_mesh(const Mesh& mesh, LineSet& set);
 
 }  // namespace ridgeline::io

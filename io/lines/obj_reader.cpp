@@ -201,7 +201,7 @@ LineSet read_obj(const std::string& path, std::string_view content, bool vertex_
     const bool has_objects =
         std::ranges::any_of(obj.objects, [](const auto& o) { return !o.empty(); });
     if (has_objects) mesh.objects = obj.objects;
-    append_mesh(std::move(mesh), set);
+    append_mesh(mesh, set);
   } else if (!obj.vertices.empty()) {
     throw IoError(path,
                   "has vertices but no l and no f records; --pairs takes vertices two by two");

@@ -2,6 +2,7 @@
 #include "io/models/building_faces.h"
 
 #include "io/error.h"
+#include "io/models/face_geometry.h"
 #include "io/models/lod.h"
 
 #include <algorithm>
@@ -26,18 +27,6 @@ std::optional<std::string> lod_of_building(const std::vector<GeometryProperty>& 
     if (!is_empty && !property.is_extra) lods.insert(std::to_string(property.lod));
   }
   return chosen_lod(lods, options.lod);
-}
-
-using Outline = std::vector<std::array<double, 3>>;
-
-/// The vertices of a ring in an order that depends neither on its start nor on its direction.
-Outline outline_of(const Ring& ring) {
-  Outline outline;
-  outline.reserve(ring.size());
-  for (const Eigen::Vector3d& vertex : ring)
-    outline.push_back({vertex.x(), vertex.y(), vertex.z()});
-  std::ranges::sort(outline);
-  return outline;
 }
 
 /// Chooses the polygons of one building that become faces.

@@ -4,6 +4,7 @@
 #include "io/crs/crs.h"
 #include "io/gdal/attribute_table.h"
 #include "io/text/kind_counts.h"
+#include "reconstruct/geometry/ring.h"
 
 #include <Eigen/Core>
 
@@ -20,12 +21,9 @@ namespace ridgeline::io {
 /// What a model says that a face is. Interior surfaces, openings and the like are kOther.
 enum class SurfaceKind : std::uint8_t { kUnknown, kRoof, kWall, kGround, kOther };
 
-/// A ring in the coordinates of the file; its last vertex is not the first one again.
-using Ring = std::vector<Eigen::Vector3d>;
-
 /// A flat face of a building.
 struct ModelFace {
-  std::vector<Ring> rings;  ///< the outer one, then holes; three vertices each, at least
+  std::vector<Ring> rings;  ///< the outer one, then holes, in the coordinates of the file
   SurfaceKind kind = SurfaceKind::kUnknown;
   std::size_t building = 0;  ///< place in BuildingModel::buildings
   std::string id;            ///< of the surface, if the file gives it one; may be empty

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/models/face_seams.h"
 
+#include "reconstruct/geometry/box_index.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,13 +66,12 @@ bool is_usable(const Eigen::Vector3d& x) {
 /// An edge of a face, or a part of it without a node between its ends.
 struct Piece {
   std::size_t from = 0, to = 0;
-  std::vector<std::size_t> regions, faces;  ///< ascending by region; a face of each
+  std::vector<std::size_t> faces;  ///< ascending
 };
 
 class Seams {
  public:
-  Seams(std::span<const ModelFace> faces, std::span<const std::size_t> regions)
-      : regions_(regions) {
+  explicit Seams(std::span<const ModelFace> faces) {
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (const Ring& ring : faces[i].rings) add_ring(ring, i);
     split_at_nodes();
@@ -90,9 +91,7 @@ class Seams {
       prolong(i, chain);
       std::ranges::reverse(chain);
       prolong(i, chain);
-      seams.push_back({{nodes_[chain.back()], nodes_[chain.front()]},
-                       {nodes_[pieces_[i].from], nodes_[pieces_[i].to]},
-                       pieces_[i].faces});
+      seams.push_back({{nodes_[chain.back()], nodes_[chain.front()]}, pieces_[i].faces});
     }
     return seams;
   }
@@ -103,22 +102,20 @@ class Seams {
       const Eigen::Vector3d &start = ring[i], &end = ring[(i + 1) % ring.size()];
       if (!is_usable(start) || !is_usable(end)) continue;
       const std::size_t a = nodes_.number_of(start), b = nodes_.number_of(end);
-      if (a != b) edges_.push_back({a, b, {}, {face}});
+      if (a != b) edges_.push_back({a, b, {face}});
     }
   }
 
   void split_at_nodes() {
-    std::vector<std::size_t> by_x(nodes_.size());
-    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-    const auto x_of = [&](std::size_t node) { return nodes_[node].x(); };
-    std::ranges::sort(by_x, {}, x_of);
+    std::vector<Eigen::AlignedBox2d> places;
+    for (std::size_t node = 0; node < nodes_.size(); ++node)
+      places.emplace_back(nodes_[node].head<2>());
+    const BoxIndex index(std::move(places));
     for (const Piece& edge : edges_) {
+      const std::array ends{nodes_[edge.from], nodes_[edge.to]};
       std::vector<std::pair<double, std::size_t>> on_edge;
-      const auto [low, high] = std::minmax({x_of(edge.from), x_of(edge.to)});
-      for (auto it = std::ranges::lower_bound(by_x, low - kSame, {}, x_of);
-           it != by_x.end() && x_of(*it) <= high + kSame; ++it) {
-        if (const auto t = place_on(edge, *it)) on_edge.emplace_back(*t, *it);
-      }
+      for (const std::size_t node : index.near(plan_box_of(ends), kSame))
+        if (const auto t = place_on(edge, node)) on_edge.emplace_back(*t, node);
       std::ranges::sort(on_edge);
       std::size_t from = edge.from;
       for (const auto& [t, node] : on_edge)
@@ -130,32 +127,25 @@ class Seams {
 
   /// The parameter of a node that lies within an edge.
   [[nodiscard]] std::optional<double> place_on(const Piece& edge, std::size_t node) const {
+    if (node == edge.from || node == edge.to) return std::nullopt;
     const Segment3 segment{nodes_[edge.from], nodes_[edge.to]};
-    const Eigen::Vector3d& x = nodes_[node];
-    const auto [low, high] = std::minmax(segment.start.y(), segment.end.y());
-    if (node == edge.from || node == edge.to || x.y() < low - kSame || x.y() > high + kSame)
+    const double t = parameter_along(segment, nodes_[node]);
+    if (t <= 0.0 || t >= 1.0 || (point_at(segment, t) - nodes_[node]).norm() > kSame)
       return std::nullopt;
-    const double t = parameter_along(segment, x);
-    if (t <= 0.0 || t >= 1.0 || (point_at(segment, t) - x).norm() > kSame) return std::nullopt;
     return t;
   }
 
   void add_piece(std::size_t from, std::size_t to, std::size_t face) {
     const auto [entry, is_new] =
         piece_of_.try_emplace({std::min(from, to), std::max(from, to)}, pieces_.size());
-    if (is_new) pieces_.push_back({from, to, {}, {}});
-    auto& [piece_from, piece_to, regions, faces] = pieces_[entry->second];
-    const std::size_t region = regions_.empty() ? face : regions_[face];
-    const auto place = std::ranges::lower_bound(regions, region) - regions.begin();
-    // A region that comes to an edge a second time lies on both sides of it.
-    const bool is_there = place < std::ssize(regions) && regions[place] == region;
-    if (is_there) {
-      regions.erase(regions.begin() + place);
-      faces.erase(faces.begin() + place);
-    } else {
-      regions.insert(regions.begin() + place, region);
-      faces.insert(faces.begin() + place, face);
-    }
+    if (is_new) pieces_.push_back({from, to, {}});
+    std::vector<std::size_t>& faces = pieces_[entry->second].faces;
+    const auto place = std::ranges::lower_bound(faces, face);
+    // A face that comes to an edge a second time lies on both sides of it.
+    if (place != faces.end() && *place == face)
+      faces.erase(place);
+    else
+      faces.insert(place, face);
   }
 
   /// Adds pieces behind the last node of the chain while they run straight on between the same faces.
@@ -163,7 +153,7 @@ class Seams {
     for (bool is_longer = true; is_longer;) {
       is_longer = false;
       for (const std::size_t i : at_node_[chain.back()]) {
-        if (is_joined_[i] || pieces_[i].regions != pieces_[first].regions) continue;
+        if (is_joined_[i] || pieces_[i].faces != pieces_[first].faces) continue;
         const std::size_t end = pieces_[i].from == chain.back() ? pieces_[i].to : pieces_[i].from;
         if (!is_straight(chain, end)) continue;
         is_joined_[i] = true;
@@ -187,7 +177,6 @@ class Seams {
     return true;
   }
 
-  std::span<const std::size_t> regions_;
   Nodes nodes_;
   std::vector<Piece> edges_;
   std::vector<Piece> pieces_;
@@ -198,9 +187,6 @@ class Seams {
 
 }  // namespace
 
-std::vector<FaceSeam> seams_of(std::span<const ModelFace> faces,
-                               std::span<const std::size_t> regions) {
-  return Seams(faces, regions).join();
-}
+std::vector<FaceSeam> seams_of(std::span<const ModelFace> faces) { return Seams(faces).join(); }
 
 }  // namespace ridgeline::io

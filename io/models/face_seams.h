@@ -13,17 +13,12 @@ namespace ridgeline::io {
 /// A straight piece of the borders of faces, along which the same faces meet.
 struct FaceSeam {
   Segment3 segment;
-  Segment3 part;  ///< a part of it along which `faces` meet
-  std::vector<std::size_t>
-      faces;  ///< numbers of the faces, one of each region, in the order of the regions
+  std::vector<std::size_t> faces;  ///< numbers of the faces, ascending
 };
 
 /// All edges of faces, each once, as long as its faces stay the same. Vertices within 1 cm are one. Faces meet where their edges run
 /// along each other, also if a vertex of one lies within an edge of another. An edge that one face has twice, as the bridge to a hole
 /// in a ring, is none of that face. Edges that are not finite are left out. In the order in which the faces have them.
-/// `regions`: a number for each face; faces of one number are one face, so that the edges between them are none. If it is empty, each
-/// face is its own.
-std::vector<FaceSeam> seams_of(std::span<const ModelFace> faces,
-                               std::span<const std::size_t> regions = {});
+std::vector<FaceSeam> seams_of(std::span<const ModelFace> faces);
 
 }  // namespace ridgeline::io

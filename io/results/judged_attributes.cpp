@@ -50,25 +50,12 @@ std::optional<std::string> city_json(const io::LineSet& set, const JudgedModel& 
   return io::with_attributes(set.path, io::text_of_model(set.path), prefixed_columns(), values);
 }
 
-/// Takes away rings and faces that no file of buildings has room for; the reader has counted such faces as without an area.
-void drop_unwritable(io::BuildingModel& model) {
-  constexpr double kFarthest = 1e12;
-  const auto is_bad = [](const io::Ring& ring) {
-    return ring.size() < 3 || std::ranges::any_of(ring, [](const Eigen::Vector3d& x) {
-             return !x.allFinite() || x.cwiseAbs().maxCoeff() > kFarthest;
-           });
-  };
-  std::erase_if(model.faces, [&](const io::ModelFace& face) { return is_bad(face.rings.front()); });
-  for (io::ModelFace& face : model.faces) std::erase_if(face.rings, is_bad);
-}
-
-/// The model as it was read, with the figures behind the attributes of its file.
+/// The settled model, with the figures behind the attributes of its file.
 io::BuildingModel with_figures(const io::LineSet& set,
                                const JudgedModel& judged,
                                const io::Crs& cloud_crs) {
   io::BuildingModel model = *set.model;
   model.crs = set.crs.known() ? set.crs : cloud_crs;
-  drop_unwritable(model);
   model.attributes = set.features;
   const std::size_t first = model.attributes.columns.size();
   std::ranges::move(prefixed_columns(), std::back_inserter(model.attributes.columns));

@@ -2,7 +2,7 @@
 #include "io/results/judged_lines.h"
 
 #include "io/error.h"
-#include "io/models/face_roles.h"
+#include "io/models/face_geometry.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/segment.h"
 #include "reconstruct/geometry/transformed.h"
@@ -105,23 +105,14 @@ JudgedLine judged_line(const io::Line& line,
   return judged;
 }
 
-/// The inside of the only roof face of an edge, in plan. The face is the first of those in one plane along the edge, which may have a
-/// part of it only.
+/// The inside of the only roof face of an edge, in plan.
 std::optional<Eigen::Vector2d> inside_of_border(const io::Line& line,
                                                 const io::BuildingModel& model) {
   if (line.plane_ids.size() != 1) return std::nullopt;
   const io::ModelFace& face = model.faces[static_cast<std::size_t>(line.plane_ids[0])];
-  const std::optional<Plane3> plane = io::plane_of(face);
-  if (!plane) return std::nullopt;
-  constexpr int kParts = 64;
-  for (int part = 0; part < kParts; ++part) {
-    const double t = ((kParts / 2 + part) % kParts + 0.5) / kParts;  // from the middle on
-    const Eigen::Vector3d x = point_at(line.segment_in_world, t);
-    const Eigen::Vector3d way = line.segment_in_world.end - line.segment_in_world.start;
-    const auto inward = io::inward_of(face, *plane, {x - way / kParts, x + way / kParts});
-    if (inward && !inward->head<2>().isZero()) return inward->head<2>().normalized();
-  }
-  return std::nullopt;
+  const auto inward = io::inward_of(face, *io::plane_of(face), line.segment_in_world);
+  if (!inward || inward->head<2>().isZero()) return std::nullopt;
+  return inward->head<2>().normalized();
 }
 
 std::vector<ProjectionMatrix> cameras_of(const std::optional<io::PatchFile>& patch) {

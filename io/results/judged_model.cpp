@@ -2,7 +2,6 @@
 #include "io/results/judged_model.h"
 
 #include "evaluate/faces/judge_faces.h"
-#include "io/models/face_roles.h"
 #include "io/results/judged_lines.h"
 #include "io/results/point_budget.h"
 #include "reconstruct/geometry/plan_box.h"
@@ -28,14 +27,13 @@ JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const 
   JudgedModel judged;
   judged.buildings.resize(model.buildings.size());
   judged.numbers.resize(model.buildings.size());
-  const std::vector<io::SurfaceKind> roles = io::roles_of(model);
   for (std::size_t i = 0; i < model.buildings.size(); ++i)
     judged.buildings[i].id = model.buildings[i].id;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
     const io::ModelFace& face = model.faces[i];
-    if (roles[i] != io::SurfaceKind::kRoof) continue;
-    std::vector<io::Ring> rings = face.rings;
-    for (io::Ring& ring : rings)
+    if (face.kind != io::SurfaceKind::kRoof) continue;
+    std::vector<Ring> rings = face.rings;
+    for (Ring& ring : rings)
       for (Eigen::Vector3d& x : ring) x = frame.local_from_world(x.cwiseProduct(unit_m)) + by_m;
     RoofBuilding& building = judged.buildings[face.building];
     building.faces.push_back(evaluate::make_roof_face(

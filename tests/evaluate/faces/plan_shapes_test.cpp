@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/covered_share.h"
-#include "evaluate/faces/face_index.h"
 #include "evaluate/faces/plan_polygon.h"
 #include "tests/support/random.h"
 
@@ -13,7 +12,6 @@ namespace ridgeline::test {
 namespace {
 
 using evaluate::covered_share;
-using evaluate::FaceIndex;
 using evaluate::PlanPolygon;
 using V2 = Eigen::Vector2d;
 using V = Eigen::Vector3d;
@@ -76,23 +74,6 @@ TEST(CoveredShare, TakesNoPlacesInAHole) {
 TEST(CoveredShare, StaysFastForAHugeFace) {
   const PlanPolygon huge({{V(0, 0, 0), V(9999, 0, 0), V(9999, 9999, 0), V(0, 9999, 0)}});
   EXPECT_LT(covered_share(huge, std::vector{V2(5, 5)}, 0.01), 1e-4);
-}
-
-TEST(FaceIndex, FindsWhatASearchOfAllFinds) {
-  Random random(3);
-  std::vector<Eigen::AlignedBox2d> boxes(1);  // an empty one
-  for (int i = 0; i < 200; ++i) {
-    const V2 corner = random.vector(-100.0, 100.0).head<2>();
-    boxes.emplace_back(corner, corner + random.vector(0.0, 40.0).head<2>());
-  }
-  const FaceIndex index(boxes);
-  for (const Eigen::AlignedBox2d& box : boxes) {
-    std::vector<std::size_t> expected;
-    for (std::size_t k = 1; k < boxes.size(); ++k) {
-      if (!box.isEmpty() && boxes[k].exteriorDistance(box) <= 3.0) expected.push_back(k);
-    }
-    EXPECT_EQ(index.near(box, 3.0), expected);
-  }
 }
 
 }  // namespace

@@ -110,13 +110,13 @@ TEST(ReadObj, ObjectsOfAMeshWithWallsAreItsBuildings) {
     for (const char* const yz : {"0 0", "4 0", "0 3", "4 5"})
       obj += "v " + std::to_string(x) + " " + yz + "\nv " + std::to_string(x + 4) + " " + yz + "\n";
   }
-  obj += "f 1 2\no A\nf 5 6 8 7\nf 1 2 6 5\no B\nf 13 14 16 15\nf 9 10 14 13\n";
+  obj += "o A\nf 1 2\nf 5 6 8 7\nf 1 2 6 5\no B\nf 13 14 16 15\nf 9 10 14 13\n";
   const LineSet set = read_tool("sheds.obj", obj);
   ASSERT_TRUE(set.model);
   ASSERT_EQ(set.model->buildings.size(), 2U);
   EXPECT_EQ(set.model->buildings[1].id, "B");
   EXPECT_EQ(set.lines.size(), 8U);
-  EXPECT_THAT(set.left_out.text(), HasSubstr("1 face of two vertices"));
+  EXPECT_THAT(set.left_out.text(), HasSubstr("1 face without an area"));
 }
 
 std::string binary_ply(bool big_endian) {

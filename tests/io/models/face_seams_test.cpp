@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/models/face_seams.h"
 
-#include "io/models/face_roles.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -74,13 +72,6 @@ TEST(FaceSeams, BridgeToAHoleIsNone) {
   EXPECT_EQ(seams.size(), 8U);
 }
 
-TEST(FaceSeams, RegionsHaveNoEdgesWithin) {
-  const std::vector<std::size_t> regions{0, 0};
-  const auto seams = seams_of(squares({}), regions);
-  EXPECT_EQ(seams.size(), 4U);  // the outline of both, whose long sides are whole
-  EXPECT_EQ(n_common(seams), 0U);
-}
-
 TEST(FaceSeams, CoordinatesFarOffOrNotFiniteAreNoTrouble) {
   std::vector<ModelFace> faces = squares({});
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -88,20 +79,6 @@ TEST(FaceSeams, CoordinatesFarOffOrNotFiniteAreNoTrouble) {
   faces.push_back(face_of({{1e9, 1e9, 0}, {1e9 + 1, 1e9, 0}, {1e9, 1e9 + 1, 0}}));
   EXPECT_EQ(seams_of(faces).size(), 10U);
   EXPECT_TRUE(seams_of({}).empty());
-}
-
-TEST(FaceRoles, AFaceBelowAnotherIsTheGround) {
-  const std::vector<ModelFace> faces{face_of({{0, 0, 0}, {0, 9, 0}, {9, 9, 0}, {9, 0, 0}}),
-                                     face_of({{0, 0, 3}, {9, 0, 3}, {9, 9, 5}, {0, 9, 5}}),
-                                     face_of({{0, 0, 0}, {9, 0, 0}, {9, 0, 3}, {0, 0, 3}})};
-  BuildingModel model;
-  model.buildings = {{"1", ""}};
-  model.faces = faces;
-  EXPECT_THAT(roles_of(model),
-              ElementsAre(SurfaceKind::kGround, SurfaceKind::kRoof, SurfaceKind::kWall));
-  model.faces[0].kind = SurfaceKind::kOther;
-  EXPECT_THAT(roles_of(model),
-              ElementsAre(SurfaceKind::kOther, SurfaceKind::kRoof, SurfaceKind::kWall));
 }
 
 }  // namespace

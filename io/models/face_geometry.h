@@ -7,27 +7,18 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace ridgeline::io {
 
-/// The plane of a face by Newell's method over its outer ring, which need not be flat; normal as the ring turns. Nothing if
-/// the ring has no area or is not finite.
+/// The plane of a face by its outer ring, which need not be flat; its normal as the ring turns. Nothing if the ring has no area or
+/// is not finite.
 std::optional<Plane3> plane_of(const ModelFace& face);
 
 /// Whether a face that states nothing is a wall: steeper than 80 degrees.
 bool is_wall(const Plane3& plane);
-
-/// What each face of a building is: as the file states, or by geometry where it does not. A face without a plane is kOther. Of
-/// faces without a statement, those steeper than 80 degrees are walls, and of the others those with another such face above them are the
-/// ground. `planes`: plane_of() each face.
-std::vector<SurfaceKind> roles_of(std::span<const ModelFace> faces,
-                                  std::span<const std::optional<Plane3>> planes);
-
-/// The roles of all faces of a model, which has those of a building together.
-std::vector<SurfaceKind> roles_of(const BuildingModel& model);
 
 /// Whether a point of the plane of a face lies within the face and none of its holes. `x` is projected along the largest axis of the
 /// normal.
@@ -38,5 +29,9 @@ bool is_on_face(const ModelFace& face, const Plane3& plane, const Eigen::Vector3
 std::optional<Eigen::Vector3d> inward_of(const ModelFace& face,
                                          const Plane3& plane,
                                          const Segment3& edge);
+
+/// The vertices of a ring in thousandths, in an order that depends neither on its start nor on its direction.
+using Outline = std::vector<std::array<double, 3>>;
+Outline outline_of(const Ring& ring);
 
 }  // namespace ridgeline::io
