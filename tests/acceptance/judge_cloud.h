@@ -17,6 +17,16 @@ inline evaluate::PointGrid grid_of(const io::PointCloud& cloud) {
   });
 }
 
+/// Default options.
+inline std::vector<evaluate::LineEvaluation> judge_each(
+    const evaluate::PointGrid& grid, const std::vector<evaluate::JudgedLine>& lines) {
+  std::vector<evaluate::LineEvaluation> evaluations;
+  for (evaluate::JudgedResult& result : evaluate::judge_lines(grid, lines, {})) {
+    evaluations.push_back(std::move(result.evaluation));
+  }
+  return evaluations;
+}
+
 /// Default options; ids are the numbers of the segments (local).
 inline std::vector<evaluate::LineEvaluation> judge_segments(const evaluate::PointGrid& grid,
                                                             const std::vector<Segment3>& segments) {
@@ -26,11 +36,7 @@ inline std::vector<evaluate::LineEvaluation> judge_segments(const evaluate::Poin
     line.id = std::to_string(lines.size() - 1);
     line.segment = segment;
   }
-  std::vector<evaluate::LineEvaluation> evaluations;
-  for (evaluate::JudgedResult& result : evaluate::judge_lines(grid, lines, {})) {
-    evaluations.push_back(std::move(result.evaluation));
-  }
-  return evaluations;
+  return judge_each(grid, lines);
 }
 
 }  // namespace ridgeline::test
