@@ -83,8 +83,8 @@ TEST_F(WriteModel, CityGmlIsReadBackAsItWas) {
   EXPECT_EQ(read.attributes.rows[0], model.attributes.rows[0]);
   ASSERT_EQ(read.faces.size(), model.faces.size());
   std::vector<ModelFace> expected = model.faces;
-  std::ranges::rotate(expected.begin() + 6, expected.begin() + 7,
-                      expected.begin() + 8);  // unknown faces come first
+  std::rotate(expected.begin() + 6, expected.begin() + 7,
+              expected.begin() + 8);  // unknown faces come first
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(read.faces[i].kind, expected[i].kind) << i;
     EXPECT_EQ(read.faces[i].building, expected[i].building) << i;
