@@ -73,11 +73,11 @@ EpsgCodes epsg_codes_of(const Crs& crs) {
 long long in_thousandths(double coordinate) { return std::llround(coordinate * 1000.0); }
 
 bool are_closed(std::span<const ModelFace> faces) {
-  using Corner = std::array<long long, 3>;
+  using Thousandths = std::array<long long, 3>;
   const auto corner = [](const Eigen::Vector3d& x) {
-    return Corner{in_thousandths(x.x()), in_thousandths(x.y()), in_thousandths(x.z())};
+    return Thousandths{in_thousandths(x.x()), in_thousandths(x.y()), in_thousandths(x.z())};
   };
-  std::map<std::pair<Corner, Corner>, int> uses;
+  std::map<std::pair<Thousandths, Thousandths>, int> uses;
   for (const ModelFace& face : faces) {
     for (const Ring& ring : face.rings) {
       for (std::size_t i = 0; i < ring.size(); ++i)

@@ -7,7 +7,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr int kPlaces = 5;  // along a line
+constexpr int kPlacesOfLine = 5;  // along a line
 
 /// Whether the way from a point to a camera passes below the surface.
 bool is_hidden(const Surface& surface,
@@ -46,8 +46,8 @@ bool is_expected(const Scene& scene,
   const Eigen::Vector3d camera = projection_centre(view.image_from_local).hnormalized();
   return std::ranges::none_of(surfaces, [&](const Surface* surface) {
     int n_hidden = 0;
-    for (int i = 0; i < kPlaces; ++i) {
-      n_hidden += is_hidden(*surface, point_at(line, (i + 0.5) / kPlaces), camera,
+    for (int i = 0; i < kPlacesOfLine; ++i) {
+      n_hidden += is_hidden(*surface, point_at(line, (i + 0.5) / kPlacesOfLine), camera,
                             scene.height_range_in_local_m[1]);
     }
     return 2 * n_hidden > kPlaces;

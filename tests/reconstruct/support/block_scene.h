@@ -55,6 +55,12 @@ inline const std::vector<BlockCamera> kBlock{{"strip0", {0.0, 0.0, 800.0}, 0.0, 
                                              {"cross0", {52.0, -104.0, 805.0}, 90.0, -0.3},
                                              {"cross1", {54.0, 104.0, 801.0}, 91.0, 0.6}};
 
+/// The image of every view, held once: only its size is read, and thousands of scenes are made.
+inline const cv::Mat& block_image() {
+  static const cv::Mat image = cv::Mat::zeros(kBlockImage_px, kBlockImage_px, CV_32F);
+  return image;
+}
+
 /// What the views of a block show of lines, without errors. Segment s of view v shows line line_of[v][s].
 struct BlockScene {
   reconstruct::Scene scene;
@@ -64,8 +70,7 @@ struct BlockScene {
   explicit BlockScene(const std::vector<BlockCamera>& cameras = kBlock) : line_of(cameras.size()) {
     scene.height_range_in_local_m = {-10.0, 25.0};
     for (const BlockCamera& camera : cameras) {
-      scene.views.push_back(
-          {camera.id, block_camera(camera), cv::Mat(kBlockImage_px, kBlockImage_px, CV_32F)});
+      scene.views.push_back({camera.id, block_camera(camera), block_image()});
     }
   }
 
