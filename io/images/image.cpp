@@ -123,7 +123,8 @@ class OpenImage {
     dataset_->GetRasterBand(1)->GetBlockSize(&width, &height);
     const int end_row = window.row + window.height;
     if (const std::optional<int> rows = rows_in_sequence()) {
-      return double(facts_.width_px) * (end_row - window.row / *rows * *rows);
+      const int first_row = window.row / *rows * *rows;
+      return double(facts_.width_px) * (end_row - first_row);
     }
     const auto covered = [](int first, int end, int block, int limit) {
       return std::min((end + block - 1) / block * block, limit) - first / block * block;

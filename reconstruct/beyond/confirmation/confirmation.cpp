@@ -50,7 +50,7 @@ bool is_expected(const Scene& scene,
       n_hidden += is_hidden(*surface, point_at(line, (i + 0.5) / kPlacesOfLine), camera,
                             scene.height_range_in_local_m[1]);
     }
-    return 2 * n_hidden > kPlaces;
+    return 2 * n_hidden > kPlacesOfLine;
   });
 }
 
