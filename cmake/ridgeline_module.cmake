@@ -6,6 +6,8 @@ target_compile_options(ridgeline_flags INTERFACE
   $<$<BOOL:${RIDGELINE_WERROR}>:-Werror>
   # GCC tidies its memory less often, which saves it a twelfth of its time
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>
+  # __FILE__ within unity files, so that objects are the same in every checkout, which a compiler cache needs
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
   # GCC takes every source of a unity file but the file itself for a header
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>)
 
