@@ -6,8 +6,6 @@ target_compile_options(ridgeline_flags INTERFACE
   $<$<BOOL:${RIDGELINE_WERROR}>:-Werror>
   # GCC tidies its memory less often, which saves it a twelfth of its time
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>
-  # __FILE__ within unity files, so that objects are the same in every checkout, which a compiler cache needs
-  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
   # GCC takes every source of a unity file but the file itself for a header
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>)
 
@@ -48,6 +46,9 @@ function(ridgeline_test name)
   add_executable(${name} ${left_out} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support ridgeline_flags ridgeline_test_flags
                         GTest::gmock GTest::gtest_main)
+  # __FILE__ in GoogleTest's macros, so that a compiler cache serves every checkout. The precompiled header is made without,
+  # because it would keep the path of its checkout.
+  target_compile_options(${name} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
   if(TARGET ridgeline_test_headers)
     target_precompile_headers(${name} REUSE_FROM ridgeline_test_headers)
   endif()
