@@ -66,7 +66,8 @@ std::optional<ModelFace> united(const std::vector<ModelFace>& pieces) {
   return face;
 }
 
-/// For each face the number of the first one of its plane that it hangs together with.
+/// For each face the number of the first one of its plane that it hangs together with. Compared are the first ones, so that the strips
+/// of a vault do not become one face, strip by strip.
 std::vector<std::size_t> regions_of(const std::vector<ModelFace>& faces) {
   constexpr double kFlat_rad = 0.5 * kRadPerDeg;  // whole mm turn a face of 0.2 m by that
   const auto normals = transformed(faces, [](const ModelFace& face) {
@@ -75,7 +76,7 @@ std::vector<std::size_t> regions_of(const std::vector<ModelFace>& faces) {
   DisjointSets regions(faces.size());
   for (const FaceSeam& seam : seams_of(faces)) {
     if (seam.faces.size() != 2) continue;
-    const std::size_t a = seam.faces[0], b = seam.faces[1];
+    const std::size_t a = regions.name_of(seam.faces[0]), b = regions.name_of(seam.faces[1]);
     const bool is_one =
         faces[a].kind == faces[b].kind && acute_angle_rad(normals[a], normals[b]) < kFlat_rad;
     if (is_one) regions.join(a, b);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/models/settle_model.h"
 
+#include "reconstruct/geometry/degrees.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ridgeline::io {
@@ -75,6 +78,21 @@ TEST(SettleModel, FacesOfOtherKindsPlanesOrPlacesStayApart) {
                                level(20, 23, 0, 3)};
   faces[1].kind = SurfaceKind::kOther;
   EXPECT_EQ(settled(faces).faces.size(), 4U);
+}
+
+TEST(SettleModel, AVaultIsNoSingleFaceHoweverFineItsStrips) {
+  constexpr int kStrips = 60;
+  constexpr double kTurn_rad =
+      0.4 * kRadPerDeg;  // from strip to strip; up to 0.5 degrees are one plane
+  const auto corner = [](int i, double y) {
+    const double angle_rad = (i - 0.5 * kStrips) * kTurn_rad;
+    return Eigen::Vector3d(40.0 * std::sin(angle_rad), y, 40.0 * std::cos(angle_rad));
+  };
+  std::vector<ModelFace> strips;
+  for (int i = 0; i < kStrips; ++i)
+    strips.push_back(
+        bare_face({corner(i, 0.0), corner(i + 1, 0.0), corner(i + 1, 9.0), corner(i, 9.0)}));
+  EXPECT_EQ(settled(strips).faces.size(), kStrips / 2U);  // two strips each
 }
 
 TEST(SettleModel, AnOutlineThatTouchesItselfLeavesThePieces) {
