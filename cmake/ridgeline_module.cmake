@@ -34,12 +34,13 @@ function(ridgeline_vectorise name)
   target_compile_options(ridgeline_${name} PRIVATE $<$<CONFIG:Release>:-O3;-fno-math-errno;-fno-trapping-math>)
 endfunction()
 
-# ridgeline_test(NAME SOURCES a_test.cpp... [DEPENDS t...] [LABELS l...]): one GoogleTest binary. Its cases
-# are found by ctest; with RIDGELINE_TEST_SHARDS the binary runs as so many tests instead, which saves the
-# start of a process for every case. Binaries with the label `slow` are left out without
-# RIDGELINE_BUILD_SLOW_TESTS.
+# ridgeline_test(NAME [LITTLE_COMPUTED] SOURCES a_test.cpp... [DEPENDS t...] [LABELS l...]): one GoogleTest
+# binary. Its cases are found by ctest; with RIDGELINE_TEST_SHARDS the binary runs as so many tests instead,
+# which saves the start of a process for every case. Binaries with the label `slow` are left out without
+# RIDGELINE_BUILD_SLOW_TESTS. With LITTLE_COMPUTED Clang compiles the tests without optimisation, in half the
+# time; templates of Eigen that they share with the libraries are slow then.
 function(ridgeline_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "LITTLE_COMPUTED" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   if("slow" IN_LIST arg_LABELS AND NOT RIDGELINE_BUILD_SLOW_TESTS)
     set(left_out EXCLUDE_FROM_ALL)
   endif()
@@ -48,7 +49,8 @@ function(ridgeline_test name)
                         GTest::gmock GTest::gtest_main)
   # __FILE__ in GoogleTest's macros, so that a compiler cache serves every checkout. The precompiled header is made without,
   # because it would keep the path of its checkout.
-  target_compile_options(${name} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+  target_compile_options(${name} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
+                         $<$<AND:$<BOOL:${arg_LITTLE_COMPUTED}>,$<CXX_COMPILER_ID:Clang>>:-O0>)
   if(TARGET ridgeline_test_headers)
     target_precompile_headers(${name} REUSE_FROM ridgeline_test_headers)
   endif()
