@@ -38,7 +38,8 @@ endfunction()
 # binary. Its cases are found by ctest; with RIDGELINE_TEST_SHARDS the binary runs as so many tests instead,
 # which saves the start of a process for every case. Binaries with the label `slow` are left out without
 # RIDGELINE_BUILD_SLOW_TESTS. With LITTLE_COMPUTED Clang compiles the tests without optimisation, in half the
-# time; templates of Eigen that they share with the libraries are slow then.
+# time. The libraries then run the tests' slow copies of the Eigen templates that both use: not for tests that
+# compute for seconds.
 function(ridgeline_test name)
   cmake_parse_arguments(arg "LITTLE_COMPUTED" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   if("slow" IN_LIST arg_LABELS AND NOT RIDGELINE_BUILD_SLOW_TESTS)
@@ -47,8 +48,8 @@ function(ridgeline_test name)
   add_executable(${name} ${left_out} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ridgeline_test_support ridgeline_flags ridgeline_test_flags
                         GTest::gmock GTest::gtest_main)
-  # __FILE__ in GoogleTest's macros, so that a compiler cache serves every checkout. The precompiled header is made without,
-  # because it would keep the path of its checkout.
+  # GoogleTest's macros hold __FILE__. It is relative, so that a compiler cache serves every checkout. The precompiled header
+  # is made without this flag, because it would keep the path of its checkout.
   target_compile_options(${name} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
                          $<$<AND:$<BOOL:${arg_LITTLE_COMPUTED}>,$<CXX_COMPILER_ID:Clang>>:-O0>)
   if(TARGET ridgeline_test_headers)

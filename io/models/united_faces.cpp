@@ -66,8 +66,8 @@ std::optional<ModelFace> united(const std::vector<ModelFace>& pieces) {
   return face;
 }
 
-/// For each face the number of the first one of its plane that it hangs together with. Compared are the first ones, so that the strips
-/// of a vault do not become one face, strip by strip.
+/// For each face the number of the first one of its plane that it hangs together with. The first ones are compared, so
+/// that the strips of a vault do not become one face, strip by strip.
 std::vector<std::size_t> regions_of(const std::vector<ModelFace>& faces) {
   constexpr double kFlat_rad = 0.5 * kRadPerDeg;  // whole mm turn a face of 0.2 m by that
   const auto normals = transformed(faces, [](const ModelFace& face) {
