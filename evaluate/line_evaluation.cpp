@@ -53,4 +53,34 @@ const char* name(Kind kind) {
   return "unknown";
 }
 
+const char* name(Surface surface) {
+  switch (surface) {
+    case Surface::kUpper:
+      return "upper";
+    case Surface::kLower:
+      return "lower";
+    case Surface::kGround:
+      return "ground";
+    case Surface::kRidge:
+      return "ridge";
+    case Surface::kObject:
+      return "object";
+  }
+  return "unknown";
+}
+
+const char* name(DecidedBy evidence) {
+  switch (evidence) {
+    case DecidedBy::kPlan:
+      return "plan";
+    case DecidedBy::kImages:
+      return "images";
+    case DecidedBy::kPoints:
+      return "points";
+    case DecidedBy::kPlace:
+      return "place";
+  }
+  return "unknown";
+}
+
 }  // namespace ridgeline::evaluate

@@ -40,12 +40,37 @@ const char* name(Status status);
 enum class Kind : std::uint8_t { kNone, kStep, kRidge };
 const char* name(Kind kind);  ///< "" | "step" | "ridge"
 
-/// The image segments of a stereo pair that a line was made from. They tell, independently of the
-/// method that made it, where its edge lies in plan and which plane the edge belongs to.
+/// The surface that a line is taken to be an edge of.
+enum class Surface : std::uint8_t {
+  kUpper,   ///< the highest one beside the line, or the only one
+  kLower,   ///< one with a higher one beside the line
+  kGround,  ///< a lower one that is the lowest around, a storey below the highest
+  kRidge,   ///< two that meet along the line: ridge, hip, valley
+  kObject,  ///< an object that the cloud has no plane for
+};
+const char* name(Surface surface);  ///< "upper" | "lower" | "ground" | "ridge" | "object"
+
+/// The evidence without which the decision about the surface would have been open.
+enum class DecidedBy : std::uint8_t {
+  kPlan,    ///< borders, sides and coverage in plan
+  kImages,  ///< the line's segments in the images
+  kPoints,  ///< points along the line that no plane explains
+  kPlace,   ///< the line's own height
+};
+const char* name(DecidedBy evidence);  ///< "plan" | "images" | "points" | "place"
+
+/// The segment that an image shows of a line.
+struct ImageSighting {
+  ProjectionMatrix image_from_local;
+  Segment2 px;  ///< ideal pixels
+};
+
+/// The image segments that a line was made from. They show, independently of the method that made it, where
+/// its edge lies in plan and which plane the edge belongs to.
 struct ImageEvidence {
-  std::array<ProjectionMatrix, 2> image_from_local;  ///< base, other
-  std::array<Segment2, 2> segments_px;               ///< ideal pixels
-  std::array<double, 2> height_range_m{};            ///< lowest, highest object height, local
+  /// Two or more: the base, then the one that together with it determines best where the line lies, then the others.
+  std::vector<ImageSighting> sightings;
+  std::array<double, 2> height_range_m{};  ///< lowest, highest object height, local
 };
 
 /// Whether both ends lie within 10,000 km of the local origin in x, y and z. A line farther off is a
@@ -106,7 +131,11 @@ struct LineEvaluation {
   Kind kind = Kind::kNone;
   std::vector<std::string> flags;    ///< merged, upper_plane, plane_ambiguous, seen_instead
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
-  double length_m = 0.0;             ///< 0 unless the line is in_range()
+  /// What the line is most probably an edge of, and next to that; empty where no surface was looked for.
+  std::optional<Surface> surface, surface_other;
+  std::optional<double> surface_probability;  ///< of `surface`
+  std::optional<DecidedBy> decided_by;        ///< only of lines that are `evaluated`
+  double length_m = 0.0;                      ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;
   std::optional<int> n_images;  ///< that support it, by its file
   std::string class_base;       ///< by the base pair alone, if the file says so

@@ -10,11 +10,12 @@ namespace ridgeline::evaluate {
 namespace {
 
 Eigen::Vector3d at_height(const ImageEvidence& images, const Eigen::Vector2d& x_px, double z_m) {
-  return point_on_plane(images.image_from_local[0], x_px, Plane3(Eigen::Vector3d::UnitZ(), -z_m));
+  return point_on_plane(images.sightings[0].image_from_local, x_px,
+                        Plane3(Eigen::Vector3d::UnitZ(), -z_m));
 }
 
 Segment3 at_height(const ImageEvidence& images, double z_m) {
-  const Segment2& base = images.segments_px[0];
+  const Segment2& base = images.sightings[0].px;
   return {at_height(images, base.start, z_m), at_height(images, base.end, z_m)};
 }
 
@@ -54,7 +55,7 @@ std::vector<Sample> first_hits(const PointSearch& search,
                                const ImageEvidence& images,
                                int n_samples,
                                double radius_m) {
-  const Segment2& base = images.segments_px[0];
+  const Segment2& base = images.sightings[0].px;
   const auto [low, high] = images.height_range_m;
   const auto share = [&](int i) { return (i + 0.5) / n_samples; };
   std::vector<Ray> rays;
@@ -146,7 +147,7 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
   const std::vector<Sample> inliers = consensus(first_hits(search, images, n_samples, radius_m));
   if (static_cast<double>(inliers.size()) < kLeastShare * n_samples) return std::nullopt;
   const HeightLine line = regression(inliers);
-  const Segment2& base = images.segments_px[0];
+  const Segment2& base = images.sightings[0].px;
   const Segment3 seen{at_height(images, base.start, line.at(0.0)),
                       at_height(images, base.end, line.at(1.0))};
   if (!all_finite(seen) || !(length(plan(seen)) > 0.0)) return std::nullopt;
@@ -157,9 +158,10 @@ ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane) {
   constexpr double kSigmaAcross_px = 1.0;  // image line, orientation and plane together
   constexpr double kSigmaAlong_px = 3.0;
   constexpr double kMostAlong_px = 10.0;
-  const Segment2& base = images.segments_px[0];
-  Segment2 other = images.segments_px[1];
-  const auto& [from_base, from_other] = images.image_from_local;
+  const Segment2& base = images.sightings[0].px;
+  Segment2 other = images.sightings[1].px;
+  const ProjectionMatrix& from_base = images.sightings[0].image_from_local;
+  const ProjectionMatrix& from_other = images.sightings[1].image_from_local;
   const Segment2 carried{project(from_other, point_on_plane(from_base, base.start, plane)),
                          project(from_other, point_on_plane(from_base, base.end, plane))};
   if ((carried.end - carried.start).dot(other.end - other.start) < 0.0) {

@@ -61,7 +61,7 @@ std::vector<ReferenceImage> reference_images(std::span<const JudgedLine> lines,
   std::vector<ReferenceImage> images;
   for (const JudgedLine& line : lines) {
     if (!line.images) continue;
-    const ProjectionMatrix& p = line.images->image_from_local[0];
+    const ProjectionMatrix& p = line.images->sightings[0].image_from_local;
     const auto is_of_p = [&](const ReferenceImage& i) { return i.image_from_local == p; };
     if (std::none_of(images.begin(), images.end(), is_of_p)) {
       images.push_back(reference_image(p, references));
@@ -74,7 +74,8 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
                                         const ReferenceImage& base,
                                         std::span<const ReferenceLine> references,
                                         const ReferenceOptions& options) {
-  const auto& [on_base, on_other] = line.segments_px;
+  const Segment2& on_base = line.sightings[0].px;
+  const ImageSighting& other = line.sightings[1];
   std::optional<std::size_t> best;
   double nearest_px = options.max_distance_px;
   for (const std::size_t r : base.by_place.near(on_base, kBeyondEnds_px + nearest_px)) {
@@ -82,7 +83,7 @@ std::optional<std::size_t> reference_of(const ImageEvidence& line,
     if (on_base_px > nearest_px) continue;
     const double worse_px = std::max(
         on_base_px,
-        distance_in_image(on_other, project(line.image_from_local[1], references[r].segment)));
+        distance_in_image(other.px, project(other.image_from_local, references[r].segment)));
     if (worse_px > nearest_px) continue;
     nearest_px = worse_px;
     best = r;
@@ -299,7 +300,7 @@ std::vector<std::optional<std::size_t>> reference_of_each(std::span<const Judged
     if (!lines[i].images) return;
     const ImageEvidence& line = *lines[i].images;
     const auto base = std::find_if(images.begin(), images.end(), [&](const ReferenceImage& image) {
-      return image.image_from_local == line.image_from_local[0];
+      return image.image_from_local == line.sightings[0].image_from_local;
     });
     if (base != images.end()) result[i] = reference_of(line, *base, references, options);
   });

@@ -14,10 +14,12 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace ridgeline::results {
 namespace {
 
+using evaluate::ImageSighting;
 using evaluate::JudgedLine;
 
 Segment3 metric_segment(const io::Line& line, const Eigen::Vector3d& unit_m) {
@@ -33,20 +35,14 @@ std::string class_of(const io::Line& line,
   return *epipolar_angle_deg <= max_aligned_angle_deg ? "aligned" : "not_aligned";
 }
 
-/// A segment that an image shows of a line, with its camera.
-struct SeenSegment {
-  ProjectionMatrix image_from_local;
-  Segment2 px;
-};
-
 /// The segments that the images of the patch show of a line.
-std::vector<SeenSegment> seen_segments(const io::Line& line,
-                                       const LocalFrame& frame,
-                                       const io::PatchFile& patch) {
+std::vector<ImageSighting> seen_segments(const io::Line& line,
+                                         const LocalFrame& frame,
+                                         const io::PatchFile& patch) {
   std::vector<io::LineSighting> sightings = line.sightings;
   if (sightings.empty() && line.left_px && line.right_px)
     sightings = {{patch.images[0].id, *line.left_px}, {patch.images[1].id, *line.right_px}};
-  std::vector<SeenSegment> seen;
+  std::vector<ImageSighting> seen;
   for (const io::LineSighting& s : sightings) {
     const auto image = std::ranges::find(patch.images, s.image, &io::PatchImage::id);
     if (image == patch.images.end()) continue;
@@ -56,27 +52,26 @@ std::vector<SeenSegment> seen_segments(const io::Line& line,
 }
 
 /// How well two images tell where a line lies: how far its segments are across the epipolar lines, pixels.
-double across_epipolar_px(const SeenSegment& a, const SeenSegment& b) {
+double across_epipolar_px(const ImageSighting& a, const ImageSighting& b) {
   if (a.image_from_local == b.image_from_local) return -1.0;
   const std::array cameras{a.image_from_local, b.image_from_local};
   return std::sin(epipolar_angle_rad(cameras, a.px, b.px)) * std::min(length(a.px), length(b.px));
 }
 
-/// The image segments of a line that states them: that of its first image, and of the image that together with it
-/// tells best where the line lies.
+/// The image segments of a line that states them: that of its first image, then that of the image that together with
+/// it determines best where the line lies, then the others.
 std::optional<evaluate::ImageEvidence> evidence_of(const io::Line& line,
                                                    const LocalFrame& frame,
                                                    const std::optional<io::PatchFile>& patch) {
   if (!patch) return std::nullopt;
-  const std::vector<SeenSegment> seen = seen_segments(line, frame, *patch);
+  std::vector<ImageSighting> seen = seen_segments(line, frame, *patch);
   if (seen.size() < 2) return std::nullopt;
   const auto other = std::ranges::max_element(
       seen.begin() + 1, seen.end(), {},
-      [&](const SeenSegment& s) { return across_epipolar_px(seen[0], s); });
+      [&](const ImageSighting& s) { return across_epipolar_px(seen[0], s); });
   if (other->image_from_local == seen[0].image_from_local) return std::nullopt;
-  return evaluate::ImageEvidence{{seen[0].image_from_local, other->image_from_local},
-                                 {seen[0].px, other->px},
-                                 io::heights_in_local_m(*patch, frame)};
+  std::rotate(seen.begin() + 1, other, other + 1);
+  return evaluate::ImageEvidence{std::move(seen), io::heights_in_local_m(*patch, frame)};
 }
 
 JudgedLine judged_line(const io::Line& line,
@@ -178,8 +173,8 @@ std::vector<JudgedLine> moved(std::vector<JudgedLine> lines, const Eigen::Vector
   for (JudgedLine& line : lines) {
     line.segment = {line.segment.start + by_m, line.segment.end + by_m};
     if (!line.images) continue;
-    for (ProjectionMatrix& camera : line.images->image_from_local) {
-      camera = image_from_local(camera, -by_m);
+    for (ImageSighting& seen : line.images->sightings) {
+      seen.image_from_local = image_from_local(seen.image_from_local, -by_m);
     }
     for (double& height_m : line.images->height_range_m) height_m += by_m.z();
   }

@@ -52,14 +52,16 @@ void fields(auto& archive, Some<evaluate::RidgeDisplacement> auto& displacement)
 }
 
 void fields(auto& archive, Some<evaluate::LineEvaluation> auto& line) {
-  auto& [id, line_class, building, status, reason, kind, flags, planes, length_m,
-         epipolar_angle_deg, n_images, class_base, segment, mean_distance_m, max_distance_m,
-         signed_mean_m, sigma_plane_m, sigma_line_m, z, intersection_distance_m,
-         intersection_angle_deg, displacement, height_if_vertical_m] = line;
-  all(archive, id, line_class, building, status, reason, kind, flags, planes, length_m,
-      epipolar_angle_deg, n_images, class_base, segment, mean_distance_m, max_distance_m,
-      signed_mean_m, sigma_plane_m, sigma_line_m, z, intersection_distance_m,
-      intersection_angle_deg, displacement, height_if_vertical_m);
+  auto& [id, line_class, building, status, reason, kind, flags, planes, surface, surface_other,
+         surface_probability, decided_by, length_m, epipolar_angle_deg, n_images, class_base,
+         segment, mean_distance_m, max_distance_m, signed_mean_m, sigma_plane_m, sigma_line_m, z,
+         intersection_distance_m, intersection_angle_deg, displacement, height_if_vertical_m] =
+      line;
+  all(archive, id, line_class, building, status, reason, kind, flags, planes, surface,
+      surface_other, surface_probability, decided_by, length_m, epipolar_angle_deg, n_images,
+      class_base, segment, mean_distance_m, max_distance_m, signed_mean_m, sigma_plane_m,
+      sigma_line_m, z, intersection_distance_m, intersection_angle_deg, displacement,
+      height_if_vertical_m);
 }
 
 void fields(auto& archive, Some<evaluate::JudgedResult> auto& result) {
@@ -94,9 +96,14 @@ void fields(auto& archive, Some<JudgedBatches> auto& part) {
   all(archive, results, readings);
 }
 
+void fields(auto& archive, Some<evaluate::ImageSighting> auto& sighting) {
+  auto& [image_from_local, px] = sighting;
+  all(archive, image_from_local, px);
+}
+
 void fields(auto& archive, Some<evaluate::ImageEvidence> auto& images) {
-  auto& [image_from_local, segments_px, height_range_m] = images;
-  all(archive, image_from_local, segments_px, height_range_m);
+  auto& [sightings, height_range_m] = images;
+  all(archive, sightings, height_range_m);
 }
 
 void fields(auto& archive, Some<evaluate::JudgedLine> auto& line) {
@@ -117,7 +124,7 @@ namespace {
 /// file of its own here.
 std::string beginning(const std::string& key) {
   ByteWriter writer;
-  writer(std::string("ridgeline part 2"));
+  writer(std::string("ridgeline part 3"));
   writer(std::uint32_t{0x01020304});
   writer(key);
   return writer.take();

@@ -97,7 +97,7 @@ TEST_F(Doubt, ImagesThatShowDifferentPartsOfALineDoNotShowItOffTheSurface) {
   add(1.0, 0.1, 1.2);
   add(2.0, 0.1, 1.2);
   ImageEvidence images = seen_at(0.0);
-  Segment2& other = images.segments_px[1];
+  Segment2& other = images.sightings[1].px;
   const Eigen::Vector2d along = other.end - other.start;
   other = {other.start + 0.2 * along, other.end - 0.2 * along};
   EXPECT_THAT(reason(images), Eq(std::nullopt));

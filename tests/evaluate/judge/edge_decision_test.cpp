@@ -139,10 +139,10 @@ TEST(DecideEdge, CallsTwoPlanesOfOneHeightThatDoNotMeetAlongTheLineAmbiguous) {
 /// What two images show of a segment, from 800 m with B/H 0.26 and GSD 8 cm.
 ImageEvidence evidence_of(const Segment3& segment) {
   ImageEvidence images;
-  for (const std::size_t j : {0U, 1U}) {
-    ProjectionMatrix& p = images.image_from_local[j];
-    p << 10000, 0, 0, j == 0 ? 1e6 : -1.08e6, 0, -10000, 0, 0, 0, 0, -1, 800;
-    images.segments_px[j] = project(p, segment);
+  for (const double x : {1e6, -1.08e6}) {
+    ProjectionMatrix p;
+    p << 10000, 0, 0, x, 0, -10000, 0, 0, 0, 0, -1, 800;
+    images.sightings.push_back({p, project(p, segment)});
   }
   images.height_range_m = {-10.0, 30.0};
   return images;

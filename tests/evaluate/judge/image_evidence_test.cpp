@@ -61,9 +61,9 @@ TEST_F(OnRoof, LineFarOffAlongTheRayIsJudgedByThePlanesThatItsImageShows) {
   line.id = "lifted";
   line.images = seen(ridge());
   const Plane3 high(Eigen::Vector3d::UnitZ(), -(roof_.ridge_height_m() + kLift_m));
-  const auto& [base, other] = line.images->image_from_local;
-  line.segment = {point_on_plane(base, line.images->segments_px[0].start, high),
-                  point_on_plane(base, line.images->segments_px[0].end, high)};
+  const auto& [base, base_px] = line.images->sightings[0];
+  line.segment = {point_on_plane(base, base_px.start, high),
+                  point_on_plane(base, base_px.end, high)};
   const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
   EXPECT_EQ(judged.kind, Kind::kRidge);

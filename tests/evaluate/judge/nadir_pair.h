@@ -4,8 +4,6 @@
 #include "evaluate/line_evaluation.h"
 #include "reconstruct/geometry/epipolar.h"
 
-#include <array>
-
 namespace ridgeline::test {
 
 /// A frame looking straight down from 800 m above x, y = 0; GSD 8 cm.
@@ -17,8 +15,11 @@ inline ProjectionMatrix camera_at(double x) {
 
 /// What a pair with a base of 208 m along x, x = -100 m for the first image, shows of a line.
 inline evaluate::ImageEvidence seen(const Segment3& line) {
-  const std::array<ProjectionMatrix, 2> cameras{camera_at(-100.0), camera_at(108.0)};
-  return {cameras, {project(cameras[0], line), project(cameras[1], line)}, {-10.0, 30.0}};
+  evaluate::ImageEvidence images{{}, {-10.0, 30.0}};
+  for (const ProjectionMatrix& camera : {camera_at(-100.0), camera_at(108.0)}) {
+    images.sightings.push_back({camera, project(camera, line)});
+  }
+  return images;
 }
 
 }  // namespace ridgeline::test
