@@ -115,9 +115,8 @@ std::optional<PlaneFit> find_face_plane(std::span<const FacePoint> points,
                                         const FaceOptions& options,
                                         const PointNormals& normals) {
   const std::vector<ZonePoint> inside = candidates(points, face, options);
-  const std::uint64_t key = line_key(face.id, options.judge.seed);
   std::optional<PlaneFit> best;
-  for (const FoundPlane& found : search_planes(thinned(inside), options.judge, key, normals)) {
+  for (const FoundPlane& found : search_planes(thinned(inside), options.judge, normals)) {
     const std::optional<PlaneFit> fit = settled_fit(inside, found.fit.plane, options);
     if (fit && is_like(fit->plane, face, options) && (!best || fit->n > best->n)) best = fit;
   }

@@ -134,14 +134,13 @@ std::vector<ZonePoint> strip_of(std::span<const ZonePoint> zone,
 std::vector<FoundPlane> planes_beside(std::span<const ZonePoint> zone,
                                       const Footprint& footprint,
                                       const JudgeOptions& options,
-                                      std::uint64_t key,
                                       const PointNormals& normals) {
   const double gap = options.side_gap_m;
   const double far = options.corridor_half_width_m;
   std::vector<FoundPlane> found;
   for (const auto& [from, to] : {std::pair(gap, far), std::pair(-far, -gap)}) {
     for (FoundPlane& plane :
-         search_planes(strip_of(zone, footprint, from, to), options, key, normals)) {
+         search_planes(strip_of(zone, footprint, from, to), options, normals)) {
       found.push_back(std::move(plane));
     }
   }
@@ -188,9 +187,7 @@ std::vector<ZonePoint> unexplained(std::span<const ZonePoint> zone,
 
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
-                                             const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
-                                             std::uint64_t key,
                                              const PointNormals& normals) {
   constexpr double kSmallestCell_m = 0.7;
   constexpr double kLargestSpacing_m = 2.0;
@@ -206,10 +203,10 @@ std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
       unite(extend(found, cells, options), candidates);
     }
   };
-  add(planes_beside(zone, footprint, options, key, normals));
-  add(search_planes(unexplained(zone, candidates, footprint, options), options, key, normals));
+  add(planes_beside(zone, footprint, options, normals));
+  add(search_planes(unexplained(zone, candidates, footprint, options), options, normals));
   drop_shadows(candidates, options);
-  mark_low_objects(candidates, spacing_m, images, options);
+  mark_low_objects(candidates, spacing_m, options);
   for (CandidatePlane& plane : candidates) describe_support(plane, footprint, spacing_m, options);
   if (auto ledge = search_ledge(zone, candidates, footprint, options)) {
     describe_support(*ledge, footprint, 2.0 * spacing_m, options);  // a strip has sparse points

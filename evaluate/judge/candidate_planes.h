@@ -3,10 +3,7 @@
 
 #include "evaluate/judge/plane_support.h"
 #include "evaluate/judge/point_normals.h"
-#include "evaluate/line_evaluation.h"
 
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +13,10 @@ namespace ridgeline::evaluate {
 /// among the points that these planes do not explain. Each is extended over its connected points of the
 /// zone and fitted again, and planes that turn out to be the same are united. A ledge along the line is
 /// added. Surfaces that let the laser through (tree canopies) are left out. Cars and the like are marked
-/// as low objects, unless the images show that the line is their edge.
+/// as low objects.
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
-                                             const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
-                                             std::uint64_t key,
                                              const PointNormals& normals = {});
 
 }  // namespace ridgeline::evaluate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/image_evidence.h"
 
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/epipolar.h"
 
 #include <algorithm>
@@ -134,6 +135,33 @@ std::vector<Sample> consensus(const std::vector<Sample>& samples) {
   return best;
 }
 
+/// Mean of the squared distances of both ends of `x` from the straight line of `sighting`, pixels squared.
+double across_px2(const ImageSighting& sighting, const Segment3& x) {
+  const Eigen::Vector2d along = (sighting.px.end - sighting.px.start).normalized();
+  double sum = 0.0;
+  for (const Eigen::Vector3d& end : {x.start, x.end}) {
+    const Eigen::Vector2d off = project(sighting.image_from_local, end) - sighting.px.start;
+    sum += 0.5 * std::pow(off.x() * along.y() - off.y() * along.x(), 2);
+  }
+  return sum;
+}
+
+/// Sum over the sightings from `first` on, but those in the image of the base.
+double chi_square_from(const ImageEvidence& images,
+                       std::size_t first,
+                       const Segment3& x,
+                       double sigma_px) {
+  constexpr double kMost = 25.0;
+  double sum = 0.0;
+  for (std::size_t i = first; i < images.sightings.size(); ++i) {
+    const ImageSighting& sighting = images.sightings[i];
+    if (sighting.image_from_local == images.sightings[0].image_from_local) continue;
+    const double chi_square = across_px2(sighting, x) / (sigma_px * sigma_px);
+    sum += chi_square < kMost ? chi_square : kMost;  // also for NaN
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images) {
@@ -154,34 +182,37 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
   return seen;
 }
 
-ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane) {
-  constexpr double kSigmaAcross_px = 1.0;  // image line, orientation and plane together
-  constexpr double kSigmaAlong_px = 3.0;
-  constexpr double kMostAlong_px = 10.0;
-  const Segment2& base = images.sightings[0].px;
-  Segment2 other = images.sightings[1].px;
-  const ProjectionMatrix& from_base = images.sightings[0].image_from_local;
-  const ProjectionMatrix& from_other = images.sightings[1].image_from_local;
-  const Segment2 carried{project(from_other, point_on_plane(from_base, base.start, plane)),
-                         project(from_other, point_on_plane(from_base, base.end, plane))};
-  if ((carried.end - carried.start).dot(other.end - other.start) < 0.0) {
-    std::swap(other.start, other.end);
+bool has_independent_sighting(const ImageEvidence& images) {
+  constexpr double kLeast_rad = 10.0 * kRadPerDeg;
+  const auto centre = [&](std::size_t i) -> Eigen::Vector3d {
+    return projection_centre(images.sightings[i].image_from_local).hnormalized();
+  };
+  const Eigen::Vector3d base = centre(1) - centre(0);
+  for (std::size_t i = 2; i < images.sightings.size(); ++i) {
+    const Eigen::Vector3d to_other = centre(i) - centre(0);
+    if (to_other.norm() > 0.0 && acute_angle_rad(base, to_other) >= kLeast_rad) return true;
   }
-  const Eigen::Vector2d along = (other.end - other.start).normalized();
-  ImageCost cost;
-  for (const Eigen::Vector2d& off :
-       {Eigen::Vector2d(carried.start - other.start), Eigen::Vector2d(carried.end - other.end)}) {
-    const double across_px = off.x() * along.y() - off.y() * along.x();
-    const double along_px = std::min(std::abs(off.dot(along)), kMostAlong_px);
-    cost.across += std::pow(across_px / kSigmaAcross_px, 2);
-    cost.along += std::pow(along_px / kSigmaAlong_px, 2);
-  }
-  return cost;
+  return false;
 }
 
-double image_cost(const ImageEvidence& images, const Plane3& plane) {
-  const ImageCost cost = image_cost_parts(images, plane);
-  return cost.across + cost.along;
+double sightings_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px) {
+  const ImageSighting& base = images.sightings[0];
+  return chi_square_from(images, 1,
+                         {point_on_plane(base.image_from_local, base.px.start, plane),
+                          point_on_plane(base.image_from_local, base.px.end, plane)},
+                         sigma_px);
+}
+
+double sightings_chi_square(const ImageEvidence& images, double sigma_px) {
+  const ImageSighting& other = images.sightings[1];
+  const Eigen::Vector3d join = other.px.start.homogeneous().cross(other.px.end.homogeneous());
+  const Eigen::Vector4d viewing = other.image_from_local.transpose() * join;
+  const Plane3 plane(viewing.head<3>().normalized(), viewing.w() / viewing.head<3>().norm());
+  const ImageSighting& base = images.sightings[0];
+  return chi_square_from(images, 2,
+                         {point_on_plane(base.image_from_local, base.px.start, plane),
+                          point_on_plane(base.image_from_local, base.px.end, plane)},
+                         sigma_px);
 }
 
 std::vector<Segment2> plan_sweep(const ImageEvidence& images, double spacing_m) {

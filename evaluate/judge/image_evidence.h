@@ -17,22 +17,16 @@ namespace ridgeline::evaluate {
 /// if no straight line explains them, or if the result has no direction in plan.
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images);
 
-/// The parts of image_cost(). Both count when two planes are compared. Whether the images show the line on
-/// a plane is decided by `across` alone, since the two segments need not show the same part of the line.
-struct ImageCost {
-  double across = 0.0;
-  double along = 0.0;
-};
-ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane);
+/// Whether an image after the first two says something that they do not: its projection centre lies 10 degrees off the
+/// base of these two, seen from the first.
+bool has_independent_sighting(const ImageEvidence& images);
 
-/// How badly the plane explains the pair of segments, in chi-square units. The plane carries the ends of
-/// the base segment into the other image, where they are compared with the segment, across it and along
-/// it. The difference along it is limited, because an occlusion or a lack of contrast may put an end
-/// anywhere.
-double image_cost(const ImageEvidence& images, const Plane3& plane);
+/// How far the sightings are from where a plane carries the base sighting, across them, in units of sigma_px squared: mean
+/// of both ends, sum over the other images. A single sighting counts 25 at most, as it may be of another edge.
+double sightings_chi_square(const ImageEvidence& images, const Plane3& plane, double sigma_px);
 
-/// Margin of image_cost() by which the images tell two planes apart.
-inline constexpr double kImageMargin = 4.0;
+/// The same of the line that the first two sightings triangulate to, over the images after these.
+double sightings_chi_square(const ImageEvidence& images, double sigma_px);
 
 /// Plan views of the base segment at heights from the lowest to the highest: the points that
 /// monoplot() may need lie within `spacing_m` of them.

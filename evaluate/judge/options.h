@@ -40,9 +40,14 @@ struct JudgeOptions {
   /// Largest distance in plan between a line and the border of the plane it is judged by.
   double step_offset_m = 0.8;
   double min_coverage = 0.5;  ///< of the line by the plane's inliers beside it
+  /// Distance of a right line from its surface, whatever its tool states: the covariance in a judged file must not
+  /// choose the surface.
+  double place_sigma_m = 0.3;
+  double sigma_edge_px = 1.0;    ///< of an image segment with its orientation
+  double min_probability = 0.9;  ///< of the surface; below, the line is ambiguous
   double min_length_m = 0.3;  ///< shorter lines are `too_short`
   int max_iterations = 300;   ///< of the sample consensus
-  int seed = 1;               ///< of the sample consensus, combined with the line's id
+  int seed = 1;               ///< of the sample consensus, whose results must not depend on it
   bool keep_points = false;   ///< whether to fill JudgedResult::inliers and inlier_points
 
   static constexpr auto fields() {
@@ -70,6 +75,12 @@ struct JudgeOptions {
               "largest distance in plan from a line to the border of its plane"},
         Field{"min_coverage", &O::min_coverage, 0.0, 1.0,
               "share of the line that its plane must accompany"},
+        Field{"place_sigma_m", &O::place_sigma_m, 0.001, 100.0,
+              "distance of a right line from its surface, whatever its tool states"},
+        Field{"sigma_edge_px", &O::sigma_edge_px, 0.01, 100.0,
+              "of an image segment, orientation included"},
+        Field{"min_probability", &O::min_probability, 0.5, 1.0,
+              "of the surface; below, the line is ambiguous"},
         Field{"min_length_m", &O::min_length_m, 0.0, 1000.0, "shorter lines are too_short"},
         Field{"max_iterations", &O::max_iterations, 1, 1000000, "of the sample consensus"},
         Field{"seed", &O::seed, 0, 2147483647, "of the sample consensus"}};
