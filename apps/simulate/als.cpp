@@ -51,6 +51,8 @@ Reflectance reflectance(Material material) {
     case Material::kPaving:
     case Material::kCar:
       return {1, 1200.0};
+    case Material::kGardenWall:
+      return {1, 1000.0};
   }
   return {0, 0.0};
 }

@@ -30,6 +30,15 @@ ConvexPolygon turned_rectangle(const Eigen::Vector2d& centre,
   return polygon;
 }
 
+ConvexPolygon body_of(const Car& car) {
+  return turned_rectangle(car.foot.head<2>(), car.azimuth_rad, car.half_length_m, car.half_width_m);
+}
+
+ConvexPolygon cabin_of(const Car& car) {
+  return turned_rectangle(car.foot.head<2>(), car.azimuth_rad, car.cabin_half_length_m,
+                          car.cabin_half_width_m);
+}
+
 }  // namespace
 
 void add_tree(const Eigen::Vector3d& foot,
@@ -68,13 +77,25 @@ void add_tree(const Eigen::Vector3d& foot,
             centre.z(), {kNone, kNone, Material::kWood, leaf.object_id}, mesh);
 }
 
-void add_car(const Eigen::Vector3d& foot, double azimuth_rad, Mesh& mesh) {
+void add_car(const Car& car, Mesh& mesh) {
   const Look look{kNone, kNone, Material::kCar, next_object_id(mesh)};
-  const Eigen::Vector2d at = foot.head<2>();
-  add_prism(turned_rectangle(at, azimuth_rad, 2.15, 0.88), foot.z() - 0.1, foot.z() + 0.85, look,
-            mesh);
-  add_prism(turned_rectangle(at, azimuth_rad, 1.2, 0.75), foot.z() + 0.85, foot.z() + 1.45, look,
-            mesh);
+  const double foot_z = car.foot.z();
+  add_prism(body_of(car), foot_z - 0.1, foot_z + car.bonnet_m, look, mesh);
+  add_prism(cabin_of(car), foot_z + car.bonnet_m, foot_z + car.roof_m, look, mesh);
+}
+
+std::vector<Segment3> edges_of(const Car& car) {
+  std::vector<Segment3> edges;
+  const auto add_sides = [&](const ConvexPolygon& outline, double z) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Eigen::Vector2d& a = outline[i];
+      const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
+      edges.push_back({{a.x(), a.y(), z}, {b.x(), b.y(), z}});
+    }
+  };
+  add_sides(body_of(car), car.foot.z() + car.bonnet_m);
+  add_sides(cabin_of(car), car.foot.z() + car.roof_m);
+  return edges;
 }
 
 }  // namespace ridgeline::simulate

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace ridgeline::simulate {
 
 /// Adds a crown of many small random leaves, so that a laser pulse meets some of them and may pass,
@@ -16,7 +18,17 @@ void add_tree(const Eigen::Vector3d& foot,
               Random& random,
               Mesh& mesh);
 
-/// Adds the body and the cabin of a car.
-void add_car(const Eigen::Vector3d& foot, double azimuth_rad, Mesh& mesh);
+/// A car stands level: a body and a cabin on its middle, both boxes. Heights are above its foot.
+struct Car {
+  Eigen::Vector3d foot = Eigen::Vector3d::Zero();  ///< on the ground below its middle
+  double azimuth_rad = 0.0;
+  double half_length_m = 2.15, half_width_m = 0.88, bonnet_m = 0.85;
+  double cabin_half_length_m = 1.2, cabin_half_width_m = 0.75, roof_m = 1.45;
+};
+
+void add_car(const Car& car, Mesh& mesh);
+
+/// The upper edges of its body and its cabin.
+std::vector<Segment3> edges_of(const Car& car);
 
 }  // namespace ridgeline::simulate

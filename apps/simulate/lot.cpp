@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/simulate/lot.h"
 
+#include "apps/simulate/house_additions.h"
 #include "apps/simulate/houses.h"
 #include "reconstruct/geometry/degrees.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace ridgeline::simulate {
@@ -134,8 +138,53 @@ void register_parts(const std::vector<RoofPart>& parts, Building& building) {
   }
 }
 
-void add_single_house(
-    const VillageOptions& options, RoofType type, const Site& site, Random& random, Scene& scene) {
+/// The ground in the frame of the house.
+PlanFunction ground_at_house(const Site& site) {
+  const PlanFunction& ground = site.ground.height;
+  return {Eigen::Rotation2Dd(-site.azimuth_rad) * ground.gradient, ground(site.centre_m)};
+}
+
+/// Adds what the options ask for beyond the house itself.
+void add_additions(const VillageOptions& options,
+                   RoofType type,
+                   const Site& site,
+                   const HouseShape& shape,
+                   Random& clutter,
+                   std::vector<RoofPart>& parts) {
+  constexpr double kShortestRidgeM = 1.5;
+  const double ridge_length_m = shape.length_m - (type == RoofType::kHipped ? shape.width_m : 0.0);
+  const bool takes_dormers =
+      (type == RoofType::kGabled || type == RoofType::kHipped) && ridge_length_m >= kShortestRidgeM;
+  const bool with_dormers = clutter.chance(options.dormer_share);
+  if (with_dormers && takes_dormers) add_small_dormers(shape, ridge_length_m, clutter, parts);
+  if (!clutter.chance(options.annex_share)) return;
+  const ConvexPolygon& body = parts.front().walls;
+  add_annex(shape,
+            {.centre_m = 0.5 * (body[0] + body[2]),
+             .ground = ground_at_house(site),
+             .back_is_free = type != RoofType::kLShaped,
+             .reach_m = kHouseRadiusM},
+            clutter, parts);
+}
+
+/// Adds the parts of one house or row to the scene.
+void add_parts(const VillageOptions& options,
+               const std::vector<RoofPart>& parts,
+               const GroundPlane& ground,
+               Scene& scene) {
+  const int first_plane_id = static_cast<int>(scene.planes.size());
+  add_structure(parts, scene);
+  if (!options.with_feet) return;
+  const std::vector<RoofFace> faces = roof_faces(parts, first_plane_id);
+  std::ranges::move(wall_feet(parts, faces, ground), std::back_inserter(scene.lines));
+}
+
+void add_single_house(const VillageOptions& options,
+                      RoofType type,
+                      const Site& site,
+                      Random& random,
+                      Random& clutter,
+                      Scene& scene) {
   HouseShape shape = random_shape(options, site, random);
   shape.building_id = static_cast<int>(scene.buildings.size());
   std::vector<RoofPart> parts = random_parts(options, type, shape, random);
@@ -143,11 +192,12 @@ void add_single_house(
     const double chimney_u_m = random.uniform(-0.25, 0.25) * shape.length_m;
     parts.push_back(chimney(shape, chimney_u_m, -1.2, random.uniform(0.3, 0.9)));
   }
+  add_additions(options, type, site, shape, clutter, parts);
   for (RoofPart& part : parts) part = placed(part, site.centre_m, site.azimuth_rad);
   Building building = record(shape, type, site);
   register_parts(parts, building);
   scene.buildings.push_back(std::move(building));
-  add_structure(parts, scene);
+  add_parts(options, parts, site.ground, scene);
 }
 
 constexpr int kRowLength = 3;
@@ -197,17 +247,21 @@ void add_row(const VillageOptions& options, const Site& site, Random& random, Sc
     register_parts(parts, building);
     scene.buildings.push_back(std::move(building));
   }
-  add_structure(parts, scene);
+  add_parts(options, parts, site.ground, scene);
 }
 
 }  // namespace
 
-void add_house(
-    const VillageOptions& options, RoofType type, const Site& site, Random& random, Scene& scene) {
+void add_house(const VillageOptions& options,
+               RoofType type,
+               const Site& site,
+               Random& random,
+               Random& clutter,
+               Scene& scene) {
   if (type == RoofType::kRow) {
     add_row(options, site, random, scene);
   } else {
-    add_single_house(options, type, site, random, scene);
+    add_single_house(options, type, site, random, clutter, scene);
   }
 }
 

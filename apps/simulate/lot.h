@@ -4,6 +4,7 @@
 #include "apps/simulate/random.h"
 #include "apps/simulate/scene.h"
 #include "apps/simulate/village.h"
+#include "apps/simulate/wall_feet.h"
 
 #include <Eigen/Core>
 
@@ -18,10 +19,16 @@ struct Site {
   Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();  ///< plan, local
   double azimuth_rad = 0.0;                            ///< azimuth of the main ridge
   double floor_z_m = 0.0;                              ///< lowest ground of the site
+  GroundPlane ground{};
 };
 
-/// Adds a random house of a type: its parts, lines, planes and Building record(s).
-void add_house(
-    const VillageOptions& options, RoofType type, const Site& site, Random& random, Scene& scene);
+/// Adds a random house of a type: its parts, lines, planes and Building record(s). Annexes and small dormers are drawn from
+/// `clutter`.
+void add_house(const VillageOptions& options,
+               RoofType type,
+               const Site& site,
+               Random& random,
+               Random& clutter,
+               Scene& scene);
 
 }  // namespace ridgeline::simulate

@@ -70,6 +70,7 @@ std::span<const Entry> choices(Material material, bool flat_roof) {
     case Material::kGutter:
       return kGutters;
     case Material::kWall:
+    case Material::kGardenWall:
       return kWalls;
     case Material::kChimney:
       return kChimneys;

@@ -28,6 +28,12 @@ const char* name(LineKind kind) {
       return "ground";
     case LineKind::kJoint:
       return "joint";
+    case LineKind::kFoot:
+      return "foot";
+    case LineKind::kWallTop:
+      return "wall_top";
+    case LineKind::kObject:
+      return "object";
   }
   return "";
 }
@@ -115,6 +121,8 @@ double true_mean_distance(const Scene& scene, const Segment3& segment, int line_
   check(line_id >= 0 && line_id < static_cast<int>(scene.lines.size()),
         "true_mean_distance: line_id = ", line_id, ", must be the number of a true line");
   const std::vector<int>& planes = scene.lines[static_cast<std::size_t>(line_id)].plane_ids;
+  check(!planes.empty(), "true_mean_distance: line_id = ", line_id,
+        ", must be the number of a line that lies on a plane");
   double sum = 0.0;
   for (const int id : planes) {
     const Plane3& plane = scene.planes[static_cast<std::size_t>(id)].plane;

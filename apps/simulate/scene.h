@@ -33,6 +33,7 @@ enum class Material : std::uint8_t {
   kFrame,   ///< frames of windows
   kSolar,   ///< panels, frames of skylights
   kPaving,  ///< terraces and paths
+  kGardenWall,
 };
 
 /// The id of what does not exist: the building of a tree, the plane of a leaf.
@@ -53,7 +54,7 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
-enum class PlaneKind : std::uint8_t { kRoof, kGround, kChimney };
+enum class PlaneKind : std::uint8_t { kRoof, kGround, kChimney, kWallTop };
 
 /// Unit normal of a triangle, outwards.
 Eigen::Vector3d triangle_normal(const Mesh& mesh, int triangle);
@@ -68,24 +69,27 @@ struct ScenePlane {
 };
 
 enum class LineKind : std::uint8_t {
-  kRidge,   ///< horizontal convex intersection of two roof planes
-  kHip,     ///< inclined convex intersection
-  kValley,  ///< concave intersection
-  kEave,    ///< horizontal border of one roof plane
-  kVerge,   ///< inclined border of one roof plane
-  kGround,  ///< border of a street or a marking
-  kJoint,   ///< where a roof plane meets the wall of another body; not a true line
+  kRidge,    ///< horizontal convex intersection of two roof planes
+  kHip,      ///< inclined convex intersection
+  kValley,   ///< concave intersection
+  kEave,     ///< horizontal border of one roof plane
+  kVerge,    ///< inclined border of one roof plane
+  kGround,   ///< border of a street or a marking
+  kJoint,    ///< where a roof plane meets the wall of another body; not a true line
+  kFoot,     ///< where a wall meets the ground or a lower roof, on that surface; eaves may hide it
+  kWallTop,  ///< border of the top of a garden wall
+  kObject,   ///< edge of a car or a chimney; it is on no plane that a laser scan tells
 };
 
 /// The name of the kind in the files: `ridge`, `hip`, ...
 const char* name(LineKind kind);
 
-/// An edge of the top surface. It lies on its planes exactly and is not covered by another part of
-/// a building; trees may hide it.
+/// An edge of the top surface. It lies on its planes exactly and, unless it is a foot, is not covered
+/// by another part of a building; trees may hide it.
 struct SceneLine {
   Segment3 segment{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< local
   LineKind kind = LineKind::kRidge;
-  std::vector<int> plane_ids;  ///< two for ridge, hip, valley; one else
+  std::vector<int> plane_ids;  ///< two for ridge, hip, valley; none for object; one else
   int building_id = kNone;
 };
 
@@ -143,7 +147,7 @@ io::LineSet true_lines(const Scene& scene);
 io::BuildingModel true_model(const Scene& scene);
 
 /// Mean over the planes of true line `line_id` of the mean |distance| of a segment (local) to them:
-/// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line.
+/// what an error-free evaluation would report. Throws std::invalid_argument for an unknown line and one without planes.
 double true_mean_distance(const Scene& scene, const Segment3& segment, int line_id);
 
 }  // namespace ridgeline::simulate

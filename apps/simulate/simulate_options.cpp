@@ -56,6 +56,38 @@ void add_village_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
+/// What makes a village harder to judge, off by default.
+void add_clutter_options(CLI::App& app, SimulateArguments& a) {
+  const char* group = "Clutter";
+  app.add_flag_callback(
+         "--clutter", [&a] { set_clutter(a.village); },
+         "other defaults of this group: a suburb with all of it")
+      ->trigger_on_parse()
+      ->group(group);
+  app.add_option("--annex-share", a.village.annex_share,
+                 "share of the detached houses with a low lean-to or flat annex")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--dormer-share", a.village.dormer_share,
+                 "share of the plain gabled and hipped houses with small dormers")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--cars-per-lot", a.village.cars_per_lot,
+                 "mean number of cars at the kerb and in gardens, 0 to 4")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--garden-wall-share", a.village.garden_wall_share,
+                 "share of the borders between lots with a garden wall, unless they have a fence")
+      ->capture_default_str()
+      ->group(group);
+  app.add_flag("--foot-lines,!--no-foot-lines", a.village.with_feet,
+               "true lines where walls meet the ground or a lower roof")
+      ->group(group);
+  app.add_flag("--object-lines,!--no-object-lines", a.village.with_objects,
+               "true lines at the edges of cars and chimneys")
+      ->group(group);
+}
+
 /// Files of the truth that are not always written.
 void add_truth_options(CLI::App& app, SimulateArguments& a) {
   app.add_option("--models", a.models,
@@ -196,6 +228,7 @@ void add_simulate_options(CLI::App& app, SimulateArguments& a) {
   add_scene_options(app, a);
   add_truth_options(app, a);
   add_village_options(app, a);
+  add_clutter_options(app, a);
   add_scanner_options(app, a);
   add_image_options(app, a);
   add_block_options(app, a);

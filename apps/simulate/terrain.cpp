@@ -57,7 +57,8 @@ void Terrain::add_tile(const Row& row,
 
 void Terrain::add_line(const Row& row,
                        const Eigen::Vector2d& start_uv,
-                       const Eigen::Vector2d& end_uv) {
+                       const Eigen::Vector2d& end_uv,
+                       LineKind kind) {
   constexpr double kShortestM = 0.5;
   const Segment2 segment{local(start_uv), local(end_uv)};
   Interval interval;
@@ -67,7 +68,7 @@ void Terrain::add_line(const Row& row,
     return on(row.ground, (1.0 - t) * segment.start + t * segment.end);
   };
   scene_->lines.push_back({.segment = {at(interval.begin), at(interval.end)},
-                           .kind = LineKind::kGround,
+                           .kind = kind,
                            .plane_ids = {row.plane_id},
                            .building_id = kNone});
 }

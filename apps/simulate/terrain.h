@@ -31,8 +31,11 @@ class Terrain {
                 const Eigen::Vector2d& low_uv,
                 const Eigen::Vector2d& high_uv,
                 Material material);
-  /// Adds a true line of kind ground.
-  void add_line(const Row& row, const Eigen::Vector2d& start_uv, const Eigen::Vector2d& end_uv);
+  /// Adds a true line on the ground of the row.
+  void add_line(const Row& row,
+                const Eigen::Vector2d& start_uv,
+                const Eigen::Vector2d& end_uv,
+                LineKind kind = LineKind::kGround);
   /// Adds a dashed centre line and the borders of the street, over [begin, end] along u.
   void add_street(const Row& row, double begin_u_m, double end_u_m);
   /// Adds two ranks of parking bays with their markings.

@@ -5,6 +5,7 @@
 #include "apps/simulate/lot.h"
 #include "apps/simulate/mesh_builder.h"
 #include "apps/simulate/random.h"
+#include "apps/simulate/street_clutter.h"
 #include "apps/simulate/terrain.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr double kHalfRowM = kHalfStreetM + kLotSizeM;
 
 /// Streams of random numbers: what one lot bears does not depend on its neighbours.
-enum VillageStream : std::uint64_t { kTerrainStream, kLotStream };
+enum VillageStream : std::uint64_t { kTerrainStream, kLotStream, kClutterStream };
 
 void check_share(const char* name, double value) {
   check(value >= 0.0 && value <= 1.0, name, " = ", value, ", must be in [0, 1]");
@@ -44,6 +45,11 @@ void check_options(const VillageOptions& o) {
   check(o.min_pitch_deg >= 10.0 && o.max_pitch_deg <= 55.0 && o.min_pitch_deg <= o.max_pitch_deg,
         "min_pitch_deg, max_pitch_deg = ", o.min_pitch_deg, ", ", o.max_pitch_deg,
         ", must be ordered and in [10, 55]");
+  check_share("annex_share", o.annex_share);
+  check_share("dormer_share", o.dormer_share);
+  check_share("garden_wall_share", o.garden_wall_share);
+  check(o.cars_per_lot >= 0.0 && o.cars_per_lot <= 4.0, "cars_per_lot = ", o.cars_per_lot,
+        ", must be in [0, 4]");
   check(o.trees_per_lot >= 0.0 && o.trees_per_lot <= 6.0, "trees_per_lot = ", o.trees_per_lot,
         ", must be in [0, 6]");
 }
@@ -66,8 +72,9 @@ class VillageBuilder {
       ground.offset += options_.terrace_step_m * static_cast<double>(r);
       const Row row = terrain_.add_row(2.0 * kHalfRowM * r, kHalfRowM, ground);
       if (r > -rows && options_.terrace_step_m > 0.0) {
-        terrain_.add_retaining_wall(previous, row, row.street_v_m - kHalfRowM,
-                                    scene_.extent_m.norm());
+        const double wall_v_m = row.street_v_m - kHalfRowM;
+        terrain_.add_retaining_wall(previous, row, wall_v_m, scene_.extent_m.norm());
+        if (options_.with_feet) add_retaining_wall_lines(previous, row, wall_v_m, lots);
       }
       for (int i = -lots; i < lots; ++i) add_lot_pair(row, r, i);
       previous = row;
@@ -80,13 +87,27 @@ class VillageBuilder {
     terrain_.add_street(row, begin_u, begin_u + kLotSizeM);
     for (const int side : {-1, 1}) {
       const double low_v = side > 0 ? row.street_v_m + kHalfStreetM : row.street_v_m - kHalfRowM;
-      Random random({options_.seed, kLotStream, static_cast<std::uint64_t>(r),
-                     static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(side)});
-      add_lot(row, {begin_u, low_v}, random);
+      const auto stream = [&](VillageStream kind) {
+        return Random({options_.seed, kind, static_cast<std::uint64_t>(r),
+                       static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(side)});
+      };
+      Random random = stream(kLotStream);
+      Random clutter = stream(kClutterStream);
+      add_lot(row, {begin_u, low_v}, random, clutter);
     }
   }
 
-  void add_lot(const Row& row, const Eigen::Vector2d& low_uv, Random& random) {
+  /// The foot and the upper edge, lot by lot.
+  void add_retaining_wall_lines(const Row& low, const Row& high, double v_m, int lots) {
+    for (int i = -lots; i < lots; ++i) {
+      const Eigen::Vector2d begin(kLotSizeM * i, v_m);
+      const Eigen::Vector2d end(kLotSizeM * (i + 1), v_m);
+      terrain_.add_line(low, begin, end, LineKind::kFoot);
+      terrain_.add_line(high, begin, end, LineKind::kGround);
+    }
+  }
+
+  void add_lot(const Row& row, const Eigen::Vector2d& low_uv, Random& random, Random& clutter) {
     const Eigen::Vector2d high_uv = low_uv + Eigen::Vector2d::Constant(kLotSizeM);
     const Eigen::Vector2d centre = terrain_.local(0.5 * (low_uv + high_uv));
     const bool inside = (centre.array() >= kHouseRadiusM).all() &&
@@ -99,12 +120,20 @@ class VillageBuilder {
       return;
     }
     terrain_.add_tile(row, low_uv, high_uv, Material::kGround);
-    if (built && inside) add_random_house(row, centre, random);
-    add_trees(row, low_uv, first_building, random);
-    if (random.chance(options_.fence_share)) add_fence(row, low_uv);
+    if (built && inside) add_random_house(row, centre, random, clutter);
+    const std::vector<Eigen::Vector2d> trees = add_trees(row, low_uv, first_building, random);
+    if (random.chance(options_.fence_share)) {
+      add_fence(row, low_uv);
+    } else if (clutter.chance(options_.garden_wall_share)) {
+      add_garden_wall(terrain_, row, low_uv, options_.with_feet, clutter, scene_);
+    }
+    park_cars(row, low_uv, first_building, trees, clutter);
   }
 
-  void add_random_house(const Row& row, const Eigen::Vector2d& centre, Random& random) {
+  void add_random_house(const Row& row,
+                        const Eigen::Vector2d& centre,
+                        Random& random,
+                        Random& clutter) {
     const std::vector<RoofType>& types = options_.roof_types;
     const RoofType type = types.empty()
                               ? static_cast<RoofType>(random.integer(0, kNumRoofTypes - 1))
@@ -113,7 +142,8 @@ class VillageBuilder {
     Site site{.centre_m = centre};
     site.floor_z_m = row.ground(centre) - row.ground.gradient.norm() * kHouseRadiusM;
     site.azimuth_rad = house_azimuth_rad(random);
-    add_house(options_, type, site, random, scene_);
+    site.ground = {row.ground, row.plane_id};
+    add_house(options_, type, site, random, clutter, scene_);
   }
 
   /// The azimuth of a house: parallel to x, or along or across the street with some freedom.
@@ -124,10 +154,12 @@ class VillageBuilder {
     return azimuth_rad_ + quarter + jitter;
   }
 
-  void add_trees(const Row& row,
-                 const Eigen::Vector2d& low_uv,
-                 std::size_t first_building,
-                 Random& random) {
+  /// Gives the places of the trunks.
+  std::vector<Eigen::Vector2d> add_trees(const Row& row,
+                                         const Eigen::Vector2d& low_uv,
+                                         std::size_t first_building,
+                                         Random& random) {
+    std::vector<Eigen::Vector2d> trunks;
     const double expected = options_.trees_per_lot;
     const int count = static_cast<int>(std::floor(expected + random.uniform()));
     for (int i = 0; i < count; ++i) {
@@ -141,9 +173,11 @@ class VillageBuilder {
         const Eigen::Vector2d x = terrain_.local(uv);
         if (!is_free(x, radius, first_building)) continue;
         add_tree({x.x(), x.y(), row.ground(x)}, radius, height, random, scene_.mesh);
+        trunks.push_back(x);
         break;
       }
     }
+    return trunks;
   }
 
   /// Whether a tree may stand at `x`. Its crown may hang over a roof by up to a metre; its trunk keeps off the walls.
@@ -173,8 +207,54 @@ class VillageBuilder {
       if (!random.chance(0.5)) continue;
       const Eigen::Vector2d x = terrain_.local(low_uv + Eigen::Vector2d(kBayM * (bay + 0.5), 2.5));
       if ((x.array() < 3.0).any() || (x.array() > scene_.extent_m.array() - 3.0).any()) continue;
-      add_car({x.x(), x.y(), row.ground(x)}, azimuth_rad_ + 0.5 * std::numbers::pi, scene_.mesh);
+      const Car car{.foot = {x.x(), x.y(), row.ground(x)},
+                    .azimuth_rad = azimuth_rad_ + 0.5 * std::numbers::pi};
+      add_parked_car(car, options_.with_objects, scene_);
     }
+  }
+
+  /// Parks cars at the kerb and in the garden, clear of the house, the trees and each other.
+  void park_cars(const Row& row,
+                 const Eigen::Vector2d& low_uv,
+                 std::size_t first_building,
+                 std::vector<Eigen::Vector2d> taken,
+                 Random& random) {
+    constexpr double kCarM = 2.7;    // half its length, and some space
+    constexpr double kClearM = 3.5;  // of the roof of the house, less what a tree may hang over it
+    constexpr double kApartM = 5.0;  // between the middles of two cars
+    const int count = static_cast<int>(std::floor(options_.cars_per_lot + random.uniform()));
+    for (int i = 0; i < count; ++i) {
+      const bool at_kerb = random.chance(0.5);
+      Car car = random_car(random);
+      const double turn = at_kerb ? 0.0 : 0.5 * std::numbers::pi * random.integer(0, 1);
+      car.azimuth_rad = azimuth_rad_ + turn + kRadPerDeg * random.uniform(-4.0, 4.0);
+      for (int attempt = 0; attempt < 20; ++attempt) {
+        const Eigen::Vector2d in_lot{random.uniform(kCarM, kLotSizeM - kCarM),
+                                     random.uniform(kCarM, kLotSizeM - kCarM)};
+        const Eigen::Vector2d uv =
+            at_kerb ? kerb_place(row, low_uv, in_lot.x(), car) : Eigen::Vector2d(low_uv + in_lot);
+        const Eigen::Vector2d x = terrain_.local(uv);
+        const bool apart = std::all_of(taken.begin(), taken.end(), [&](const Eigen::Vector2d& y) {
+          return (x - y).norm() >= kApartM;
+        });
+        if (!apart || !is_free(x, kClearM, first_building)) continue;
+        car.foot = {x.x(), x.y(), row.ground(x)};
+        add_parked_car(car, options_.with_objects, scene_);
+        taken.push_back(x);
+        break;
+      }
+    }
+  }
+
+  /// On the street, 0.3 m off the border of the lot.
+  static Eigen::Vector2d kerb_place(const Row& row,
+                                    const Eigen::Vector2d& low_uv,
+                                    double u_in_lot_m,
+                                    const Car& car) {
+    constexpr double kGapM = 0.3;
+    const double side = low_uv.y() > row.street_v_m ? 1.0 : -1.0;
+    return {low_uv.x() + u_in_lot_m,
+            row.street_v_m + side * (kHalfStreetM - kGapM - car.half_width_m)};
   }
 
   void add_fence(const Row& row, const Eigen::Vector2d& low_uv) {
@@ -220,7 +300,17 @@ Scene make_village(const VillageOptions& options) {
   scene.mean_terrain.offset = -scene.mean_terrain.gradient.dot(0.5 * scene.extent_m);
 
   VillageBuilder(options, scene).build();
+  if (options.with_objects) add_chimney_lines(scene);
   return scene;
+}
+
+void set_clutter(VillageOptions& options) {
+  options.annex_share = 0.5;
+  options.dormer_share = 0.6;
+  options.cars_per_lot = 1.5;
+  options.garden_wall_share = 0.5;
+  options.with_feet = true;
+  options.with_objects = true;
 }
 
 }  // namespace ridgeline::simulate

@@ -33,7 +33,20 @@ struct VillageOptions {
   double fence_share = 0.3;        ///< share of the borders between lots that have a fence
   /// The roof types, which are equally probable; empty: all types.
   std::vector<RoofType> roof_types;
+
+  // What follows is drawn apart from all else: with their defaults a village keeps its bytes.
+  double annex_share = 0.0;   ///< share of the detached houses with a low lean-to or flat annex
+  double dormer_share = 0.0;  ///< share of the plain gabled and hipped houses with small dormers
+  double cars_per_lot =
+      0.0;  ///< mean number at the kerb and in gardens, 0 to 4; parking has its own
+  double garden_wall_share =
+      0.0;                 ///< share of the borders between lots that have a wall, unless a fence
+  bool with_feet = false;  ///< true lines at the feet of walls and at retaining walls
+  bool with_objects = false;  ///< true lines at the edges of cars and chimneys
 };
+
+/// Sets all of these to what a suburb may have.
+void set_clutter(VillageOptions& options);
 
 /// A village by seed: equal options give equal bytes. Buildings keep at least 0.5 m distance in
 /// plan. Throws std::invalid_argument for an option outside its range.
