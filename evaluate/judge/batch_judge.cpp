@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <string>
 #include <unordered_map>
@@ -134,11 +135,30 @@ std::uint32_t common_label(const std::vector<std::uint64_t>& inliers, const Poin
   return static_cast<double>(most) >= kShared * static_cast<double>(inliers.size()) ? best : 0;
 }
 
-/// Gives planes that were fitted to the same points one id, in the order of the lines.
-void identify_planes(std::vector<JudgedResult>& results) {
+std::array<double, 3> key_of(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
+
+/// The numbers of the lines that planes judged, by their place: nothing may depend on the order of a file.
+std::vector<std::size_t> judged_by_place(std::span<const JudgedLine> lines,
+                                         const std::vector<JudgedResult>& results) {
+  const auto place = [&](std::size_t i) {
+    const auto [first, last] =
+        std::minmax({key_of(lines[i].segment.start), key_of(lines[i].segment.end)});
+    return std::pair(first, last);
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i].inlier_keys.empty()) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, {}, place);
+  return order;
+}
+
+/// Gives planes that were fitted to the same points one id, in the order of the lines' places.
+void identify_planes(std::span<const JudgedLine> lines, std::vector<JudgedResult>& results) {
   PointLabels labels;
   std::uint32_t next = 1;
-  for (JudgedResult& result : results) {
+  for (const std::size_t i : judged_by_place(lines, results)) {
+    JudgedResult& result = results[i];
     for (std::size_t p = 0; p < result.inlier_keys.size(); ++p) {
       std::uint32_t label = common_label(result.inlier_keys[p], labels);
       if (label == 0) label = next++;
@@ -166,7 +186,7 @@ void BatchJudge::judge(const PointSearch& search, std::span<const std::size_t> b
 }
 
 std::vector<JudgedResult> BatchJudge::take_results() {
-  identify_planes(results_);
+  identify_planes(lines_, results_);
   return std::move(results_);
 }
 
@@ -179,7 +199,7 @@ void join_parts(std::span<const JudgedLine> lines, std::vector<JudgedResult>& re
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (repeated[i] != 0) results[i] = duplicate(lines[i]);
   }
-  identify_planes(results);
+  identify_planes(lines, results);
 }
 
 }  // namespace ridgeline::evaluate

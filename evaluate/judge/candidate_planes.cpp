@@ -139,8 +139,7 @@ std::vector<FoundPlane> planes_beside(std::span<const ZonePoint> zone,
   const double far = options.corridor_half_width_m;
   std::vector<FoundPlane> found;
   for (const auto& [from, to] : {std::pair(gap, far), std::pair(-far, -gap)}) {
-    for (FoundPlane& plane :
-         search_planes(strip_of(zone, footprint, from, to), options, normals)) {
+    for (FoundPlane& plane : search_planes(strip_of(zone, footprint, from, to), options, normals)) {
       found.push_back(std::move(plane));
     }
   }

@@ -45,10 +45,10 @@ struct JudgeOptions {
   double place_sigma_m = 0.3;
   double sigma_edge_px = 1.0;    ///< of an image segment with its orientation
   double min_probability = 0.9;  ///< of the surface; below, the line is ambiguous
-  double min_length_m = 0.3;  ///< shorter lines are `too_short`
-  int max_iterations = 300;   ///< of the sample consensus
-  int seed = 1;               ///< of the sample consensus, whose results must not depend on it
-  bool keep_points = false;   ///< whether to fill JudgedResult::inliers and inlier_points
+  double min_length_m = 0.3;     ///< shorter lines are `too_short`
+  int max_iterations = 300;      ///< of the sample consensus
+  int seed = 1;                  ///< of the sample consensus, whose results must not depend on it
+  bool keep_points = false;      ///< whether to fill JudgedResult::inliers and inlier_points
 
   static constexpr auto fields() {
     using O = JudgeOptions;

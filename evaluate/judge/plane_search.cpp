@@ -128,7 +128,8 @@ std::vector<Eigen::Vector3d> supporters(const std::vector<ZonePoint>& points,
 /// A plane that its own supporters give again.
 struct SettledPlane {
   PlaneFit fit;
-  double cost_m2;  ///< sum over all points of their squared distances, none above that of the threshold
+  double
+      cost_m2;  ///< sum over all points of their squared distances, none above that of the threshold
 };
 
 double truncated_cost_m2(const std::vector<ZonePoint>& points,

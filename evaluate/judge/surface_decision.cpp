@@ -34,7 +34,8 @@ double log_place(const SurfaceHypothesis& h,
                  const Segment3& segment,
                  const JudgeOptions& options) {
   // density of a right line at its distance, in units of that of a wrong line that may be anywhere
-  const double wrong = kWrongDensity_per_m * options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
+  const double wrong =
+      kWrongDensity_per_m * options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
   if (h.planes.empty()) return std::log(wrong);
   return std::log(std::exp(-0.5 * place_chi_square(h, candidates, segment, options)) + wrong);
 }
@@ -48,12 +49,14 @@ double log_images(const SurfaceHypothesis& h,
     sum += sightings_chi_square(images, candidates[i].fit.plane, options.sigma_edge_px);
   }
   if (h.planes.empty()) {
-    return kObjectSeen - 0.5 * kSightingWeight * sightings_chi_square(images, options.sigma_edge_px);
+    return kObjectSeen -
+           0.5 * kSightingWeight * sightings_chi_square(images, options.sigma_edge_px);
   }
   return -0.5 * kSightingWeight * sum / static_cast<double>(h.planes.size());
 }
 
-constexpr std::array kOrder{DecidedBy::kPlan, DecidedBy::kImages, DecidedBy::kPoints, DecidedBy::kPlace};
+constexpr std::array kOrder{DecidedBy::kPlan, DecidedBy::kImages, DecidedBy::kPoints,
+                            DecidedBy::kPlace};
 
 /// The sum of the evidence in kOrder, up to and with one kind.
 double up_to(const SurfaceEvidence& e, DecidedBy last) {
@@ -76,7 +79,7 @@ std::vector<double> probabilities(std::span<const SurfaceEvidence> evidence, Dec
 /// Whether two hypotheses give a line the same distance.
 bool are_one_surface(const SurfaceHypothesis& a, const SurfaceHypothesis& b) {
   constexpr double kSame_m = 0.15;
-  if (a.planes.empty() || b.planes.empty()) return a.planes.empty() && b.planes.empty();
+  if (a.surface == Surface::kObject || b.surface == Surface::kObject) return a.surface == b.surface;
   return (a.heights_m - b.heights_m).cwiseAbs().maxCoeff() <= kSame_m;
 }
 
@@ -136,12 +139,15 @@ const char* words(Surface surface) {
 /// Whether both sides of the line carry the plane, so that the line runs inside it.
 bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
   const double gap = options.side_gap_m;
-  const auto left = std::ranges::count_if(plane.beside, [&](const ZonePoint& p) { return p.t > gap; });
-  const auto right = std::ranges::count_if(plane.beside, [&](const ZonePoint& p) { return p.t < -gap; });
+  const auto left =
+      std::ranges::count_if(plane.beside, [&](const ZonePoint& p) { return p.t > gap; });
+  const auto right =
+      std::ranges::count_if(plane.beside, [&](const ZonePoint& p) { return p.t < -gap; });
   return 4 * std::min(left, right) >= std::max(left, right);
 }
 
-SurfaceDecision without_plane(std::span<const CandidatePlane> candidates, const JudgeOptions& options) {
+SurfaceDecision without_plane(std::span<const CandidatePlane> candidates,
+                              const JudgeOptions& options) {
   SurfaceDecision decision;
   if (candidates.empty()) {
     decision.reason = "points beside the line, but no plane among them";
@@ -151,7 +157,8 @@ SurfaceDecision without_plane(std::span<const CandidatePlane> candidates, const 
   for (const CandidatePlane& plane : candidates) most = std::max(most, plane.coverage);
   decision.status = Status::kLowCoverage;
   decision.reason = fmt::format(
-      "no plane accompanies the line closely enough: largest coverage {:.0f} %, must be at least {:.0f} %",
+      "no plane accompanies the line closely enough: largest coverage {:.0f} %, must be at least "
+      "{:.0f} %",
       100.0 * most, 100.0 * options.min_coverage);
   return decision;
 }
@@ -206,12 +213,14 @@ SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
   if (next) decision.other = hypotheses[*next].surface;
   if (of_surface[chosen] < options.min_probability) {
     decision.status = Status::kAmbiguous;
-    decision.reason = fmt::format("{} with a probability of {:.2f}, or {}", words(*decision.surface),
-                                  *decision.probability, next ? words(*decision.other) : "nothing");
+    decision.reason =
+        fmt::format("{} with a probability of {:.2f}, or {}", words(*decision.surface),
+                    *decision.probability, next ? words(*decision.other) : "nothing");
     return decision;
   }
-  if (hypotheses[chosen].planes.empty()) {
-    decision.reason = "the edge of an object that the cloud has no plane for";
+  if (hypotheses[chosen].surface == Surface::kObject) {
+    decision.reason =
+        "the edge of a car, a hedge or another object that the cloud has no plane for";
     return decision;
   }
   decision.status = Status::kEvaluated;

@@ -10,7 +10,8 @@
 namespace ridgeline::evaluate {
 namespace {
 
-constexpr double kHigher_m = 0.3;  // a surface that is less higher is the same one, or hides nothing
+constexpr double kHigher_m =
+    0.3;  // a surface that is less higher is the same one, or hides nothing
 constexpr double kStorey_m = 2.0;
 
 /// How far a plane's points reach across a line, in stretches along it: -HUGE_VAL, HUGE_VAL where there are none.
@@ -78,10 +79,14 @@ double covered_share(const Placed& plane, std::span<const Placed> all, const Str
   constexpr double kBeyond_m = 0.15;
   std::size_t n = 0;
   for (std::size_t i = 0; i < stretches.n(); ++i) {
-    n += std::ranges::any_of(all, [&](const Placed& other) {
-      return other.height_m > plane.height_m + kHigher_m && other.reach.lowest_t[i] < -kBeyond_m &&
-             other.reach.highest_t[i] > kBeyond_m;
-    }) ? 1 : 0;
+    n += std::ranges::any_of(all,
+                             [&](const Placed& other) {
+                               return other.height_m > plane.height_m + kHigher_m &&
+                                      other.reach.lowest_t[i] < -kBeyond_m &&
+                                      other.reach.highest_t[i] > kBeyond_m;
+                             })
+             ? 1
+             : 0;
   }
   return static_cast<double>(n) / static_cast<double>(stretches.n());
 }
@@ -127,9 +132,12 @@ PointsBeside points_beside_line(std::span<const ZonePoint> zone,
 }
 
 /// Share of the points within a distance of the line that no plane explains and that stand on the surface.
-double standing_share(const PointsBeside& beside, const Plane3& plane, double within_m, std::size_t of) {
-  constexpr double kLowest_m = 0.2;  // a nearer point may belong to the surface
-  constexpr double kHighest_m = 2.0; // points farther up, of canopies, hide no edge
+double standing_share(const PointsBeside& beside,
+                      const Plane3& plane,
+                      double within_m,
+                      std::size_t of) {
+  constexpr double kLowest_m = 0.2;   // a nearer point may belong to the surface
+  constexpr double kHighest_m = 2.0;  // points farther up, of canopies, hide no edge
   const auto n = std::ranges::count_if(beside.unexplained, [&](const ZonePoint& p) {
     const double above_m = plane.signedDistance(p.x);
     return std::abs(p.t) <= within_m && above_m > kLowest_m && above_m < kHighest_m;
@@ -138,7 +146,10 @@ double standing_share(const PointsBeside& beside, const Plane3& plane, double wi
 }
 
 /// Share of the line that has unexplained points near it in space.
-double accompanied_share(const PointsBeside& beside, const Segment3& segment, double length_m, double reach_m) {
+double accompanied_share(const PointsBeside& beside,
+                         const Segment3& segment,
+                         double length_m,
+                         double reach_m) {
   constexpr double kNear_m = 0.3;
   std::vector<ZonePoint> near;
   for (const ZonePoint& p : beside.unexplained) {
@@ -164,6 +175,16 @@ Eigen::Vector2d heights_at_ends(const Plane3& plane, const Footprint& footprint)
   return {height_at(plane, footprint.start), height_at(plane, footprint.at(footprint.length_m))};
 }
 
+/// Divides 1 between the two knots next to the border's place.
+void add_border(double beyond_m, std::size_t first_term, SurfaceHypothesis& h) {
+  const double x = std::clamp(beyond_m, kBorders_m.front(), kBorders_m.back());
+  std::size_t i = 0;
+  while (i + 2 < kBorders_m.size() && x > kBorders_m[i + 1]) ++i;
+  const double share = (x - kBorders_m[i]) / (kBorders_m[i + 1] - kBorders_m[i]);
+  h.plan[first_term + i] = 1.0 - share;
+  h.plan[first_term + i + 1] = share;
+}
+
 class Hypotheses {
  public:
   Hypotheses(std::span<const ZonePoint> zone,
@@ -173,28 +194,31 @@ class Hypotheses {
       : candidates_(candidates),
         footprint_(footprint),
         options_(options),
-        spacing_m_(std::min(1.0, point_spacing_m(zone.size(), 2.0 * options.fit_half_width_m *
-                                     (footprint.length_m + 2.0 * options.fit_half_width_m)))),
+        spacing_m_(
+            std::min(1.0,
+                     point_spacing_m(zone.size(),
+                                     2.0 * options.fit_half_width_m *
+                                         (footprint.length_m + 2.0 * options.fit_half_width_m)))),
         stretches_(footprint.length_m, spacing_m_),
         beside_(points_beside_line(zone, candidates, footprint, options)) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (candidates[i].coverage < options.min_coverage) continue;
       Reach reach = stretches_.reach_of(candidates[i].beside);
       const double beyond_m = beyond_line_m(candidates[i], reach);
-      placed_.push_back({i, std::move(reach), beyond_m,
-                         height_at(candidates[i].fit.plane, footprint.middle())});
+      placed_.push_back(
+          {i, std::move(reach), beyond_m, height_at(candidates[i].fit.plane, footprint.middle())});
     }
   }
 
   [[nodiscard]] SurfaceHypothesis object(const Segment3& segment) const {
     SurfaceHypothesis h;
-    h.plan[kIsObject] = 1.0;
     h.plan[kOneSideEmpty] = beside_.one_side_empty ? 1.0 : 0.0;
     h.points[kAccompany] = accompanied_share(beside_, segment, footprint_.length_m, spacing_m_);
     return h;
   }
 
-  [[nodiscard]] std::vector<SurfaceHypothesis> steps(const std::optional<Eigen::Vector2d>& inside) const {
+  [[nodiscard]] std::vector<SurfaceHypothesis> steps(
+      const std::optional<Eigen::Vector2d>& inside) const {
     std::vector<SurfaceHypothesis> all;
     for (const Placed& plane : placed_) {
       const CandidatePlane& candidate = candidates_[plane.candidate];
@@ -230,24 +254,28 @@ class Hypotheses {
         placed_, [&](const Placed& other) { return other.height_m > plane.height_m + kHigher_m; });
     const bool is_ground =
         is_lower &&
-        std::ranges::none_of(placed_, [&](const Placed& o) { return o.height_m < plane.height_m; }) &&
-        std::ranges::any_of(placed_, [&](const Placed& o) { return o.height_m > plane.height_m + kStorey_m; });
+        std::ranges::none_of(placed_,
+                             [&](const Placed& o) { return o.height_m < plane.height_m; }) &&
+        std::ranges::any_of(
+            placed_, [&](const Placed& o) { return o.height_m > plane.height_m + kStorey_m; });
     SurfaceHypothesis h;
-    h.surface = is_ground ? Surface::kGround : is_lower ? Surface::kLower : Surface::kUpper;
+    h.surface = candidate.low_object ? Surface::kObject
+                : is_ground          ? Surface::kGround
+                : is_lower           ? Surface::kLower
+                                     : Surface::kUpper;
     h.planes = {plane.candidate};
     h.heights_m = heights_at_ends(candidate.fit.plane, footprint_);
-    h.plan[kIsUpper] = is_lower ? 0.0 : 1.0;
-    h.plan[kIsLower] = is_lower ? 1.0 : 0.0;
+    // points end before the border of their plane, by half their distance on average over a stretch
+    add_border(plane.beyond_m + 0.25 * spacing_m_, is_lower ? kLowerBorder : kUpperBorder, h);
     h.plan[kIsGround] = is_ground ? 1.0 : 0.0;
-    h.plan[kStepMissing] = 1.0 - candidate.coverage;
-    h.plan[kGap] = std::clamp(-plane.beyond_m, 0.0, options_.corridor_half_width_m);
-    const double reach = std::clamp(plane.beyond_m, 0.0, options_.corridor_half_width_m);
-    h.plan[is_lower ? kLowerReach : kUpperReach] = reach;
+    add_step_above(plane, h);
     h.plan[kCovered] = is_lower ? covered_share(plane, placed_, stretches_) : 0.0;
+    h.plan[kMissing] = 1.0 - candidate.coverage;
     h.plan[kFewPoints] = 1.0 / std::sqrt(candidate.fit.n);
+    if (is_lower) h.plan[kLowerFewPoints] = h.plan[kFewPoints];
     h.plan[kIsLowObject] = candidate.low_object ? 1.0 : 0.0;
     h.plan[kIsLedge] = candidate.fit.spread_m2.y() == HUGE_VAL ? 1.0 : 0.0;
-    add_points(candidate.fit.plane, h);
+    add_points(candidate.fit.plane, is_lower, h);
     return h;
   }
 
@@ -267,13 +295,40 @@ class Hypotheses {
     h.plan[kMeetingFlat] = options_.ridge_angle_deg * kRadPerDeg / angle_rad;
     const Placed middle{a, {}, 0.0, h.heights_m.mean()};
     h.plan[kCovered] = covered_share(middle, placed_, stretches_);
-    add_points(candidates_[a].fit.plane, h);
+    add_points(candidates_[a].fit.plane, false, h);
     return h;
   }
 
-  void add_points(const Plane3& plane, SurfaceHypothesis& h) const {
-    h.points[kStandBeside] = standing_share(beside_, plane, kBeside_m, beside_.n_beside);
-    h.points[kStandIn] = standing_share(beside_, plane, kIn_m, beside_.n_in);
+  /// Whether the point lies under a plane or its border, as the returns of a wall do. These stand on no surface.
+  [[nodiscard]] bool is_on_wall(const ZonePoint& p) const {
+    constexpr double kUnder_m = 0.2;
+    constexpr double kBeyondBorder_m = 0.3;
+    return std::ranges::any_of(placed_, [&](const Placed& plane) {
+      return p.t > std::ranges::min(plane.reach.lowest_t) - kBeyondBorder_m &&
+             p.t < std::ranges::max(plane.reach.highest_t) + kBeyondBorder_m &&
+             height_at(candidates_[plane.candidate].fit.plane, p.x.head<2>()) > p.x.z() + kUnder_m;
+    });
+  }
+
+  /// The terms of a plane by the next higher one.
+  void add_step_above(const Placed& plane, SurfaceHypothesis& h) const {
+    constexpr double kAtBorder_m = 0.3;
+    const Placed* next = nullptr;
+    for (const Placed& other : placed_) {
+      if (other.height_m <= plane.height_m + kHigher_m) continue;
+      if (next == nullptr || other.height_m < next->height_m) next = &other;
+    }
+    if (next == nullptr) return;
+    h.plan[kLowStep] = std::max(0.0, 1.0 - (next->height_m - plane.height_m) / kStorey_m);
+    const double border_m = next->beyond_m + 0.25 * spacing_m_;
+    h.plan[kUnderLowBorder] =
+        h.plan[kLowStep] * std::max(0.0, 1.0 - std::abs(border_m) / kAtBorder_m);
+  }
+
+  void add_points(const Plane3& plane, bool is_lower, SurfaceHypothesis& h) const {
+    const double share = standing_share(beside_, plane, kBeside_m, beside_.n_beside);
+    h.points[is_lower ? kStandLower : kStandBeside] = share;
+    if (!is_lower) h.points[kStandIn] = standing_share(beside_, plane, kIn_m, beside_.n_in);
   }
 
   std::span<const CandidatePlane> candidates_;

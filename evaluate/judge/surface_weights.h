@@ -7,38 +7,49 @@
 
 namespace ridgeline::evaluate {
 
-/// Weights of the terms, by maximum likelihood; docs/calibration.md names the data.
+// By maximum likelihood; docs/calibration.md names the data.
+
 inline constexpr std::array<double, kNumPlanTerms> kPlanWeights{
-    4.0,   // kIsUpper
-    1.0,   // kIsLower
-    0.5,   // kIsGround
-    -3.0,  // kStepMissing
-    -3.0,  // kGap
-    -1.0,  // kUpperReach
-    0.0,   // kLowerReach
-    -2.0,  // kCovered
-    -3.0,  // kFewPoints
-    -4.0,  // kIsLowObject
-    0.0,   // kIsLedge
-    8.0,   // kIsMeeting
-    -4.0,  // kMeetingOffset
-    -4.0,  // kMeetingDirection
-    -3.0,  // kMeetingMissing
-    -0.5,  // kMeetingFlat
-    0.0,   // kIsObject
-    1.0,   // kOneSideEmpty
+    0.00,  // kUpperBorder, -0.8 m
+    0.00,  // kUpperBorder, -0.3 m
+    0.00,  // kUpperBorder, 0 m
+    0.00,  // kUpperBorder, 0.3 m
+    0.00,  // kUpperBorder, 0.6 m
+    0.00,  // kUpperBorder, 1.2 m
+    0.00,  // kLowerBorder, -0.8 m
+    0.00,  // kLowerBorder, -0.3 m
+    0.00,  // kLowerBorder, 0 m
+    0.00,  // kLowerBorder, 0.3 m
+    0.00,  // kLowerBorder, 0.6 m
+    0.00,  // kLowerBorder, 1.2 m
+    0.00,  // kIsGround
+    0.00,  // kLowStep
+    0.00,  // kUnderLowBorder
+    0.00,  // kCovered
+    0.00,  // kMissing
+    0.00,  // kFewPoints
+    0.00,  // kLowerFewPoints
+    0.00,  // kIsLowObject
+    0.00,  // kIsLedge
+    0.00,  // kIsMeeting
+    0.00,  // kMeetingOffset
+    0.00,  // kMeetingDirection
+    0.00,  // kMeetingMissing
+    0.00,  // kMeetingFlat
+    0.00,  // kOneSideEmpty
 };
 inline constexpr std::array<double, kNumPointTerms> kPointWeights{
-    -10.0,  // kStandBeside
-    -10.0,  // kStandIn
-    4.0,    // kAccompany
+    0.00,  // kStandBeside
+    0.00,  // kStandIn
+    0.00,  // kStandLower
+    0.00,  // kAccompany
 };
 
-/// Density of wrong lines in height against that of right ones at their surface.
-inline constexpr double kWrongDensity_per_m = 0.01;
+/// Share of wrong lines over the heights that they may have, against that of right ones.
+inline constexpr double kWrongDensity_per_m = 0.0055;
 /// Weight of a sighting's chi-square: neighbouring pixels and images err together.
 inline constexpr double kSightingWeight = 0.5;
-/// The object's freedom to lie where the sightings are nearest.
+/// An object fits the sightings better, as it may lie where they are nearest.
 inline constexpr double kObjectSeen = -3.0;
 
 }  // namespace ridgeline::evaluate

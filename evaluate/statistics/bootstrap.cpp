@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <numeric>
 #include <string>
@@ -147,18 +148,22 @@ std::optional<Interval> bootstrap_rms(std::span<const double> errors,
         clusters.size(), " cluster labels");
   const std::vector<std::size_t> dense = dense_labels(clusters);
   const std::size_t n_clusters = count_clusters(dense);
-  std::vector<double> squares(n_clusters, 0.0);
-  std::vector<double> counts(n_clusters, 0.0);
+  struct Cluster {
+    double n = 0.0, squares = 0.0;
+    auto operator<=>(const Cluster&) const = default;
+  };
+  std::vector<Cluster> sums(n_clusters);
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    squares[dense[i]] += errors[i] * errors[i];
-    counts[dense[i]] += 1.0;
+    sums[dense[i]].n += 1.0;
+    sums[dense[i]].squares += errors[i] * errors[i];
   }
+  std::ranges::sort(sums);  // the interval must not depend on the order of the lines
   const auto rms = [&](std::span<const std::size_t> drawn) {
     double sum_squares = 0.0;
     double n = 0.0;
     for (const std::size_t cluster : drawn) {
-      sum_squares += squares[cluster];
-      n += counts[cluster];
+      sum_squares += sums[cluster].squares;
+      n += sums[cluster].n;
     }
     return std::sqrt(sum_squares / n);
   };
