@@ -2,15 +2,22 @@
 #pragma once
 
 #include "apps/simulate/als.h"
+#include "apps/simulate/plan_geometry.h"
 #include "apps/simulate/scene.h"
 #include "apps/simulate/truth.h"
 #include "apps/simulate/village.h"
 #include "evaluate/judge/segment_plane.h"
 #include "reconstruct/geometry/plane.h"
 #include "reconstruct/geometry/segment.h"
+#include "tests/other_scenes/laser.h"
+#include "tests/other_scenes/ray_tracer.h"
+#include "tests/other_scenes/settlement.h"
+#include "tests/other_scenes/surface_lines.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,7 +27,7 @@
 
 namespace ridgeline::test {
 
-/// A true line of a scene with what hides its surface from the laser or is another one beside it.
+/// A true line of a scene where other surfaces are beside it or the laser does not see its own.
 struct HardLine {
   Segment3 segment{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   std::string kind;            ///< `ridge`, ..., `foot`, `wall_top`; `object` has no plane
@@ -30,10 +37,12 @@ struct HardLine {
 
 /// A scene with annexes, dormers, cars, garden walls and feet of walls. No images.
 struct HardSurvey {
-  std::vector<Eigen::Vector3d>
-      points;  ///< local, without the outliers that read_cloud() drops by their class
+  std::vector<Eigen::Vector3d> points;  ///< local, without those that read_cloud() drops as noise
   std::vector<HardLine> lines;
 };
+
+/// `ridgeline simulate` and tests/other_scenes.
+enum class Renderer { kVillage, kOther };
 
 /// Every second village falls by 4 degrees in place of 2; every third one has terraces of 1.5 m.
 inline simulate::VillageOptions hard_village(std::uint64_t seed) {
@@ -45,7 +54,7 @@ inline simulate::VillageOptions hard_village(std::uint64_t seed) {
   return options;
 }
 
-inline HardSurvey hard_survey(std::uint64_t seed, double density_per_m2) {
+inline HardSurvey hard_survey_of_village(std::uint64_t seed, double density_per_m2) {
   constexpr std::uint8_t kLowNoise = 7;
   const simulate::Scene scene = simulate::make_village(hard_village(seed));
   simulate::AlsOptions als;
@@ -70,8 +79,60 @@ inline HardSurvey hard_survey(std::uint64_t seed, double density_per_m2) {
   return survey;
 }
 
-/// Mean over the planes of a line of the mean |distance| of a segment to them: what an error-free judge would report.
-/// Nothing for an object.
+/// Points on a face within 1.5 m of a line, as observe_lines() counts them. `points` are sorted by x.
+inline int returns_near(const std::vector<Eigen::Vector3d>& points,
+                        const other::Face& face,
+                        const Segment3& line) {
+  constexpr double kCorridor_m = 1.5;
+  constexpr double kOnPlane_m = 0.15;
+  const Plane3 plane(other::normal_of(face), face.corners[0]);
+  simulate::ConvexPolygon outline;
+  for (const Eigen::Vector3d& corner : face.corners) outline.emplace_back(corner.head<2>());
+  if (other::normal_of(face).z() < 0.0) std::reverse(outline.begin(), outline.end());
+  const double low_x = std::min(line.start.x(), line.end.x()) - kCorridor_m;
+  const double high_x = std::max(line.start.x(), line.end.x()) + kCorridor_m;
+  const auto is_left = [](const Eigen::Vector3d& x, double bound) { return x.x() < bound; };
+  int count = 0;
+  for (auto p = std::lower_bound(points.begin(), points.end(), low_x, is_left);
+       p != points.end() && p->x() <= high_x; ++p) {
+    const Eigen::Vector2d place = p->head<2>();
+    const bool is_near = distance(plan(line), place) <= kCorridor_m &&
+                         std::abs(plane.signedDistance(*p)) <= kOnPlane_m;
+    if (is_near && simulate::contains(outline, place)) ++count;
+  }
+  return count;
+}
+
+inline HardSurvey hard_survey_of_other_scene(std::uint64_t seed, double density_per_m2) {
+  const other::Scene scene = other::make_settlement(seed, true);
+  const other::RayTracer tracer(scene);
+  HardSurvey survey;
+  survey.points = other::laser_points(scene, tracer, seed, density_per_m2);
+  std::vector<Eigen::Vector3d> sorted = survey.points;
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  for (const other::SurfaceLine& line : other::surface_lines(scene, tracer)) {
+    HardLine& out = survey.lines.emplace_back();
+    out.segment = line.segment;
+    out.kind = line.kind;
+    for (const int id : line.faces) {
+      const other::Face& face = scene.faces[static_cast<std::size_t>(id)];
+      out.planes.emplace_back(other::normal_of(face), face.corners[0]);
+      out.returns.push_back(returns_near(sorted, face, line.segment));
+    }
+  }
+  return survey;
+}
+
+inline HardSurvey hard_survey(std::uint64_t seed,
+                              double density_per_m2,
+                              Renderer renderer = Renderer::kVillage) {
+  return renderer == Renderer::kVillage ? hard_survey_of_village(seed, density_per_m2)
+                                        : hard_survey_of_other_scene(seed, density_per_m2);
+}
+
+/// Mean over the planes of a line of the mean |distance| of a segment to them: what an error-free
+/// judge would report. Nothing for an object.
 inline std::optional<double> true_mean_distance_m(const HardLine& line, const Segment3& segment) {
   if (line.planes.empty()) return std::nullopt;
   double sum_m = 0.0;
