@@ -13,6 +13,7 @@
 #include "tests/other_scenes/ray_tracer.h"
 #include "tests/other_scenes/settlement.h"
 #include "tests/other_scenes/surface_lines.h"
+#include "tests/other_scenes/write_scene.h"
 
 #include <Eigen/Core>
 
@@ -39,12 +40,15 @@ struct HardLine {
 struct HardSurvey {
   std::vector<Eigen::Vector3d> points;  ///< local, without those that read_cloud() drops as noise
   std::vector<HardLine> lines;
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of the local frame on the map
 };
 
 /// `ridgeline simulate` and tests/other_scenes.
 enum class Renderer { kVillage, kOther };
 
-/// Every second village falls by 4 degrees in place of 2; every third one has terraces of 1.5 m.
+/// Every second village falls by 4 degrees in place of 2; every third one has terraces of 1.5 m. Whole runs:
+/// `ridgeline simulate --clutter --seed SEED --terrain-slope-deg ... --terrace-step-m ...` makes the same scene, and
+/// `other_scene FOLDER SEED VIEWS hard` that of hard_survey_of_other_scene().
 inline simulate::VillageOptions hard_village(std::uint64_t seed) {
   simulate::VillageOptions options;
   options.seed = seed;
@@ -63,6 +67,7 @@ inline HardSurvey hard_survey_of_village(std::uint64_t seed, double density_per_
   const io::PointCloud cloud = simulate::scan_als(scene, als);
   std::vector<simulate::TruthLine> truth = simulate::observe_lines(scene, cloud);
   HardSurvey survey;
+  survey.origin_m = scene.frame.origin_m;
   for (const io::CloudPoint& p : cloud.points) {
     if (p.classification != kLowNoise) survey.points.emplace_back(p.x, p.y, p.z);
   }
@@ -107,6 +112,7 @@ inline HardSurvey hard_survey_of_other_scene(std::uint64_t seed, double density_
   const other::Scene scene = other::make_settlement(seed, true);
   const other::RayTracer tracer(scene);
   HardSurvey survey;
+  survey.origin_m = other::scene_origin_m();
   survey.points = other::laser_points(scene, tracer, seed, density_per_m2);
   std::vector<Eigen::Vector3d> sorted = survey.points;
   std::sort(sorted.begin(), sorted.end(),
