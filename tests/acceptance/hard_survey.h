@@ -34,7 +34,16 @@ struct HardLine {
   std::string kind;            ///< `ridge`, ..., `foot`, `wall_top`; `object` has no plane
   std::vector<Plane3> planes;  ///< its true surfaces
   std::vector<int> returns;    ///< per plane: laser returns on it within 1.5 m of the line, in plan
+  /// The top that a level edge of an object borders: a judge that finds its few points is right, too.
+  std::optional<Plane3> top_of_object;
 };
+
+inline std::optional<Plane3> top_of_object(const HardLine& line) {
+  constexpr double kLevel_m = 1e-9;
+  const bool is_level = std::abs(line.segment.end.z() - line.segment.start.z()) < kLevel_m;
+  if (line.kind != "object" || !is_level) return std::nullopt;
+  return Plane3(Eigen::Vector3d::UnitZ(), line.segment.start);
+}
 
 /// A scene with annexes, dormers, cars, garden walls and feet of walls. No images.
 struct HardSurvey {
@@ -77,6 +86,7 @@ inline HardSurvey hard_survey_of_village(std::uint64_t seed, double density_per_
     out.segment = line.segment;
     out.kind = name(line.kind);
     out.returns = std::move(truth[i].plane_returns);
+    out.top_of_object = top_of_object(out);
     for (const int id : line.plane_ids) {
       out.planes.push_back(scene.planes[static_cast<std::size_t>(id)].plane);
     }
@@ -121,6 +131,7 @@ inline HardSurvey hard_survey_of_other_scene(std::uint64_t seed, double density_
     HardLine& out = survey.lines.emplace_back();
     out.segment = line.segment;
     out.kind = line.kind;
+    out.top_of_object = top_of_object(out);
     for (const int id : line.faces) {
       const other::Face& face = scene.faces[static_cast<std::size_t>(id)];
       out.planes.emplace_back(other::normal_of(face), face.corners[0]);

@@ -10,7 +10,7 @@
 
 namespace ridgeline::other {
 
-/// A straight edge with the surfaces that a laser scan from above may tell it by.
+/// A straight edge with the surfaces on which a laser scan from above may have points.
 struct SurfaceLine {
   Segment3 segment;
   /// That of the edge, but: foot, where a wall meets the ground or a lower roof; wall_top, of garden
