@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -115,6 +116,40 @@ TEST(Clutter, FeetAreWhereWallsOfTheMeshMeetASurface) {
             << point_at(foot.segment, t).transpose();
       }
     }
+  }
+}
+
+/// Whether the sky is seen from just above a surface on either side of a line, in any direction.
+bool is_outside(const RayScene& rays, const Segment3& line) {
+  constexpr double kBeside_m = 0.02;
+  constexpr int kAzimuths = 16;
+  const Eigen::Vector3d along = line.end - line.start;
+  const Eigen::Vector3d across = Eigen::Vector3d(-along.y(), along.x(), 0.0).normalized();
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d from = point_at(line, 0.5) + side * kBeside_m * across +
+                                 3.0 * kBeside_m * Eigen::Vector3d::UnitZ();
+    for (const double rise : {0.1, 0.5, 1.2}) {  // the lowest passes below eaves over an annex
+      for (int i = 0; i < kAzimuths; ++i) {
+        const double azimuth = 2.0 * std::numbers::pi * i / kAzimuths;
+        const Eigen::Vector3d to_sky(std::cos(azimuth), std::sin(azimuth), rise);
+        if (!rays.occluded(from, to_sky.normalized())) return true;
+      }
+    }
+  }
+  return false;
+}
+
+TEST(Clutter, NoFootIsWithinAHouse) {
+  VillageOptions options;
+  options.roof_types = {RoofType::kRow, RoofType::kLShaped, RoofType::kParapet};
+  options.annex_share = 1.0;
+  options.trees_per_lot = 0.0;
+  options.with_feet = true;
+  const Scene scene = make_village(options);
+  const RayScene rays(scene.mesh);
+  for (const SceneLine& foot : lines_of(scene, LineKind::kFoot)) {
+    EXPECT_TRUE(is_outside(rays, foot.segment))
+        << "building " << foot.building_id << ", at " << point_at(foot.segment, 0.5).transpose();
   }
 }
 
