@@ -78,7 +78,7 @@ enum class LineKind : std::uint8_t {
   kJoint,    ///< where a roof plane meets the wall of another body; not a true line
   kFoot,     ///< where a wall meets the ground or a lower roof, on that surface; eaves may hide it
   kWallTop,  ///< border of the top of a garden wall
-  kObject,   ///< edge of a car or a chimney; it is on no plane that a laser scan tells
+  kObject,   ///< edge of a car or a chimney, too small a surface for a plane of the scan
 };
 
 /// The name of the kind in the files: `ridge`, `hip`, ...

@@ -56,12 +56,13 @@ void add_village_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
 }
 
-/// What makes a village harder to judge, off by default.
+/// What makes lines harder to judge, off by default.
 void add_clutter_options(CLI::App& app, SimulateArguments& a) {
   const char* group = "Clutter";
   app.add_flag_callback(
          "--clutter", [&a] { set_clutter(a.village); },
-         "other defaults of this group: a suburb with all of it")
+         "sets the options of this group to those of a suburb: 0.5, 0.6, 1.5, 0.5 and both kinds "
+         "of lines")
       ->trigger_on_parse()
       ->group(group);
   app.add_option("--annex-share", a.village.annex_share,

@@ -2,10 +2,11 @@
 #include "apps/simulate/village.h"
 
 #include "apps/simulate/furniture.h"
+#include "apps/simulate/garden_wall.h"
 #include "apps/simulate/lot.h"
 #include "apps/simulate/mesh_builder.h"
+#include "apps/simulate/parked_cars.h"
 #include "apps/simulate/random.h"
-#include "apps/simulate/street_clutter.h"
 #include "apps/simulate/terrain.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/degrees.h"
@@ -127,7 +128,11 @@ class VillageBuilder {
     } else if (clutter.chance(options_.garden_wall_share)) {
       add_garden_wall(terrain_, row, low_uv, options_.with_feet, clutter, scene_);
     }
-    park_cars(row, low_uv, first_building, trees, clutter);
+    const auto is_clear = [&](const Eigen::Vector2d& x, double radius_m) {
+      return is_free(x, radius_m, first_building);
+    };
+    park_cars({terrain_, row, low_uv, azimuth_rad_, is_clear}, options_.cars_per_lot,
+              options_.with_objects, trees, clutter, scene_);
   }
 
   void add_random_house(const Row& row,
@@ -213,50 +218,6 @@ class VillageBuilder {
     }
   }
 
-  /// Parks cars at the kerb and in the garden, clear of the house, the trees and each other.
-  void park_cars(const Row& row,
-                 const Eigen::Vector2d& low_uv,
-                 std::size_t first_building,
-                 std::vector<Eigen::Vector2d> taken,
-                 Random& random) {
-    constexpr double kCarM = 2.7;    // half its length, and some space
-    constexpr double kClearM = 3.5;  // of the roof of the house, less what a tree may hang over it
-    constexpr double kApartM = 5.0;  // between the middles of two cars
-    const int count = static_cast<int>(std::floor(options_.cars_per_lot + random.uniform()));
-    for (int i = 0; i < count; ++i) {
-      const bool at_kerb = random.chance(0.5);
-      Car car = random_car(random);
-      const double turn = at_kerb ? 0.0 : 0.5 * std::numbers::pi * random.integer(0, 1);
-      car.azimuth_rad = azimuth_rad_ + turn + kRadPerDeg * random.uniform(-4.0, 4.0);
-      for (int attempt = 0; attempt < 20; ++attempt) {
-        const Eigen::Vector2d in_lot{random.uniform(kCarM, kLotSizeM - kCarM),
-                                     random.uniform(kCarM, kLotSizeM - kCarM)};
-        const Eigen::Vector2d uv =
-            at_kerb ? kerb_place(row, low_uv, in_lot.x(), car) : Eigen::Vector2d(low_uv + in_lot);
-        const Eigen::Vector2d x = terrain_.local(uv);
-        const bool apart = std::all_of(taken.begin(), taken.end(), [&](const Eigen::Vector2d& y) {
-          return (x - y).norm() >= kApartM;
-        });
-        if (!apart || !is_free(x, kClearM, first_building)) continue;
-        car.foot = {x.x(), x.y(), row.ground(x)};
-        add_parked_car(car, options_.with_objects, scene_);
-        taken.push_back(x);
-        break;
-      }
-    }
-  }
-
-  /// On the street, 0.3 m off the border of the lot.
-  static Eigen::Vector2d kerb_place(const Row& row,
-                                    const Eigen::Vector2d& low_uv,
-                                    double u_in_lot_m,
-                                    const Car& car) {
-    constexpr double kGapM = 0.3;
-    const double side = low_uv.y() > row.street_v_m ? 1.0 : -1.0;
-    return {low_uv.x() + u_in_lot_m,
-            row.street_v_m + side * (kHalfStreetM - kGapM - car.half_width_m)};
-  }
-
   void add_fence(const Row& row, const Eigen::Vector2d& low_uv) {
     constexpr double kThicknessM = 0.1;
     constexpr double kHeightM = 1.2;
@@ -283,6 +244,20 @@ class VillageBuilder {
   Scene& scene_;
   Terrain terrain_;
 };
+
+/// The upper edges of all chimneys.
+void add_chimney_lines(Scene& scene) {
+  for (const ScenePlane& plane : scene.planes) {
+    if (plane.kind != PlaneKind::kChimney) continue;
+    for (std::size_t i = 0; i < plane.outline.size(); ++i) {
+      const Eigen::Vector3d& end = plane.outline[(i + 1) % plane.outline.size()];
+      scene.lines.push_back({.segment = {plane.outline[i], end},
+                             .kind = LineKind::kObject,
+                             .plane_ids = {},
+                             .building_id = plane.building_id});
+    }
+  }
+}
 
 }  // namespace
 

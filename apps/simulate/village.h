@@ -45,7 +45,7 @@ struct VillageOptions {
   bool with_objects = false;  ///< true lines at the edges of cars and chimneys
 };
 
-/// Sets all of these to what a suburb may have.
+/// Sets all of these to what a suburb has.
 void set_clutter(VillageOptions& options);
 
 /// A village by seed: equal options give equal bytes. Buildings keep at least 0.5 m distance in

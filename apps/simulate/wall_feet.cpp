@@ -7,8 +7,7 @@
 namespace ridgeline::simulate {
 namespace {
 
-constexpr double kOutwardsM =
-    1e-6;  // walls of neighbours coincide: just outside tells what is there
+constexpr double kOutwardsM = 1e-6;  // walls of neighbours coincide, so what is beside them decides
 constexpr double kShortestFootM = 0.5;
 constexpr double kTouchingM = 1e-6;  // bodies that only touch do not rise above each other
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/other_scenes/houses.h"
 
+#include "tests/other_scenes/house_additions.h"
 #include "tests/other_scenes/roof_details.h"
 #include "tests/other_scenes/roofs.h"
 
@@ -86,7 +87,7 @@ void add_details(Solids& solids, const Wing& wing, double free_side, RandomStrea
   }
 }
 
-void add_ridged(Solids& solids, bool has_room, RandomStream& random) {
+HouseBody add_ridged(Solids& solids, bool has_room, RandomStream& random) {
   Wing wing = main_wing(random);
   const int type = random.index(has_room ? 5 : 3);
   if (type == 1) wing.hipped = {1.0, 1.0};
@@ -98,9 +99,10 @@ void add_ridged(Solids& solids, bool has_room, RandomStream& random) {
   const double side = random.chance(0.5) ? 1.0 : -1.0;
   if (type >= 3) add_wing(solids, cross_wing(wing, side, random));
   add_details(solids, wing, -side, random);
+  return {wing, -side, type >= 3, true};
 }
 
-void add_flat_house(Solids& solids, RandomStream& random) {
+HouseBody add_flat_house(Solids& solids, RandomStream& random) {
   Wing wing = main_wing(random);
   wing.overhang_m = 0.0;
   wing.ridge_m = random.chance(0.5) ? 3.2 : 6.1;
@@ -120,13 +122,23 @@ void add_flat_house(Solids& solids, RandomStream& random) {
               .walls = wing.walls},
              0.15);
   }
+  wing.eave_m = wing.ridge_m;
+  return {wing, 1.0, false, false};
 }
 
-void add_shed_house(Solids& solids, RandomStream& random) {
+HouseBody add_shed_house(Solids& solids, RandomStream& random) {
   Wing wing = main_wing(random);
   wing.roof = random.chance(0.5) ? metal_roof(random) : tile_roof(random);
   wing.ridge_m = wing.eave_m + wing.width_m * random.uniform(0.12, 0.28);
   add_shed(solids, wing);
+  return {wing, 1.0, false, false};
+}
+
+HouseBody add_body(Solids& solids, bool has_room, RandomStream& random) {
+  const double type = random.uniform();
+  if (type < 0.74) return add_ridged(solids, has_room, random);
+  if (type < 0.88) return add_flat_house(solids, random);
+  return add_shed_house(solids, random);
 }
 
 }  // namespace
@@ -135,16 +147,11 @@ void add_house(Scene& scene,
                const Eigen::Vector2d& place,
                const Eigen::Vector2d& along,
                bool has_room,
-               RandomStream& random) {
+               RandomStream& random,
+               RandomStream* clutter) {
   Solids solids(standing_at(scene, place, along));
-  const double type = random.uniform();
-  if (type < 0.74) {
-    add_ridged(solids, has_room, random);
-  } else if (type < 0.88) {
-    add_flat_house(solids, random);
-  } else {
-    add_shed_house(solids, random);
-  }
+  const HouseBody body = add_body(solids, has_room, random);
+  if (clutter != nullptr) add_additions(solids, body, has_room, *clutter);
   solids.finish(scene, "wall");
 }
 

@@ -50,20 +50,20 @@ void add_plate(Solids& solids, const OnRoof& roof, const RoofRectangle& r, const
 
 }  // namespace
 
-void add_dormer(Solids& solids, const Wing& wing, double side, double along_m) {
-  constexpr double kWidth_m = 2.8, kFrontHeight_m = 1.25, kOverhang_m = 0.2, kSlope = 0.6;
+void add_dormer(Solids& solids, const Wing& wing, double side, double along_m, const Dormer& size) {
+  constexpr double kSlope = 0.6;
   const double front_y = 0.5 * wing.width_m - wing.overhang_m - 1.0;
-  const double front_eave_m = wing.roof_m(front_y) + kFrontHeight_m;
-  const double ridge_m = front_eave_m + kSlope * 0.5 * kWidth_m;
+  const double front_eave_m = wing.roof_m(front_y) + size.front_height_m;
+  const double ridge_m = front_eave_m + kSlope * 0.5 * size.width_m;
   const double back_y = (wing.ridge_m - ridge_m) / wing.slope();
   if (back_y < 0.8 || front_y - back_y < 1.0) return;
   constexpr double kInside_m = 0.5;
   const double from = back_y - kInside_m;
-  const double to = front_y + kOverhang_m;
+  const double to = front_y + size.overhang_m;
   Wing dormer = wing;
   dormer.length_m = to - from;
-  dormer.width_m = kWidth_m;
-  dormer.overhang_m = kOverhang_m;
+  dormer.width_m = size.width_m;
+  dormer.overhang_m = size.overhang_m;
   dormer.eave_m = front_eave_m;
   dormer.ridge_m = ridge_m;
   dormer.hipped = {0.0, 0.0};

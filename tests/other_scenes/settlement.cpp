@@ -126,11 +126,15 @@ void add_drive(Scene& scene, const Parcel& parcel, double border_side, RandomStr
   }
 }
 
-void add_parcel_house(Scene& scene, const Parcel& parcel, double drive_side, RandomStream& random) {
+void add_parcel_house(Scene& scene,
+                      const Parcel& parcel,
+                      double drive_side,
+                      RandomStream& random,
+                      RandomStream* clutter) {
   const bool gable_to_street = parcel.width_m < 19.5 || random.chance(0.15);
   const double turn = random.normal(0.015) + (gable_to_street ? 0.5 * M_PI : 0.0);
   const Vector2d place = parcel.at(-1.9 * drive_side, gable_to_street ? 12.5 : 10.5);
-  add_house(scene, place, turned(parcel.street.along, turn), !gable_to_street, random);
+  add_house(scene, place, turned(parcel.street.along, turn), !gable_to_street, random, clutter);
   const double terrace_y = random.uniform(19.5, 20.5);
   if (random.chance(0.7)) {
     add_ground(scene, paved(parcel, {-2.0 * drive_side, terrace_y}, {random.uniform(1.5, 3.0), 1.6},
@@ -147,11 +151,11 @@ void add_trees(Scene& scene, const Parcel& parcel, RandomStream& random) {
   }
 }
 
-void add_parcel(Scene& scene, const Parcel& parcel, RandomStream& random) {
+void add_parcel(Scene& scene, const Parcel& parcel, RandomStream& random, RandomStream* clutter) {
   add_garden(scene, parcel, random);
   const double drive_side = random.chance(0.5) ? 1.0 : -1.0;
   add_drive(scene, parcel, drive_side, random);
-  add_parcel_house(scene, parcel, drive_side, random);
+  add_parcel_house(scene, parcel, drive_side, random, clutter);
   const double half = 0.5 * parcel.width_m;
   add_border(scene, parcel.at(half, 0.4), parcel.at(half, kParcelDepth_m - 0.4), random);
   add_border(scene, parcel.at(-half + 0.6, kParcelDepth_m), parcel.at(half - 0.6, kParcelDepth_m),
@@ -161,7 +165,8 @@ void add_parcel(Scene& scene, const Parcel& parcel, RandomStream& random) {
   add_trees(scene, parcel, random);
 }
 
-void add_parcels(Scene& scene, const Street& street, double side, RandomStream& random) {
+void add_parcels(
+    Scene& scene, const Street& street, double side, RandomStream& random, RandomStream* clutter) {
   double x = -kReach_m + random.uniform(0.0, 8.0);
   while (x < kReach_m) {
     const double width_m = random.uniform(17.0, 23.0);
@@ -169,7 +174,7 @@ void add_parcels(Scene& scene, const Street& street, double side, RandomStream& 
     x += width_m;
     const Vector2d middle = parcel.at(0.0, 0.5 * kParcelDepth_m);
     if (middle.cwiseAbs().maxCoeff() < scene.half_extent_m + 16.0)
-      add_parcel(scene, parcel, random);
+      add_parcel(scene, parcel, random, clutter);
   }
 }
 
@@ -190,13 +195,21 @@ double street_azimuth_rad(std::uint64_t seed, RandomStream& random) {
   return angle_deg * M_PI / 180.0;
 }
 
+Vector2d steep_slope(RandomStream& random) {
+  const double slope = random.uniform(0.03, 0.08);
+  return turned({slope, 0.0}, random.uniform(0.0, 2.0 * M_PI));
+}
+
 }  // namespace
 
-Scene make_settlement(std::uint64_t seed) {
+Scene make_settlement(std::uint64_t seed, bool is_hard) {
   RandomStream random(seed);
+  RandomStream own_clutter(seed + 3000U);
+  RandomStream* const clutter = is_hard ? &own_clutter : nullptr;
   Scene scene;
   scene.half_extent_m = 37.0;
   scene.ground_slope = {random.normal(0.012), random.normal(0.012)};
+  if (is_hard) scene.ground_slope = steep_slope(own_clutter);
   scene.to_sun = random_sun(random);
   add_plain(scene, random);
   const Vector2d along = turned(Vector2d::UnitX(), street_azimuth_rad(seed, random));
@@ -206,7 +219,7 @@ Scene make_settlement(std::uint64_t seed) {
   for (const int i : {-1, 0, 1}) {
     const Street street{(shift_m + i * kPitch_m) * across, along};
     add_street(scene, street, random);
-    for (const double side : {-1.0, 1.0}) add_parcels(scene, street, side, random);
+    for (const double side : {-1.0, 1.0}) add_parcels(scene, street, side, random, clutter);
   }
   return scene;
 }

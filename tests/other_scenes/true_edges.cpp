@@ -22,15 +22,6 @@ bool sees(const AerialCamera& camera, const RayTracer& tracer, const Vector3d& x
   return !tracer.is_blocked({camera.centre, ray}, 0.0, 1.0 - kBefore_m / ray.norm());
 }
 
-/// Whether the ground is of different patches on both sides.
-bool is_ground_border(const Scene& scene, const Segment3& edge, const Vector3d& x) {
-  constexpr double kBeside_m = 0.02;
-  const Vector2d along = plan(edge).end - plan(edge).start;
-  const Vector2d beside = kBeside_m * Vector2d(-along.y(), along.x()).normalized();
-  const Vector2d place = x.head<2>();
-  return patch_at(scene, place + beside) != patch_at(scene, place - beside);
-}
-
 /// The sample points of an edge that an image shows.
 struct Seen {
   int first = -1, last = -1, count = 0;
@@ -125,6 +116,14 @@ std::optional<TrueEdge> true_edge(const Scene& scene,
 }
 
 }  // namespace
+
+bool is_ground_border(const Scene& scene, const Segment3& edge, const Vector3d& x) {
+  constexpr double kBeside_m = 0.02;
+  const Vector2d along = plan(edge).end - plan(edge).start;
+  const Vector2d beside = kBeside_m * Vector2d(-along.y(), along.x()).normalized();
+  const Vector2d place = x.head<2>();
+  return patch_at(scene, place + beside) != patch_at(scene, place - beside);
+}
 
 std::vector<TrueEdge> true_edges(const Scene& scene,
                                  const RayTracer& tracer,

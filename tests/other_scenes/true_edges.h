@@ -23,6 +23,9 @@ struct TrueEdge {
   std::optional<std::array<Segment2, 2>> base_px;
 };
 
+/// Whether the ground is of different patches on both sides of an edge at `x`.
+bool is_ground_border(const Scene& scene, const Segment3& edge, const Eigen::Vector3d& x);
+
 /// Straight borders of the shadows that edges of the scene throw on its faces. Kind: shadow.
 std::vector<Edge> shadow_edges(const Scene& scene, const RayTracer& tracer);
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/other_scenes/write_scene.h"
 
+#include "io/cloud/las_writer.h"
 #include "io/images/image_writer.h"
 #include "io/lines/write_lines.h"
 #include "io/project/matches_file.h"
 #include "io/project/write_patch.h"
 #include "reconstruct/geometry/epipolar.h"
+#include "tests/other_scenes/laser.h"
 #include "tests/other_scenes/photograph.h"
 #include "tests/other_scenes/random_stream.h"
 #include "tests/other_scenes/settlement.h"
+#include "tests/other_scenes/surface_lines.h"
 #include "tests/other_scenes/true_edges.h"
 
 #include <algorithm>
@@ -68,9 +71,30 @@ void add_views(const TrueEdge& edge, const std::vector<AerialCamera>& cameras, i
   line.n_images = static_cast<int>(edge.views.size());
 }
 
+/// Edges of hard scenes are called by the surfaces that they lie on.
+std::string kind_by_surfaces(const Scene& scene, const Edge& edge) {
+  const auto line = with_surfaces(scene, edge);
+  return line ? reference_kind({edge.segment, line->kind}) : reference_kind(edge);
+}
+
+void write_lidar(const std::string& path,
+                 const Scene& scene,
+                 const RayTracer& tracer,
+                 std::uint64_t seed) {
+  constexpr double kDensity_per_m2 = 5.0;
+  std::vector<io::CloudPoint> points;
+  for (const Eigen::Vector3d& x : laser_points(scene, tracer, seed, kDensity_per_m2)) {
+    points.push_back(io::single_return(x));
+  }
+  LocalFrame frame;
+  frame.origin_m = kOrigin_m;
+  io::write_las(path, points, frame, {kCrs});
+}
+
 void write_truth(const std::string& path,
                  const std::vector<TrueEdge>& edges,
-                 const std::vector<AerialCamera>& cameras) {
+                 const std::vector<AerialCamera>& cameras,
+                 const Scene* named_by) {
   io::LineSet set;
   set.crs = {kCrs};
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -78,7 +102,8 @@ void write_truth(const std::string& path,
     io::Line line;
     line.id = std::to_string(i);
     line.segment_in_world = {segment.start + kOrigin_m, segment.end + kOrigin_m};
-    line.kind = reference_kind(edges[i].edge);
+    line.kind = named_by != nullptr ? kind_by_surfaces(*named_by, edges[i].edge)
+                                    : reference_kind(edges[i].edge);
     const auto [left, right] = largest_shares(edges[i]);
     line.visible_left = left;
     line.visible_right = right;
@@ -90,7 +115,8 @@ void write_truth(const std::string& path,
 
 void write_patch_file(const std::string& folder,
                       std::uint64_t seed,
-                      const std::vector<AerialCamera>& cameras) {
+                      const std::vector<AerialCamera>& cameras,
+                      bool has_lidar) {
   constexpr double kBelow_m = 12.0, kAbove_m = 28.0;
   io::PatchFile patch;
   patch.id = "other" + std::to_string(seed);
@@ -103,6 +129,7 @@ void write_patch_file(const std::string& folder,
                             .window_px = Eigen::Vector2d::Zero(),
                             .interior = std::nullopt});
   }
+  if (has_lidar) patch.lidar = {"lidar.las"};
   patch.reference_matches = "matches.csv";
   patch.reference_lines = "truth.geojson";
   io::write_patch(folder + "/patch.yaml", patch);
@@ -121,8 +148,13 @@ Film random_film(RandomStream& random) {
 
 }  // namespace
 
-void write_scene(const std::string& folder, std::uint64_t seed, const FlightPlan& plan) {
-  const Scene scene = make_settlement(seed);
+Eigen::Vector3d scene_origin_m() { return kOrigin_m; }
+
+void write_scene(const std::string& folder,
+                 std::uint64_t seed,
+                 const FlightPlan& plan,
+                 bool is_hard) {
+  const Scene scene = make_settlement(seed, is_hard);
   const RayTracer tracer(scene);
   const std::vector<AerialCamera> cameras = cameras_for(scene, seed, plan);
   RandomStream random(seed + 2000U);
@@ -134,8 +166,9 @@ void write_scene(const std::string& folder, std::uint64_t seed, const FlightPlan
   for (Edge& edge : shadow_edges(scene, tracer)) edges.push_back(std::move(edge));
   const std::vector<TrueEdge> truth = true_edges(scene, tracer, cameras, edges);
   write_matches(folder + "/matches.csv", truth);
-  write_truth(folder + "/truth.geojson", truth, cameras);
-  write_patch_file(folder, seed, cameras);
+  write_truth(folder + "/truth.geojson", truth, cameras, is_hard ? &scene : nullptr);
+  if (is_hard) write_lidar(folder + "/lidar.las", scene, tracer, seed);
+  write_patch_file(folder, seed, cameras, is_hard);
 }
 
 }  // namespace ridgeline::other

@@ -99,6 +99,8 @@ Scene village_of_all_types(std::uint64_t seed) {
   options.seed = seed;
   options.built_share = 1.0;
   options.trees_per_lot = 0.0;
+  options.annex_share = 0.5;
+  options.dormer_share = 0.5;
   return make_village(options);
 }
 

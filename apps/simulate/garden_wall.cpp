@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/simulate/street_clutter.h"
+#include "apps/simulate/garden_wall.h"
 
 #include "apps/simulate/lot.h"
 #include "apps/simulate/mesh_builder.h"
@@ -72,39 +72,6 @@ void add_garden_wall(const Terrain& terrain,
   };
   add_lines(top, LineKind::kWallTop, scene.planes.back().id);
   if (with_feet) add_lines(row.ground, LineKind::kFoot, row.plane_id);
-}
-
-Car random_car(Random& random) {
-  Car car;
-  car.half_length_m = random.uniform(1.9, 2.4);
-  car.half_width_m = random.uniform(0.82, 0.95);
-  car.bonnet_m = random.uniform(0.8, 1.0);
-  car.cabin_half_length_m = random.uniform(1.0, 1.4);
-  car.cabin_half_width_m = car.half_width_m - 0.12;
-  car.roof_m = random.uniform(1.4, 1.75);
-  return car;
-}
-
-void add_parked_car(const Car& car, bool with_lines, Scene& scene) {
-  add_car(car, scene.mesh);
-  if (!with_lines) return;
-  for (const Segment3& edge : edges_of(car)) {
-    scene.lines.push_back(
-        {.segment = edge, .kind = LineKind::kObject, .plane_ids = {}, .building_id = kNone});
-  }
-}
-
-void add_chimney_lines(Scene& scene) {
-  for (const ScenePlane& plane : scene.planes) {
-    if (plane.kind != PlaneKind::kChimney) continue;
-    for (std::size_t i = 0; i < plane.outline.size(); ++i) {
-      const Eigen::Vector3d& end = plane.outline[(i + 1) % plane.outline.size()];
-      scene.lines.push_back({.segment = {plane.outline[i], end},
-                             .kind = LineKind::kObject,
-                             .plane_ids = {},
-                             .building_id = plane.building_id});
-    }
-  }
 }
 
 }  // namespace ridgeline::simulate

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "apps/simulate/furniture.h"
 #include "apps/simulate/random.h"
 #include "apps/simulate/terrain.h"
 
@@ -17,14 +16,5 @@ void add_garden_wall(const Terrain& terrain,
                      bool with_feet,
                      Random& random,
                      Scene& scene);
-
-/// A car of random size, its foot at the origin.
-Car random_car(Random& random);
-
-/// Adds a car and, `with_lines`, its upper edges as true lines.
-void add_parked_car(const Car& car, bool with_lines, Scene& scene);
-
-/// Adds the upper edges of all chimneys as true lines.
-void add_chimney_lines(Scene& scene);
 
 }  // namespace ridgeline::simulate

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "apps/simulate/furniture.h"
+#include "apps/simulate/random.h"
+#include "apps/simulate/terrain.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace ridgeline::simulate {
+
+/// Adds a car and, `with_lines`, its upper edges as true lines.
+void add_parked_car(const Car& car, bool with_lines, Scene& scene);
+
+/// A lot with the street before it.
+struct CarSite {
+  const Terrain& terrain;
+  const Row& row;
+  Eigen::Vector2d low_uv;
+  double street_azimuth_rad = 0.0;
+  /// Whether a circle in plan is in the extent and clear of the houses.
+  std::function<bool(const Eigen::Vector2d& x, double radius_m)> is_free;
+};
+
+/// Parks cars of random size at the kerb and in the garden, clear of the house, of the places `taken` by trees, and of each
+/// other; `mean_count` of them on average, as far as there is room.
+void park_cars(const CarSite& site,
+               double mean_count,
+               bool with_lines,
+               std::vector<Eigen::Vector2d> taken,
+               Random& random,
+               Scene& scene);
+
+}  // namespace ridgeline::simulate
