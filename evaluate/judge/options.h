@@ -46,8 +46,7 @@ struct JudgeOptions {
   double sigma_edge_px = 1.0;    ///< of an image segment with its orientation
   double min_probability = 0.9;  ///< of the surface; below, the line is ambiguous
   double min_length_m = 0.3;     ///< shorter lines are `too_short`
-  int max_iterations = 300;      ///< of the sample consensus
-  int seed = 1;                  ///< of the sample consensus, whose results must not depend on it
+  int max_iterations = 1000;     ///< of the sample consensus
   bool keep_points = false;      ///< whether to fill JudgedResult::inliers and inlier_points
 
   static constexpr auto fields() {
@@ -82,8 +81,7 @@ struct JudgeOptions {
         Field{"min_probability", &O::min_probability, 0.5, 1.0,
               "of the surface; below, the line is ambiguous"},
         Field{"min_length_m", &O::min_length_m, 0.0, 1000.0, "shorter lines are too_short"},
-        Field{"max_iterations", &O::max_iterations, 1, 1000000, "of the sample consensus"},
-        Field{"seed", &O::seed, 0, 2147483647, "of the sample consensus"}};
+        Field{"max_iterations", &O::max_iterations, 1, 1000000, "of the sample consensus"}};
   }
 };
 

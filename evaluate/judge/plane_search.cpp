@@ -33,7 +33,10 @@ std::uint64_t next_random(std::uint64_t& state) {
   return z ^ (z >> 31U);
 }
 
-void shuffle(std::vector<ZonePoint>& points, std::uint64_t key) {
+/// Puts the points into an order that has nothing to do with their places, but depends on nothing else: the samples of
+/// neighbouring points would be alike otherwise.
+void scatter(std::vector<ZonePoint>& points) {
+  std::uint64_t key = 1;
   for (std::size_t i = points.size(); i > 1; --i) {
     std::swap(points[i - 1], points[next_random(key) % i]);
   }
@@ -100,10 +103,18 @@ std::unique_ptr<pcl::SampleConsensus<pcl::PointXYZ>> sample_consensus(SampleCons
 std::optional<Plane3> consensus_plane(const std::vector<ZonePoint>& points,
                                       const JudgeOptions& options,
                                       const PointNormals& normals) {
+  constexpr double kSure = 0.9999;  // that a sample of the best plane was drawn
+  std::vector<ZonePoint> order = points;
+  if (options.method == SampleConsensus::kProsac) {
+    sort_by_distance(order);
+  } else {
+    scatter(order);
+  }
   const Eigen::Vector3d centre = points.front().x.array().round();
-  const Model::Ptr model = plane_model(points, centre, normals);
+  const Model::Ptr model = plane_model(order, centre, normals);
   const auto consensus = sample_consensus(options.method, model, options.inlier_distance_m);
   consensus->setMaxIterations(options.max_iterations);
+  consensus->setProbability(kSure);
   if (!consensus->computeModel(0)) return std::nullopt;
   Eigen::VectorXf coefficients;
   consensus->getModelCoefficients(coefficients);
@@ -125,67 +136,20 @@ std::vector<Eigen::Vector3d> supporters(const std::vector<ZonePoint>& points,
   return near;
 }
 
-/// A plane that its own supporters give again.
-struct SettledPlane {
-  PlaneFit fit;
-  double
-      cost_m2;  ///< sum over all points of their squared distances, none above that of the threshold
-};
-
-double truncated_cost_m2(const std::vector<ZonePoint>& points,
-                         const Plane3& plane,
-                         double distance_m) {
-  double cost = 0.0;
-  for (const ZonePoint& point : points) {
-    cost += std::pow(std::min(plane.absDistance(point.x), distance_m), 2);
-  }
-  return cost;
-}
-
 /// Total least squares over the points that support the plane, repeated until these stay the same.
-std::optional<SettledPlane> settle(const std::vector<ZonePoint>& points,
-                                   const Plane3& start,
-                                   const JudgeOptions& options) {
-  constexpr int kMostPasses = 30;  // a few are enough; more only where the supporters alternate
+std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
+                                    const Plane3& start,
+                                    const JudgeOptions& options) {
+  constexpr int kMaxPasses = 30;  // a few are enough; more only where two sets take turns
   std::optional<PlaneFit> fit;
   Plane3 plane = start;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     fit = fit_plane(supporters(points, plane, options.inlier_distance_m));
     if (!fit || fit->n < options.min_points) return std::nullopt;
     if (fit->plane.coeffs() == plane.coeffs()) break;
     plane = fit->plane;
   }
-  return SettledPlane{*fit, truncated_cost_m2(points, plane, options.inlier_distance_m)};
-}
-
-/// The best plane of the points, whatever order they are drawn in: the search ends when the best plane has come out
-/// several times.
-std::optional<SettledPlane> best_plane(const std::vector<ZonePoint>& points,
-                                       const JudgeOptions& options,
-                                       const PointNormals& normals) {
-  constexpr int kConfirmations = 3;
-  constexpr int kMostRuns = 12;
-  constexpr double kSame = 1e-9;  // of the cost: sums are taken in one order
-  std::optional<SettledPlane> best;
-  int n_found = 0;
-  std::vector<ZonePoint> order = points;
-  std::uint64_t random = static_cast<std::uint64_t>(options.seed);
-  for (int run = 0; run < kMostRuns && n_found < kConfirmations; ++run) {
-    if (options.method == SampleConsensus::kProsac) {
-      sort_by_distance(order);
-    } else {
-      shuffle(order, next_random(random));
-    }
-    const std::optional<Plane3> start = consensus_plane(order, options, normals);
-    const auto found = start ? settle(points, *start, options) : std::nullopt;
-    if (found && best && std::abs(found->cost_m2 - best->cost_m2) <= kSame * best->cost_m2) {
-      ++n_found;
-    } else if (found && (!best || found->cost_m2 < best->cost_m2)) {
-      best = found;
-      n_found = 1;
-    }
-  }
-  return best;
+  return fit;
 }
 
 }  // namespace
@@ -199,14 +163,15 @@ std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
   std::vector<FoundPlane> planes;
   for (std::size_t trial = 0; trial < kMostPlanes; ++trial) {
     if (rest.size() < static_cast<std::size_t>(options.min_points)) break;
-    const std::optional<SettledPlane> best = best_plane(rest, options, normals);
-    if (!best) break;
-    const PlaneFit& fit = best->fit;
+    const std::optional<Plane3> start = consensus_plane(rest, options, normals);
+    if (!start) break;
+    const std::optional<PlaneFit> fit = settled_fit(rest, *start, options);
+    if (!fit) break;
     const auto others = std::stable_partition(rest.begin(), rest.end(), [&](const ZonePoint& p) {
-      return fit.plane.absDistance(p.x) <= options.inlier_distance_m;
+      return fit->plane.absDistance(p.x) <= options.inlier_distance_m;
     });
-    if (slope_rad(fit.plane) <= steepest_rad) {
-      planes.push_back({fit, std::vector<ZonePoint>(rest.begin(), others)});
+    if (slope_rad(fit->plane) <= steepest_rad) {
+      planes.push_back({*fit, std::vector<ZonePoint>(rest.begin(), others)});
     }
     if (others == rest.begin()) break;
     rest.erase(rest.begin(), others);

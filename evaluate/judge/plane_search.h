@@ -21,9 +21,9 @@ struct FoundPlane {
 /// best of the rest, until fewer than `min_points` agree. Each is refined by total least squares in
 /// double. Walls (steeper than max_slope_deg) use up their points but are not returned.
 ///
-/// Chance does not show: each plane is searched in several random orders of the points (PCL's own generator has a
-/// fixed seed), refined until its points stay the same, and taken once no order has given a better one for a while.
-/// The orders come from JudgeOptions::seed alone, never from the line or the thread.
+/// Nothing but the points decides: PCL's generator has a fixed seed, draws until it is all but certain that it has met
+/// the best plane, and meets the points in an order that depends on their number alone. The plane found is refined until its
+/// points stay the same.
 ///
 /// With normals the consensus takes these into account too, see PointNormals. The refinement and the
 /// inliers go by distance alone.

@@ -176,7 +176,7 @@ std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis>
   for (const SurfaceHypothesis& h : hypotheses) {
     SurfaceEvidence e;
     e.plan = std::inner_product(h.plan.begin(), h.plan.end(), kPlanWeights.begin(), 0.0);
-    e.points = std::inner_product(h.points.begin(), h.points.end(), kPointWeights.begin(), 0.0);
+    e.points = kAccompaniedWeight * h.accompanied;
     if (seen) {
       e.images = log_images(h, candidates, *images, options);
     } else {

@@ -22,7 +22,7 @@ struct SurfaceEvidence {
 ///   - images, where a third sighting lies off the base of the first two: each plane carries the base sighting into every
 ///     other image, an object carries the line that the first two sightings triangulate to into the others; what counts
 ///     are the distances from the sightings over sigma_edge_px.
-///   - points: a linear function of PointTerm.
+///   - points: those along an object that no plane explains.
 ///   - place, where the images do not count: the distance of the line over place_sigma_m and the plane's sigma, against
 ///     a wrong line that may be anywhere. Two sightings only triangulate to the line, so they are no evidence beside it.
 ///     It says nothing of an object.

@@ -212,8 +212,9 @@ class Hypotheses {
 
   [[nodiscard]] SurfaceHypothesis object(const Segment3& segment) const {
     SurfaceHypothesis h;
+    h.plan[kShort] = 1.0 / std::max(1.0, footprint_.length_m);
     h.plan[kOneSideEmpty] = beside_.one_side_empty ? 1.0 : 0.0;
-    h.points[kAccompany] = accompanied_share(beside_, segment, footprint_.length_m, spacing_m_);
+    h.accompanied = accompanied_share(beside_, segment, footprint_.length_m, spacing_m_);
     return h;
   }
 
@@ -327,8 +328,8 @@ class Hypotheses {
 
   void add_points(const Plane3& plane, bool is_lower, SurfaceHypothesis& h) const {
     const double share = standing_share(beside_, plane, kBeside_m, beside_.n_beside);
-    h.points[is_lower ? kStandLower : kStandBeside] = share;
-    if (!is_lower) h.points[kStandIn] = standing_share(beside_, plane, kIn_m, beside_.n_in);
+    h.plan[is_lower ? kStandLower : kStandBeside] = share;
+    if (!is_lower) h.plan[kStandIn] = standing_share(beside_, plane, kIn_m, beside_.n_in);
   }
 
   std::span<const CandidatePlane> candidates_;

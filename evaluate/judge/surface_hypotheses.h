@@ -34,6 +34,10 @@ enum PlanTerm : std::size_t {
   kLowerFewPoints,  ///< the same of a plane with a higher one beside it
   kIsLowObject,     ///< 1 for a car, a box
   kIsLedge,         ///< 1 for the narrow top of a wall
+  // points that no plane explains, and that stand on the surface: shares of the points beside the line
+  kStandBeside,  ///< within 0.8 m, on an upper surface or on two that meet
+  kStandIn,      ///< the same within 0.3 m
+  kStandLower,   ///< within 0.8 m, on a surface with a higher one beside it
   // of two planes that meet
   kIsMeeting,         ///< 1
   kMeetingOffset,     ///< largest distance in plan of the line from where they meet, m
@@ -42,16 +46,8 @@ enum PlanTerm : std::size_t {
   kMeetingFlat,       ///< how little they differ in direction: 10 degrees over their angle
   // of an object that the cloud has no plane for
   kOneSideEmpty,  ///< 1 if the cloud has points on one side of the line only
+  kShort,  ///< 1 m over the length of the line: the smaller a surface, the sooner its plane is missed
   kNumPlanTerms
-};
-
-/// What the points that no plane explains say.
-enum PointTerm : std::size_t {
-  kStandBeside,  ///< share of the points within 0.8 m that stand on an upper surface or on two that meet
-  kStandIn,  ///< the same within 0.3 m
-  kStandLower,  ///< share of the points within 0.8 m that stand on a surface with a higher one beside it
-  kAccompany,  ///< share of the line that has such points within 0.3 m in space, of an object
-  kNumPointTerms
 };
 
 /// A surface that a line may be an edge of.
@@ -62,7 +58,8 @@ struct SurfaceHypothesis {
   Eigen::Vector2d heights_m{HUGE_VAL,
                             HUGE_VAL};  ///< at the ends of the footprint; mean of two planes
   std::array<double, kNumPlanTerms> plan{};
-  std::array<double, kNumPointTerms> points{};
+  double accompanied =
+      0.0;  ///< of an object: share of the line with unexplained points within 0.3 m in space
 };
 
 /// The surfaces that a line may be an edge of: each candidate that accompanies enough of it, each pair that meets

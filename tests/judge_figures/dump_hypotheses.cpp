@@ -16,9 +16,12 @@ using namespace ridgeline::evaluate;
 int main(int argc, char** argv) {
   const double density = std::atof(argv[1]);
   const double jitter_m = std::atof(argv[2]);
+  const test::Renderer renderer =
+      argv[3][0] == 'o' ? test::Renderer::kOther : test::Renderer::kVillage;
   const JudgeOptions options;
-  for (int a = 3; a < argc; ++a) {
-    const test::HardSurvey survey = test::hard_survey(std::strtoull(argv[a], nullptr, 10), density);
+  for (int a = 4; a < argc; ++a) {
+    const test::HardSurvey survey =
+        test::hard_survey(std::strtoull(argv[a], nullptr, 10), density, renderer);
     const auto grid =
         PointGrid::build(survey.points.size(), [&](std::size_t i) { return survey.points[i]; });
     for (std::size_t i = 0; i < survey.lines.size(); ++i) {
@@ -34,13 +37,11 @@ int main(int argc, char** argv) {
       const auto zone =
           points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
       const auto candidates = candidate_planes(zone, footprint, options);
-      const auto hypotheses =
-          surface_hypotheses(zone, candidates, footprint, line, {}, options);
+      const auto hypotheses = surface_hypotheses(zone, candidates, footprint, line, {}, options);
       for (const SurfaceHypothesis& h : hypotheses) {
         double off = 0.0, signed_off = 0.0, nz = 0.0, sigma = 0.0;
         for (const std::size_t k : h.planes) {
-          const SegmentPlaneDistance d =
-              orthogonal_distance(line, candidates[k].fit.plane);
+          const SegmentPlaneDistance d = orthogonal_distance(line, candidates[k].fit.plane);
           off += d.mean_abs / h.planes.size();
           signed_off += d.mean / h.planes.size();
           nz += candidates[k].fit.plane.normal().z() / h.planes.size();
@@ -50,7 +51,7 @@ int main(int argc, char** argv) {
                    length(truth.segment), truth.planes.size(), name(h.surface), off, signed_off, nz,
                    sigma);
         for (const double v : h.plan) fmt::print(" {:.4f}", v);
-        for (const double v : h.points) fmt::print(" {:.4f}", v);
+        fmt::print(" {:.4f}", h.accompanied);
         fmt::print(" {:.3f} {:.3f}\n", h.heights_m.x(), h.heights_m.y());
       }
     }
