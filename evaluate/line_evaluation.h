@@ -121,7 +121,7 @@ struct RidgeDisplacement {
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of (horizontal, vertical)
 };
 
-/// The judgement of one line. Distances are set only for status `evaluated`.
+/// The judgement of one line. Its planes and its distances, down to the last field, exist only for status `evaluated`.
 struct LineEvaluation {
   std::string id;
   std::string line_class;
@@ -143,10 +143,11 @@ struct LineEvaluation {
   /// that are not in range or whose file states no number of images.
   std::optional<Segment3> segment;
 
-  double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)
-  double max_distance_m = 0.0;
-  double signed_mean_m = 0.0;  ///< mean over the planes of the signed mean distance
-  double sigma_plane_m = 0.0;  ///< of the mean distance, by the plane(s) at the midpoint
+  /// Mean over the planes of the mean |distance| (Ok et al. 2011).
+  std::optional<double> mean_distance_m;
+  std::optional<double> max_distance_m;
+  std::optional<double> signed_mean_m;  ///< mean over the planes of the signed mean distance
+  std::optional<double> sigma_plane_m;  ///< of the mean distance, by the plane(s) at the midpoint
   /// Standard deviation of the line's midpoint along the plane's normal (mean of two planes), by covariance_m2.
   std::optional<double> sigma_line_m;
   std::optional<double> z;  ///< signed midpoint distance / sqrt(sigma_line^2 + sigma_plane^2)

@@ -96,7 +96,7 @@ Figure building_figure(const Evaluation& e, const std::string& line_class, const
         (!gate.n_images || image_group(line.n_images) == image_group(*gate.n_images));
     if (!counts) continue;
     Sum& sum = buildings[line.building];
-    sum.squares_m2 += line.mean_distance_m * line.mean_distance_m;
+    sum.squares_m2 += *line.mean_distance_m * *line.mean_distance_m;
     sum.n += 1.0;
   }
   Figure figure{e.patch, e.method, line_class, {}, {}, buildings.size(), {}, {}};

@@ -35,7 +35,7 @@ AccuracyStatement statement(const Evaluation& evaluation, const Summary& summary
   std::size_t n_extrapolated = 0;
   for (const LineEvaluation& line : evaluation.lines) {
     if (!counts_in(line, summary.line_class)) continue;
-    variance_m2.add(line.sigma_plane_m * line.sigma_plane_m);
+    variance_m2.add(*line.sigma_plane_m * *line.sigma_plane_m);
     if (max_extrapolation_m(line) > kExtrapolationLimitM) ++n_extrapolated;
   }
   AccuracyStatement result;

@@ -27,11 +27,12 @@ Sample evaluated_sample(std::span<const LineEvaluation> lines,
   for (const std::size_t i : members) {
     const LineEvaluation& line = lines[i];
     if (line.status != Status::kEvaluated) continue;
-    if (!std::isfinite(line.mean_distance_m) || !std::isfinite(line.signed_mean_m)) {
+    const auto is_finite = [](std::optional<double> x) { return x && std::isfinite(*x); };
+    if (!is_finite(line.mean_distance_m) || !is_finite(line.signed_mean_m)) {
       throw std::logic_error("line " + line.id + " is evaluated, but its distance is not finite");
     }
-    sample.errors.push_back(line.mean_distance_m);
-    sample.signed_errors.push_back(line.signed_mean_m);
+    sample.errors.push_back(*line.mean_distance_m);
+    sample.signed_errors.push_back(*line.signed_mean_m);
     sample.lengths.push_back(line.length_m);
     sample.clusters.push_back(clusters[i]);
     sample.ids.push_back(line.id);

@@ -62,20 +62,16 @@ Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   }
   json["planes"] = Json::array();
   for (const JudgingPlane& p : line.planes) json["planes"].push_back(plane_json(p, origin_m));
-  // A line that was not evaluated has no distance; 0 would read as a perfect one.
-  const auto if_evaluated = [&](std::optional<double> value) {
-    return line.status == Status::kEvaluated ? number_json(value) : Json(nullptr);
-  };
-  json["mean_distance_m"] = if_evaluated(line.mean_distance_m);
-  json["max_distance_m"] = if_evaluated(line.max_distance_m);
-  json["signed_mean_m"] = if_evaluated(line.signed_mean_m);
-  json["sigma_plane_m"] = if_evaluated(line.sigma_plane_m);
-  json["sigma_line_m"] = if_evaluated(line.sigma_line_m);
-  json["z"] = if_evaluated(line.z);
-  json["intersection_distance_m"] = if_evaluated(line.intersection_distance_m);
-  json["intersection_angle_deg"] = if_evaluated(line.intersection_angle_deg);
+  json["mean_distance_m"] = number_json(line.mean_distance_m);
+  json["max_distance_m"] = number_json(line.max_distance_m);
+  json["signed_mean_m"] = number_json(line.signed_mean_m);
+  json["sigma_plane_m"] = number_json(line.sigma_plane_m);
+  json["sigma_line_m"] = number_json(line.sigma_line_m);
+  json["z"] = number_json(line.z);
+  json["intersection_distance_m"] = number_json(line.intersection_distance_m);
+  json["intersection_angle_deg"] = number_json(line.intersection_angle_deg);
   json["displacement"] = displacement_json(line.displacement);
-  json["height_if_vertical_m"] = if_evaluated(line.height_if_vertical_m);
+  json["height_if_vertical_m"] = number_json(line.height_if_vertical_m);
   return json;
 }
 

@@ -131,7 +131,7 @@ void parse_distances(const Json& json, LineEvaluation& line) {
   line.mean_distance_m = number(json, "mean_distance_m");
   line.max_distance_m = number(json, "max_distance_m");
   line.signed_mean_m = number(json, "signed_mean_m");
-  check(line.mean_distance_m >= 0.0, "mean_distance_m: ", line.mean_distance_m, "; must be >= 0");
+  check(*line.mean_distance_m >= 0.0, "mean_distance_m: ", *line.mean_distance_m, "; must be >= 0");
   line.sigma_plane_m = number_if_any(json, "sigma_plane_m").value_or(0.0);
   line.sigma_line_m = number_if_any(json, "sigma_line_m");
   line.z = number_if_any(json, "z");

@@ -54,16 +54,13 @@ std::string moved_columns(const Evaluation& evaluation) {
 }
 
 std::string row(const LineEvaluation& line, const Evaluation& evaluation) {
-  const auto if_evaluated = [&](std::optional<double> value) {
-    return line.status == Status::kEvaluated ? figure_text(value) : std::string();
-  };
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", escape_csv(line.id),
                      escape_csv(evaluation.patch), escape_csv(line.line_class),
                      figure_text(line.epipolar_angle_deg), name(line.kind),
                      escape_csv(evaluation.method), figure_text(line.length_m), plane_columns(line),
-                     if_evaluated(line.mean_distance_m), if_evaluated(line.signed_mean_m),
-                     if_evaluated(line.sigma_line_m), if_evaluated(line.sigma_plane_m),
-                     if_evaluated(line.z), name(line.status),
+                     figure_text(line.mean_distance_m), figure_text(line.signed_mean_m),
+                     figure_text(line.sigma_line_m), figure_text(line.sigma_plane_m),
+                     figure_text(line.z), name(line.status),
                      escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))),
                      displacement_columns(line), moved_columns(evaluation));
 }

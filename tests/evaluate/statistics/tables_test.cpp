@@ -210,6 +210,7 @@ TEST(EvaluationJson, SurvivesARoundTrip) {
   EXPECT_EQ(read.lines[1].flags, evaluation.lines[1].flags);
   EXPECT_EQ(read.lines[2].building, "b 7");
   EXPECT_EQ(read.lines[3].status, Status::kNoPlane);
+  EXPECT_FALSE(read.lines[3].mean_distance_m || read.lines[3].sigma_plane_m);
   EXPECT_EQ(*read.classes.back().rms_m, *evaluation.classes.back().rms_m);
   EXPECT_NEAR(read.lines[0].planes[0].plane.offset(), 0.0, 1e-9);
 }
