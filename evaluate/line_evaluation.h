@@ -48,6 +48,7 @@ enum class Surface : std::uint8_t {
   kRidge,   ///< two that meet along the line: ridge, hip, valley
   kObject,  ///< an object that the cloud has no plane for
 };
+inline constexpr int kNumSurfaces = 5;
 const char* name(Surface surface);  ///< "upper" | "lower" | "ground" | "ridge" | "object"
 
 /// The evidence without which the decision about the surface would have been open.
@@ -57,7 +58,14 @@ enum class DecidedBy : std::uint8_t {
   kPoints,  ///< points along the line that no plane explains
   kPlace,   ///< the line's own height
 };
+inline constexpr int kNumDecidedBy = 4;
 const char* name(DecidedBy evidence);  ///< "plan" | "images" | "points" | "place"
+
+/// The name of a surface or of the evidence; "" if it is not known.
+template <typename Named>
+const char* name(const std::optional<Named>& value) {
+  return value ? name(*value) : "";
+}
 
 /// The segment that an image shows of a line.
 struct ImageSighting {

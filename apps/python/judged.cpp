@@ -35,6 +35,11 @@ py::dict lines_dict(const Judged& judged) {
   d["reason"] = list_of(lines, [](const L& l) { return l.reason; });
   d["kind"] = list_of(lines, [](const L& l) { return std::string(name(l.kind)); });
   d["flags"] = list_of(lines, [](const L& l) { return py::cast(l.flags); });
+  d["surface"] = list_of(lines, [](const L& l) { return std::string(name(l.surface)); });
+  d["surface_other"] =
+      list_of(lines, [](const L& l) { return std::string(name(l.surface_other)); });
+  d["surface_probability"] = number_array(lines, &L::surface_probability);
+  d["decided_by"] = list_of(lines, [](const L& l) { return std::string(name(l.decided_by)); });
   d["plane_ids"] = list_of(lines, [](const L& l) {
     py::list ids;
     for (const evaluate::JudgingPlane& plane : l.planes) ids.append(plane.id);

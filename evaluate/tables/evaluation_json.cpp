@@ -44,6 +44,11 @@ Json displacement_json(const std::optional<RidgeDisplacement>& d) {
             {number_json(d->covariance_m2(1, 0)), number_json(d->covariance_m2(1, 1))}}}};
 }
 
+template <typename Named>
+Json named_json(const std::optional<Named>& value) {
+  return value ? Json(name(*value)) : Json(nullptr);
+}
+
 Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   Json json{{"id", line.id},
             {"class", line.line_class},
@@ -52,6 +57,10 @@ Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   if (!line.reason.empty()) json["reason"] = line.reason;
   if (!line.building.empty()) json["building"] = line.building;
   json["flags"] = line.flags;
+  json["surface"] = named_json(line.surface);
+  json["surface_other"] = named_json(line.surface_other);
+  json["surface_probability"] = number_json(line.surface_probability);
+  json["decided_by"] = named_json(line.decided_by);
   json["length_m"] = number_json(line.length_m);
   json["epipolar_angle_deg"] = number_json(line.epipolar_angle_deg);
   if (line.n_images) json["n_images"] = *line.n_images;

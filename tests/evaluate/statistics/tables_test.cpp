@@ -36,6 +36,10 @@ Evaluation small_evaluation(const std::string& method = "direct") {
   evaluation.lines[0].epipolar_angle_deg = 33.0;
   evaluation.lines[1].flags = {"merged", "plane_ambiguous"};
   evaluation.lines[2].building = "b 7";
+  evaluation.lines[2].surface = Surface::kLower;
+  evaluation.lines[2].surface_other = Surface::kObject;
+  evaluation.lines[2].surface_probability = 0.97;
+  evaluation.lines[2].decided_by = DecidedBy::kImages;
   return with_summaries(std::move(evaluation));
 }
 
@@ -209,6 +213,11 @@ TEST(EvaluationJson, SurvivesARoundTrip) {
   ASSERT_EQ(read.lines.size(), 4U);
   EXPECT_EQ(read.lines[1].flags, evaluation.lines[1].flags);
   EXPECT_EQ(read.lines[2].building, "b 7");
+  EXPECT_EQ(read.lines[2].surface, Surface::kLower);
+  EXPECT_EQ(read.lines[2].surface_other, Surface::kObject);
+  EXPECT_EQ(read.lines[2].surface_probability, 0.97);
+  EXPECT_EQ(read.lines[2].decided_by, DecidedBy::kImages);
+  EXPECT_FALSE(read.lines[0].surface || read.lines[0].surface_probability);
   EXPECT_EQ(read.lines[3].status, Status::kNoPlane);
   EXPECT_FALSE(read.lines[3].mean_distance_m || read.lines[3].sigma_plane_m);
   EXPECT_EQ(*read.classes.back().rms_m, *evaluation.classes.back().rms_m);
@@ -250,6 +259,8 @@ TEST(ParseEvaluation, NamesWhatIsWrong) {
               HasSubstr("line 3: status: odd"));
   EXPECT_THAT(message_after("\"seed\": 1", "\"seed\": -1"), HasSubstr("seed: -1; must be"));
   EXPECT_THAT(message_after("\"kind\": \"step\"", "\"kind\": \"stop\""), HasSubstr("kind: stop"));
+  EXPECT_THAT(message_after("\"surface\": \"lower\"", "\"surface\": \"lowest\""),
+              HasSubstr("line 2: surface: lowest; must be"));
   EXPECT_THROW(parse_evaluation("[]"), std::invalid_argument);
   EXPECT_THROW(parse_evaluation(""), std::invalid_argument);
 }
@@ -259,8 +270,10 @@ TEST(LineCsv, HasARowPerLineWithTheDocumentedColumns) {
   EXPECT_THAT(text, StartsWith("id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers"));
   EXPECT_THAT(text, HasSubstr("\nb,1,not_aligned,,step,direct,5.0000,40,0.0000,1.0000,0.0000,"
                               "-0.4000,-0.4000,0.4000,-0.4000,,0.0000,,evaluated,"
-                              "merged;plane_ambiguous,,,,,\n"));
-  EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,,,,,,\n"));
+                              "merged;plane_ambiguous,,,,,,,,,\n"));
+  EXPECT_THAT(text,
+              HasSubstr("1.2000,1.2000,,0.0000,,evaluated,,,,,,,lower,object,0.9700,images\n"));
+  EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,,,,,,,,,,\n"));
 }
 
 TEST(Table2Parts, AreOfTheRidgesAlone) {
@@ -283,9 +296,10 @@ TEST(LineCsv, HasTheHorizontalAndVerticalPartsOfARidge) {
   evaluation.lines[1].height_if_vertical_m = -0.45;
   const std::string text = to_line_csv(evaluation);
   EXPECT_THAT(text, HasSubstr("flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,"
-                              "height_if_vertical_m\n"));
-  EXPECT_THAT(text, HasSubstr(",evaluated,,0.2000,-0.1000,0.0200,0.0100,\n"));
-  EXPECT_THAT(text, HasSubstr("plane_ambiguous,,,,,-0.4500\n"));
+                              "height_if_vertical_m,surface,surface_other,surface_probability,"
+                              "decided_by\n"));
+  EXPECT_THAT(text, HasSubstr(",evaluated,,0.2000,-0.1000,0.0200,0.0100,,,,,\n"));
+  EXPECT_THAT(text, HasSubstr("plane_ambiguous,,,,,-0.4500,,,,\n"));
 }
 
 TEST(ParseEvaluation, TakesBackThePartsOfARidge) {
