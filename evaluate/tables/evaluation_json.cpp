@@ -184,7 +184,7 @@ Json total_calibration_json(const Evaluation& evaluation) {
 
 Json evaluation_json(const Evaluation& evaluation) {
   Json summary = Json::object();
-  for (const Summary& s : evaluation.classes) summary[s.line_class] = summary_json(s);
+  for (const Summary& s : evaluation.classes) summary[s.line_class] = class_json(s);
   Json lines = Json::array();
   for (const LineEvaluation& line : evaluation.lines) {
     lines.push_back(line_json(line, evaluation.origin_m));

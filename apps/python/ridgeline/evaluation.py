@@ -78,7 +78,12 @@ class Result:
 
     @cached_property
     def classes(self) -> dict[str, dict[str, Any]]:
-        """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m, median_m, q95_m, ..."""
+        """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m, median_m, q95_m, ...
+
+        n_half_of_squares: how many lines, those farthest off, make half of the sum of squares; rms_without_half_m: the RMS
+        of the others. decided_by: the same figures of the lines that plan and images decided on ("plan_images", the headline)
+        and of those that points or the place did ("points_place").
+        """
         figures: dict[str, dict[str, Any]] = self.to_dict()["summary"]
         return figures
 
@@ -138,7 +143,7 @@ class Result:
         return self._judged.text()
 
     def __repr__(self) -> str:
-        total = self.classes["total"]
+        total = self.classes["total"]["decided_by"]["plan_images"]
         rms = total["rms_m"]
         shown = "none" if rms is None else f"{rms:.3f} m"
         return f"<ridgeline.Result: {total['n_evaluated']} of {total['n_lines']} lines judged, RMS {shown}>"
