@@ -48,6 +48,7 @@ enum class Surface : std::uint8_t {
   kRidge,   ///< two that meet along the line: ridge, hip, valley
   kObject,  ///< an object that the cloud has no plane for
 };
+inline constexpr int kNumSurfaces = 5;
 const char* name(Surface surface);  ///< "upper" | "lower" | "ground" | "ridge" | "object"
 
 /// The evidence without which the decision about the surface would have been open.
@@ -57,7 +58,14 @@ enum class DecidedBy : std::uint8_t {
   kPoints,  ///< points along the line that no plane explains
   kPlace,   ///< the line's own height
 };
+inline constexpr int kNumDecidedBy = 4;
 const char* name(DecidedBy evidence);  ///< "plan" | "images" | "points" | "place"
+
+/// The name of a surface or of the evidence; "" if it is not known.
+template <typename Named>
+const char* name(const std::optional<Named>& value) {
+  return value ? name(*value) : "";
+}
 
 /// The segment that an image shows of a line.
 struct ImageSighting {
@@ -121,7 +129,7 @@ struct RidgeDisplacement {
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of (horizontal, vertical)
 };
 
-/// The judgement of one line. Distances are set only for status `evaluated`.
+/// The judgement of one line. Its planes and its distances, down to the last field, exist only for status `evaluated`.
 struct LineEvaluation {
   std::string id;
   std::string line_class;
@@ -143,10 +151,11 @@ struct LineEvaluation {
   /// that are not in range or whose file states no number of images.
   std::optional<Segment3> segment;
 
-  double mean_distance_m = 0.0;  ///< mean over the planes of the mean |distance| (Ok et al. 2011)
-  double max_distance_m = 0.0;
-  double signed_mean_m = 0.0;  ///< mean over the planes of the signed mean distance
-  double sigma_plane_m = 0.0;  ///< of the mean distance, by the plane(s) at the midpoint
+  /// Mean over the planes of the mean |distance| (Ok et al. 2011).
+  std::optional<double> mean_distance_m;
+  std::optional<double> max_distance_m;
+  std::optional<double> signed_mean_m;  ///< mean over the planes of the signed mean distance
+  std::optional<double> sigma_plane_m;  ///< of the mean distance, by the plane(s) at the midpoint
   /// Standard deviation of the line's midpoint along the plane's normal (mean of two planes), by covariance_m2.
   std::optional<double> sigma_line_m;
   std::optional<double> z;  ///< signed midpoint distance / sqrt(sigma_line^2 + sigma_plane^2)

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -40,14 +41,14 @@ pybind11::list list_of(const Rows& rows, const ValueOf& value_of) {
   return list;
 }
 
-/// An array of number(row) for every row; missing numbers are NaN.
+/// An array of number(row), or of the member `number`, for every row; missing numbers are NaN.
 template <typename Rows, typename Number>
 pybind11::array_t<double> number_array(const Rows& rows, const Number& number) {
   pybind11::array_t<double> array = nan_array({static_cast<pybind11::ssize_t>(rows.size())});
   auto out = array.mutable_unchecked<1>();
   pybind11::ssize_t i = 0;
   for (const auto& row : rows) {
-    if (const std::optional<double> value = number(row)) out(i) = *value;
+    if (const std::optional<double> value = std::invoke(number, row)) out(i) = *value;
     ++i;
   }
   return array;

@@ -24,15 +24,6 @@ namespace {
 
 using evaluate::LineEvaluation;
 
-/// Reads a distance of a line; only evaluated lines have one.
-template <typename Member>
-auto if_evaluated(Member member) {
-  return [member](const LineEvaluation& line) -> std::optional<double> {
-    if (line.status != evaluate::Status::kEvaluated) return std::nullopt;
-    return line.*member;
-  };
-}
-
 py::dict lines_dict(const Judged& judged) {
   const std::vector<LineEvaluation>& lines = judged.evaluation().lines;
   py::dict d;
@@ -44,18 +35,23 @@ py::dict lines_dict(const Judged& judged) {
   d["reason"] = list_of(lines, [](const L& l) { return l.reason; });
   d["kind"] = list_of(lines, [](const L& l) { return std::string(name(l.kind)); });
   d["flags"] = list_of(lines, [](const L& l) { return py::cast(l.flags); });
+  d["surface"] = list_of(lines, [](const L& l) { return std::string(name(l.surface)); });
+  d["surface_other"] =
+      list_of(lines, [](const L& l) { return std::string(name(l.surface_other)); });
+  d["surface_probability"] = number_array(lines, &L::surface_probability);
+  d["decided_by"] = list_of(lines, [](const L& l) { return std::string(name(l.decided_by)); });
   d["plane_ids"] = list_of(lines, [](const L& l) {
     py::list ids;
     for (const evaluate::JudgingPlane& plane : l.planes) ids.append(plane.id);
     return ids;
   });
   d["length_m"] = number_array(lines, [](const L& l) { return std::optional(l.length_m); });
-  d["mean_distance_m"] = number_array(lines, if_evaluated(&L::mean_distance_m));
-  d["max_distance_m"] = number_array(lines, if_evaluated(&L::max_distance_m));
-  d["signed_mean_m"] = number_array(lines, if_evaluated(&L::signed_mean_m));
-  d["sigma_plane_m"] = number_array(lines, if_evaluated(&L::sigma_plane_m));
-  d["sigma_line_m"] = number_array(lines, if_evaluated(&L::sigma_line_m));
-  d["z"] = number_array(lines, if_evaluated(&L::z));
+  d["mean_distance_m"] = number_array(lines, &L::mean_distance_m);
+  d["max_distance_m"] = number_array(lines, &L::max_distance_m);
+  d["signed_mean_m"] = number_array(lines, &L::signed_mean_m);
+  d["sigma_plane_m"] = number_array(lines, &L::sigma_plane_m);
+  d["sigma_line_m"] = number_array(lines, &L::sigma_line_m);
+  d["z"] = number_array(lines, &L::z);
   d["n_images"] = number_array(lines, [](const L& l) {
     return l.n_images ? std::optional<double>(*l.n_images) : std::nullopt;
   });

@@ -44,7 +44,7 @@ Pairs pair_lines(const Evaluation& a, const LineById& b_by_id) {
     const LineEvaluation& other = *found->second;
     pairs.lines.push_back({line.id,
                            is_classed(line.line_class) ? line.line_class : other.line_class,
-                           line.mean_distance_m, other.mean_distance_m});
+                           *line.mean_distance_m, *other.mean_distance_m});
     pairs.clusters.push_back(labels[i]);
   }
   return pairs;
@@ -76,8 +76,8 @@ Pairs pair_lines_in_space(const Evaluation& a, const Evaluation& b) {
   for (const auto& pair : pair_in_space(of_a.segments, of_b.segments)) {
     const std::size_t i = of_a.members[pair.first];
     const LineEvaluation& line = a.lines[i];
-    pairs.lines.push_back({line.id, line.line_class, line.mean_distance_m,
-                           b.lines[of_b.members[pair.second]].mean_distance_m});
+    pairs.lines.push_back({line.id, line.line_class, *line.mean_distance_m,
+                           *b.lines[of_b.members[pair.second]].mean_distance_m});
     pairs.clusters.push_back(labels[i]);
   }
   return pairs;

@@ -19,10 +19,11 @@ void add_line(const LineEvaluation& line, BuildingRow& row) {
   ++row.n_judged_lines;
   // the mean of the squares, from one line to the next
   const double before = row.rms_m.value_or(0.0);
-  const double square = line.mean_distance_m * line.mean_distance_m;
+  const double distance_m = *line.mean_distance_m;
+  const double square = distance_m * distance_m;
   row.rms_m = std::sqrt(before * before + (square - before * before) / row.n_judged_lines);
-  if (!row.worst_distance_m || line.mean_distance_m > *row.worst_distance_m) {
-    row.worst_distance_m = line.mean_distance_m;
+  if (!row.worst_distance_m || distance_m > *row.worst_distance_m) {
+    row.worst_distance_m = distance_m;
     row.worst_line = line.id;
   }
 }

@@ -93,10 +93,11 @@ Figure building_figure(const Evaluation& e, const std::string& line_class, const
     const bool counts =
         line.status == Status::kEvaluated && !line.building.empty() &&
         (line_class == kTotal || line.line_class == line_class) &&
-        (!gate.n_images || image_group(line.n_images) == image_group(*gate.n_images));
+        (!gate.n_images || image_group(line.n_images) == image_group(*gate.n_images)) &&
+        (!gate.decided_by || decided_group(line) == *gate.decided_by);
     if (!counts) continue;
     Sum& sum = buildings[line.building];
-    sum.squares_m2 += line.mean_distance_m * line.mean_distance_m;
+    sum.squares_m2 += *line.mean_distance_m * *line.mean_distance_m;
     sum.n += 1.0;
   }
   Figure figure{e.patch, e.method, line_class, {}, {}, buildings.size(), {}, {}};
@@ -118,20 +119,24 @@ Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const
   Figure figure{e.patch, e.method, line_class, {}, {}, 0, {}, {}};
   const std::vector<Summary> of_images =
       gate.n_images ? classes_of_images(e, *gate.n_images) : std::vector<Summary>();
-  const Summary* cell = find_class(gate.n_images ? of_images : e.classes, line_class);
-  if (cell == nullptr) {
+  const Summary* of_class = find_class(gate.n_images ? of_images : e.classes, line_class);
+  if (of_class == nullptr) {
     figure.why_missing = why_no_class(e, line_class);
     return figure;
   }
-  figure.value = metric_value(*cell, metric);
-  figure.ci95 = metric_interval(*cell, metric);
-  figure.n = metric_count(*cell, metric);
-  figure.evaluated_share = cell->evaluated_share();
+  const Summary cell = gate.decided_by ? of_class->of_group(*gate.decided_by) : *of_class;
+  figure.value = metric_value(cell, metric);
+  figure.ci95 = metric_interval(cell, metric);
+  figure.n = metric_count(cell, metric);
+  figure.evaluated_share = cell.evaluated_share();
   if (figure.value) return figure;
-  figure.why_missing = why_no_value(*cell, metric);
+  figure.why_missing = why_no_value(cell, metric);
   if (gate.n_images) {
     figure.why_missing +=
         fmt::format(" that {} images show", image_group_name(*image_group(gate.n_images)));
+  }
+  if (gate.decided_by) {
+    figure.why_missing += fmt::format(", decided by {}", name(*gate.decided_by));
   }
   return figure;
 }

@@ -85,16 +85,19 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
   const std::string of_images =
       gate.n_images ? fmt::format(" of {} images", image_group_name(*image_group(gate.n_images)))
                     : "";
+  const std::string decided_by =
+      gate.decided_by ? fmt::format(" decided by {}", name(*gate.decided_by)) : "";
   const std::string within = gate.within_m ? fmt::format(" {}", *gate.within_m) : "";
   result.rule =
-      fmt::format("{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
-                  gate.metric, within, of_images, rule);
+      fmt::format("{}{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
+                  gate.metric, within, of_images, decided_by, rule);
   if (gate.n_min) result.rule += fmt::format(" (n >= {})", *gate.n_min);
   result.patch = figure.patch;
   result.method = figure.method;
   result.line_class = figure.line_class;
   result.metric = gate.metric;
   result.n_images = gate.n_images;
+  result.decided_by = gate.decided_by;
   result.value = figure.value;
   result.ci95 = figure.ci95;
   result.n = figure.n;
@@ -207,6 +210,9 @@ void validate(const Gate& gate) {
   check(!gate.n_images || (*gate.n_images >= kFewestImages && *gate.n_images <= kMostImages),
         "n_images: ", gate.n_images.value_or(0), "; must be ", kFewestImages, " to ", kMostImages,
         "; ", kMostImages, " means ", kMostImages, " and more");
+  check(!gate.decided_by || !(of_matching || is_track_metric(gate.metric)),
+        "decided_by: ", gate.metric,
+        " is no figure of judged lines, so decided_by must be left out");
   const bool of_buildings = is_building_metric(gate.metric);
   check(of_buildings == gate.within_m.has_value(), "within_m: ", gate.metric,
         of_buildings ? " needs it, the largest RMS of a building's lines that is good"

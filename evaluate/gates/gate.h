@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/statistics/decided_group.h"
 #include "evaluate/statistics/interval.h"
 #include "evaluate/tables/result_folder.h"
 
@@ -23,9 +24,10 @@ struct Gate {
   std::optional<std::string> patch;   ///< if empty, every patch
   std::optional<std::string> method;  ///< or matcher; if empty, see figures_of()
   std::string line_class = "total";
-  std::optional<int> n_images;     ///< only lines of so many images, 5 being five and more
-  std::optional<double> within_m;  ///< of building_metrics()
-  std::string metric = "rms_m";    ///< see find_metric()
+  std::optional<int> n_images;             ///< only lines of so many images, 5 being five and more
+  std::optional<DecidedGroup> decided_by;  ///< only judged lines of this group
+  std::optional<double> within_m;          ///< of building_metrics()
+  std::string metric = "rms_m";            ///< see find_metric()
 
   std::optional<double> max;
   std::optional<double> min;
@@ -53,7 +55,8 @@ const char* name(Verdict verdict);  ///< passed | failed | insufficient | missin
 struct GateResult {
   std::string rule;  ///< "aligned rms_m <= 0.3 (n >= 20)"
   std::string patch, method, line_class, metric;
-  std::optional<int> n_images;  ///< see Gate
+  std::optional<int> n_images;             ///< see Gate
+  std::optional<DecidedGroup> decided_by;  ///< see Gate
   std::optional<double> value, limit, baseline;
   std::optional<Interval> ci95;  ///< only printed; the point estimate is compared
   std::size_t n = 0;

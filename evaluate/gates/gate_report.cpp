@@ -154,6 +154,7 @@ std::string to_json(const GateReport& report) {
                      {"class", r.line_class},
                      {"metric", r.metric},
                      {"n_images", r.n_images ? Json(*r.n_images) : Json(nullptr)},
+                     {"decided_by", r.decided_by ? Json(name(*r.decided_by)) : Json(nullptr)},
                      {"value", number_json(r.value)},
                      {"ci95", interval_json(r.ci95)},
                      {"limit", number_json(r.limit)},

@@ -4,12 +4,10 @@
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/interruption.h"
 
-#include <pcl/console/print.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -17,35 +15,6 @@
 
 namespace ridgeline::evaluate {
 namespace {
-
-/// Silences PCL, which prints every degenerate sample to stderr, as long as any thread judges lines: PCL has one level
-/// for all threads.
-class QuietPcl {
- public:
-  QuietPcl() {
-    const std::scoped_lock lock(holders().mutex);
-    if (holders().count++ > 0) return;
-    holders().level = pcl::console::getVerbosityLevel();
-    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
-  }
-  ~QuietPcl() {
-    const std::scoped_lock lock(holders().mutex);
-    if (--holders().count == 0) pcl::console::setVerbosityLevel(holders().level);
-  }
-  QuietPcl(const QuietPcl&) = delete;
-  QuietPcl& operator=(const QuietPcl&) = delete;
-
- private:
-  struct Holders {
-    std::mutex mutex;
-    int count = 0;
-    pcl::console::VERBOSITY_LEVEL level = pcl::console::L_INFO;  ///< before it was silenced
-  };
-  static Holders& holders() {
-    static Holders all;
-    return all;
-  }
-};
 
 std::vector<char> repeated_ids(std::span<const JudgedLine> lines) {
   std::unordered_set<std::string> seen;
@@ -176,7 +145,6 @@ BatchJudge::BatchJudge(std::span<const JudgedLine> lines, const JudgeOptions& op
 }
 
 void BatchJudge::judge(const PointSearch& search, std::span<const std::size_t> batch) {
-  const QuietPcl quiet;
   tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t k) {
     Interruption::check();
     const std::size_t i = batch[k];

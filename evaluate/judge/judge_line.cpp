@@ -75,19 +75,22 @@ double sigma_at_midpoint(const Eigen::Matrix<double, 6, 6>& cov, const Eigen::Ve
 void summarise(LineEvaluation& e, const JudgedLine& line) {
   const auto n = static_cast<double>(e.planes.size());
   Eigen::Vector3d mean_normal = Eigen::Vector3d::Zero();
-  double variance = 0.0;
+  double mean_distance_m = 0.0, max_distance_m = 0.0, signed_mean_m = 0.0, variance = 0.0;
   for (const JudgingPlane& p : e.planes) {
-    e.mean_distance_m += p.distance.mean_abs / n;
-    e.signed_mean_m += p.distance.mean / n;
-    e.max_distance_m = std::max(e.max_distance_m, p.distance.max_abs);
+    mean_distance_m += p.distance.mean_abs / n;
+    signed_mean_m += p.distance.mean / n;
+    max_distance_m = std::max(max_distance_m, p.distance.max_abs);
     mean_normal += p.plane.normal() / n;
     variance += p.sigma_m * p.sigma_m / (n * n);
   }
+  e.mean_distance_m = mean_distance_m;
+  e.max_distance_m = max_distance_m;
+  e.signed_mean_m = signed_mean_m;
   e.sigma_plane_m = std::sqrt(variance);
   if (!line.covariance_m2) return;
   e.sigma_line_m = sigma_at_midpoint(*line.covariance_m2, mean_normal);
-  const double sigma = std::hypot(*e.sigma_line_m, e.sigma_plane_m);
-  if (sigma > 0.0) e.z = e.signed_mean_m / sigma;
+  const double sigma = std::hypot(*e.sigma_line_m, *e.sigma_plane_m);
+  if (sigma > 0.0) e.z = signed_mean_m / sigma;
 }
 
 /// Distance of the midpoint from the intersection line of a ridge's planes, and the angle of the line to it.
@@ -309,7 +312,7 @@ JudgedResult judge_line(const PointSearch& search,
                                           {e.planes[0].sigma_m, e.planes[1].sigma_m});
     }
   } else {
-    e.height_if_vertical_m = e.signed_mean_m / e.planes[0].plane.normal().z();
+    e.height_if_vertical_m = *e.signed_mean_m / e.planes[0].plane.normal().z();
   }
   result.evaluation = std::move(e);
   return result;

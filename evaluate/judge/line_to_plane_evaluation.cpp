@@ -2,6 +2,7 @@
 #include "evaluate/judge/line_to_plane_evaluation.h"
 
 #include "evaluate/judge/pcl_point_search.h"
+#include "evaluate/judge/quiet_pcl.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <pcl/point_types.h>
@@ -61,6 +62,7 @@ PointNormals LineToPlaneEvaluation<PointT, PointNT>::point_normals() const {
 
 template <typename PointT, typename PointNT>
 std::vector<LineEvaluation> LineToPlaneEvaluation<PointT, PointNT>::compute() {
+  const QuietPcl quiet;
   results_.clear();
   check(initCompute(), "LineToPlaneEvaluation: no input cloud, call setInputCloud() first");
   const std::unique_ptr<PointSearch> search = point_search();

@@ -3,6 +3,7 @@
 
 #include "evaluate/judge/ball_cover.h"
 #include "evaluate/judge/point_search.h"
+#include "evaluate/judge/quiet_pcl.h"
 #include "reconstruct/geometry/check.h"
 
 #include <Eigen/Geometry>
@@ -65,6 +66,7 @@ PclPointSearch<PointT>::PclPointSearch(typename Search::Ptr search,
     last_finite = i;
   }
   if (!last_finite) return;  // PCL builds no structure over nothing
+  const QuietPcl quiet;
   search_->setInputCloud(cloud_, indices);
   pcl::Indices found;
   constexpr double kSomewhere_m = 0.01;
@@ -88,6 +90,7 @@ template <typename PointT>
 void PclPointSearch<PointT>::visit_runs_near(const Segment2& segment,
                                              double radius_m,
                                              const std::function<void(Run)>& visit) const {
+  const QuietPcl quiet;
   const BallCover cover(segment, radius_m, extent_);
   pcl::Indices found;
   std::vector<Point> run;

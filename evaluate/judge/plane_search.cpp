@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/plane_search.h"
 
+#include "evaluate/judge/quiet_pcl.h"
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/sample_consensus/msac.h>
@@ -157,6 +159,7 @@ std::optional<PlaneFit> settled_fit(const std::vector<ZonePoint>& points,
 std::vector<FoundPlane> search_planes(std::span<const ZonePoint> side,
                                       const JudgeOptions& options,
                                       const PointNormals& normals) {
+  const QuietPcl quiet;
   constexpr std::size_t kMostPlanes = 6;  // two roofs, a dormer, ground and two walls
   const double steepest_rad = options.max_slope_deg * std::numbers::pi / 180.0;
   std::vector<ZonePoint> rest(side.begin(), side.end());

@@ -35,7 +35,7 @@ AccuracyStatement statement(const Evaluation& evaluation, const Summary& summary
   std::size_t n_extrapolated = 0;
   for (const LineEvaluation& line : evaluation.lines) {
     if (!counts_in(line, summary.line_class)) continue;
-    variance_m2.add(line.sigma_plane_m * line.sigma_plane_m);
+    variance_m2.add(*line.sigma_plane_m * *line.sigma_plane_m);
     if (max_extrapolation_m(line) > kExtrapolationLimitM) ++n_extrapolated;
   }
   AccuracyStatement result;
@@ -44,6 +44,8 @@ AccuracyStatement statement(const Evaluation& evaluation, const Summary& summary
   const double n = std::max(1.0, static_cast<double>(summary.n_evaluated));
   result.numbers = accuracy_numbers(summary.rms_m, std::hypot(evaluation.options.sigma_sys_m,
                                                               std::sqrt(variance_m2.value() / n)));
+  result.n_half_of_squares = summary.n_half_of_squares;
+  result.rms_without_half_m = summary.rms_without_half_m;
   result.biased = is_biased(summary);
   result.few_samples = summary.n_evaluated < kMinSamples;
   result.few_clusters = summary.few_clusters();

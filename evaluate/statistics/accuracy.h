@@ -31,6 +31,8 @@ struct AccuracyStatement {
   std::string line_class;
   std::size_t n = 0;
   AccuracyNumbers numbers;
+  std::size_t n_half_of_squares = 0;         ///< see Summary
+  std::optional<double> rms_without_half_m;  ///< see Summary
   bool biased = false;        ///< |mean| above 25 % of the RMS, both of the signed distances
   bool few_samples = false;   ///< n < 30, the least that ASPRS Edition 2 accepts
   bool few_clusters = false;  ///< fewer than kMinClusters: the interval is unreliable

@@ -21,9 +21,10 @@ Calibration calibrate(std::span<const LineEvaluation> lines,
     const LineEvaluation& line = lines[i];
     if (line.status != Status::kEvaluated || !line.sigma_line_m) continue;
     const double variance_m2 = *line.sigma_line_m * *line.sigma_line_m +
-                               line.sigma_plane_m * line.sigma_plane_m + sigma_sys_m * sigma_sys_m;
+                               *line.sigma_plane_m * *line.sigma_plane_m +
+                               sigma_sys_m * sigma_sys_m;
     if (!(variance_m2 > 0.0) || !std::isfinite(variance_m2)) continue;
-    z2.push_back(line.signed_mean_m * line.signed_mean_m / variance_m2);
+    z2.push_back(*line.signed_mean_m * *line.signed_mean_m / variance_m2);
     sigmas_m.push_back(std::sqrt(variance_m2));
   }
   Calibration result;

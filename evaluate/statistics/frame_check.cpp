@@ -35,7 +35,7 @@ FrameCheck check_frame(std::span<const LineEvaluation> lines, double tolerance_m
   std::size_t n_near = 0;
   std::size_t n_far_in_height = 0;
   for (const LineEvaluation& line : lines) {
-    if (line.status == Status::kEvaluated) distances_m.push_back(line.mean_distance_m);
+    if (line.status == Status::kEvaluated) distances_m.push_back(*line.mean_distance_m);
     if (!was_looked_up(line.status)) continue;
     ++n_looked_up;
     // a line that is not in_range() has length 0; this one has a mark for a missing height

@@ -46,7 +46,7 @@ UncertaintyBudget budget_of(const std::vector<const LineEvaluation*>& lines,
   budget.laser_random_m = root_mean(lines, random_variance_m2);
   budget.laser_systematic_m = sigma_sys_m;
   budget.plane_fit_m = root_mean(lines, [](const LineEvaluation& line) {
-    return std::max(0.0, line.sigma_plane_m * line.sigma_plane_m - random_variance_m2(line));
+    return std::max(0.0, *line.sigma_plane_m * *line.sigma_plane_m - random_variance_m2(line));
   });
   if (summary.ci95_m) {
     budget.sampling_m = (summary.ci95_m->high - summary.ci95_m->low) / kTwoSided95;
@@ -98,7 +98,7 @@ std::vector<IsoMeasure> measures_of(const std::vector<const LineEvaluation*>& li
                                     const SummaryOptions& options) {
   std::vector<double> errors_m;
   errors_m.reserve(lines.size());
-  for (const LineEvaluation* line : lines) errors_m.push_back(line->mean_distance_m);
+  for (const LineEvaluation* line : lines) errors_m.push_back(*line->mean_distance_m);
   std::vector<double> kept_m = errors_m;
   const double limit_m =
       options.outlier_limit_m.value_or(options.outlier_rms_factor * s.rms_m.value_or(0.0));

@@ -17,6 +17,7 @@ set(evaluate_statistics_headers
   compare/comparison.h compare/matcher_table.h compare/pair_in_space.h compare/wilcoxon.h
   gates/figure.h gates/gate.h gates/gate_report.h gates/gate_warnings.h gates/metric.h
   statistics/accuracy.h statistics/bootstrap.h statistics/calibration.h statistics/constant_shift.h
+  statistics/decided_group.h
   statistics/distribution.h statistics/evaluation.h statistics/frame_check.h statistics/image_count.h
   statistics/interval.h statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h
   statistics/reference_errors.h

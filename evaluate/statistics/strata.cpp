@@ -95,6 +95,19 @@ Property by_images() {
           [](const LineEvaluation& line) { return image_group(line.n_images); }};
 }
 
+Property by_decision() {
+  return {"decided_by",
+          transformed(kDecidedGroups, [](DecidedGroup group) { return std::string(name(group)); }),
+          [](const LineEvaluation& line) -> std::optional<std::size_t> {
+            if (line.status != Status::kEvaluated) return std::nullopt;
+            return static_cast<std::size_t>(decided_group(line));
+          }};
+}
+
+bool is_of_place(const LineEvaluation& line) {
+  return decided_group(line) == DecidedGroup::kPointsPlace;
+}
+
 bool is_of_many_images(const LineEvaluation& line) { return line.n_images.value_or(0) > 2; }
 
 std::vector<Property> properties(const Evaluation& evaluation) {
@@ -108,6 +121,7 @@ std::vector<Property> properties(const Evaluation& evaluation) {
       by_number("roof_slope_deg", {0.0, 5.0, 20.0, 35.0, 50.0, 90.0}, steepest_slope_deg),
       by_sigma(evaluation)};
   if (std::ranges::any_of(evaluation.lines, is_of_many_images)) result.push_back(by_images());
+  if (std::ranges::any_of(evaluation.lines, is_of_place)) result.push_back(by_decision());
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -20,18 +21,24 @@ struct Sample {
   std::vector<std::string> ids;
 };
 
+bool counts(const LineEvaluation& line, std::optional<DecidedGroup> group) {
+  return line.status == Status::kEvaluated && (!group || decided_group(line) == *group);
+}
+
 Sample evaluated_sample(std::span<const LineEvaluation> lines,
                         std::span<const std::size_t> clusters,
-                        std::span<const std::size_t> members) {
+                        std::span<const std::size_t> members,
+                        std::optional<DecidedGroup> group) {
   Sample sample;
   for (const std::size_t i : members) {
     const LineEvaluation& line = lines[i];
-    if (line.status != Status::kEvaluated) continue;
-    if (!std::isfinite(line.mean_distance_m) || !std::isfinite(line.signed_mean_m)) {
+    if (!counts(line, group)) continue;
+    const auto is_finite = [](std::optional<double> x) { return x && std::isfinite(*x); };
+    if (!is_finite(line.mean_distance_m) || !is_finite(line.signed_mean_m)) {
       throw std::logic_error("line " + line.id + " is evaluated, but its distance is not finite");
     }
-    sample.errors.push_back(line.mean_distance_m);
-    sample.signed_errors.push_back(line.signed_mean_m);
+    sample.errors.push_back(*line.mean_distance_m);
+    sample.signed_errors.push_back(*line.signed_mean_m);
     sample.lengths.push_back(line.length_m);
     sample.clusters.push_back(clusters[i]);
     sample.ids.push_back(line.id);
@@ -41,6 +48,7 @@ Sample evaluated_sample(std::span<const LineEvaluation> lines,
 
 void count(std::span<const LineEvaluation> lines,
            std::span<const std::size_t> members,
+           std::optional<DecidedGroup> group,
            Summary& summary) {
   CompensatedSum length_m;
   CompensatedSum length_evaluated_m;
@@ -50,7 +58,7 @@ void count(std::span<const LineEvaluation> lines,
     ++summary.n_by_status.at(static_cast<std::size_t>(line.status));
     if (!std::isfinite(line.length_m)) continue;
     length_m.add(line.length_m);
-    if (line.status == Status::kEvaluated) length_evaluated_m.add(line.length_m);
+    if (counts(line, group)) length_evaluated_m.add(line.length_m);
   }
   summary.length_m = length_m.value();
   summary.length_evaluated_m = length_evaluated_m.value();
@@ -96,6 +104,17 @@ void describe_outliers(const std::vector<double>& errors,
   if (!kept.empty()) summary.rms_without_outliers_m = root_mean_square(kept);
 }
 
+void describe_half_of_squares(std::vector<double> errors, Summary& summary) {
+  std::sort(errors.begin(), errors.end(), std::greater());
+  double squares_m2 = 0.0;
+  auto other = errors.begin();
+  for (; other != errors.end() && squares_m2 < 0.5 * summary.sum_squares_m2; ++other) {
+    squares_m2 += *other * *other;
+  }
+  summary.n_half_of_squares = static_cast<std::size_t>(other - errors.begin());
+  if (other != errors.end()) summary.rms_without_half_m = root_mean_square({other, errors.end()});
+}
+
 void describe_errors(const Sample& sample, const SummaryOptions& options, Summary& summary) {
   const std::vector<double>& errors = sample.errors;
   const auto n = static_cast<double>(errors.size());
@@ -115,15 +134,17 @@ void describe_errors(const Sample& sample, const SummaryOptions& options, Summar
       std::count_if(errors.begin(), errors.end(), [&](double e) { return e > options.gross_m; });
   summary.gross_share = static_cast<double>(n_gross) / n;
   describe_outliers(errors, options, summary);
+  describe_half_of_squares(errors, summary);
 }
 
 void describe_parts(std::span<const LineEvaluation> lines,
                     std::span<const std::size_t> members,
+                    std::optional<DecidedGroup> group,
                     Summary& summary) {
   std::vector<double> horizontal_m;
   std::vector<double> vertical_m;
   for (const std::size_t i : members) {
-    if (!lines[i].displacement) continue;
+    if (!lines[i].displacement || !counts(lines[i], group)) continue;
     horizontal_m.push_back(lines[i].displacement->horizontal_m);
     vertical_m.push_back(lines[i].displacement->vertical_m);
   }
@@ -164,7 +185,27 @@ std::vector<std::size_t> members_of_no_class(std::span<const LineEvaluation> lin
   return members;
 }
 
+/// The summary with its groups. Without lines that points or the place decided on, one group would repeat it.
+Summary with_groups(Summary summary, const std::function<Summary(DecidedGroup)>& summary_of) {
+  Summary of_place = summary_of(DecidedGroup::kPointsPlace);
+  if (of_place.n_evaluated == 0) return summary;
+  summary.by_group = {summary_of(DecidedGroup::kPlanImages), std::move(of_place)};
+  assert_groups_pooled(summary);
+  return summary;
+}
+
 }  // namespace
+
+Summary Summary::of_group(DecidedGroup group) const {
+  if (!by_group.empty()) return by_group[static_cast<std::size_t>(group)];
+  if (group == DecidedGroup::kPlanImages) return *this;
+  Summary none;
+  none.line_class = line_class;
+  none.n_lines = n_lines;
+  none.n_by_status = n_by_status;
+  none.length_m = length_m;
+  return none;
+}
 
 void validate(const SummaryOptions& options) {
   check(std::isfinite(options.gross_m) && options.gross_m > 0.0, "--gross-m = ", options.gross_m,
@@ -187,20 +228,21 @@ Summary summarize(std::span<const LineEvaluation> lines,
                   std::span<const std::size_t> clusters,
                   std::span<const std::size_t> members,
                   std::string line_class,
-                  const SummaryOptions& options) {
+                  const SummaryOptions& options,
+                  std::optional<DecidedGroup> group) {
   check(lines.size() == clusters.size(), "summarize: ", lines.size(), " lines, but ",
         clusters.size(), " cluster labels");
   Summary summary;
   summary.line_class = std::move(line_class);
-  count(lines, members, summary);
-  const Sample sample = evaluated_sample(lines, clusters, members);
+  count(lines, members, group, summary);
+  const Sample sample = evaluated_sample(lines, clusters, members, group);
   summary.n_evaluated = sample.errors.size();
   summary.sum_squares_m2 = sum_of_squares(sample.errors);
   summary.n_clusters = count_clusters(sample.clusters);
   if (summary.n_evaluated == 0) return summary;
   describe_errors(sample, options, summary);
   describe_signed(sample.signed_errors, summary);
-  describe_parts(lines, members, summary);
+  describe_parts(lines, members, group, summary);
   return summary;
 }
 
@@ -208,7 +250,10 @@ std::vector<Summary> summarize_classes(std::span<const LineEvaluation> lines,
                                        const SummaryOptions& options) {
   const std::vector<std::size_t> clusters = cluster_labels(lines);
   const auto summary_of = [&](const std::vector<std::size_t>& members, std::string_view name) {
-    return summarize(lines, clusters, members, std::string(name), options);
+    const auto of_group = [&](std::optional<DecidedGroup> group) {
+      return summarize(lines, clusters, members, std::string(name), options, group);
+    };
+    return with_groups(of_group({}), of_group);
   };
   std::vector<std::size_t> all(lines.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -227,6 +272,18 @@ const Summary* find_class(std::span<const Summary> summaries, std::string_view l
   const auto found = std::find_if(summaries.begin(), summaries.end(),
                                   [&](const Summary& s) { return s.line_class == line_class; });
   return found == summaries.end() ? nullptr : &*found;
+}
+
+void assert_groups_pooled(const Summary& total) {
+  if (total.by_group.empty()) return;
+  double n_evaluated = 0.0, sum_squares_m2 = 0.0;
+  for (const Summary& group : total.by_group) {
+    n_evaluated += static_cast<double>(group.n_evaluated);
+    sum_squares_m2 += group.sum_squares_m2;
+  }
+  expect_equal(total, "n_evaluated of the groups", static_cast<double>(total.n_evaluated),
+               n_evaluated);
+  expect_equal(total, "sum of squares of the groups", total.sum_squares_m2, sum_squares_m2);
 }
 
 void assert_pooled(const Summary& total, std::span<const Summary> parts) {

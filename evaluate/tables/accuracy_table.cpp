@@ -47,14 +47,16 @@ std::string strata_table(const Stratification& stratification) {
 }  // namespace
 
 std::string to_markdown(std::span<const AccuracyStatement> statements) {
-  TextTable table({"class", "n:", "observed (against the planes):", "product (true datum):",
-                   "method only:", "sigma of the reference:", "flags"});
+  TextTable table(
+      {"class", "n:", "observed (against the planes):", "product (true datum):", "method only:",
+       "sigma of the reference:", "lines with half of the squares:", "RMS without them:", "flags"});
   for (const AccuracyStatement& s : statements) {
     const std::string method_only = s.numbers.below_reference_noise
                                         ? std::string("below reference noise")
                                         : metres(s.numbers.method_only_m);
     table.add(s.line_class, s.n, metres(s.numbers.observed_m), metres(s.numbers.product_m),
-              method_only, metres(s.numbers.sigma_ref_m), flags_text(s));
+              method_only, metres(s.numbers.sigma_ref_m), s.n_half_of_squares,
+              metres(s.rms_without_half_m), flags_text(s));
   }
   std::string text = fmt::format("{}\n{}\n", table.text(Markup::kMarkdown), kFixedSentence);
   if (!statements.empty()) text += fmt::format("\n{}", style_sentence(statements.back()));

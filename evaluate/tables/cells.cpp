@@ -22,4 +22,20 @@ std::string rms_text(const Summary* summary) {
   return fmt::format("{} ({}/{})", metres(summary->rms_m), summary->n_evaluated, summary->n_lines);
 }
 
+std::string headline_text(const Summary* summary) {
+  if (summary == nullptr || summary->by_group.empty()) return rms_text(summary);
+  return fmt::format("{} + {}", rms_text(&summary->by_group[0]), rms_text(&summary->by_group[1]));
+}
+
+std::vector<ClassRow> rows_of(const Summary& summary) {
+  if (summary.by_group.empty()) return {{summary.line_class, summary}};
+  std::vector<ClassRow> rows;
+  for (const DecidedGroup group : kDecidedGroups) {
+    rows.push_back(
+        {fmt::format("{} {}", summary.line_class, name(group)), summary.of_group(group)});
+  }
+  rows.push_back({summary.line_class + " all", summary});
+  return rows;
+}
+
 }  // namespace ridgeline::evaluate

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ridgeline::evaluate {
 
@@ -16,5 +17,18 @@ std::string interval_text(const std::optional<Interval>& interval_m);
 std::string interval_text(const Summary& summary);
 /// The RMS in metres with the numbers of evaluated and of all lines, "0.152 (12/14)"; "-" for nullptr.
 std::string rms_text(const Summary* summary);
+/// The same of the lines that plan and images decided on, and behind it that of the lines that points or the place did, if
+/// there are any: "0.152 (12/14) + 0.634 (2/14)".
+std::string headline_text(const Summary* summary);
+
+/// A row of a table of classes.
+struct ClassRow {
+  /// "total"; of a class with groups "total plan_images", "total points_place" and "total all".
+  std::string name;
+  Summary figures;
+};
+
+/// The rows of a class, the headline first.
+std::vector<ClassRow> rows_of(const Summary& summary);
 
 }  // namespace ridgeline::evaluate

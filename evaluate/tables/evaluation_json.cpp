@@ -44,6 +44,11 @@ Json displacement_json(const std::optional<RidgeDisplacement>& d) {
             {number_json(d->covariance_m2(1, 0)), number_json(d->covariance_m2(1, 1))}}}};
 }
 
+template <typename Named>
+Json named_json(const std::optional<Named>& value) {
+  return value ? Json(name(*value)) : Json(nullptr);
+}
+
 Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   Json json{{"id", line.id},
             {"class", line.line_class},
@@ -52,6 +57,10 @@ Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   if (!line.reason.empty()) json["reason"] = line.reason;
   if (!line.building.empty()) json["building"] = line.building;
   json["flags"] = line.flags;
+  json["surface"] = named_json(line.surface);
+  json["surface_other"] = named_json(line.surface_other);
+  json["surface_probability"] = number_json(line.surface_probability);
+  json["decided_by"] = named_json(line.decided_by);
   json["length_m"] = number_json(line.length_m);
   json["epipolar_angle_deg"] = number_json(line.epipolar_angle_deg);
   if (line.n_images) json["n_images"] = *line.n_images;
@@ -62,20 +71,16 @@ Json line_json(const LineEvaluation& line, const Eigen::Vector3d& origin_m) {
   }
   json["planes"] = Json::array();
   for (const JudgingPlane& p : line.planes) json["planes"].push_back(plane_json(p, origin_m));
-  // A line that was not evaluated has no distance; 0 would read as a perfect one.
-  const auto if_evaluated = [&](std::optional<double> value) {
-    return line.status == Status::kEvaluated ? number_json(value) : Json(nullptr);
-  };
-  json["mean_distance_m"] = if_evaluated(line.mean_distance_m);
-  json["max_distance_m"] = if_evaluated(line.max_distance_m);
-  json["signed_mean_m"] = if_evaluated(line.signed_mean_m);
-  json["sigma_plane_m"] = if_evaluated(line.sigma_plane_m);
-  json["sigma_line_m"] = if_evaluated(line.sigma_line_m);
-  json["z"] = if_evaluated(line.z);
-  json["intersection_distance_m"] = if_evaluated(line.intersection_distance_m);
-  json["intersection_angle_deg"] = if_evaluated(line.intersection_angle_deg);
+  json["mean_distance_m"] = number_json(line.mean_distance_m);
+  json["max_distance_m"] = number_json(line.max_distance_m);
+  json["signed_mean_m"] = number_json(line.signed_mean_m);
+  json["sigma_plane_m"] = number_json(line.sigma_plane_m);
+  json["sigma_line_m"] = number_json(line.sigma_line_m);
+  json["z"] = number_json(line.z);
+  json["intersection_distance_m"] = number_json(line.intersection_distance_m);
+  json["intersection_angle_deg"] = number_json(line.intersection_angle_deg);
   json["displacement"] = displacement_json(line.displacement);
-  json["height_if_vertical_m"] = if_evaluated(line.height_if_vertical_m);
+  json["height_if_vertical_m"] = number_json(line.height_if_vertical_m);
   return json;
 }
 
@@ -179,7 +184,7 @@ Json total_calibration_json(const Evaluation& evaluation) {
 
 Json evaluation_json(const Evaluation& evaluation) {
   Json summary = Json::object();
-  for (const Summary& s : evaluation.classes) summary[s.line_class] = summary_json(s);
+  for (const Summary& s : evaluation.classes) summary[s.line_class] = class_json(s);
   Json lines = Json::array();
   for (const LineEvaluation& line : evaluation.lines) {
     lines.push_back(line_json(line, evaluation.origin_m));

@@ -24,8 +24,8 @@ Evaluation parse_evaluation(std::string_view json);
 /// id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers,plane_rms_m,hull_coverage,
 /// extrapolation_m,start_distance_m,end_distance_m,mean_distance_m,signed_mean_m,sigma_line_m,
 /// sigma_plane_m,z,status,flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,
-/// height_if_vertical_m. Figures of two planes and flags are separated by a semicolon. Of lines that were moved before they were
-/// judged, moved_x_m,moved_y_m,moved_z_m follow.
+/// height_if_vertical_m,surface,surface_other,surface_probability,decided_by. Figures of two planes and
+/// flags are separated by a semicolon. Of lines that were moved before they were judged, moved_x_m,moved_y_m,moved_z_m follow.
 std::string to_line_csv(const Evaluation& evaluation);
 
 }  // namespace ridgeline::evaluate

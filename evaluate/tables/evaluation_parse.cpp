@@ -83,6 +83,19 @@ Kind parse_kind(const Json& line) {
   return kind == "step" ? Kind::kStep : Kind::kRidge;
 }
 
+/// The value of type T, of `n_values`, whose name stands there; nothing for null and without the key.
+template <typename T>
+std::optional<T> named_if_any(const Json& object, const char* key, int n_values) {
+  const auto found = object.find(key);
+  if (found == object.end() || found->is_null()) return std::nullopt;
+  const std::string written = text(object, key);
+  for (int i = 0; i < n_values; ++i) {
+    if (written == name(static_cast<T>(i))) return static_cast<T>(i);
+  }
+  throw std::invalid_argument(std::string(key) + ": " + written +
+                              "; must be a name that docs/outputs.md lists, or null");
+}
+
 JudgingPlane parse_plane(const Json& json, const Eigen::Vector3d& origin_m) {
   constexpr double kUnitTolerance = 1e-6;  // a normal typed with few digits is caught, not scaled
   const Eigen::Vector3d normal = vector(json, "normal");
@@ -131,7 +144,7 @@ void parse_distances(const Json& json, LineEvaluation& line) {
   line.mean_distance_m = number(json, "mean_distance_m");
   line.max_distance_m = number(json, "max_distance_m");
   line.signed_mean_m = number(json, "signed_mean_m");
-  check(line.mean_distance_m >= 0.0, "mean_distance_m: ", line.mean_distance_m, "; must be >= 0");
+  check(*line.mean_distance_m >= 0.0, "mean_distance_m: ", *line.mean_distance_m, "; must be >= 0");
   line.sigma_plane_m = number_if_any(json, "sigma_plane_m").value_or(0.0);
   line.sigma_line_m = number_if_any(json, "sigma_line_m");
   line.z = number_if_any(json, "z");
@@ -153,6 +166,10 @@ LineEvaluation parse_line(const Json& json, const Eigen::Vector3d& origin_m) {
     check(flag.is_string(), "flags: ", flag.dump(), "; must be text");
     line.flags.push_back(flag.get<std::string>());
   }
+  line.surface = named_if_any<Surface>(json, "surface", kNumSurfaces);
+  line.surface_other = named_if_any<Surface>(json, "surface_other", kNumSurfaces);
+  line.surface_probability = number_if_any(json, "surface_probability");
+  line.decided_by = named_if_any<DecidedBy>(json, "decided_by", kNumDecidedBy);
   // null stands for the length of a line whose coordinates are not finite
   line.length_m = number_if_any(json, "length_m").value_or(0.0);
   line.epipolar_angle_deg = number_if_any(json, "epipolar_angle_deg");

@@ -45,6 +45,11 @@ std::string displacement_columns(const LineEvaluation& line) {
                      figure_text(std::sqrt(d.covariance_m2(1, 1))));
 }
 
+std::string surface_columns(const LineEvaluation& line) {
+  return fmt::format("{},{},{},{}", name(line.surface), name(line.surface_other),
+                     figure_text(line.surface_probability), name(line.decided_by));
+}
+
 /// The columns that only lines have that were moved before they were judged.
 std::string moved_columns(const Evaluation& evaluation) {
   if (!evaluation.shift || !evaluation.shift->applied) return "";
@@ -54,18 +59,15 @@ std::string moved_columns(const Evaluation& evaluation) {
 }
 
 std::string row(const LineEvaluation& line, const Evaluation& evaluation) {
-  const auto if_evaluated = [&](std::optional<double> value) {
-    return line.status == Status::kEvaluated ? figure_text(value) : std::string();
-  };
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", escape_csv(line.id),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", escape_csv(line.id),
                      escape_csv(evaluation.patch), escape_csv(line.line_class),
                      figure_text(line.epipolar_angle_deg), name(line.kind),
                      escape_csv(evaluation.method), figure_text(line.length_m), plane_columns(line),
-                     if_evaluated(line.mean_distance_m), if_evaluated(line.signed_mean_m),
-                     if_evaluated(line.sigma_line_m), if_evaluated(line.sigma_plane_m),
-                     if_evaluated(line.z), name(line.status),
+                     figure_text(line.mean_distance_m), figure_text(line.signed_mean_m),
+                     figure_text(line.sigma_line_m), figure_text(line.sigma_plane_m),
+                     figure_text(line.z), name(line.status),
                      escape_csv(fmt::format("{}", fmt::join(line.flags, ";"))),
-                     displacement_columns(line), moved_columns(evaluation));
+                     displacement_columns(line), surface_columns(line), moved_columns(evaluation));
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ std::string to_line_csv(const Evaluation& evaluation) {
       "id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers,plane_rms_m,hull_coverage,"
       "extrapolation_m,start_distance_m,end_distance_m,mean_distance_m,signed_mean_m,sigma_line_m,"
       "sigma_plane_m,z,status,flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,"
-      "height_if_vertical_m";
+      "height_if_vertical_m,surface,surface_other,surface_probability,decided_by";
   if (!moved_columns(evaluation).empty()) text += ",moved_x_m,moved_y_m,moved_z_m";
   text += "\n";
   for (const LineEvaluation& line : evaluation.lines) text += row(line, evaluation);

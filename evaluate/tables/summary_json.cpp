@@ -48,11 +48,21 @@ Json summary_json(const Summary& s) {
       {"gross_share", number_json(s.gross_share)},
       {"n_outliers", s.n_outliers},
       {"rms_without_outliers_m", number_json(s.rms_without_outliers_m)},
+      {"n_half_of_squares", s.n_half_of_squares},
+      {"rms_without_half_m", number_json(s.rms_without_half_m)},
       {"n_parts", s.n_parts},
       {"rmse_horizontal_m", number_json(s.rmse_horizontal_m)},
       {"rmse_vertical_m", number_json(s.rmse_vertical_m)},
       {"mean_vertical_m", number_json(s.mean_vertical_m)},
   };
+}
+
+Json class_json(const Summary& summary) {
+  Json json = summary_json(summary);
+  for (const DecidedGroup group : kDecidedGroups) {
+    json["decided_by"][name(group)] = summary_json(summary.of_group(group));
+  }
+  return json;
 }
 
 }  // namespace ridgeline::evaluate

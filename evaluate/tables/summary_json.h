@@ -20,8 +20,11 @@ inline Json number_json(std::optional<double> value) {
 
 Json interval_json(const std::optional<Interval>& interval);  ///< [low, high] or null
 
-/// Every figure of a summary but its class, in full precision.
+/// Every figure of a summary but its class and its groups, in full precision.
 Json summary_json(const Summary& summary);
+
+/// The same of a class, with `decided_by`: the figures of each of kDecidedGroups by name.
+Json class_json(const Summary& summary);
 
 /// Indented text with a final line feed; bytes that are not UTF-8 become U+FFFD.
 std::string dump(const Json& json);

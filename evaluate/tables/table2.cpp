@@ -53,23 +53,26 @@ std::string published_form_markdown(const Table2& table) {
   TextTable written(columns);
   for (const Table2Layout::Row& row : layout.rows) {
     std::vector<std::string> cells{row.patch};
-    for (const Summary* cell : row.cells) cells.push_back(rms_text(cell));
+    for (const Summary* cell : row.cells) cells.push_back(headline_text(cell));
     written.add_row(std::move(cells));
   }
   return written.text(Markup::kMarkdown);
 }
 
 std::string companions_markdown(const Table2& table) {
-  TextTable written({"patch", "method", "class", "n:", "evaluated %:", "RMS:", "95 % interval:",
-                     "clusters:", "bias:", "std:", "median:", "NMAD:", "68.3 %:", "95 %:", "max:",
-                     "> gross limit %:", "excluded"});
+  TextTable written(
+      {"patch", "method", "class", "n:", "evaluated %:", "RMS:", "95 % interval:", "clusters:",
+       "bias:", "std:", "median:", "NMAD:", "68.3 %:", "95 %:", "max:",
+       "lines with half of the squares:", "RMS without them:", "> gross limit %:", "excluded"});
   for (const PatchMethodResult& result : table.results) {
-    for (const Summary& s : result.classes) {
-      written.add(result.patch, result.method, s.line_class, s.n_evaluated,
-                  percent(s.evaluated_share()), metres(s.rms_m), interval_text(s), s.n_clusters,
-                  metres(s.mean_m), metres(s.std_m), metres(s.median_m), metres(s.nmad_m),
-                  metres(s.q683_m), metres(s.q95_m), metres(s.max_m), percent(s.gross_share),
-                  excluded_text(s));
+    for (const Summary& of_class : result.classes) {
+      for (const auto& [class_name, s] : rows_of(of_class)) {
+        written.add(result.patch, result.method, class_name, s.n_evaluated,
+                    percent(s.evaluated_share()), metres(s.rms_m), interval_text(s), s.n_clusters,
+                    metres(s.mean_m), metres(s.std_m), metres(s.median_m), metres(s.nmad_m),
+                    metres(s.q683_m), metres(s.q95_m), metres(s.max_m), s.n_half_of_squares,
+                    metres(s.rms_without_half_m), percent(s.gross_share), excluded_text(s));
+      }
     }
   }
   return written.text(Markup::kMarkdown);
@@ -115,6 +118,17 @@ std::string_view faces_note(const Table2& table) {
   return "joint adjusts lines to the plane faces of the surface beside them (faces_beside); direct "
          "does not. Their not_aligned lines differ for this reason. With --preset published they "
          "are equal.";
+}
+
+/// What stands behind a + in a cell; "" if nothing does.
+std::string_view groups_note(const Table2& table) {
+  const bool has_groups = std::ranges::any_of(table.results, [](const PatchMethodResult& result) {
+    return std::ranges::any_of(result.classes,
+                               [](const Summary& s) { return !s.by_group.empty(); });
+  });
+  if (!has_groups) return "";
+  return " These are the lines on whose surface plan and images decided; behind a + are those on "
+         "which points or the line's own place did.";
 }
 
 /// The columns by how much the lines of a result were moved, empty for lines that were not.
@@ -173,30 +187,33 @@ std::string footnote(const Table2& table) {
 
 std::string to_markdown(const Table2& table) {
   return fmt::format(
-      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).\n\n{}{}\n"
+      "RMS of the lines' mean orthogonal distances in m (lines evaluated / all lines).{}\n\n{}{}\n"
       "Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of "
       "the mean absolute distances.\n\n{}\n{}{}\n",
-      published_form_markdown(table), footnote_line(table, "\n"), companions_markdown(table),
-      parts_markdown(table), kFixedSentence);
+      groups_note(table), published_form_markdown(table), footnote_line(table, "\n"),
+      companions_markdown(table), parts_markdown(table), kFixedSentence);
 }
 
 std::string to_csv(const Table2& table) {
   std::string text =
       "patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,"
-      "q95_m";
+      "q95_m,n_plan_images,rms_plan_images_m,n_points_place,rms_points_place_m";
   const bool has_moved = std::ranges::any_of(
       table.results, [](const PatchMethodResult& result) { return result.moved_m.has_value(); });
   text += has_moved ? ",moved_x_m,moved_y_m,moved_z_m\n" : "\n";
   const auto number = [](std::optional<double> value_m) { return metres(value_m, ""); };
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
+      const Summary of_images = s.of_group(DecidedGroup::kPlanImages);
+      const Summary of_place = s.of_group(DecidedGroup::kPointsPlace);
       const std::optional<double> low = s.ci95_m ? std::optional(s.ci95_m->low) : std::nullopt;
       const std::optional<double> high = s.ci95_m ? std::optional(s.ci95_m->high) : std::nullopt;
-      text +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{}{}\n", escape_csv(result.patch),
-                      escape_csv(result.method), escape_csv(s.line_class), s.n_lines, s.n_evaluated,
-                      number(s.rms_m), number(low), number(high), number(s.median_m),
-                      number(s.nmad_m), number(s.q95_m), has_moved ? moved_cells(result) : "");
+      text += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}{}\n", escape_csv(result.patch),
+          escape_csv(result.method), escape_csv(s.line_class), s.n_lines, s.n_evaluated,
+          number(s.rms_m), number(low), number(high), number(s.median_m), number(s.nmad_m),
+          number(s.q95_m), of_images.n_evaluated, number(of_images.rms_m), of_place.n_evaluated,
+          number(of_place.rms_m), has_moved ? moved_cells(result) : "");
     }
   }
   return text;
@@ -221,7 +238,7 @@ std::string to_json(const Table2& table) {
   for (const PatchMethodResult& result : table.results) {
     for (const Summary& s : result.classes) {
       Json row{{"patch", result.patch}, {"method", result.method}, {"class", s.line_class}};
-      row.update(summary_json(s));
+      row.update(class_json(s));
       rows.push_back(std::move(row));
     }
   }
@@ -241,13 +258,13 @@ std::string to_latex(const Table2& table) {
     for (const std::string& c : layout.classes) classes += " & " + escape_latex(c);
   }
   std::string text = fmt::format(
-      "% RMS (m) of the mean orthogonal distances, in parentheses lines evaluated / all lines.\n"
+      "% RMS (m) of the mean orthogonal distances, in parentheses lines evaluated / all lines.{}\n"
       "% {}\n{}\\begin{{tabular}}{{l{}}}\n\\toprule\n{} \\\\\n{} \\\\\n\\midrule\n",
-      kFixedSentence, footnote_line(table, "% "),
+      groups_note(table), kFixedSentence, footnote_line(table, "% "),
       std::string(layout.methods.size() * n_classes, 'r'), methods, classes);
   for (const Table2Layout::Row& row : layout.rows) {
     text += escape_latex(row.patch);
-    for (const Summary* cell : row.cells) text += " & " + rms_text(cell);
+    for (const Summary* cell : row.cells) text += " & " + headline_text(cell);
     text += " \\\\\n";
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

@@ -46,12 +46,13 @@ std::string footnote(const Table2& table);
 
 /// The published form: a row per patch, methods side by side, RMS with evaluated/all lines in
 /// every cell; below it a row per cell with interval, bias and robust figures, the lines excluded
-/// by reason, and the fixed sentence.
+/// by reason, and the fixed sentence. Where points or the place decided on some lines, cells hold headline_text(), and each
+/// has the rows of rows_of().
 std::string to_markdown(const Table2& table);
 
-/// `patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,q95_m`; a
-/// figure that does not exist is an empty field. If any lines were moved before they were judged, moved_x_m,moved_y_m,moved_z_m
-/// follow.
+/// `patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,q95_m,n_plan_images,rms_plan_images_m,
+/// n_points_place,rms_points_place_m`: one row a class, of all its lines, with the RMS of each of kDecidedGroups; a figure that does
+/// not exist is an empty field. If any lines were moved before they were judged, moved_x_m,moved_y_m,moved_z_m follow.
 std::string to_csv(const Table2& table);
 
 /// `patch,method,class,n_ridges,rmse_horizontal_m,rmse_vertical_m,mean_vertical_m`: the parts of ridges and hips,

@@ -5,6 +5,8 @@
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/text_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,24 @@ bool has_ridges(const Table2& table) {
   return std::ranges::any_of(table.results, [](const PatchMethodResult& result) {
     return std::ranges::any_of(result.classes, [](const Summary& s) { return s.n_parts > 0; });
   });
+}
+
+/// How few lines make each headline what it is, a line of text a result.
+std::string squares_notes(const Table2& table) {
+  std::string text;
+  for (const PatchMethodResult& result : table.results) {
+    const Summary* total = find_class(result.classes, kTotal);
+    if (total == nullptr) continue;
+    const Summary headline = total->of_group(DecidedGroup::kPlanImages);
+    if (headline.n_evaluated == 0) continue;
+    text += paragraph(
+        fmt::format(
+            "{}, {}: {} of {} lines make half of the sum of squares; RMS of the others {} m.",
+            in_sentence(result.patch, Markup::kPlain), in_sentence(result.method, Markup::kPlain),
+            headline.n_half_of_squares, headline.n_evaluated, metres(headline.rms_without_half_m)),
+        Markup::kPlain);
+  }
+  return text;
 }
 
 /// The tracks by number of images, all classes together.
@@ -59,26 +79,28 @@ std::string to_terminal(const Table2& table) {
   if (with_ridges) columns.insert(columns.end(), {"ridges:", "RMSE_H:", "RMSE_V:"});
   TextTable written(columns);
   for (const PatchMethodResult& result : table.results) {
-    for (const Summary& s : result.classes) {
-      std::vector<std::string> row{result.patch,
-                                   result.method,
-                                   s.line_class,
-                                   std::to_string(s.n_evaluated),
-                                   std::to_string(s.n_lines),
-                                   metres(s.rms_m),
-                                   interval_text(s.ci95_m),
-                                   metres(s.median_m),
-                                   metres(s.q95_m)};
-      if (with_ridges) {
-        row.insert(row.end(), {std::to_string(s.n_parts), metres(s.rmse_horizontal_m),
-                               metres(s.rmse_vertical_m)});
+    for (const Summary& of_class : result.classes) {
+      for (const auto& [class_name, s] : rows_of(of_class)) {
+        std::vector<std::string> row{result.patch,
+                                     result.method,
+                                     class_name,
+                                     std::to_string(s.n_evaluated),
+                                     std::to_string(s.n_lines),
+                                     metres(s.rms_m),
+                                     interval_text(s.ci95_m),
+                                     metres(s.median_m),
+                                     metres(s.q95_m)};
+        if (with_ridges) {
+          row.insert(row.end(), {std::to_string(s.n_parts), metres(s.rmse_horizontal_m),
+                                 metres(s.rmse_vertical_m)});
+        }
+        written.add_row(std::move(row));
       }
-      written.add_row(std::move(row));
     }
   }
   const std::string note = footnote(table);
   return captioned("Distances of the lines from LIDAR planes, m", written, Markup::kPlain) +
-         (note.empty() ? "" : paragraph(note, Markup::kPlain));
+         squares_notes(table) + (note.empty() ? "" : paragraph(note, Markup::kPlain));
 }
 
 }  // namespace ridgeline::evaluate

@@ -117,8 +117,8 @@ class GatesReader {
   [[nodiscard]] GateEntry entry(const YAML::Node& map) const {
     if (!map.IsMap())
       fail(map, "a gate must be a map such as {class: total, metric: rms_m, max: 0.3}");
-    check_keys(map, {"patch", "method", "class", "metric", "n_images", "within_m", "max", "min",
-                     "max_ratio_to", "ratio", "max_increase_over_baseline",
+    check_keys(map, {"patch", "method", "class", "metric", "n_images", "decided_by", "within_m",
+                     "max", "min", "max_ratio_to", "ratio", "max_increase_over_baseline",
                      "max_decrease_below_baseline", "n_min"});
     GateEntry entry;
     entry.line = map.Mark().line + 1;
@@ -126,6 +126,7 @@ class GatesReader {
     entry.method = text(map, "method");
     entry.line_class = text(map, "class");
     entry.n_images = count(map, "n_images");
+    entry.decided_by = text(map, "decided_by");
     entry.metric = text(map, "metric");
     entry.within_m = number(map, "within_m");
     entry.max = number(map, "max");

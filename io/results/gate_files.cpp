@@ -13,12 +13,20 @@
 namespace ridgeline::results {
 namespace {
 
+evaluate::DecidedGroup decided_group_named(const std::string& text) {
+  for (const evaluate::DecidedGroup group : evaluate::kDecidedGroups) {
+    if (text == name(group)) return group;
+  }
+  throw std::invalid_argument("decided_by: " + text + "; must be plan_images or points_place");
+}
+
 evaluate::Gate gate_of(const io::GateEntry& entry) {
   evaluate::Gate gate;
   gate.patch = entry.patch;
   gate.method = entry.method;
   if (entry.line_class) gate.line_class = *entry.line_class;
   gate.n_images = entry.n_images;
+  if (entry.decided_by) gate.decided_by = decided_group_named(*entry.decided_by);
   gate.within_m = entry.within_m;
   if (entry.metric) gate.metric = *entry.metric;
   gate.max = entry.max;
@@ -38,8 +46,8 @@ std::vector<evaluate::Gate> gates_of(const std::vector<io::GateEntry>& entries,
                                      const std::string& file) {
   std::vector<evaluate::Gate> gates;
   for (const io::GateEntry& entry : entries) {
-    gates.push_back(gate_of(entry));
     try {
+      gates.push_back(gate_of(entry));
       validate(gates.back());
     } catch (const std::invalid_argument& error) {
       throw io::IoError(file, fmt::format("line {}: {}", entry.line, error.what()));

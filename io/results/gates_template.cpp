@@ -22,6 +22,8 @@ constexpr std::string_view kKeys =
 #           Lines without classes are judged as total; classes come from images (run, demo,
 #           evaluate --patch PATCH.yaml) or from a column class of the line file.
 #   n_images  only lines of so many images, 2 to 5, where 5 is five and more; all if left out
+#   decided_by  only lines on whose surface plan and images decided (plan_images: the headline of the
+#           tables), or points and place (points_place); all that were judged if left out
 #   within_m  of buildings_within_m: the largest RMS of a building's lines that is good, as in
 #           {metric: buildings_within_m, within_m: 0.20, min: 0.90}
 #   patch   the patch's id; each patch if left out

@@ -31,10 +31,6 @@ using io::Value;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::optional<double> if_evaluated(const LineEvaluation& e, double value) {
-  return e.status == evaluate::Status::kEvaluated ? std::optional(value) : std::nullopt;
-}
-
 Value plane_id(const LineEvaluation& e, std::size_t i) {
   return i < e.planes.size() ? integer(static_cast<std::int64_t>(e.planes[i].id)) : Value();
 }
@@ -45,8 +41,8 @@ Value least_coverage(const LineEvaluation& e) {
 }
 
 Value sigma_of(const LineEvaluation& e) {
-  if (e.status != evaluate::Status::kEvaluated) return {};
-  return number(std::hypot(e.sigma_line_m.value_or(0.0), e.sigma_plane_m));
+  if (!e.sigma_plane_m) return {};
+  return number(std::hypot(e.sigma_line_m.value_or(0.0), *e.sigma_plane_m));
 }
 
 /// A judged line with what is known of it.
@@ -71,13 +67,18 @@ const std::vector<LineField>& line_fields() {
       {"kind", ColumnType::kText, [](const auto& m) { return text(m.kind); }},
       {"flags", ColumnType::kText,
        [](const auto& m) { return text(fmt::format("{}", fmt::join(m.e.flags, ";"))); }},
+      {"surface", ColumnType::kText, [](const auto& m) { return text(name(m.e.surface)); }},
+      {"surface_other", ColumnType::kText,
+       [](const auto& m) { return text(name(m.e.surface_other)); }},
+      {"surface_probability", ColumnType::kReal,
+       [](const auto& m) { return number(m.e.surface_probability); }},
+      {"decided_by", ColumnType::kText, [](const auto& m) { return text(name(m.e.decided_by)); }},
       {"length_m", ColumnType::kReal, [](const auto& m) { return number(m.e.length_m); }},
       {"mean_distance_m", ColumnType::kReal,
-       [](const auto& m) { return number(if_evaluated(m.e, m.e.mean_distance_m)); }},
-      {"signed_mean_m", ColumnType::kReal,
-       [](const auto& m) { return number(if_evaluated(m.e, m.e.signed_mean_m)); }},
+       [](const auto& m) { return number(m.e.mean_distance_m); }},
+      {"signed_mean_m", ColumnType::kReal, [](const auto& m) { return number(m.e.signed_mean_m); }},
       {"max_distance_m", ColumnType::kReal,
-       [](const auto& m) { return number(if_evaluated(m.e, m.e.max_distance_m)); }},
+       [](const auto& m) { return number(m.e.max_distance_m); }},
       {"horizontal_m", ColumnType::kReal,
        [](const auto& m) {
          return m.e.displacement ? number(m.e.displacement->horizontal_m) : Value();
@@ -117,7 +118,7 @@ const std::vector<LineField>& fkb_fields() {
       {"n\xC3\xB8yaktighet", ColumnType::kInteger,
        [](const auto& m) {
          return centimetres(m.e.displacement ? m.e.displacement->horizontal_m
-                                             : if_evaluated(m.e, m.e.mean_distance_m));
+                                             : m.e.mean_distance_m);
        }},
       {"n\xC3\xB8yaktighetH\xC3\xB8yde", ColumnType::kInteger, [](const auto& m) {
          return centimetres(m.e.displacement ? m.e.displacement->vertical_m

@@ -26,7 +26,7 @@ std::vector<LineEvaluation> evaluations_of(const std::vector<evaluate::JudgedRes
 bool is_far(const std::vector<LineEvaluation>& lines, const std::optional<ConstantShift>& shift) {
   std::vector<double> distances_m;
   for (const LineEvaluation& line : lines) {
-    if (line.status == evaluate::Status::kEvaluated) distances_m.push_back(line.mean_distance_m);
+    if (line.status == evaluate::Status::kEvaluated) distances_m.push_back(*line.mean_distance_m);
   }
   return evaluate::median(std::move(distances_m)).value_or(0.0) > kFar_m || !shift ||
          shift->shift_m.norm() > kFar_m;

@@ -29,7 +29,7 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
   std::size_t n = 0;
   for (const LineEvaluation& line : lines) {
     if (line.status != Status::kEvaluated || !is_counted(line)) continue;
-    sum += line.mean_distance_m * line.mean_distance_m;
+    sum += *line.mean_distance_m * *line.mean_distance_m;
     ++n;
   }
   if (n == 0) return std::nullopt;
@@ -72,9 +72,9 @@ bool is_far_in_height(const LineEvaluation& line) {
 /// Whether the line is far off its planes and parallel to them. A line that a tool misplaces that far is seldom parallel.
 bool is_far_from_planes(const LineEvaluation& line) {
   constexpr double kParallel = 0.2;  // difference of the ends' distances over the mean distance
-  if (line.status != Status::kEvaluated || line.mean_distance_m <= kFarthestError_m) return false;
+  if (line.status != Status::kEvaluated || *line.mean_distance_m <= kFarthestError_m) return false;
   return std::ranges::all_of(line.planes, [&](const evaluate::JudgingPlane& p) {
-    return std::abs(p.distance.start - p.distance.end) <= kParallel * line.mean_distance_m;
+    return std::abs(p.distance.start - p.distance.end) <= kParallel * *line.mean_distance_m;
   });
 }
 

@@ -52,7 +52,7 @@ Judgement summarise(const std::vector<LineEvaluation>& lines) {
   for (const LineEvaluation& line : lines) {
     if (line.status != Status::kEvaluated) continue;
     ++judgement.n_evaluated;
-    sum_m2 += line.mean_distance_m * line.mean_distance_m;
+    sum_m2 += *line.mean_distance_m * *line.mean_distance_m;
     for (const evaluate::JudgingPlane& judging : line.planes) {
       sum_normal_z += judging.plane.normal().z();
       ++n_planes;

@@ -39,7 +39,7 @@ Score score(const std::vector<LineEvaluation>& lines,
     length_m += line_m;
     if (lines[i].status != Status::kEvaluated) continue;
     evaluated_m += line_m;
-    sum_m2 += lines[i].mean_distance_m * lines[i].mean_distance_m;
+    sum_m2 += *lines[i].mean_distance_m * *lines[i].mean_distance_m;
     ++n_evaluated;
   }
   const auto measures =

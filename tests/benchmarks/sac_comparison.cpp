@@ -119,8 +119,7 @@ Distances by_judge(const Cloud::Ptr& cloud,
   evaluation.setInputNormals(normals);
   Distances distances;
   for (const evaluate::LineEvaluation& line : evaluation.compute()) {
-    const bool is_judged = line.status == evaluate::Status::kEvaluated;
-    distances.push_back(is_judged ? std::optional(line.mean_distance_m) : std::nullopt);
+    distances.push_back(line.mean_distance_m);
   }
   return distances;
 }

@@ -76,7 +76,7 @@ TEST_F(Evaluate, Table2HasTheColumnsAndClassesOfTheContract) {
   std::getline(table, line);
   EXPECT_EQ(line,
             "patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,ci95_high_m,median_m,nmad_m,"
-            "q95_m");
+            "q95_m,n_plan_images,rms_plan_images_m,n_points_place,rms_points_place_m");
   std::vector<std::string> rows;
   while (std::getline(table, line)) rows.push_back(line);
   EXPECT_THAT(rows, ElementsAre(StartsWith("lidar,lines.good,not_aligned,"),

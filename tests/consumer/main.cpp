@@ -109,9 +109,10 @@ int main() {
 
     int n_right = 0;
     for (const auto& judged : evaluation.compute()) {
-      std::printf("line %s: %s, %.4f m\n", judged.id.c_str(),
-                  ridgeline::evaluate::name(judged.status), judged.mean_distance_m);
-      if (judged.mean_distance_m < 0.05) ++n_right;
+      std::printf("line %s: %s", judged.id.c_str(), ridgeline::evaluate::name(judged.status));
+      if (judged.mean_distance_m) std::printf(", %.4f m", *judged.mean_distance_m);
+      std::printf("\n");
+      if (judged.mean_distance_m && *judged.mean_distance_m < 0.05) ++n_right;
     }
     if (judge_from_files(*laser_points()) != lines.size()) return 1;
     constexpr int kLinesAcrossTheBase = 3;  // the ridge and both eaves

@@ -173,8 +173,26 @@ class ResultTellsWhatWasFound(Case):
         self.assertAlmostEqual(rms, self.result.classes["total"]["rms_m"], places=12)
         total = [row for row in self.result.tables["table2"] if row["class"] == "total"][0]
         self.assertEqual(total["rms_m"], round(rms, 3))
+
+    def test_the_headline_is_of_the_lines_that_plan_and_images_decided_on(self):
+        e = self.result.lines["mean_distance_m"]
+        e = e[np.isfinite(e) & ~np.isin(self.result.lines["decided_by"], ["points", "place"])]
+        rms = np.sqrt(np.mean(e**2))
+        headline = self.result.classes["total"]["decided_by"]["plan_images"]
+        self.assertAlmostEqual(headline["rms_m"], rms, places=12)
         self.assertIn(f"{rms:.3f}", str(self.result))
         self.assertIn(f"{rms:.3f} m", repr(self.result))
+        squares = np.sort(e**2)[::-1].cumsum()
+        n = int(np.searchsorted(squares, squares[-1] / 2)) + 1
+        self.assertEqual(headline["n_half_of_squares"], n)
+        self.assertIn(f"{n} of {len(e)} lines make half of the sum of squares", str(self.result))
+
+    def test_each_line_names_its_surface_or_nothing(self):
+        lines = self.result.lines
+        for name in ("surface", "surface_other", "surface_probability", "decided_by"):
+            self.assertEqual(lines[name].shape, (89,))
+        self.assertLessEqual(set(lines["surface"]), {"", "upper", "lower", "ground", "ridge", "object"})
+        self.assertEqual(set(lines["decided_by"][lines["status"] != "evaluated"]), {""})
 
     def test_lines_lie_at_their_distance_from_their_planes(self):
         other_fit_m = 0.05  # a plane of several lines is shown as fitted to the most points

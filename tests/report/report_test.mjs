@@ -67,7 +67,15 @@ test('opens on the product method with the figure that counts, a plan and the wo
   const lines = readJson('demo', rows[0].patch, 'evaluation.joint.json').lines;
   const worst = lines.filter((l) => l.mean_distance_m !== null).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
   const captions = await textOf(page, '#worst figcaption');
-  assert.equal(captions.length, 5);
+  const { total } = readJson('demo', rows[0].patch, 'evaluation.joint.json').summary;
+  assert.equal(captions.length, Math.max(5, Math.min(12, total.n_half_of_squares)));
+  assert.equal(await page.locator('#half-of-squares').innerText(),
+    `${total.n_half_of_squares} of ${total.n_evaluated} lines make half of the sum of squares; RMS of the others ${metres(total.rms_without_half_m)} m.`
+    + (total.n_half_of_squares > captions.length ? ` The first ${captions.length} are here.` : ''));
+  // they come first in the list of all lines as well
+  const first = await page.locator('#line-table tbody tr').evaluateAll((all) => all.map((row) => [Number(row.dataset.line), row.className]));
+  assert.deepEqual(first.slice(0, total.n_half_of_squares + 1), worst.slice(0, total.n_half_of_squares + 1)
+    .map((l, i) => [lines.indexOf(l), i < total.n_half_of_squares ? 'half' : '']));
   assert.match(await page.locator('#worst h3').innerText(), new RegExp(`patch ${rows[0].patch}, method joint$`));
   assert.match(await page.locator('#key-figure').innerText(), new RegExp(`over ${rows.length} patches`));
   assert.ok(captions[0].startsWith(`${worst[0].id} ${metres(worst[0].mean_distance_m)} m`), captions[0]);
@@ -102,6 +110,34 @@ test('an evaluation has a title, panels and facts of its own', async () => {
   assert.equal(await page.locator('#table1, #table1-missing, #images').count(), 0);
   const facts = await page.locator('#facts').innerText();
   for (const text of ['<b>P</b>', 'O', '2026-11-25']) assert.ok(facts.includes(text), facts);
+  await close(page);
+});
+
+test('lines name their surface, and those that the place decided on stand beside the headline', async () => {
+  ridgeline('evaluate', '--lines', join(samples, '1', 'lines.fair.geojson'), '--cloud', join(samples, '1', 'lidar.las'), '--out', join(work, 'decided'), '--no-report');
+  const file = join(work, 'decided', 'evaluation.lines.fair.json');
+  const evaluation = JSON.parse(readFileSync(file, 'utf8'));
+  const judged = evaluation.lines.filter((l) => l.mean_distance_m !== null).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
+  for (const line of judged) line.decided_by = 'plan';
+  Object.assign(judged[0], { surface: 'lower', surface_other: 'object', surface_probability: 0.97, decided_by: 'place' });
+  Object.assign(judged[1], { surface: 'upper', surface_other: 'ground', surface_probability: 0.995, decided_by: 'images' });
+  writeFileSync(file, JSON.stringify(evaluation));
+  ridgeline('report', join(work, 'decided'));
+  const page = await openReport('decided');
+  const rms = (lines) => metres(Math.sqrt(lines.reduce((sum, l) => sum + l.mean_distance_m ** 2, 0) / lines.length));
+  const place = rms(judged.slice(0, 1));
+  assert.equal(await page.locator('#key-figure .value').innerText(), `${rms(judged.slice(1))} m`);
+  const about = await page.locator('#key-figure').innerText();
+  assert.ok(about.includes(`points or the place decided on 1 more line, RMS ${place} m; all together ${rms(judged)} m.`), about);
+  assert.ok((await page.locator('#table2 td').last().innerText()).includes(`+ ${place} 1/${evaluation.lines.length}`));
+  const classes = await textOf(page, '#statistics tbody td:first-child');
+  assert.deepEqual(classes.slice(-3), ['total plan images', 'total points place', 'total all']);
+  const [caption] = await textOf(page, '#worst figcaption');
+  assert.ok(caption.startsWith(`${judged[1].id} `) && caption.includes('edge of: upper, else ground'), caption);
+  assert.equal(await page.getByRole('img', { name: `Section across line ${judged[1].id}, edge of: upper, else ground`, exact: true }).count(), 1);
+  await page.evaluate((line) => globalThis.ridgeline.state.set({ line }), evaluation.lines.indexOf(judged[0]));
+  assert.ok((await page.locator('#details').innerText()).includes('lower (97.0 %), else object; decided by place'));
+  await shot(page, 'decided');
   await close(page);
 });
 
@@ -195,10 +231,13 @@ test('a row of the table selects the line everywhere, by mouse and by keys', asy
   assert.ok((await page.locator('#details').innerText()).includes(`${metres(lines[4].mean_distance_m)} m on average`));
   assert.equal(await page.locator('#details .chips canvas').count(), 2);
   assert.equal(await page.locator('#line-planes tbody tr').count(), lines[4].planes.length);
-  await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('ArrowDown');
-  assert.equal((await selection(page)).line, 6);
-  assert.equal(await page.locator('#line-table tr[aria-selected]').getAttribute('data-line'), '6');
+  const rows = await page.locator('#line-table tbody tr').evaluateAll((all) => all.map((row) => Number(row.dataset.line)));
+  const at = rows.indexOf(4);
+  const steps = at + 2 < rows.length ? ['ArrowDown', 2] : ['ArrowUp', -2];
+  await page.keyboard.press(steps[0]);
+  await page.keyboard.press(steps[0]);
+  assert.equal((await selection(page)).line, rows[at + steps[1]]);
+  assert.equal(await page.locator('#line-table tr[aria-selected]').getAttribute('data-line'), String(rows[at + steps[1]]));
   await shot(page, 'selected');
   await page.keyboard.press('Escape');
   assert.equal((await selection(page)).line, null);

@@ -39,6 +39,9 @@ class Result:
         """Every line, in the order given: arrays (n,) by name, which pandas.DataFrame() takes as they are.
 
         id, line_class, kind: "step", "ridge" or "". status: "evaluated", or why not, with a reason.
+        surface: what the line is most probably an edge of: "upper", "lower", "ground", "ridge", "object", with
+        surface_probability; surface_other: what it is next to that; decided_by: the evidence that the choice rests on,
+        "plan", "images", "points", "place". "" and NaN where it is not known.
         flags, plane_ids: a list for each line.
         length_m, epipolar_angle_deg.
         n_images: how many images support the line, NaN if its file does not say so; class_base: with three images and
@@ -49,7 +52,8 @@ class Result:
         Distances are metres, and NaN for a line that was not evaluated.
         """
         columns = dict(self._judged.lines())
-        for name in ("id", "line_class", "class_base", "kind", "status", "reason"):
+        texts = ("id", "line_class", "class_base", "kind", "status", "reason", "surface", "surface_other", "decided_by")
+        for name in texts:
             columns[name] = np.array(columns[name], dtype=np.str_)
         for name in ("flags", "plane_ids"):
             column = np.empty(len(columns[name]), dtype=object)
@@ -74,7 +78,12 @@ class Result:
 
     @cached_property
     def classes(self) -> dict[str, dict[str, Any]]:
-        """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m, median_m, q95_m, ..."""
+        """The figures of each class, "total" among them: n_lines, n_evaluated, rms_m, ci95_m, median_m, q95_m, ...
+
+        n_half_of_squares: how many lines, those farthest off, make half of the sum of squares; rms_without_half_m: the RMS
+        of the others. decided_by: the same figures of the lines that plan and images decided on ("plan_images", the headline)
+        and of those that points or the place did ("points_place").
+        """
         figures: dict[str, dict[str, Any]] = self.to_dict()["summary"]
         return figures
 
@@ -134,7 +143,7 @@ class Result:
         return self._judged.text()
 
     def __repr__(self) -> str:
-        total = self.classes["total"]
+        total = self.classes["total"]["decided_by"]["plan_images"]
         rms = total["rms_m"]
         shown = "none" if rms is None else f"{rms:.3f} m"
         return f"<ridgeline.Result: {total['n_evaluated']} of {total['n_lines']} lines judged, RMS {shown}>"

@@ -81,6 +81,14 @@ TEST(FindFacePlane, FindsNothingThatIsUnlikeTheFace) {
   }
 }
 
+TEST(FindFacePlane, FindsNothingInARowOfPointsWithoutAMessageOfPcl) {
+  std::vector<V> points;
+  for (int i = 0; i < 60; ++i) points.emplace_back(0.5 + 0.15 * i, 5.0, 0.0);
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(found_in(points));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(FindFacePlane, TakesTheLargestOfSeveral) {
   std::vector<V> points;
   add_points(points, tilted(0.0, 0.0), 4.0, 0.0);

@@ -67,7 +67,7 @@ TEST_F(OnRoof, LineFarOffAlongTheRayIsJudgedByThePlanesThatItsImageShows) {
   const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
   EXPECT_EQ(judged.kind, Kind::kRidge);
-  EXPECT_NEAR(judged.mean_distance_m, kLift_m * roof_.normal_z(), 0.05);
+  EXPECT_NEAR(*judged.mean_distance_m, kLift_m * roof_.normal_z(), 0.05);
 }
 
 TEST_F(OnRoof, ImagesTellALineOnTheGroundFromTheEaveAboveIt) {
@@ -79,12 +79,12 @@ TEST_F(OnRoof, ImagesTellALineOnTheGroundFromTheEaveAboveIt) {
   const LineEvaluation blind = judge_line(grid_, line, {}).evaluation;
   ASSERT_EQ(blind.status, Status::kEvaluated) << blind.reason;
   EXPECT_THAT(blind.flags, testing::Contains("upper_plane"));
-  EXPECT_GT(blind.mean_distance_m, 5.0);
+  EXPECT_GT(*blind.mean_distance_m, 5.0);
 
   line.images = seen(line.segment);
   const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-  EXPECT_LT(judged.mean_distance_m, 0.03);
+  EXPECT_LT(*judged.mean_distance_m, 0.03);
 }
 
 TEST_F(OnRoof, CostOfTheRightPlaneIsThatOfThePixelNoise) {
@@ -129,7 +129,7 @@ TEST(JudgeAmongTrees, ALineOfTheGroundBelowIsJudged) {
   line.images = seen(line.segment);
   const LineEvaluation judged = judge_line(trees(), line, {}).evaluation;
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-  EXPECT_LT(judged.mean_distance_m, 0.03);
+  EXPECT_LT(*judged.mean_distance_m, 0.03);
 }
 
 /// A car of 1.8 m x 4.2 m, 1.4 m high, on level ground; its western side is x = 0, across the base.
@@ -152,7 +152,7 @@ double distance_of(const Segment3& segment) {
   line.images = seen(segment);
   const LineEvaluation judged = judge_line(car(), line, {}).evaluation;
   EXPECT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-  return judged.mean_distance_m;
+  return *judged.mean_distance_m;
 }
 
 TEST(JudgeBesideACar, TheEdgeOfItsRoofIsJudgedByIt) {
@@ -192,7 +192,7 @@ LineEvaluation judged_at_a_bare_edge(double z) {
 TEST(JudgeAtABareEdge, IsByTheRoofThatTheImagesShowItOn) {
   const LineEvaluation judged = judged_at_a_bare_edge(kEaves_m);
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-  EXPECT_LT(judged.mean_distance_m, 0.03);
+  EXPECT_LT(*judged.mean_distance_m, 0.03);
   EXPECT_THAT(judged.flags, testing::Contains("seen_instead"));
 }
 
@@ -200,7 +200,7 @@ TEST(JudgeAtABareEdge, OfALineAtAWrongHeightIsByTheGroundThatItsRaysEndOn) {
   for (const double wrong_m : {4.0, 8.7, 16.0}) {  // 8.7 and 16 lie over the roof, 8.7 near it
     const LineEvaluation judged = judged_at_a_bare_edge(wrong_m);
     ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-    EXPECT_NEAR(judged.mean_distance_m, wrong_m, 0.03);
+    EXPECT_NEAR(*judged.mean_distance_m, wrong_m, 0.03);
   }
 }
 

@@ -49,15 +49,15 @@ TEST(JudgeLine, IsExactForNoiseFreePoints) {
   const LineEvaluation ridge = judge_line(grid, line(house.ridge()), {}).evaluation;
   ASSERT_EQ(ridge.status, Status::kEvaluated) << ridge.reason;
   EXPECT_EQ(ridge.kind, Kind::kRidge);
-  EXPECT_NEAR(ridge.mean_distance_m, 0.0, kNoiseFree);
+  EXPECT_NEAR(*ridge.mean_distance_m, 0.0, kNoiseFree);
   EXPECT_NEAR(*ridge.intersection_distance_m, 0.0, kNoiseFree);
 
   const LineEvaluation eave =
       judge_line(grid, line(moved(house.eave(), {0, 0, 0.25})), {}).evaluation;
   ASSERT_EQ(eave.status, Status::kEvaluated) << eave.reason;
   EXPECT_EQ(eave.kind, Kind::kStep);
-  EXPECT_NEAR(eave.mean_distance_m, 0.25 * nz, kNoiseFree);
-  EXPECT_NEAR(eave.signed_mean_m, 0.25 * nz, kNoiseFree);
+  EXPECT_NEAR(*eave.mean_distance_m, 0.25 * nz, kNoiseFree);
+  EXPECT_NEAR(*eave.signed_mean_m, 0.25 * nz, kNoiseFree);
 }
 
 TEST(JudgeLine, JudgesALineMetresOffByTheSamePlanes) {
@@ -67,7 +67,7 @@ TEST(JudgeLine, JudgesALineMetresOffByTheSamePlanes) {
     const LineEvaluation e =
         judge_line(grid, line(moved(house.eave(), {0, 0, lift})), {}).evaluation;
     ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
-    EXPECT_NEAR(e.signed_mean_m, lift * house.roof.normal_z(), kNoisy);
+    EXPECT_NEAR(*e.signed_mean_m, lift * house.roof.normal_z(), kNoisy);
   }
 }
 
@@ -89,7 +89,7 @@ TEST(JudgeLine, TellsBothPlanesAndTheIntersectionOfARidge) {
   const LineEvaluation e = judge_line(grid, line(moved(house.ridge(), {0, 0.4, 0})), {}).evaluation;
   ASSERT_EQ(e.kind, Kind::kRidge);
   // a shift of 0.4 m aside lifts the line above one plane and sinks it below the other
-  EXPECT_NEAR(e.mean_distance_m, 0.4 * house.roof.slope * house.roof.normal_z(), kNoisy);
+  EXPECT_NEAR(*e.mean_distance_m, 0.4 * house.roof.slope * house.roof.normal_z(), kNoisy);
   EXPECT_NEAR(*e.intersection_distance_m, 0.4, kNoisy);
   EXPECT_NEAR(*e.intersection_angle_deg, 0.0, 0.5);
 }
@@ -99,7 +99,11 @@ TEST(JudgeLine, EndsInAStatusForEveryBadLine) {
   const PointGrid grid = grid_of(house.roof.sample(5.0, 0.034, 5));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto status = [&](const Segment3& s) {
-    return judge_line(grid, line(s), {}).evaluation.status;
+    const LineEvaluation e = judge_line(grid, line(s), {}).evaluation;
+    for (const auto& figure :
+         {e.mean_distance_m, e.max_distance_m, e.signed_mean_m, e.sigma_plane_m})
+      EXPECT_EQ(figure.has_value(), e.status == Status::kEvaluated) << name(e.status);
+    return e.status;
   };
   EXPECT_EQ(status({{nan, 0, 0}, {1, 0, 0}}), Status::kNonFinite);
   for (const double far : {1.0001e7, 1e30, -1e308}) {
@@ -141,9 +145,9 @@ void expect_same_judgement(const LineEvaluation& a, const LineEvaluation& b, dou
   ASSERT_EQ(a.status, b.status) << a.reason << " / " << b.reason;
   EXPECT_EQ(a.kind, b.kind);
   EXPECT_EQ(a.flags, b.flags);
-  EXPECT_NEAR(a.mean_distance_m, b.mean_distance_m, tolerance_m);
-  EXPECT_NEAR(a.signed_mean_m, b.signed_mean_m, tolerance_m);
-  EXPECT_NEAR(a.max_distance_m, b.max_distance_m, tolerance_m);
+  EXPECT_NEAR(*a.mean_distance_m, *b.mean_distance_m, tolerance_m);
+  EXPECT_NEAR(*a.signed_mean_m, *b.signed_mean_m, tolerance_m);
+  EXPECT_NEAR(*a.max_distance_m, *b.max_distance_m, tolerance_m);
 }
 
 TEST(JudgeLine, GivesTheSameForALineTheOtherWayRound) {
@@ -184,7 +188,7 @@ TEST(JudgeLine, PropagatesTheLinesCovarianceToItsNormalDirection) {
   const LineEvaluation e = judge_line(grid, judged, {}).evaluation;
   ASSERT_TRUE(e.sigma_line_m && e.z);
   EXPECT_NEAR(*e.sigma_line_m, 0.2 / std::sqrt(2.0), 1e-12);  // the mean of two ends
-  EXPECT_NEAR(*e.z, e.signed_mean_m / std::hypot(*e.sigma_line_m, e.sigma_plane_m), 1e-12);
+  EXPECT_NEAR(*e.z, *e.signed_mean_m / std::hypot(*e.sigma_line_m, *e.sigma_plane_m), 1e-12);
 }
 
 TEST(JudgeLine, DoesNotDependOnWhereTheSceneLies) {
@@ -200,7 +204,7 @@ TEST(JudgeLine, DoesNotDependOnWhereTheSceneLies) {
           .evaluation;
   ASSERT_EQ(here.status, Status::kEvaluated);
   ASSERT_EQ(there.status, Status::kEvaluated);
-  EXPECT_NEAR(here.mean_distance_m, there.mean_distance_m, 1e-6);
+  EXPECT_NEAR(*here.mean_distance_m, *there.mean_distance_m, 1e-6);
 }
 
 TEST(JudgeLines, MarksALaterLineWithTheSameId) {

@@ -40,14 +40,14 @@ TEST(SearchLedge, JudgesAParapetByItsTopAndNotByTheRoof) {
     const LineEvaluation e = judge(parapet_roof(1, 0.0), {{0, y, 4.6}, {12, y, 4.6}});
     ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
     EXPECT_EQ(e.kind, Kind::kStep);
-    EXPECT_NEAR(e.signed_mean_m, 0.1, kNoisyLedge) << "y = " << y;
+    EXPECT_NEAR(*e.signed_mean_m, 0.1, kNoisyLedge) << "y = " << y;
   }
 }
 
 TEST(SearchLedge, FollowsALedgeThatDescendsAlongTheLine) {
   const LineEvaluation e = judge(parapet_roof(2, 0.05), {{0, 0.15, 4.5}, {12, 0.15, 5.1}});
   ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
-  EXPECT_NEAR(e.mean_distance_m, 0.0, kNoisyLedge);
+  EXPECT_NEAR(*e.mean_distance_m, 0.0, kNoisyLedge);
 }
 
 TEST(SearchLedge, TakesNoWideSurfaceForALedge) {
@@ -62,7 +62,7 @@ TEST(SearchLedge, TakesNoWideSurfaceForALedge) {
   }
   const LineEvaluation e = judge(points, {{0, 0, 0.2}, {5, 0, 0.2}});
   ASSERT_EQ(e.status, Status::kEvaluated) << e.reason;
-  EXPECT_NEAR(e.signed_mean_m, 0.2, kNoisyLedge);
+  EXPECT_NEAR(*e.signed_mean_m, 0.2, kNoisyLedge);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TYPED_TEST(LineToPlaneEvaluationOf, UsesOnlyTheGivenIndices) {
   evaluation.setInputLines({eave_of(roof)});
   const auto judged = evaluation.compute();
   ASSERT_EQ(judged[0].status, Status::kEvaluated) << judged[0].reason;
-  EXPECT_NEAR(judged[0].mean_distance_m, roof.eave_height_m, 0.05);
+  EXPECT_NEAR(*judged[0].mean_distance_m, roof.eave_height_m, 0.05);
   const auto inliers = evaluation.getInliers(0);
   for (const auto i : inliers.at(0)) {
     EXPECT_LT((*cloud)[static_cast<std::size_t>(i)].z, 1.0F);

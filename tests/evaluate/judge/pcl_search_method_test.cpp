@@ -130,10 +130,10 @@ TEST(SetSearchMethod, GivesTheSearchTheCloudAsItIsWhenComputing) {
   evaluation.setSearchMethod(search);
   evaluation.setInputCloud(cloud);
   evaluation.setInputLines({lines_of({})[2]});
-  const double before_m = evaluation.compute()[0].mean_distance_m;
+  const double before_m = *evaluation.compute()[0].mean_distance_m;
   constexpr float kLift_m = 0.5F;
   for (pcl::PointXYZ& p : *cloud) p.z += kLift_m;
-  const double after_m = evaluation.compute()[0].mean_distance_m;
+  const double after_m = *evaluation.compute()[0].mean_distance_m;
   constexpr double kTol_m = 1e-3;  // the sample consensus draws in another order
   EXPECT_NEAR(after_m - before_m, kLift_m * test::SampledRoof().normal_z(), 0.05 + kTol_m);
   EXPECT_EQ(search->getInputCloud(), cloud);

@@ -71,6 +71,30 @@ TEST(FiguresOf, AreOfTheNumberOfImagesThatTheGateNames) {
   }
 }
 
+TEST(FiguresOf, AreOfTheLinesThatTheEvidenceOfTheGateDecidedOn) {
+  ResultFolder folder = results_of({"joint"});
+  Gate gate = gate_on("total");
+  gate.max = 0.3;
+  gate.decided_by = DecidedGroup::kPointsPlace;
+  EXPECT_THAT(why_missing(gate, folder), HasSubstr("decided by points_place"));
+  Evaluation& e = folder.evaluations[0];
+  e.lines[0].decided_by = DecidedBy::kPlace;
+  e.lines[0].mean_distance_m = 0.4;
+  e = with_summaries(std::move(e));
+  EXPECT_DOUBLE_EQ(*figures_of(gate, "total", folder).at(0).value, 0.4);
+  EXPECT_EQ(only_result(gate, folder).rule, "total rms_m decided by points_place <= 0.3");
+  gate.decided_by = DecidedGroup::kPlanImages;
+  const Figure headline = figures_of(gate, "total", folder).at(0);
+  EXPECT_NEAR(*headline.value, 0.1, 1e-12);
+  EXPECT_EQ(headline.n, 59U);
+  EXPECT_NEAR(*headline.evaluated_share, 59.0 / 65.0, 1e-12);
+  gate.decided_by.reset();
+  EXPECT_EQ(figures_of(gate, "total", folder).at(0).n, 60U) << "all that were judged";
+  gate.metric = "correctness";
+  gate.decided_by = DecidedGroup::kPlanImages;
+  EXPECT_THROW(validate(gate), std::invalid_argument);
+}
+
 TEST(FiguresOf, AreOfEveryLineFileOfAnEvaluation) {
   ResultFolder folder = results_of({"direct", "joint", "roofs"});
   folder.is_of_line_files = true;

@@ -23,16 +23,17 @@ inline LineEvaluation evaluated_line(std::string id,
   line.mean_distance_m = std::abs(signed_distance_m);
   line.max_distance_m = line.mean_distance_m;
   line.signed_mean_m = signed_distance_m;
+  line.sigma_plane_m = 0.0;
   JudgingPlane plane;
   plane.id = plane_id;
   plane.coverage = 1.0;
   plane.n_inliers = 40;
   plane.distance = {.start = signed_distance_m,
                     .end = signed_distance_m,
-                    .mean_abs = line.mean_distance_m,
+                    .mean_abs = std::abs(signed_distance_m),
                     .mean = signed_distance_m,
-                    .rms = line.mean_distance_m,
-                    .max_abs = line.mean_distance_m};
+                    .rms = std::abs(signed_distance_m),
+                    .max_abs = std::abs(signed_distance_m)};
   line.planes.push_back(plane);
   return line;
 }

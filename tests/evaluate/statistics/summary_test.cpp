@@ -139,6 +139,88 @@ TEST(SummarizeClasses, CountsOutliersOnceAndKeepsThemInTheHeadline) {
   EXPECT_EQ(summarize_classes(lines, options).back().n_outliers, 0U);
 }
 
+/// The total of lines that lie so far off.
+Summary total_of(const std::vector<double>& distances_m) {
+  std::vector<LineEvaluation> lines;
+  for (const double d : distances_m) lines.push_back(evaluated_line("a", d, lines.size() + 1));
+  return summarize_classes(lines, {}).back();
+}
+
+TEST(SummarizeClasses, CountsTheLinesThatMakeHalfOfTheSquares) {
+  const Summary one_bad = total_of({-1.0, 4.0, 2.0, -2.0});  // squares 1, 16, 4, 4; half is 12.5
+  EXPECT_EQ(one_bad.n_half_of_squares, 1U);
+  EXPECT_NEAR(*one_bad.rms_without_half_m, std::sqrt(3.0), kSummaryTol);
+  const Summary equal = total_of(std::vector(10, -0.5));
+  EXPECT_EQ(equal.n_half_of_squares, 5U);
+  EXPECT_NEAR(*equal.rms_without_half_m, 0.5, kSummaryTol);
+  EXPECT_EQ(total_of({0.0, 0.0}).n_half_of_squares, 0U);
+  EXPECT_FALSE(total_of({0.3}).rms_without_half_m) << "no other line is left";
+}
+
+LineEvaluation decided_line(std::string id,
+                            double distance_m,
+                            std::optional<DecidedBy> decided_by) {
+  LineEvaluation line = evaluated_line(std::move(id), distance_m, 1, "aligned");
+  line.building = line.id;
+  line.decided_by = decided_by;
+  return line;
+}
+
+TEST(SummarizeClasses, PartsLinesByWhatDecidedOnTheirSurface) {
+  std::vector<LineEvaluation> lines{decided_line("a", 0.3, DecidedBy::kPlan),
+                                    decided_line("b", -0.4, DecidedBy::kImages),
+                                    decided_line("c", 0.5, {}),
+                                    decided_line("d", 2.0, DecidedBy::kPoints),
+                                    decided_line("e", 4.0, DecidedBy::kPlace),
+                                    excluded_line("f", Status::kNoPlane, "aligned")};
+  lines[4].displacement = RidgeDisplacement{.horizontal_m = 4.0, .vertical_m = 3.0};
+  const std::vector<Summary> classes = summarize_classes(lines, {});
+  for (const Summary& s : {classes[1], classes[2]}) {
+    ASSERT_EQ(s.by_group.size(), 2U) << s.line_class;
+    const Summary headline = s.of_group(DecidedGroup::kPlanImages);
+    EXPECT_NEAR(*headline.rms_m, std::sqrt(0.5 / 3.0), kSummaryTol);
+    EXPECT_EQ(headline.n_evaluated, 3U)
+        << "a line without an entry counts as decided by plan and images";
+    EXPECT_EQ(headline.n_lines, 6U);
+    EXPECT_NEAR(*headline.evaluated_share_by_length(), 0.5, kSummaryTol);
+    EXPECT_EQ(headline.n_parts, 0U);
+    EXPECT_EQ(headline.n_clusters, 3U);
+    const Summary of_place = s.of_group(DecidedGroup::kPointsPlace);
+    EXPECT_NEAR(*of_place.rms_m, std::sqrt(10.0), kSummaryTol);
+    EXPECT_EQ(of_place.n_parts, 1U);
+    EXPECT_NEAR(*s.rms_m, std::sqrt(20.5 / 5.0), kSummaryTol);
+    EXPECT_EQ(s.max_id, "e");
+  }
+  EXPECT_TRUE(classes[0].by_group.empty());
+}
+
+TEST(SummarizeClasses, HasNoGroupsWherePlanAndImagesDecidedOnAll) {
+  const Summary total =
+      summarize_classes(
+          std::vector{decided_line("a", 0.3, DecidedBy::kPlan), decided_line("b", 0.1, {})}, {})
+          .back();
+  EXPECT_TRUE(total.by_group.empty());
+  EXPECT_EQ(total.of_group(DecidedGroup::kPlanImages).rms_m, total.rms_m);
+  const Summary none = total.of_group(DecidedGroup::kPointsPlace);
+  EXPECT_EQ(none.n_evaluated, 0U);
+  EXPECT_EQ(none.n_lines, 2U);
+  EXPECT_FALSE(none.rms_m);
+}
+
+TEST(AssertGroupsPooled, ThrowsWhereTheGroupsDoNotAddUp) {
+  const Summary right = summarize_classes(std::vector{decided_line("a", 0.3, DecidedBy::kPlan),
+                                                      decided_line("b", 0.1, DecidedBy::kPlace)},
+                                          {})
+                            .back();
+  EXPECT_NO_THROW(assert_groups_pooled(right));
+  Summary wrong = right;
+  wrong.by_group[1].sum_squares_m2 *= 1.0 + 1e-10;
+  EXPECT_THROW(assert_groups_pooled(wrong), std::logic_error);
+  wrong = right;
+  ++wrong.by_group[0].n_evaluated;
+  EXPECT_THROW(assert_groups_pooled(wrong), std::logic_error);
+}
+
 TEST(SummarizeClasses, SatisfiesItsIdentitiesOnRandomLines) {
   std::mt19937_64 rng(5);
   std::normal_distribution<double> normal(0.05, 0.2);

@@ -36,6 +36,10 @@ Evaluation small_evaluation(const std::string& method = "direct") {
   evaluation.lines[0].epipolar_angle_deg = 33.0;
   evaluation.lines[1].flags = {"merged", "plane_ambiguous"};
   evaluation.lines[2].building = "b 7";
+  evaluation.lines[2].surface = Surface::kLower;
+  evaluation.lines[2].surface_other = Surface::kObject;
+  evaluation.lines[2].surface_probability = 0.97;
+  evaluation.lines[2].decided_by = DecidedBy::kImages;
   return with_summaries(std::move(evaluation));
 }
 
@@ -126,9 +130,9 @@ TEST(Table2Csv, HasTheContractsColumnsAndEmptyFieldsForMissingFigures) {
   const std::vector evaluations{small_evaluation(), unclassed_evaluation()};
   const std::string text = to_csv(make_table2(evaluations));
   EXPECT_THAT(text, StartsWith("patch,method,class,n_lines,n_evaluated,rms_m,ci95_low_m,"
-                               "ci95_high_m,median_m,nmad_m,q95_m\n"));
-  EXPECT_THAT(text, HasSubstr("\n1,direct,aligned,2,1,1.200,,,1.200,0.000,1.200\n"));
-  EXPECT_THAT(text, HasSubstr("\n2,other_tool,total,1,0,,,,,,\n"));
+                               "ci95_high_m,median_m,nmad_m,q95_m,"));
+  EXPECT_THAT(text, HasSubstr("\n1,direct,aligned,2,1,1.200,,,1.200,0.000,1.200,1,1.200,0,\n"));
+  EXPECT_THAT(text, HasSubstr("\n2,other_tool,total,1,0,,,,,,,0,,0,\n"));
 }
 
 TEST(Table2Renderings, AgreeToThePrintedDigit) {
@@ -185,7 +189,7 @@ TEST(AccuracyMarkdown, LabelsTheThreeNumbersUnderTheFixedSentence) {
   evaluation.options.sigma_sys_m = 0.5;
   const std::string text = to_markdown(accuracy_statements(evaluation));
   EXPECT_THAT(text, HasSubstr("| not_aligned | 2 | 0.354 | 0.612 | below reference noise | 0.500 |"
-                              " n_below_30, few_clusters, below_reference_noise |"));
+                              " 1 | 0.300 | n_below_30, few_clusters, below_reference_noise |"));
   EXPECT_THAT(text, HasSubstr("| total | 3 | 0.751 | 0.902 | 0.560 | 0.500 |"));
   EXPECT_LT(text.find(kFixedSentence), text.find("ASPRS Edition 2: RMSE 0.902 m"));
   EXPECT_THAT(text, HasSubstr("fewer than the 30"));
@@ -209,7 +213,13 @@ TEST(EvaluationJson, SurvivesARoundTrip) {
   ASSERT_EQ(read.lines.size(), 4U);
   EXPECT_EQ(read.lines[1].flags, evaluation.lines[1].flags);
   EXPECT_EQ(read.lines[2].building, "b 7");
+  EXPECT_EQ(read.lines[2].surface, Surface::kLower);
+  EXPECT_EQ(read.lines[2].surface_other, Surface::kObject);
+  EXPECT_EQ(read.lines[2].surface_probability, 0.97);
+  EXPECT_EQ(read.lines[2].decided_by, DecidedBy::kImages);
+  EXPECT_FALSE(read.lines[0].surface || read.lines[0].surface_probability);
   EXPECT_EQ(read.lines[3].status, Status::kNoPlane);
+  EXPECT_FALSE(read.lines[3].mean_distance_m || read.lines[3].sigma_plane_m);
   EXPECT_EQ(*read.classes.back().rms_m, *evaluation.classes.back().rms_m);
   EXPECT_NEAR(read.lines[0].planes[0].plane.offset(), 0.0, 1e-9);
 }
@@ -249,6 +259,8 @@ TEST(ParseEvaluation, NamesWhatIsWrong) {
               HasSubstr("line 3: status: odd"));
   EXPECT_THAT(message_after("\"seed\": 1", "\"seed\": -1"), HasSubstr("seed: -1; must be"));
   EXPECT_THAT(message_after("\"kind\": \"step\"", "\"kind\": \"stop\""), HasSubstr("kind: stop"));
+  EXPECT_THAT(message_after("\"surface\": \"lower\"", "\"surface\": \"lowest\""),
+              HasSubstr("line 2: surface: lowest; must be"));
   EXPECT_THROW(parse_evaluation("[]"), std::invalid_argument);
   EXPECT_THROW(parse_evaluation(""), std::invalid_argument);
 }
@@ -258,8 +270,60 @@ TEST(LineCsv, HasARowPerLineWithTheDocumentedColumns) {
   EXPECT_THAT(text, StartsWith("id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers"));
   EXPECT_THAT(text, HasSubstr("\nb,1,not_aligned,,step,direct,5.0000,40,0.0000,1.0000,0.0000,"
                               "-0.4000,-0.4000,0.4000,-0.4000,,0.0000,,evaluated,"
-                              "merged;plane_ambiguous,,,,,\n"));
-  EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,,,,,,\n"));
+                              "merged;plane_ambiguous,,,,,,,,,\n"));
+  EXPECT_THAT(text,
+              HasSubstr("1.2000,1.2000,,0.0000,,evaluated,,,,,,,lower,object,0.9700,images\n"));
+  EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,,,,,,,,,,\n"));
+}
+
+/// small_evaluation() with the place deciding on line b, 0.4 m off, as well.
+Evaluation evaluation_with_groups() {
+  Evaluation evaluation = small_evaluation();
+  evaluation.lines[1].decided_by = DecidedBy::kPlace;
+  return with_summaries(std::move(evaluation));
+}
+
+TEST(Table2, ShowsTheHeadlineFirstAndTheLinesThatThePlaceDecidedOnBesideIt) {
+  const Table2 table = make_table2(std::vector{evaluation_with_groups()});
+  // 0.875 is the RMS of 0.3 and 1.2
+  const std::string cells = "0.300 (1/2) + 0.400 (1/2)";
+  EXPECT_THAT(to_markdown(table),
+              HasSubstr("| 1 | " + cells + " | 1.200 (1/2) | 0.875 (2/4) + 0.400 (1/4) |\n"));
+  EXPECT_THAT(to_markdown(table), HasSubstr("behind a +"));
+  EXPECT_THAT(to_latex(table), HasSubstr(" & " + cells + " & 1.200"));
+  EXPECT_THAT(to_markdown(table),
+              AllOf(HasSubstr("| 1 | direct | not_aligned plan_images | 1 | 50.0 | 0.300 |"),
+                    HasSubstr("| 1 | direct | not_aligned points_place | 1 | 50.0 | 0.400 |"),
+                    HasSubstr("| 1 | direct | not_aligned all | 2 | 100.0 | 0.354 |"),
+                    HasSubstr("| 1 | direct | aligned | 1 | 50.0 | 1.200 |")));
+  EXPECT_THAT(to_markdown(make_table2(std::vector{small_evaluation()})),
+              Not(HasSubstr("plan_images")));
+}
+
+TEST(Table2Csv, HasARowAClassWithTheRmsOfEachGroup) {
+  const std::string text = to_csv(make_table2(std::vector{evaluation_with_groups()}));
+  EXPECT_THAT(
+      text,
+      HasSubstr(",q95_m,n_plan_images,rms_plan_images_m,n_points_place,rms_points_place_m\n"));
+  EXPECT_THAT(text, HasSubstr("\n1,direct,not_aligned,2,2,0.354,"));
+  EXPECT_THAT(text, HasSubstr(",1,0.300,1,0.400\n"));
+  EXPECT_THAT(text, HasSubstr(",1,1.200,0,\n"));
+}
+
+TEST(EvaluationJson, HasTheFiguresOfEachGroup) {
+  const auto json = nlohmann::json::parse(to_json(evaluation_with_groups()));
+  const auto& not_aligned = json["summary"]["not_aligned"];
+  EXPECT_NEAR(not_aligned["decided_by"]["plan_images"]["rms_m"].get<double>(), 0.3, 1e-12);
+  EXPECT_NEAR(not_aligned["decided_by"]["points_place"]["rms_m"].get<double>(), 0.4, 1e-12);
+  EXPECT_EQ(not_aligned["n_half_of_squares"], 1);
+  EXPECT_NEAR(not_aligned["rms_without_half_m"].get<double>(), 0.3, 1e-12);
+  const auto& aligned = json["summary"]["aligned"]["decided_by"];
+  EXPECT_EQ(aligned["plan_images"]["n_evaluated"], 1);
+  EXPECT_EQ(aligned["points_place"]["n_evaluated"], 0);
+  EXPECT_TRUE(aligned["points_place"]["rms_m"].is_null());
+  EXPECT_EQ(json["strata"]["decided_by"][1]["stratum"], "points_place");
+  EXPECT_EQ(json["strata"]["decided_by"][1]["n_evaluated"], 1);
+  EXPECT_FALSE(nlohmann::json::parse(to_json(small_evaluation()))["strata"].contains("decided_by"));
 }
 
 TEST(Table2Parts, AreOfTheRidgesAlone) {
@@ -282,9 +346,10 @@ TEST(LineCsv, HasTheHorizontalAndVerticalPartsOfARidge) {
   evaluation.lines[1].height_if_vertical_m = -0.45;
   const std::string text = to_line_csv(evaluation);
   EXPECT_THAT(text, HasSubstr("flags,horizontal_m,vertical_m,sigma_horizontal_m,sigma_vertical_m,"
-                              "height_if_vertical_m\n"));
-  EXPECT_THAT(text, HasSubstr(",evaluated,,0.2000,-0.1000,0.0200,0.0100,\n"));
-  EXPECT_THAT(text, HasSubstr("plane_ambiguous,,,,,-0.4500\n"));
+                              "height_if_vertical_m,surface,surface_other,surface_probability,"
+                              "decided_by\n"));
+  EXPECT_THAT(text, HasSubstr(",evaluated,,0.2000,-0.1000,0.0200,0.0100,,,,,\n"));
+  EXPECT_THAT(text, HasSubstr("plane_ambiguous,,,,,-0.4500,,,,\n"));
 }
 
 TEST(ParseEvaluation, TakesBackThePartsOfARidge) {

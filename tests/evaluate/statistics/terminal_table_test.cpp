@@ -10,6 +10,7 @@
 namespace ridgeline::evaluate {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -33,7 +34,7 @@ TEST(TerminalTable, HasAlignedColumnsWithoutMarkup) {
   const std::size_t end_of_rms = row.find("RMS") + 3;
   std::getline(rows, row);
   EXPECT_EQ(row.substr(end_of_rms - 5, 5), "0.100");
-  while (std::getline(rows, row)) {
+  while (std::getline(rows, row) && row.find("half of") == std::string::npos) {
     const std::size_t n_wide = row.find("\xC3\xA4") == std::string::npos ? 0 : 1;
     EXPECT_THAT(row.substr(end_of_rms + n_wide - 5, 5), testing::AnyOf("0.100", "    -")) << row;
   }
@@ -46,6 +47,19 @@ TEST(TerminalTable, ShowsThePartsOfRidgesWhereThereAreRidges) {
   const std::string text = to_terminal(make_table2(std::vector{with_summaries(e)}));
   EXPECT_THAT(text, HasSubstr("ridges  RMSE_H  RMSE_V\n"));
   EXPECT_THAT(text, HasSubstr("     1   0.250   0.500\n"));
+}
+
+TEST(TerminalTable, SaysHowFewLinesMakeTheHeadline) {
+  Evaluation e = evaluation_of("1", "joint");
+  e.lines[0] = evaluated_line("0", 4.0, 1);
+  e.lines[1] = evaluated_line("1", 2.0, 2);
+  e.lines[1].decided_by = DecidedBy::kPlace;
+  const std::string text = to_terminal(make_table2(std::vector{with_summaries(e)}));
+  EXPECT_THAT(text, ContainsRegex("total plan_images  +11  +12  1\\.210"));
+  EXPECT_THAT(text, ContainsRegex("total points_place  +1  +12  2\\.000"));
+  EXPECT_THAT(text, ContainsRegex("total all  +12  +12  1\\.294"));
+  EXPECT_THAT(text, HasSubstr("\n1, joint: 1 of 11 lines make half of the sum of squares; RMS of "
+                              "the others 0.100 m.\n"));
 }
 
 TEST(TerminalTable, OfMatchesIsEmptyWithoutRows) {

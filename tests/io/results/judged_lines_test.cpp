@@ -40,7 +40,7 @@ const Segment3 kAlongY{{10, 20, 5}, {10, 40, 5}};
 
 ProjectionMatrix evidence_beside_the_first(const io::LineSet& set) {
   const auto judged = judged_lines_of(set, {}, patch_of_three());
-  return judged.at(0).images.value().image_from_local[1];
+  return judged.at(0).images.value().sightings.at(1).image_from_local;
 }
 
 TEST(JudgedLines, EvidenceIsOfTheImageThatTellsBestWhereTheLineLies) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report of a block: what it is, its figures, its plan, and where it is worst.
+import { halfSentence, headline, ofPlace, placeSentence } from '../data/product';
 import { h, replace, tabs } from '../ui/dom';
 import { fixed, interval, metres, percent, words } from '../ui/format';
 import { SortedTable, type SortedColumn } from '../ui/sorted_table';
 import { themeButton } from '../ui/theme';
-import { gateTable, table2, table2Details } from '../views/head';
+import { gateTable, smallPrint, table2, table2Details } from '../views/head';
 import { provenance } from '../views/provenance';
 import { verdict } from '../views/verdict';
 import { BlockPlan } from './plan';
@@ -47,12 +48,15 @@ export class BlockPage {
 
   private keyFigure(): HTMLElement | null {
     const name = this.report.methods[this.method]?.name;
-    const row = this.report.table2.find((r) => r.method === name && r.class === 'total');
-    if (!row || row.rms_m === null) return null;
+    const total = this.report.table2.find((r) => r.method === name && r.class === 'total');
+    const row = total ? headline(total) : null;
+    if (!total || !row || row.rms_m === null) return null;
+    const place = ofPlace(total);
     const sum = (of: (f: Figures) => number): number => this.done.reduce((s, p) => s + of(p.figures[this.method]!), 0);
     const [found, all] = [sum((f) => f.n_reference_found), sum((f) => f.n_reference_lines)];
     const about = [row.ci95_m ? `95 % interval ${interval(row.ci95_m)} m` : null, `median ${metres(row.median_m)} m`,
-      `${count(row.n_evaluated)} of ${count(row.n_lines)} lines judged (${percent(row.evaluated_share)} %)`,
+      `${count(row.n_evaluated)} of ${count(row.n_lines)} lines judged (${percent(row.evaluated_share)} %)`, row.rms_without_half_m === undefined ? null : halfSentence(row),
+      place ? placeSentence({ n: place.n_evaluated, rms_m: place.rms_m }) : null,
       all > 0 ? `${count(found)} of ${count(all)} true lines found (${percent(found / all)} %)` : null];
     return h('div', { id: 'key-figure' }, h('span', { class: 'value' }, `${metres(row.rms_m)} m`),
       h('div', {}, h('strong', {}, 'RMS distance of the lines from LIDAR planes'), h('p', { class: 'caption' }, `${about.filter((t) => t !== null).join('; ')}.`)));
@@ -135,6 +139,6 @@ export class BlockPage {
     if (report.table2.length === 0) return null;
     return h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'), table2(report.table2),
       report.table2_footnote === null ? null : h('p', { class: 'caption', id: 'table2-footnote' }, report.table2_footnote),
-      h('p', { class: 'caption', id: 'fixed-sentence' }, 'Small: lines evaluated / all lines. ', report.note), table2Details(report.table2));
+      h('p', { class: 'caption', id: 'fixed-sentence' }, smallPrint(report.table2), report.note), table2Details(report.table2));
   }
 }

@@ -6,7 +6,7 @@ import { fixed, metres, percent, words } from '../ui/format';
 import { SortedTable, type SortedColumn } from '../ui/sorted_table';
 import { svg } from '../ui/svg';
 import { themeButton } from '../ui/theme';
-import { table2, table2Details } from '../views/head';
+import { smallPrint, table2, table2Details } from '../views/head';
 import { lineLegend } from './legend';
 import { Sheet } from './map';
 import type { Box, LineRow, PatchReport } from './schema';
@@ -74,7 +74,7 @@ export class PatchPage {
       h('figure', { id: 'patch-plan' }, this.sheet.element, this.sheet.foot(), lineLegend(null), pointed),
       h('div', { class: 'beside' }, this.facts(), this.fullReport())),
     report.table2.length === 0 ? null : h('section', {}, h('h2', {}, 'Distances from LIDAR planes by class: RMS, m'), table2(report.table2), table2Details(report.table2),
-      h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note)),
+      h('p', { class: 'caption' }, smallPrint(report.table2), report.note)),
     h('section', {}, h('h2', {}, `Lines (${lines.length})`), table.element));
     point(lines.find((l) => idOf(l) === decodeURIComponent(location.hash.slice(1))) ?? null, true);
   }

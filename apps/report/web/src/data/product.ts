@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which method's lines are the product; the others are baselines and never shown first.
-import type { Line, Method, Patch, Report, Table2Row } from './schema';
+import type { ClassSummary, Line, Method, Patch, Report, Summary, Table2Row } from './schema';
+import { metres } from '../ui/format';
 
 const byRank = ['network', 'joint', 'direct'];
 
@@ -29,8 +30,33 @@ export function productRows(report: Report): Table2Row[] {
 /** Whether a further image should show the line and does not. */
 export const isUnconfirmed = (line: Line): boolean => line.construction === 'unconfirmed' || line.status === 'unconfirmed';
 
-/** The judged lines farthest off, each with its index. */
+/** The figures of the lines on whose surface plan and images decided. */
+export const headline = (of: ClassSummary): Summary => of.decided_by?.plan_images ?? of;
+
+/** Those of the lines on which points or their place decided; null if there are none. */
+export function ofPlace(of: ClassSummary): Summary | null {
+  const figures = of.decided_by?.points_place;
+  return figures && figures.n_evaluated > 0 ? figures : null;
+}
+
+/** The rows that a class has in a table, the headline first. */
+export function rowsOf(name: string, of: ClassSummary): { name: string; figures: Summary }[] {
+  const place = ofPlace(of);
+  if (!place) return [{ name, figures: of }];
+  return [{ name: `${name} plan_images`, figures: headline(of) }, { name: `${name} points_place`, figures: place }, { name: `${name} all`, figures: of }];
+}
+
+/** The lines beside the headline. */
+export const placeSentence = (of: { n: number; rms_m: number | null }): string =>
+  `points or the place decided on ${of.n} more ${of.n === 1 ? 'line' : 'lines'}, RMS ${metres(of.rms_m)} m`;
+
+/** How few lines make a figure what it is. */
+export const halfSentence = (of: Summary): string =>
+  `${of.n_half_of_squares} of ${of.n_evaluated} lines make half of the sum of squares; RMS of the others ${metres(of.rms_without_half_m)} m`;
+
+/** The judged lines of the headline that are farthest off, each with its index. */
 export function worstLines(lines: readonly Line[], n: number): { line: Line; index: number }[] {
-  return lines.map((line, index) => ({ line, index })).filter(({ line }) => line.mean_distance_m !== null)
+  const isOfHeadline = (line: Line): boolean => line.mean_distance_m !== null && line.decided_by !== 'points' && line.decided_by !== 'place';
+  return lines.map((line, index) => ({ line, index })).filter(({ line }) => isOfHeadline(line))
     .sort((a, b) => b.line.mean_distance_m! - a.line.mean_distance_m!).slice(0, n);
 }

@@ -28,6 +28,9 @@ export interface Summary {
   gross_share: number | null;
   n_outliers: number;
   rms_without_outliers_m: number | null;
+  /** How many lines, those farthest off, make half of the sum of squares, and the RMS of the others; not in tables of older versions. */
+  n_half_of_squares?: number;
+  rms_without_half_m?: number | null;
   /** Number of ridges and hips with horizontal and vertical parts. */
   n_parts: number;
   rmse_horizontal_m: number | null;
@@ -35,7 +38,12 @@ export interface Summary {
   mean_vertical_m: number | null;
 }
 
-export interface Table2Row extends Summary {
+/** The figures of all judged lines of a class; tables of older versions do not tell by what they were decided. */
+export interface ClassSummary extends Summary {
+  decided_by?: { plan_images: Summary; points_place: Summary };
+}
+
+export interface Table2Row extends ClassSummary {
   patch: string;
   method: string;
   class: string;
@@ -156,6 +164,11 @@ export interface Line {
   kind: string | null;
   reason?: string;
   flags: string[];
+  /** What it is taken to be an edge of, and next to that, and the evidence that decided; null where it is not known. */
+  surface?: string | null;
+  surface_other?: string | null;
+  surface_probability?: number | null;
+  decided_by?: string | null;
   length_m: number | null;
   epipolar_angle_deg: number | null;
   planes: LinePlane[];
@@ -210,7 +223,7 @@ export interface Building {
 export interface Method {
   name: string;
   options: { gross_m: number; [key: string]: unknown };
-  summary: Record<string, Summary>;
+  summary: Record<string, ClassSummary>;
   accuracy: Record<string, Accuracy>;
   calibration: Calibration;
   strata: Record<string, Stratum[]>;

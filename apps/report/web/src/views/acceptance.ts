@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a client reads first: what was judged by what, the verdict, the figure that counts, where the lines lie, and
 // the worst of them.
-import { isOfFiles, productRows } from '../data/product';
-import type { Report, Summary, Table2Row } from '../data/schema';
+import { halfSentence, headline, isOfFiles, ofPlace, placeSentence, productRows } from '../data/product';
+import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
 import { h } from '../ui/dom';
 import { interval, metres, percent } from '../ui/format';
@@ -15,7 +15,7 @@ export const titleOf = (report: Report): string =>
   report.run.page?.title || (isOfFiles(report) ? 'Accuracy of 3D lines against LIDAR' : 'Line reconstruction report');
 
 /** RMS over several patches: their sums of squares and counts add up. */
-function pooled(rows: readonly Table2Row[]): { rms_m: number | null; n: number; lines: number } {
+function pooled(rows: readonly Summary[]): { rms_m: number | null; n: number; lines: number } {
   let squares = 0;
   let n = 0;
   let lines = 0;
@@ -29,9 +29,11 @@ function pooled(rows: readonly Table2Row[]): { rms_m: number | null; n: number; 
 }
 
 function keyFigure(report: Report): HTMLElement | null {
-  const rows = productRows(report);
+  const classes = productRows(report);
+  const rows = classes.map(headline);
   const all = pooled(rows);
   if (all.rms_m === null) return null;
+  const place = pooled(classes.map(ofPlace).filter((figures) => figures !== null));
   const one = rows.length === 1 ? rows[0]! : null;
   const [leading] = comparedFiles(report);
   const about = [
@@ -39,6 +41,8 @@ function keyFigure(report: Report): HTMLElement | null {
     one ? `median ${metres(one.median_m)} m` : `medians ${rows.map((r) => metres(r.median_m)).join(', ')} m`,
     rows.length > 1 ? `over ${rows.length} patches` : null,
     `${all.n} of ${all.lines} lines judged (${percent(all.lines > 0 ? all.n / all.lines : null)} %)`,
+    one ? halfSentence(one) : null,
+    place.n > 0 ? `${placeSentence(place)}; all together ${metres(pooled(classes).rms_m)} m` : null,
   ].filter((text): text is string => text !== null);
   return h('div', { id: 'key-figure' }, h('span', { class: 'value' }, `${metres(all.rms_m)} m`),
     h('div', {}, h('strong', {}, `RMS distance of the lines${leading ? ` of ${leading}` : ''} from LIDAR planes`), h('p', { class: 'caption' }, `${about.join('; ')}.`), parts(rows)));

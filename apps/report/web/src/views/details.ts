@@ -5,6 +5,7 @@ import type { ImageSegment, Line, Patch } from '../data/schema';
 import type { State } from '../state';
 import { append, h, replace, table } from '../ui/dom';
 import { fixed, metres, missing, percent, words } from '../ui/format';
+import { surfaceSentence } from '../ui/surface_words';
 import { ImageCanvas } from './image_canvas';
 import { paintLine } from './image_pair';
 import { sentenceOfViews, viewWords } from './line_in_view';
@@ -20,6 +21,8 @@ function facts(line: Line, patch: Patch, images: PatchImages | null): HTMLElemen
     ['kind', line.kind ?? missing],
     ['length', `${fixed(line.length_m, 2)} m`],
   ];
+  const surface = surfaceSentence(line);
+  if (surface) rows.push(['surface', surface]);
   const views = images ? sentenceOfViews(patch, line, images) : null;
   if (views) rows.push(['images', views]);
   if (line.mean_distance_m !== null) {

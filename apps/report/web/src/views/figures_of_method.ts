@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Statistics of one method on one patch: classes, accuracy statement, strata, calibration.
+import { rowsOf } from '../data/product';
 import type { Accuracy, Calibration, Method, Patch, Stratum, Summary } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { fixed, interval, metres, missing, percent, words } from '../ui/format';
@@ -10,7 +11,7 @@ interface Named<T> { name: string; value: T }
 const named = <T>(record: Record<string, T>): Named<T>[] => Object.entries(record).map(([name, value]) => ({ name, value }));
 
 function classTable(method: Method): HTMLElement {
-  const rows = named(method.summary).map(({ name, value }) => ({ ...value, class: name }));
+  const rows = named(method.summary).flatMap(({ name, value }) => rowsOf(name, value)).map(({ name, figures }) => ({ ...figures, class: name }));
   return table<Summary & { class: string }>(
     [{ title: 'class', cell: (r) => words(r.class) }, ...summaryColumns<Summary & { class: string }>()], rows, { id: 'statistics' });
 }

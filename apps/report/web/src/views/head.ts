@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gates and Tables 1 and 2.
-import { isOfFiles } from '../data/product';
+import { headline, isOfFiles, ofPlace, rowsOf } from '../data/product';
 import type { PatchTracks, Report, Summary, Table1Row, Table2Row, TrackCell } from '../data/schema';
 import { h, table, type Column } from '../ui/dom';
 import { excluded, fixed, interval, metres, missing, percent, words } from '../ui/format';
@@ -83,8 +83,10 @@ export function table2(rows: readonly Table2Row[]): HTMLElement {
   const classes = unique(rows.map((r) => r.class)).sort((a, b) => order.indexOf(a) - order.indexOf(b));
   const cell = (patch: string, method: string, c: string): HTMLElement => {
     const s = rows.find((r) => r.patch === patch && r.method === method && r.class === c);
-    return h('td', { class: 'number' }, s ? metres(s.rms_m) : missing,
-      s ? h('small', {}, ` ${s.n_evaluated}/${s.n_lines}`) : null);
+    if (!s) return h('td', { class: 'number' }, missing);
+    const [first, place] = [headline(s), ofPlace(s)];
+    return h('td', { class: 'number' }, metres(first.rms_m), h('small', {}, ` ${first.n_evaluated}/${s.n_lines}`,
+      place ? ` + ${metres(place.rms_m)} ${place.n_evaluated}/${s.n_lines}` : null));
   };
   return h('div', { class: 'scroll' }, h('table', { id: 'table2' },
     h('thead', {},
@@ -96,9 +98,13 @@ export function table2(rows: readonly Table2Row[]): HTMLElement {
         ...methods.flatMap((m) => classes.map((c) => cell(patch, m, c))))))));
 }
 
+/** What stands in small letters in table2(). */
+export const smallPrint = (rows: readonly Table2Row[]): string => `Small: lines evaluated / all lines. ${rows.some(ofPlace)
+  ? 'Plan and images decided on the surface of the lines of the first figure; behind a + are those on which points or the line\u2019s own place decided. ' : ''}`;
+
 /** All figures of a cell, as in table2.md. */
 export function summaryColumns<Row extends Summary>(): Column<Row>[] {
-  const metre = (title: string, value: (s: Row) => number | null, hint?: string): Column<Row> =>
+  const metre = (title: string, value: (s: Row) => number | null | undefined, hint?: string): Column<Row> =>
     ({ title, number: true, cell: (s) => metres(value(s)), ...(hint ? { hint } : {}) });
   return [
     { title: 'n', number: true, hint: 'lines evaluated', cell: (s) => String(s.n_evaluated) },
@@ -113,6 +119,8 @@ export function summaryColumns<Row extends Summary>(): Column<Row>[] {
     metre('68.3 %', (s) => s.q683_m),
     metre('95 %', (s) => s.q95_m),
     metre('max', (s) => s.max_m),
+    { title: 'half', number: true, hint: 'lines, those farthest off, that make half of the sum of squares', cell: (s) => fixed(s.n_half_of_squares, 0) },
+    metre('without', (s) => s.rms_without_half_m, 'RMS of the other lines'),
     metre('RMSE H', (s) => s.rmse_horizontal_m, 'ridges and hips, across in plan'),
     metre('RMSE V', (s) => s.rmse_vertical_m, 'ridges and hips, in height'),
     { title: 'gross %', number: true, hint: 'lines farther off than the gross limit', cell: (s) => percent(s.gross_share) },
@@ -122,14 +130,16 @@ export function summaryColumns<Row extends Summary>(): Column<Row>[] {
 
 /** All figures of all rows, folded. */
 export function table2Details(rows: readonly Table2Row[]): HTMLElement {
-  const all: Column<Table2Row>[] = [
+  type Row = Summary & Pick<Table2Row, 'patch' | 'method' | 'class'>;
+  const all: Column<Row>[] = [
     { title: 'patch', cell: (r) => r.patch },
     { title: 'method', cell: (r) => r.method },
     { title: 'class', cell: (r) => words(r.class) },
-    ...summaryColumns<Table2Row>(),
+    ...summaryColumns<Row>(),
   ];
+  const allRows = rows.flatMap((row) => rowsOf(row.class, row).map(({ name, figures }): Row => ({ ...figures, patch: row.patch, method: row.method, class: name })));
   return h('details', {}, h('summary', {}, 'All figures'),
-    table(all, rows, { id: 'table2-all' }),
+    table(all, allRows, { id: 'table2-all' }),
     h('p', { class: 'caption' }, 'Metres. Bias, std and NMAD are of the signed distances; median, quantiles and maximum of the mean absolute distances. The distance to one plane is blind to a shift within that plane.'));
 }
 
@@ -140,7 +150,7 @@ export function head(report: Report): HTMLElement[] {
     !hasFigures(report) ? null : h('section', {}, h('h2', {}, 'Table 2. RMS of the average orthogonal distances from LIDAR planes, m'),
       table2(report.table2),
       report.table2_footnote === null ? null : h('p', { class: 'caption', id: 'table2-footnote' }, report.table2_footnote),
-      h('p', { class: 'caption' }, 'Small: lines evaluated / all lines. ', report.note),
+      h('p', { class: 'caption' }, smallPrint(report.table2), report.note),
       table2Details(report.table2)),
   ].filter((e): e is HTMLElement => e !== null);
 }

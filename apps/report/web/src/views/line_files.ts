@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several line files judged by one cloud: which one leads, and the others beside it.
-import { isOfFiles, product } from '../data/product';
-import type { Report, Table2Row } from '../data/schema';
+import { headline, isOfFiles, product } from '../data/product';
+import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
 import { button, h, table, type Column } from '../ui/dom';
 import { interval, metres, percent } from '../ui/format';
@@ -19,9 +19,10 @@ export function lineFiles(state: State): HTMLElement | null {
   const { report } = state;
   const names = comparedFiles(report);
   if (names.length === 0) return null;
-  const rows = names.flatMap((name) => report.table2.filter((r) => r.method === name && r.class === 'total'));
+  const rows = names.flatMap((name) => report.table2.filter((r) => r.method === name && r.class === 'total'))
+    .map((r): Summary & { method: string } => ({ ...headline(r), method: r.method }));
   const show = (name: string): void => state.chooseMethod(state.patch.methods.findIndex((m) => m.name === name));
-  const columns: Column<Table2Row>[] = [
+  const columns: Column<(typeof rows)[number]>[] = [
     { title: 'line file', cell: (r) => button(r.method, () => show(r.method), { class: 'plain', title: 'show its lines' }) },
     { title: 'judged', number: true, cell: (r) => `${r.n_evaluated} of ${r.n_lines}` },
     { title: 'RMS', number: true, cell: (r) => metres(r.rms_m) },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All lines of a method: sorted, filtered, selected, exported.
+import { headline, worstLines } from '../data/product';
 import type { Line } from '../data/schema';
 import type { State } from '../state';
 import { append, button, choice, h, replace } from '../ui/dom';
@@ -22,6 +23,9 @@ const columns: readonly LineColumn[] = [
   { key: 'class', title: 'class', value: (l) => l.class, text: (l) => words(l.class) },
   { key: 'status', title: 'status', value: (l) => l.status, text: (l) => words(l.status) },
   { key: 'kind', title: 'kind', value: (l) => l.kind, text: (l) => l.kind ?? '' },
+  { key: 'surface', title: 'surface', hint: 'what it is taken to be an edge of', value: (l) => l.surface },
+  { key: 'surface_other', title: 'else', hint: 'the surface next to that', value: (l) => l.surface_other },
+  { key: 'decided_by', title: 'decided by', hint: 'the evidence without which the choice of the surface would have been open', value: (l) => l.decided_by },
   { key: 'epipolar_angle_deg', title: 'angle °', hint: 'to the epipolar line', value: (l) => l.epipolar_angle_deg, text: (l) => fixed(l.epipolar_angle_deg, 1) },
   { key: 'length_m', title: 'length m', value: (l) => l.length_m, text: (l) => fixed(l.length_m, 2) },
   metreColumn('mean_distance_m', 'distance m', (l) => l.mean_distance_m, 'average orthogonal distance from the planes'),
@@ -60,8 +64,9 @@ export class LineTable {
   private readonly count = h('span', { class: 'caption', id: 'line-count', role: 'status' });
   private readonly more = button('Show all rows', () => { this.limit = Infinity; this.render(); });
   private readonly filters = h('div', { class: 'controls' });
-  private sortKey = 'id';
-  private descending = false;
+  private sortKey = 'mean_distance_m';
+  private descending = true;
+  private half = new Set<number>();
   private text = '';
   private lineClass = '';
   private status = '';
@@ -98,6 +103,8 @@ export class LineTable {
       choice('status', values((l) => l.status), this.status, (v) => { this.status = v; this.render(); }),
       showsNumberOfImages(lines) ? choice('images', values((l) => String(l.n_images ?? missing)), this.nImages, (v) => { this.nImages = v; this.render(); }) : null,
       button('Export CSV', () => this.exportCsv(), { id: 'export-lines' }), this.count);
+    const total = this.state.method.summary['total'];
+    this.half = new Set(worstLines(lines, total ? headline(total).n_half_of_squares ?? 0 : 0).map(({ index }) => index));
     this.limit = kPage;
     this.renderHead();
     this.render();
@@ -146,11 +153,11 @@ export class LineTable {
     const numeric = shownColumns.map((c) => isNumeric(c, lines));
     replace(this.body, ...this.shown.map((i) => {
       const line = lines[i]!;
-      return h('tr', { 'data-line': i, tabindex: -1, title: line.reason },
+      return h('tr', { 'data-line': i, tabindex: -1, title: line.reason, class: this.half.has(i) ? 'half' : undefined },
         ...shownColumns.map((c, k) => h('td', { class: numeric[k] ? 'number' : undefined }, c.text ? c.text(line) : String(c.value(line) ?? ''))));
     }));
     this.more.hidden = all.length <= this.shown.length;
-    this.count.textContent = `${all.length} of ${lines.length} lines` + (all.length > this.shown.length ? `, the first ${this.shown.length} shown` : '');
+    this.count.textContent = `${all.length} of ${lines.length} lines; bold: those that make half of the sum of squares` + (all.length > this.shown.length ? `, the first ${this.shown.length} shown` : '');
     this.mark(false);
   }
 

@@ -2,14 +2,16 @@
 // The lines farthest off, each with a piece of the image and a section through the laser points across it.
 import { planeColour, selectionColour } from '../data/colours';
 import { uint16 } from '../data/decode';
-import { isOfFiles, worstLines } from '../data/product';
+import { halfSentence, headline, isOfFiles, worstLines } from '../data/product';
 import type { Line, Method, Patch, Points } from '../data/schema';
 import type { State } from '../state';
 import { button, h, replace } from '../ui/dom';
 import { metres, words } from '../ui/format';
+import { surfaceWords } from '../ui/surface_words';
 import { PatchImages } from './patch_images';
 
-const shownLines = 5;
+const fewestLines = 5;
+const mostLines = 12;
 const size: readonly [number, number] = [200, 130];
 
 function canvas(label: string): { element: HTMLCanvasElement; g: CanvasRenderingContext2D } {
@@ -55,7 +57,8 @@ function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Arr
   if (!(length > 0)) return null;
   const [ux, uy] = [d[0]! / length, d[1]! / length];
   const z0 = (line.start[2] + line.end[2]) / 2;
-  const { element, g } = canvas(`Section across line ${line.id}`);
+  const surface = surfaceWords(line);
+  const { element, g } = canvas(`Section across line ${line.id}${surface ? `, edge of: ${surface}` : ''}`);
   const scale = size[0] / (2 * reach_m);
   const found: { t: number; z: number; plane: number }[] = [];
   for (let i = 0; i < positions.length / 3; ++i) {
@@ -89,6 +92,7 @@ function section(points: Points, positions: Uint16Array, planeOfPoint: Uint16Arr
   g.fillRect(4, size[1] - 6, 2 * scale, 2);
   g.font = '9px sans-serif';
   g.fillText('2 m', 6 + 2 * scale, size[1] - 3);
+  if (surface) g.fillText(`edge of: ${surface}`, 4, 11);
   return element;
 }
 
@@ -98,7 +102,9 @@ export class WorstLines {
   constructor(private readonly state: State) {}
 
   show(patch: Patch, method: Method): void {
-    const worst = worstLines(method.lines, shownLines);
+    const total = method.summary['total'];
+    const figures = total ? headline(total) : null;
+    const worst = worstLines(method.lines, Math.max(fewestLines, Math.min(mostLines, figures?.n_half_of_squares ?? 0)));
     if (worst.length === 0) {
       replace(this.element);
       return;
@@ -111,9 +117,10 @@ export class WorstLines {
       patch.points && positions ? section(patch.points, positions, planeOfPoint, line) : null,
     ];
     replace(this.element, h('h3', {}, `The ${worst.length} lines farthest off in patch ${patch.id}, ${isOfFiles(this.state.report) ? '' : 'method '}${method.name}`),
-      ...worst.map(({ line, index }) => h('figure', { class: 'worst-line' },
+      figures ? h('p', { class: 'caption', id: 'half-of-squares' }, `${halfSentence(figures)}.${(figures.n_half_of_squares ?? 0) > worst.length ? ` The first ${worst.length} are here.` : ''}`) : null,
+      ...worst.map(({ line, index }, i) => h('figure', { class: i < fewestLines ? 'worst-line' : 'worst-line further' },
         h('figcaption', {}, button(line.id, () => this.state.set({ line: index }), { class: 'plain', title: 'select the line' }),
-          ` ${metres(line.mean_distance_m)} m, ${words(line.class)}, ${line.kind ?? ''}${line.flags.length > 0 ? `, ${line.flags.map(words).join(', ')}` : ''}`),
+          ` ${metres(line.mean_distance_m)} m, ${words(line.class)}, ${line.kind ?? ''}${surfaceWords(line) ? `, edge of: ${surfaceWords(line)}` : ''}${line.flags.length > 0 ? `, ${line.flags.map(words).join(', ')}` : ''}`),
         ...pictures(line))),
       h('p', { class: 'caption' }, images ? `Left: ${images.areSeveral ? 'the first image that shows the line' : 'the base image'}. Right: the laser points seen along the line` : 'The laser points seen along the line', ', coloured by plane; the cross is the line. Where a line lies metres from all points, it or the choice of its surface is wrong.'));
   }
