@@ -8,6 +8,7 @@
 namespace ridgeline::python {
 
 void add_exceptions(pybind11::module_& core);
+void add_endings();
 void add_clouds(pybind11::module_& core);
 void add_lines(pybind11::module_& core);
 void add_evaluation(pybind11::module_& core);

@@ -2,6 +2,7 @@
 #include "apps/python/bindings.h"
 #include "apps/python/in_memory.h"
 #include "io/error.h"
+#include "reconstruct/geometry/interruption.h"
 
 #include <algorithm>
 #include <exception>
@@ -54,7 +55,7 @@ std::string with_arguments(const std::string& message) {
 }  // namespace
 
 /// Turns errors of C++ into those of Python: a missing file raises FileNotFoundError, another fault of a file InputFileError
-/// (an OSError), a fault of the caller ValueError.
+/// (an OSError), a fault of the caller ValueError, work that the end of Python stops SystemExit.
 void add_exceptions(py::module_& core) {
   file_error = py::exception<io::IoError>(core, "InputFileError", PyExc_OSError).release();
   file_error.attr("__doc__") =
@@ -64,6 +65,8 @@ void add_exceptions(py::module_& core) {
     if (!thrown) return;
     try {
       std::rethrow_exception(thrown);
+    } catch (const Interrupted&) {
+      PyErr_SetNone(PyExc_SystemExit);  // Python ends, and so does this thread, without a word
     } catch (const io::IoError& error) {
       PyErr_SetString(type_of(error), with_arguments(without_lines(error)).c_str());
     } catch (const std::invalid_argument& error) {

@@ -2,6 +2,7 @@
 #include "apps/python/judged.h"
 
 #include "apps/python/arrays.h"
+#include "apps/python/interruptible.h"
 #include "apps/python/lines.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
@@ -113,14 +114,14 @@ std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
 void write_map(const Judged& judged, const std::string& path, const std::string& schema) {
   const std::string file = results::output_file(path, results::paths_of(judged.inputs));
   const results::MapSchema columns = results::map_schema_named(schema);
-  const py::gil_scoped_release release;
-  results::write_judged_map(file, judged.files.line_sets.front(), judged.files.cloud_crs,
-                            judged.evaluation(), judged.files.planes.front(),
-                            judged.files.models.front(), columns);
+  interruptibly([&] {
+    results::write_judged_map(file, judged.files.line_sets.front(), judged.files.cloud_crs,
+                              judged.evaluation(), judged.files.planes.front(),
+                              judged.files.models.front(), columns);
+  });
 }
 
-void write_folder(const Judged& judged, const std::string& folder, const std::string& schema) {
-  const py::gil_scoped_release release;
+void write_to(const std::string& folder, const Judged& judged, results::MapSchema schema) {
   results::RunRecord record = judged.record;
   record.resume();
   const results::OutputFolder out(folder, results::paths_of(judged.inputs));
@@ -129,11 +130,16 @@ void write_folder(const Judged& judged, const std::string& folder, const std::st
   }
   record.add_warnings(judged.files.warnings);
   for (const results::InputFile& input : judged.inputs) record.add_input(input);
-  results::write_judged(judged.files, results::map_schema_named(schema), out, "");
+  results::write_judged(judged.files, schema, out, "");
   results::write_tables(judged.files.evaluations, judged.files.truth, out);
   results::write_models(judged.files, {}, out);
   record.end_stage("write");
   out.write("run.json", record.to_json());
+}
+
+void write_folder(const Judged& judged, const std::string& folder, const std::string& schema) {
+  const results::MapSchema columns = results::map_schema_named(schema);
+  interruptibly([&] { write_to(folder, judged, columns); });
 }
 
 }  // namespace

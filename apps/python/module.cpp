@@ -6,6 +6,7 @@ PYBIND11_MODULE(_core, core) {
   using namespace ridgeline;
   core.attr("version") = results::kVersion;
   python::add_exceptions(core);
+  python::add_endings();
   python::add_clouds(core);
   python::add_lines(core);
   python::add_evaluation(core);

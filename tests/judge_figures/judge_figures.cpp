@@ -51,7 +51,7 @@ std::vector<LineEvaluation> judge(const Scene& scene,
   return evaluations;
 }
 
-double distance_m(const LineEvaluation& e) { return e.mean_distance_m; }
+double distance_m(const LineEvaluation& e) { return *e.mean_distance_m; }
 
 struct Tally {
   int n = 0, evaluated = 0, within_5_cm = 0, beyond_30_cm = 0, object = 0;

@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import json
 import os
-import signal
 import subprocess
 import sys
 import tempfile
-import threading
-import time
 import unittest
 
 import numpy as np
@@ -112,78 +109,115 @@ class ErrorsAreOfTheRightKind(Case):
                 ridgeline.evaluate(path, CLOUD)
 
 
-#: Enough lines to be judged for several seconds.
-MANY_LINES = """
-import numpy as np, ridgeline, signal, sys, threading, time
+#: Enough to be judged for hours: thousands of lines, whose interval then rests on millions of resamples.
+HOURS_OF_WORK = """
+import numpy as np, os, ridgeline, signal, sys, threading, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell turns off in the background
 lines = ridgeline.read_lines(sys.argv[1]).segments
 cloud = ridgeline.read_cloud(sys.argv[2])
 many = np.concatenate([lines] * 1000)
+
+def judge_for_hours():
+    return ridgeline.evaluate(many, cloud, bootstrap_replicates=5_000_000)
 """
+
+#: Ends a test that hangs; far more than any of them takes on a busy machine.
+HANGS_S = 240
+
+
+def run_python(code, *arguments):
+    """Runs a program of Python; what ends early because it was stopped ends before HANGS_S."""
+    return subprocess.run([sys.executable, "-c", code, LINES, CLOUD, *map(str, arguments)], capture_output=True,
+                          text=True, timeout=HANGS_S)
 
 
 class LongCallsLeavePythonAlone(unittest.TestCase):
+    def expect(self, run, printed):
+        self.assertEqual((run.returncode, run.stdout.split(), run.stderr), (0, printed, ""))
+
     def test_ctrl_c_stops_a_judgement(self):
-        code = MANY_LINES + """
-print("ready", flush=True)
+        run = run_python(HOURS_OF_WORK + """
 try:
-    ridgeline.evaluate(many, cloud)
+    threading.Timer(1, os.kill, (os.getpid(), signal.SIGINT)).start()
+    judge_for_hours()
 except KeyboardInterrupt:
-    print("interrupted", flush=True)
-print(ridgeline.evaluate(lines, cloud).classes["total"]["n_lines"])
-"""
-        with subprocess.Popen([sys.executable, "-c", code, LINES, CLOUD], stdout=subprocess.PIPE, text=True) as run:
-            self.assertEqual(run.stdout.readline(), "ready\n")
-            time.sleep(0.5)
-            asked = time.monotonic()
-            os.kill(run.pid, signal.SIGINT)
-            self.assertEqual(run.stdout.readline(), "interrupted\n")
-            self.assertLess(time.monotonic() - asked, 1.0)  # s; a judgement of all takes over ten
-            self.assertEqual(run.stdout.readline(), "89\n")  # later calls work
+    print("interrupted")
+print(ridgeline.evaluate(lines, cloud).classes["total"]["n_lines"])  # later calls work
+""")
+        self.expect(run, ["interrupted", "89"])
 
     def test_calls_of_other_threads_give_their_results_nonetheless(self):
-        code = MANY_LINES + """
-import concurrent.futures, signal
+        run = run_python(HOURS_OF_WORK + """
+import concurrent.futures
 few = np.concatenate([lines] * 30)
 with concurrent.futures.ThreadPoolExecutor(1) as pool:
     future = pool.submit(ridgeline.evaluate, few, cloud)
     try:
-        signal.alarm(1)
-        signal.signal(signal.SIGALRM, signal.default_int_handler)
-        ridgeline.evaluate(many, cloud)
+        threading.Timer(1, os.kill, (os.getpid(), signal.SIGINT)).start()
+        judge_for_hours()
     except KeyboardInterrupt:
         print("interrupted")
     print(future.result().classes["total"]["n_lines"])
-"""
-        run = subprocess.run([sys.executable, "-c", code, LINES, CLOUD], capture_output=True, text=True, check=True)
-        self.assertEqual(run.stdout.split(), ["interrupted", str(89 * 30)])
-
-    def test_a_thread_that_works_does_not_break_the_end_of_python(self):
-        code = MANY_LINES + """
-threading.Thread(target=ridgeline.evaluate, args=(many, cloud), daemon=True).start()
-time.sleep(0.3)
-"""
-        run = subprocess.run([sys.executable, "-c", code, LINES, CLOUD], capture_output=True, text=True)
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+""")
+        self.expect(run, ["interrupted", str(89 * 30)])
 
     def test_other_threads_run_meanwhile(self):
-        many = np.concatenate([ridgeline.read_lines(LINES).segments] * 20)
-        cloud = ridgeline.read_cloud(CLOUD)
-        seconds = []
+        run = run_python(HOURS_OF_WORK + """
+results = []
+threading.Thread(target=lambda: results.append(judge_for_hours()), daemon=True).start()
+for _ in range(2000):
+    time.sleep(0.001)  # and takes the GIL again
+print(len(results))
+""")
+        self.expect(run, ["0"])
 
-        def judge():
-            begin = time.monotonic()
-            ridgeline.evaluate(many, cloud)
-            seconds.append(time.monotonic() - begin)
+    def test_the_end_of_python_stops_the_calls_of_threads(self):
+        code = """
+import atexit
 
-        worker = threading.Thread(target=judge)
-        worker.start()
-        longest, before = 0.0, time.monotonic()
-        while worker.is_alive():
-            time.sleep(0.001)
-            longest, before = max(longest, time.monotonic() - before), time.monotonic()
-        worker.join()
-        self.assertLess(longest, 0.5 * seconds[0])
+@atexit.register  # before the package registers what stops calls, so that it runs after that
+def at_end():
+    thread.join()
+    print(len(results), ridgeline.evaluate(lines, cloud).classes["total"]["n_lines"])
+""" + HOURS_OF_WORK + """
+results = []
+thread = threading.Thread(target=lambda: results.append(judge_for_hours()), daemon=True)
+thread.start()
+time.sleep(float(sys.argv[3]))
+"""
+        for moment_s in (0, 0.1, 1, 3):  # it does not matter what the call does then
+            with self.subTest(moment_s=moment_s):
+                self.expect(run_python(code, moment_s), ["0", "89"])
+
+    def test_threads_that_work_do_not_break_the_end_of_python(self):
+        code = HOURS_OF_WORK + """
+folder = sys.argv[4]
+result = ridgeline.evaluate(lines, cloud)
+
+def repeat(call):
+    while True:
+        call()
+
+for call in (judge_for_hours, lambda: ridgeline.evaluate(lines, cloud), lambda: ridgeline.read_cloud(sys.argv[2]),
+             lambda: ridgeline.read_lines(sys.argv[1]), lambda: ridgeline.write_lines(f"{folder}/x.obj", lines, overwrite=True),
+             lambda: result.write(f"{folder}/out", overwrite=True)):
+    threading.Thread(target=repeat, args=(call,), daemon=True).start()
+time.sleep(float(sys.argv[3]))
+"""
+        for moment_s in (0, 0.1, 0.3, 1):
+            with self.subTest(moment_s=moment_s), tempfile.TemporaryDirectory() as folder:
+                self.expect(run_python(code, moment_s, folder), [])
+
+    def test_a_forked_process_ends_though_its_parent_works(self):
+        run = run_python(HOURS_OF_WORK + """
+threading.Thread(target=judge_for_hours, daemon=True).start()
+time.sleep(1)
+child = os.fork()
+if child == 0:
+    sys.exit(7)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+""")
+        self.expect(run, ["7"])
 
 
 if __name__ == "__main__":

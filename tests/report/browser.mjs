@@ -20,13 +20,27 @@ export async function launch({ webgl = true } = {}) {
 /** Opens a report; `page.problems` collects console errors, exceptions and requests for anything else. */
 export async function open(context, file) {
   const page = await context.newPage();
+  page.setDefaultTimeout(120000); // ms; ends a test that hangs, also on a busy machine
   const problems = [];
   page.on('console', (message) => { if (message.type() === 'error') problems.push(`console: ${message.text()}`); });
   page.on('pageerror', (error) => problems.push(`exception: ${error.message}`));
   page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push(`request: ${request.url()}`); });
-  const start = performance.now();
   await page.goto(pathToFileURL(file).href);
-  await page.waitForSelector('html[data-ready]', { timeout: 15000 }).catch(() => { throw new Error(`not ready: ${problems.join('; ')}`); });
+  await page.waitForSelector('html[data-ready]').catch(() => { throw new Error(`not ready: ${problems.join('; ')}`); });
+  await drawn(page);
+  return Object.assign(page, { problems });
+}
+
+/** Waits until what was changed is drawn: the page draws its scene with the next frame. */
+export async function drawn(page) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return Object.assign(page, { problems, opened_s: (performance.now() - start) / 1000 });
+}
+
+/** The work of a page so far: the nodes that Chromium has made for it, and how often it drew its scene. */
+export async function workOf(page) {
+  const client = await page.context().newCDPSession(page);
+  await client.send('Performance.enable');
+  const { metrics } = await client.send('Performance.getMetrics');
+  const frames = await page.evaluate(() => globalThis.ridgeline.scene.nFrames);
+  return { nodes: metrics.find((metric) => metric.name === 'Nodes').value, frames };
 }
