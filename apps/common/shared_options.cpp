@@ -90,6 +90,14 @@ void add_schema_option(CLI::App& app, std::string& schema) {
       ->capture_default_str();
 }
 
+void add_decoys_option(CLI::App& app, std::optional<std::size_t>& decoy_lines) {
+  app.add_option(
+         "--decoys", decoy_lines,
+         "number of lines that are moved to wrong places and judged again, to see how many of "
+         "them would pass; default: half, 200 to 2000; 0: none")
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_shift_options(CLI::App& app, ShiftArguments& arguments) {
   app.add_flag("--apply-shift", arguments.apply,
                "judge the lines without a shift that all have against the LIDAR planes, if it is "
