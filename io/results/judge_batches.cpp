@@ -254,20 +254,20 @@ JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                DecoySets decoys) {
   const LineSets all = with_decoys(lines, decoys);
   const std::pair<Batch, Batch> batches = near_and_far(all);
-  const auto judge = [&](DecoySets of_lines) {
+  const auto judge_once = [&](DecoySets of_lines) {
     BatchedJudge judge(cloud, all, lines.size(), options, max_memory_bytes / kBytesPerPoint);
     judge_all(judge, batches);
     JudgedBatches judged = judge.take();
     judged.decoys = judged_decoys(std::move(of_lines), judge.take_decoys());
     return judged;
   };
-  JudgedBatches judged = judge(decoys);
+  JudgedBatches judged = judge_once(decoys);
   const bool needs_points = std::ranges::any_of(batches.first, [&](const LineRef& ref) {
     return !evaluate::refusal_of(all[ref.set][ref.line], options);
   });
   if (!all_lie_elsewhere(judged) || !needs_points || cloud.unread_paths().empty()) return judged;
   cloud.distrust_headers();  // before the lines are said to lie elsewhere
-  return judge(std::move(decoys));
+  return judge_once(std::move(decoys));
 }
 
 JudgedBatches judge_part(io::CloudFiles& cloud,

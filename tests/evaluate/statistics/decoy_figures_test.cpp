@@ -87,13 +87,13 @@ TEST(DecoyFigures, HaveAnIntervalThatIsWiderForClusters) {
 TEST(DecoyFigures, OfNoneThatPassesHaveTheWilsonInterval) {
   std::vector<LineEvaluation> lines;
   std::vector<JudgedDecoy> decoys;
-  for (std::size_t i = 0; i < 188; ++i) {
+  for (std::size_t i = 0; i < 189; ++i) {
     lines.push_back(evaluated_line(std::to_string(i), 0.1, i + 1));
     decoys.push_back(at(i, 1.0));
   }
   const Interval interval = decoy_figures(decoys, lines, {})[0].ci95.value();
   EXPECT_EQ(interval.low, 0.0);
-  EXPECT_NEAR(interval.high, 3.8415 / (188 + 3.8415), 1e-5);  // z^2 / (n + z^2)
+  EXPECT_NEAR(interval.high, 3.8415 / (189 + 3.8415), 1e-5);  // z^2 / (n + z^2)
 }
 
 TEST(DecoyFigures, ComeBackFromJson) {
