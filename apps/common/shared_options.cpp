@@ -90,11 +90,11 @@ void add_schema_option(CLI::App& app, std::string& schema) {
       ->capture_default_str();
 }
 
-void add_decoys_option(CLI::App& app, std::optional<std::size_t>& decoy_lines) {
+void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys) {
   app.add_option(
-         "--decoys", decoy_lines,
-         "number of lines that are moved to wrong places and judged again, to see how many of "
-         "them would pass; default: half, 200 to 2000; 0: none")
+         "--decoys", n_decoys,
+         "moves lines to so many wrong places and judges them again, to see how many of them "
+         "would pass; default: half as many as lines, 500 to 2000; 0: none")
       ->check(CLI::NonNegativeNumber);
 }
 

@@ -47,7 +47,7 @@ struct ShiftArguments {
 };
 
 /// Adds `--decoys`.
-void add_decoys_option(CLI::App& app, std::optional<std::size_t>& decoy_lines);
+void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys);
 
 /// Adds `--apply-shift` and `--geoid`.
 void add_shift_options(CLI::App& app, ShiftArguments& arguments);

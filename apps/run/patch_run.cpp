@@ -220,7 +220,7 @@ class PatchRun {
     parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
     if (options_.shift.apply) parts.emplace_back("apply shift");
-    if (options_.decoy_lines) parts.push_back(fmt::format("decoys {}", *options_.decoy_lines));
+    if (options_.n_decoys) parts.push_back(fmt::format("decoys {}", *options_.n_decoys));
     if (!options_.shift.geoid.empty()) parts.push_back(io::sha256_of_file(options_.shift.geoid));
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
@@ -247,7 +247,7 @@ class PatchRun {
     options.summary = options_.summary;
     options.apply_shift = options_.shift.apply;
     options.geoid = options_.shift.geoid;
-    options.decoy_lines = options_.decoy_lines;
+    options.n_decoys = options_.n_decoys;
     options.refuse_other_places = false;
     results::JudgedFiles judged = results::judge_files(options, record_);
     record_.add_warnings(judged.warnings);

@@ -36,7 +36,7 @@ struct RunOptions {
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< limit of check_pairs()
   std::string config_path;  ///< file of the parameters; empty if there is none
   ShiftArguments shift;
-  std::optional<std::size_t> decoy_lines;  ///< see results::JudgeFilesOptions
+  std::optional<std::size_t> n_decoys;  ///< see results::JudgeFilesOptions
   bool resume = false;
   bool report = true;  ///< report.html and the figures
   PageFacts page;

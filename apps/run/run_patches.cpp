@@ -72,7 +72,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["assume_crs"] = options.assume_crs.definition;
   json["apply_shift"] = options.shift.apply;
   json["geoid"] = options.shift.geoid;
-  if (options.decoy_lines) json["decoys"] = *options.decoy_lines;
+  if (options.n_decoys) json["decoys"] = *options.n_decoys;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;
   return json;

@@ -80,7 +80,13 @@ bool CloudFollowing::is_known() const {
 }
 
 bool CloudFollowing::is_of_another_place() const {
-  return is_known() && ci95->low <= 0.0 && ci95->high < kClear;
+  constexpr double kNoDifference = 0.1;
+  return is_known() && ci95->low <= 0.0 && ci95->high < kNoDifference;
+}
+
+bool CloudFollowing::is_weak() const {
+  constexpr double kClearDifference = 0.3;
+  return is_known() && difference() < kClearDifference;
 }
 
 CloudFollowing cloud_following(std::span<const JudgedLine> lines,

@@ -27,12 +27,11 @@ struct CloudFollowing {
 
   /// Whether the pairs are enough for an answer.
   [[nodiscard]] bool is_known() const;
-  /// The lines fit no better where they lie: the interval of the difference holds 0, and nothing above kClear.
+  /// The lines fit no better where they lie: the interval of the difference holds 0 and nothing above 0.1, so that it is not wide
+  /// because little is known.
   [[nodiscard]] bool is_of_another_place() const;
-  /// The difference is below kClear.
-  [[nodiscard]] bool is_weak() const { return is_known() && difference() < kClear; }
-
-  static constexpr double kClear = 0.3;
+  /// The difference is below 0.3.
+  [[nodiscard]] bool is_weak() const;
 };
 
 /// Compares lines with themselves where move_elsewhere() put them. `lines` were judged as `evaluations`; `shift_m` is a shift

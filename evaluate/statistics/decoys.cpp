@@ -189,47 +189,42 @@ std::optional<JudgedLine> moved_line(const JudgedLine& line, DecoyKind kind, dou
   return moved;
 }
 
-std::size_t default_decoy_lines(std::size_t n_lines) {
-  return std::clamp(n_lines / 2, std::size_t{200}, std::size_t{2000});
+std::size_t default_n_decoys(std::size_t n_lines) {
+  return std::clamp(n_lines / 2, std::size_t{500}, std::size_t{2000});
 }
 
 std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
-                               std::size_t n_lines,
+                               std::size_t n_decoys,
                                const JudgeOptions& options) {
-  constexpr std::size_t kWanted = 1000;
   constexpr std::size_t kStride =
       7;  // has no divisor in common with 16 and 24, the numbers of ways
-  const std::vector<Movable> parents = drawn(lines, n_lines, options);
+  const std::vector<Movable> parents = drawn(lines, n_decoys, options);
   std::vector<Decoy> decoys;
-  if (parents.empty()) return decoys;
-  const std::size_t n_moves =
-      std::max<std::size_t>(1, (kWanted + parents.size() - 1) / parents.size());
-  for (const Movable& parent : parents) {
-    const JudgedLine& line = lines[parent.line];
-    const std::vector<Way> ways = ways_of(line);
-    const std::size_t first = KeyedRandom(parent.key, 0).below(ways.size());
+  for (std::size_t p = 0; p < parents.size(); ++p) {
+    const auto [key, number] = parents[p];
+    const std::vector<Way> ways = ways_of(lines[number]);
+    const std::size_t first = KeyedRandom(key, 0).below(ways.size());
+    const std::size_t n_moves = n_decoys / parents.size() + (p < n_decoys % parents.size() ? 1 : 0);
     for (std::size_t i = 0; i < std::min(n_moves, ways.size()); ++i) {
       const auto [kind, distance_m] = ways[(first + i * kStride) % ways.size()];
-      std::optional<JudgedLine> moved = moved_line(line, kind, distance_m);
+      std::optional<JudgedLine> moved = moved_line(lines[number], kind, distance_m);
       if (!moved) continue;
-      moved->id = decoy_id(parent.key, kind, distance_m);
-      decoys.push_back({parent.line, kind, std::abs(distance_m), std::move(*moved)});
+      moved->id = decoy_id(key, kind, distance_m);
+      decoys.push_back({number, kind, std::abs(distance_m), std::move(*moved)});
     }
   }
   return decoys;
 }
 
 std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines, const JudgeOptions& options) {
-  constexpr std::size_t kFewest = 60;
-  constexpr std::size_t kMost = 200;
-  const std::size_t n_moves = std::clamp(lines.size() / 5, kFewest, kMost);
-  const std::vector<Movable> parents = drawn(lines, n_moves, options);
+  constexpr std::size_t kMoves = 200;
+  const std::vector<Movable> parents = drawn(lines, kMoves, options);
   Eigen::AlignedBox2d box;
   for (const Movable& parent : parents) {
     box.extend(plan(lines[parent.line].segment).start).extend(plan(lines[parent.line].segment).end);
   }
   std::vector<Decoy> moved;
-  for (std::size_t i = 0; i < n_moves && i < kElsewhere_m.size() * parents.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(kMoves, kElsewhere_m.size() * parents.size()); ++i) {
     const auto [key, number] = parents[i % parents.size()];
     const double distance_m = kElsewhere_m[(key + i / parents.size()) % kElsewhere_m.size()];
     const Eigen::Vector2d by_m =

@@ -45,19 +45,19 @@ struct Decoy {
 /// Throws std::invalid_argument for kElsewhere.
 std::optional<JudgedLine> moved_line(const JudgedLine& line, DecoyKind kind, double distance_m);
 
-/// How many of `n_lines` lines are moved unless a user says otherwise: half, at least 200 and at most 2,000.
-std::size_t default_decoy_lines(std::size_t n_lines);
+/// How many decoys are made of `n_lines` lines unless a user says otherwise: half as many, at least 500 and at most 2,000.
+std::size_t default_n_decoys(std::size_t n_lines);
 
-/// Decoys of up to `n_lines` lines that can be judged. A hash of a line's coordinates decides whether it is among them and
-/// how it is moved, and makes the decoy's id, so that ids and order of the lines play no part. Each line is moved in one of
-/// the ways (kind, distance, sense) that it can be; in several if that makes fewer than 1,000 decoys. A line that has the
-/// coordinates of an earlier one is left out.
+/// `n_decoys` decoys of lines that can be judged, fewer if there are not so many ways. A hash of a line's coordinates decides
+/// whether it is moved and how, and makes the decoy's id, so that ids and order of the lines play no part. Each line is
+/// moved in one of the ways (kind, distance, sense) that it can be; of fewer lines than decoys in several. A line that has
+/// the coordinates of an earlier one is left out.
 std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
-                               std::size_t n_lines,
+                               std::size_t n_decoys,
                                const JudgeOptions& options);
 
-/// Up to 200 lines moved by kElsewhere_m in plan, a fifth of the lines or 60 moves if that is more; drawn as make_decoys()
-/// does. A line is moved to one of eight sides, if possible to one where it stays in the rectangle around all lines.
+/// 200 lines moved in plan by one of kElsewhere_m; fewer lines by several of them. They are drawn as make_decoys() does. A
+/// line is moved to one of eight sides, if possible to one where it stays in the rectangle around all of them.
 std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines, const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

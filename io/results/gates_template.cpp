@@ -26,7 +26,7 @@ constexpr std::string_view kKeys =
 #           {metric: buildings_within_m, within_m: 0.20, min: 0.90}
 #   kind, distance_m  of decoy_share: height, across or match; 0.5, 1, 2 or 5, as in
 #           {metric: decoy_share, kind: height, distance_m: 1, max: 0.02}. With an interval
-#           wider than its limit the gate fails; --decoys of run and evaluate moves more lines.
+#           wider than its limit the gate fails; --decoys of run and evaluate makes more.
 #   patch   the patch's id; each patch if left out
 #   method  direct, joint, network or planes; after evaluate the line file's name without extension;
 #           for the figures of matching the matcher: pairwise, chio or both. If left out:

@@ -16,9 +16,9 @@ JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
                                 const LineSets& lines,
                                 const JudgeFilesOptions& options) {
   DecoySets decoys;
-  if (options.decoy_lines != std::size_t{0}) {
+  if (options.n_decoys != std::size_t{0}) {
     for (const std::vector<evaluate::JudgedLine>& set : lines) {
-      const std::size_t n = options.decoy_lines.value_or(evaluate::default_decoy_lines(set.size()));
+      const std::size_t n = options.n_decoys.value_or(evaluate::default_n_decoys(set.size()));
       decoys.push_back(evaluate::make_decoys(set, n, options.judge));
       std::ranges::move(evaluate::move_elsewhere(set, options.judge),
                         std::back_inserter(decoys.back()));

@@ -12,7 +12,7 @@
 namespace ridgeline::results {
 
 /// Judges the lines as judge_in_batches() does, and beside them lines that were moved on purpose, unless
-/// JudgeFilesOptions::decoy_lines is 0. Throws as judge_in_batches().
+/// JudgeFilesOptions::n_decoys is 0. Throws as judge_in_batches().
 JudgedBatches judge_with_decoys(io::CloudFiles& cloud,
                                 const LineSets& lines,
                                 const JudgeFilesOptions& options);

@@ -34,9 +34,9 @@ struct JudgeFilesOptions {
   bool scale_to_ground = false;  ///< see set_plan_scale()
   /// Whether lines with a significant shift are moved against it and judged again.
   bool apply_shift = false;
-  /// How many lines of each file are moved to wrong places and judged again, see evaluate::make_decoys(); default:
-  /// evaluate::default_decoy_lines(). 0: none, and lines are not compared with themselves elsewhere.
-  std::optional<std::size_t> decoy_lines = {};
+  /// To how many wrong places lines of each file are moved and judged again, see evaluate::make_decoys(); default:
+  /// evaluate::default_n_decoys(). 0: none, and lines are not compared with themselves elsewhere.
+  std::optional<std::size_t> n_decoys = {};
   /// Whether lines that fit the cloud no better than elsewhere are an error; a warning otherwise.
   bool refuse_other_places = true;
   std::string geoid;  ///< grid for the likely cause of a shift, see io::geoid_at(); may be empty

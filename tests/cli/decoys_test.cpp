@@ -38,7 +38,7 @@ TEST_F(Decoys, StandInEveryOutputByKindAndDistance) {
   const json decoys = judged("out")["decoys"];
   ASSERT_EQ(decoys.size(), 8U) << "two kinds by four distances: no images are given";
   for (const json& row : decoys) {
-    EXPECT_GT(row["n_decoys"], 50);
+    EXPECT_GT(row["n_decoys"], 30);
     EXPECT_LE(row["ci95"][0], row["share"]);
     EXPECT_GE(row["ci95"][1], row["share"]);
     if (row["kind"] == "height") EXPECT_LT(row["share"], 0.1) << row;
@@ -51,8 +51,7 @@ TEST_F(Decoys, StandInEveryOutputByKindAndDistance) {
 
 TEST_F(Decoys, ChangeNoLine) {
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "with").exit_code, 0);
-  const ProgramResult without =
-      evaluate("scene/lines.good.geojson", "without", {"--decoys", "0"});
+  const ProgramResult without = evaluate("scene/lines.good.geojson", "without", {"--decoys", "0"});
   ASSERT_EQ(without.exit_code, 0);
   EXPECT_THAT(without.out, Not(HasSubstr("Decoys")));
   json with = judged("with");
@@ -96,11 +95,10 @@ TEST_F(Decoys, AreGated) {
 TEST_F(Decoys, UpperEndOfTheIntervalIsGated) {
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "out").exit_code, 0);
   const json total = judged("out")["summary"]["total"];
-  const double between =
-      0.5 * (total["rms_m"].get<double>() + total["ci95_m"][1].get<double>());
+  const double between = 0.5 * (total["rms_m"].get<double>() + total["ci95_m"][1].get<double>());
   const auto gate = [&](const std::string& bound) {
-    write(path("gates.yaml"), "gates: [{metric: rms_m, max: " + std::to_string(between) +
-                                  ", bound: " + bound + "}]\n");
+    write(path("gates.yaml"),
+          "gates: [{metric: rms_m, max: " + std::to_string(between) + ", bound: " + bound + "}]\n");
     return run({"gate", "out", "--gates", "gates.yaml"});
   };
   EXPECT_EQ(gate("point").exit_code, 0);

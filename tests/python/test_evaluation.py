@@ -83,9 +83,7 @@ class LinesThatWereMovedOnPurpose(Case):
         with_none = ridgeline.evaluate(LINES, CLOUD, decoys=0)
         self.assertEqual(with_none.decoys, [])
         self.assertNotIn("decoys", with_none.tables)
-        one_line = ridgeline.evaluate(LINES, CLOUD, decoys=1).decoys
-        self.assertTrue(all(row["n_lines"] == 1 and row["n_decoys"] == 2 for row in one_line))
-        self.assertEqual(len(one_line), 8)
+        self.assertEqual(sum(row["n_decoys"] for row in ridgeline.evaluate(LINES, CLOUD, decoys=100).decoys), 100)
         with self.assertRaisesRegex(ValueError, "decoys = -1"):
             ridgeline.evaluate(LINES, CLOUD, decoys=-1)
 

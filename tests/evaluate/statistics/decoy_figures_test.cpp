@@ -173,12 +173,20 @@ TEST_F(Following, LinesOnTheirRoofsFollow) {
 }
 
 TEST_F(Following, LinesThatFitHereAsOftenAsThereAreOfAnotherPlace) {
-  add(2.5, 5.0, 30);
+  add(2.5, 5.0, 80);
   add(0.0, 5.0, 3);   // fit here
   add(-5.0, 5.0, 3);  // fit there
   const CloudFollowing f = result();
   EXPECT_EQ(f.difference(), 0.0);
   EXPECT_TRUE(f.is_of_another_place());
+}
+
+TEST_F(Following, LinesOfWhichTooLittleIsKnownAreWarnedOf) {
+  add(2.5, 5.0, 34);
+  add(0.0, 5.0, 2);  // 2 of 36 fit: the interval holds 0 and ends above 0.1
+  const CloudFollowing f = result();
+  EXPECT_TRUE(f.is_weak());
+  EXPECT_FALSE(f.is_of_another_place());
 }
 
 TEST_F(Following, LevelGroundTellsNothing) {
