@@ -92,7 +92,8 @@ std::string foreseen_text(const BlockSteps& block) {
 }
 
 std::unique_ptr<BlockSteps> block_of(const BlockArguments& a) {
-  const RunOptions options = run_options(a.flags);
+  RunOptions options = run_options(a.flags);
+  options.n_decoys = 0;  // parts of a block know only some of its lines
   if (!io::is_lines_block(a.file)) return make_frames_block(a.file, a.out, options);
   LinesBlockOptions of_lines;
   of_lines.parameters = a.flags.parameters;

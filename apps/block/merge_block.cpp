@@ -149,6 +149,7 @@ class BlockMerge {
     options.summary = options_.summary;
     options.apply_shift = options_.shift.apply;
     options.geoid = options_.shift.geoid;
+    options.n_decoys = options_.n_decoys;
     results::JudgedFiles judged = results::judge_files(options, record_);
     warn_of(judged.warnings);
     record_.add_warnings(judged.warnings);

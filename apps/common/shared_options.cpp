@@ -90,6 +90,14 @@ void add_schema_option(CLI::App& app, std::string& schema) {
       ->capture_default_str();
 }
 
+void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys) {
+  app.add_option(
+         "--decoys", n_decoys,
+         "moves lines to so many wrong places and judges them again, to see how many of them "
+         "would pass; default: half as many as lines, 500 to 2000; 0: none")
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_shift_options(CLI::App& app, ShiftArguments& arguments) {
   app.add_flag("--apply-shift", arguments.apply,
                "judge the lines without a shift that all have against the LIDAR planes, if it is "

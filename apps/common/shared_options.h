@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,9 @@ struct ShiftArguments {
   bool apply = false;
   std::string geoid;  ///< grid of the geoid; may be empty
 };
+
+/// Adds `--decoys`.
+void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys);
 
 /// Adds `--apply-shift` and `--geoid`.
 void add_shift_options(CLI::App& app, ShiftArguments& arguments);

@@ -14,6 +14,7 @@
 #include "io/results/write_results.h"
 
 #include <memory>
+#include <optional>
 
 namespace ridgeline::apps {
 namespace {
@@ -34,6 +35,7 @@ struct EvaluateArguments {
   ParameterArguments parameters;
   evaluate::SummaryOptions summary;
   ShiftArguments shift;
+  std::optional<std::size_t> n_decoys;
   PageFacts page;
 };
 
@@ -72,6 +74,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
       "--write-points", a.write_points,
       "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
   add_shift_options(app, a.shift);
+  add_decoys_option(app, a.n_decoys);
   add_schema_option(app, a.schema);
   add_page_options(app, a.page);
   add_report_flag(app, a.report);
@@ -187,6 +190,7 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.cloud_memory_mib = a.cloud_memory_mib;
   options.apply_shift = a.shift.apply;
   options.geoid = a.shift.geoid;
+  options.n_decoys = a.n_decoys;
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.lines.lod = a.lod;

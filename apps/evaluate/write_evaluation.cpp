@@ -4,6 +4,7 @@
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
 #include "apps/report/write_report.h"
+#include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/results/judged_attributes.h"
@@ -35,6 +36,10 @@ std::vector<std::string> say_outcome(const results::JudgedFiles& judged,
                                      const results::JudgeFilesOptions& options) {
   if (has_figures(judged.evaluations)) {
     say("{}\n", evaluate::to_terminal(evaluate::make_table2(judged.evaluations)));
+  }
+  if (const std::string decoys = evaluate::decoys_to_terminal(judged.evaluations);
+      !decoys.empty()) {
+    say("{}\n", decoys);
   }
   std::vector<std::string> messages = judging_messages(options.patch_name, judged.evaluations);
   std::ranges::move(evaluate::shift_messages(judged.evaluations, options.apply_shift),

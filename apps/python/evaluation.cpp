@@ -63,6 +63,9 @@ results::JudgeFilesOptions judge_options(const py::dict& entries) {
   take(entries, "scale_to_ground", options.scale_to_ground);
   take(entries, "apply_shift", options.apply_shift);
   take(entries, "geoid", options.geoid);
+  if (entries.contains("decoys") && !entries["decoys"].is_none()) {
+    take(entries, "decoys", options.n_decoys.emplace());
+  }
   if (!options.geoid.empty()) io::require_geoid_grid(options.geoid);
   take(entries, "cloud_memory_mib", options.cloud_memory_mib);
   take(entries, "name", options.patch_name);

@@ -4,6 +4,7 @@
 #include "apps/python/arrays.h"
 #include "apps/python/interruptible.h"
 #include "apps/python/lines.h"
+#include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
@@ -97,6 +98,9 @@ std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
       {"table2", evaluate::to_csv(table2)},
       {"parts", evaluate::parts_to_csv(table2)},
       {"tolerances", evaluate::tolerances_to_csv(truth.tolerances)}};
+  if (!judged.evaluation().decoys.empty()) {
+    all.emplace_back("decoys", evaluate::decoys_to_csv(judged.files.evaluations));
+  }
   const results::ModelTables of_model = results::model_tables(judged.files, {});
   if (!of_model.buildings.empty()) {
     all.emplace_back("buildings", of_model.buildings);

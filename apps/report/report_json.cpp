@@ -271,7 +271,8 @@ Json line_json(const ReportPatch& patch, const ReportMethod& method, std::size_t
 Json method_json(const ReportPatch& patch, const ReportMethod& method, const ShownPlanes& planes) {
   Json judged = evaluate::evaluation_json(method.evaluation);
   Json json{{"name", method.evaluation.method}};
-  for (const char* key : {"options", "summary", "accuracy", "calibration", "strata", "standards"}) {
+  for (const char* key :
+       {"options", "summary", "accuracy", "calibration", "strata", "standards", "decoys"}) {
     json[key] = std::move(judged.at(key));
   }
   Json lines = Json::array();

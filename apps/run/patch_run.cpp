@@ -220,6 +220,7 @@ class PatchRun {
     parts.push_back(parameters_["judge"].dump());
     if (options_.map_schema == results::MapSchema::kFkb) parts.emplace_back("fkb");
     if (options_.shift.apply) parts.emplace_back("apply shift");
+    if (options_.n_decoys) parts.push_back(fmt::format("decoys {}", *options_.n_decoys));
     if (!options_.shift.geoid.empty()) parts.push_back(io::sha256_of_file(options_.shift.geoid));
     parts.push_back(fmt::format("{} {} {} {}", options_.summary.gross_m,
                                 options_.summary.sigma_sys_m, options_.summary.bootstrap.replicates,
@@ -246,6 +247,8 @@ class PatchRun {
     options.summary = options_.summary;
     options.apply_shift = options_.shift.apply;
     options.geoid = options_.shift.geoid;
+    options.n_decoys = options_.n_decoys;
+    options.refuse_other_places = false;
     results::JudgedFiles judged = results::judge_files(options, record_);
     record_.add_warnings(judged.warnings);
     for (std::size_t i = 0; i < options_.methods.size(); ++i) {

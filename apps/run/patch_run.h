@@ -16,6 +16,8 @@
 #include "io/results/output_folder.h"
 #include "io/results/run_record.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,7 @@ struct RunOptions {
   double max_y_parallax_px = kDefaultMaxYParallax_px;  ///< limit of check_pairs()
   std::string config_path;  ///< file of the parameters; empty if there is none
   ShiftArguments shift;
+  std::optional<std::size_t> n_decoys;  ///< see results::JudgeFilesOptions
   bool resume = false;
   bool report = true;  ///< report.html and the figures
   PageFacts page;

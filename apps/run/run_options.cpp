@@ -36,6 +36,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(line_format_names()));
   add_local_origin_flag(app, flags.options.local_origin);
+  add_decoys_option(app, flags.options.n_decoys);
   app.add_flag("--resume", flags.options.resume,
                "skip what an earlier run with the same inputs and options has finished");
   app.add_option("--assume-crs", flags.options.assume_crs.definition,

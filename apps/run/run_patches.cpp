@@ -6,6 +6,7 @@
 #include "apps/pipeline/parameters.h"
 #include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
+#include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
 #include "io/results/judged_map.h"
@@ -71,6 +72,7 @@ nlohmann::ordered_json echo_options(const RunOptions& options) {
   json["assume_crs"] = options.assume_crs.definition;
   json["apply_shift"] = options.shift.apply;
   json["geoid"] = options.shift.geoid;
+  if (options.n_decoys) json["decoys"] = *options.n_decoys;
   json["gross_m"] = options.summary.gross_m;
   json["bootstrap_seed"] = options.summary.bootstrap.seed;
   return json;
@@ -200,7 +202,7 @@ void run_patches(const std::string& command,
                  const RunOptions& options,
                  const std::string& folder) {
   results::RunRecord record(command);
-  const PatchesResult found = write_patches(patch_files, options, folder, record);
+  PatchesResult found = write_patches(patch_files, options, folder, record);
   if (options.resume) spdlog::info("{} finished stages skipped", found.n_skipped_stages);
   if (!found.table1.rows.empty() || !found.table1.tracks.empty())
     say("{}\n", evaluate::to_terminal(found.table1));
@@ -208,11 +210,15 @@ void run_patches(const std::string& command,
     say("{}\n",
         evaluate::to_terminal(evaluate::make_table2(found.evaluations, adjusts_to_faces(options))));
   }
+  // The last method is the best.
+  const std::string product = reconstruct::name(std::ranges::max(options.methods));
+  std::erase_if(found.evaluations, [&](const auto& e) { return e.method != product; });
+  if (const std::string decoys = evaluate::decoys_to_terminal(found.evaluations); !decoys.empty()) {
+    say("{}\n", decoys);
+  }
   for (const std::string& message : found.messages) say("{}\n", message);
   const std::filesystem::path results = std::filesystem::absolute(folder).lexically_normal();
   say("Results: {}\n", results.string());
-  // The last method is the best.
-  const std::string product = reconstruct::name(std::ranges::max(options.methods));
   for (const auto& [patch, frame] : found.patches) {
     say("Map for QGIS: {}\n", (results / patch.id / results::map_name(product)).string());
   }

@@ -33,18 +33,28 @@ std::vector<std::string> patches_of(const ResultFolder& folder) {
   return patches;
 }
 
+Figure empty_figure(const std::string& patch,
+                    const std::string& method,
+                    const std::string& line_class) {
+  Figure figure;
+  figure.patch = patch;
+  figure.method = method;
+  figure.line_class = line_class;
+  return figure;
+}
+
+bool is_by_class(const std::string& metric) {
+  return !is_matching_metric(metric) && !is_decoy_metric(metric);
+}
+
 Figure missing_figure(const Gate& gate,
                       const std::string& patch,
                       const std::string& line_class,
                       std::string why) {
-  return {patch,
-          gate.method.value_or(kNoMethod),
-          is_matching_metric(gate.metric) ? "" : line_class,
-          {},
-          {},
-          0,
-          {},
-          std::move(why)};
+  Figure figure = empty_figure(patch, gate.method.value_or(kNoMethod),
+                               is_by_class(gate.metric) ? line_class : "");
+  figure.why_missing = std::move(why);
+  return figure;
 }
 
 std::string why_no_class(const Evaluation& e, const std::string& line_class) {
@@ -100,7 +110,8 @@ Figure building_figure(const Evaluation& e, const std::string& line_class, const
     sum.squares_m2 += *line.mean_distance_m * *line.mean_distance_m;
     sum.n += 1.0;
   }
-  Figure figure{e.patch, e.method, line_class, {}, {}, buildings.size(), {}, {}};
+  Figure figure = empty_figure(e.patch, e.method, line_class);
+  figure.n = buildings.size();
   if (buildings.empty()) {
     figure.why_missing =
         "no line of a building was judged; models of buildings and files with a column "
@@ -114,9 +125,28 @@ Figure building_figure(const Evaluation& e, const std::string& line_class, const
   return figure;
 }
 
+Figure decoy_figure(const Evaluation& e, const Gate& gate) {
+  Figure figure = empty_figure(e.patch, e.method, "");
+  const auto found = std::ranges::find_if(e.decoys, [&](const DecoyFigure& d) {
+    return name(d.kind) == gate.kind && d.distance_m == gate.distance_m;
+  });
+  if (found == e.decoys.end()) {
+    figure.why_missing = e.decoys.empty() ? "no lines were moved on purpose (--decoys)"
+                                          : fmt::format("no line was moved so ({}, {} m)",
+                                                        *gate.kind, *gate.distance_m);
+    return figure;
+  }
+  figure.value = found->share();
+  figure.ci95 = found->ci95;
+  figure.n_clusters = found->n_clusters;
+  figure.n = found->n_decoys;
+  figure.evaluated_share = 1.0 - found->withheld_share().value_or(0.0);
+  return figure;
+}
+
 Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const Gate& gate) {
   const std::string& metric = gate.metric;
-  Figure figure{e.patch, e.method, line_class, {}, {}, 0, {}, {}};
+  Figure figure = empty_figure(e.patch, e.method, line_class);
   const std::vector<Summary> of_images =
       gate.n_images ? classes_of_images(e, *gate.n_images) : std::vector<Summary>();
   const Summary* of_class = find_class(gate.n_images ? of_images : e.classes, line_class);
@@ -127,6 +157,7 @@ Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const
   const Summary cell = gate.decided_by ? of_class->of_group(*gate.decided_by) : *of_class;
   figure.value = metric_value(cell, metric);
   figure.ci95 = metric_interval(cell, metric);
+  if (has_clustered_interval(metric)) figure.n_clusters = cell.n_clusters;
   figure.n = metric_count(cell, metric);
   figure.evaluated_share = cell.evaluated_share();
   if (figure.value) return figure;
@@ -169,6 +200,7 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
   for (const Evaluation* e : of_patch) {
     if (gate.method.value_or(e->method) != e->method) continue;
     figures.push_back(is_building_metric(gate.metric) ? building_figure(*e, line_class, gate)
+                      : is_decoy_metric(gate.metric)  ? decoy_figure(*e, gate)
                                                       : accuracy_figure(*e, line_class, gate));
   }
   if (figures.empty()) {
@@ -182,7 +214,7 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
 }
 
 Figure matching_figure(const Table1Row& row, const std::string& metric) {
-  Figure figure{row.patch, row.matcher, "", {}, {}, 0, {}, {}};
+  Figure figure = empty_figure(row.patch, row.matcher, "");
   figure.value = metric_value(row.counts, metric);
   figure.ci95 = metric_interval(row.counts, metric);
   figure.n = metric_count(row.counts, metric);
@@ -243,7 +275,7 @@ Figure track_figure(const Gate& gate,
     return missing_figure(gate, patch, line_class, why_no_tracks(gate, folder));
   for (const TrackCell& cell : of_patch->cells) {
     if (cell.line_class != line_class || cell.group != image_group(gate.n_images)) continue;
-    Figure figure{patch, kNoMethod, line_class, {}, {}, 0, {}, {}};
+    Figure figure = empty_figure(patch, kNoMethod, line_class);
     figure.value = metric_value(cell.counts, gate.metric);
     figure.n = metric_count(cell.counts, gate.metric);
     if (!figure.value) figure.why_missing = "there is no such true edge, or no track of one";

@@ -21,6 +21,7 @@ struct Figure {
   std::string line_class;  ///< empty for a figure of matching
   std::optional<double> value;
   std::optional<Interval> ci95;
+  std::size_t n_clusters = 0;  ///< of the interval; 0 if it is not of clusters
   std::size_t n = 0;
   std::optional<double> evaluated_share;
   std::string why_missing;  ///< a sentence, empty if there is a value

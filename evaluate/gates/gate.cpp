@@ -23,6 +23,7 @@ Metric metric_of(const Gate& gate) {
   for (const Metric& m : matching_metrics()) known.push_back(m.name);
   for (const Metric& m : track_metrics()) known.push_back(m.name);
   for (const Metric& m : building_metrics()) known.push_back(m.name);
+  for (const Metric& m : decoy_metrics()) known.push_back(m.name);
   check(metric.has_value(), "metric: ", gate.metric, "; must be one of ",
         fmt::format("{}", fmt::join(known, ", ")));
   return *metric;
@@ -48,6 +49,42 @@ void check_allowances(const Gate& gate, const Metric& metric) {
     check_allowance("max_increase_over_baseline", value.value_or(0.0));
   }
   check_allowance("max_decrease_below_baseline", gate.max_decrease_below_baseline.value_or(0.0));
+}
+
+void check_decoys(const Gate& gate) {
+  if (!is_decoy_metric(gate.metric)) {
+    check(!gate.kind && !gate.distance_m, gate.kind ? "kind: " : "distance_m: ", gate.metric,
+          " has no use for it; it belongs to decoy_share");
+    return;
+  }
+  const auto is_kind = [&](DecoyKind kind) { return name(kind) == gate.kind; };
+  check(std::ranges::any_of(kDecoyKinds, is_kind), "kind: ", gate.kind.value_or("none"),
+        "; decoy_share needs one, height, across or match");
+  const auto is_distance = [&](double distance_m) { return distance_m == gate.distance_m; };
+  check(std::ranges::any_of(kDecoyDistances_m, is_distance),
+        "distance_m: ", gate.distance_m ? fmt::format("{}", *gate.distance_m) : "none",
+        "; decoy_share needs one of ", fmt::format("{}", fmt::join(kDecoyDistances_m, ", ")));
+  check(gate.line_class == kTotal, "class: ", gate.line_class,
+        "; decoy_share is of all classes together, so class must be left out");
+  check(!gate.n_images, "n_images: ", gate.n_images.value_or(0),
+        "; decoy_share is of lines of any number of images, so n_images must be left out");
+  check(!gate.max_ratio_to_class,
+        "max_ratio_to: decoy_share has no classes to relate to each other");
+}
+
+/// An upper end says nothing on a figure that must not fall, and another figure's interval is not known here.
+void check_bound(const Gate& gate) {
+  if (gate.bound == GateBound::kPoint) return;
+  check(has_clustered_interval(gate.metric), "bound: upper95; ", gate.metric,
+        " has no clustered interval; rms_m and decoy_share have one");
+  const auto refuse = [](const char* rule, bool is_given) {
+    check(!is_given, "bound: upper95; it is for max alone, so ", rule,
+          " needs an entry of its own");
+  };
+  refuse("min", gate.min.has_value());
+  refuse("max_ratio_to", gate.max_ratio_to_class.has_value());
+  refuse("max_increase_over_baseline", gate.max_increase_over_baseline.has_value());
+  refuse("max_decrease_below_baseline", gate.max_decrease_below_baseline.has_value());
 }
 
 void check_same_inputs(const ResultFolder& results, const ResultFolder& baseline) {
@@ -88,9 +125,13 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
   const std::string decided_by =
       gate.decided_by ? fmt::format(" decided by {}", name(*gate.decided_by)) : "";
   const std::string within = gate.within_m ? fmt::format(" {}", *gate.within_m) : "";
+  const std::string moved =
+      gate.kind ? fmt::format(" {} {} m", *gate.kind, gate.distance_m.value_or(0.0)) : "";
+  const std::string bound =
+      gate.bound == GateBound::kPoint ? "" : fmt::format(" {}", name(gate.bound));
   result.rule =
-      fmt::format("{}{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
-                  gate.metric, within, of_images, decided_by, rule);
+      fmt::format("{}{}{}{}{}{}{}{} {}", figure.line_class, figure.line_class.empty() ? "" : " ",
+                  gate.metric, within, moved, of_images, decided_by, bound, rule);
   if (gate.n_min) result.rule += fmt::format(" (n >= {})", *gate.n_min);
   result.patch = figure.patch;
   result.method = figure.method;
@@ -100,6 +141,8 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
   result.decided_by = gate.decided_by;
   result.value = figure.value;
   result.ci95 = figure.ci95;
+  result.bound = gate.bound;
+  result.n_clusters = figure.n_clusters;
   result.n = figure.n;
   result.evaluated_share = figure.evaluated_share;
   result.explanation = figure.why_missing;
@@ -108,6 +151,26 @@ GateResult begin_result(const Gate& gate, const Figure& figure, const std::strin
 
 enum class Bound : std::uint8_t { kUpper, kLower };
 
+/// Why the figure is known too badly for a verdict; "" if it is not.
+std::string why_insufficient(const GateResult& result, const Gate& gate) {
+  if (gate.n_min && result.n < *gate.n_min) {
+    return fmt::format("n = {}, at least {} are needed", result.n, *gate.n_min);
+  }
+  const bool needs_interval = gate.bound == GateBound::kUpper95 || is_decoy_metric(gate.metric);
+  if (!needs_interval) return "";
+  if (!result.ci95) return "there is no 95 % interval: too few clusters";
+  if (gate.bound == GateBound::kUpper95 && result.n_clusters < kMinClusters) {
+    return fmt::format("the interval rests on {} clusters, at least {} are needed",
+                       result.n_clusters, kMinClusters);
+  }
+  const double width = result.ci95->high - result.ci95->low;
+  if (is_decoy_metric(gate.metric) && width > *result.limit) {
+    return fmt::format("the 95 % interval, {:.4g} to {:.4g}, is wider than the limit {:.4g}",
+                       result.ci95->low, result.ci95->high, *result.limit);
+  }
+  return "";
+}
+
 /// Gives the verdict on value and limit. A value that is not a number fails. If the result has an
 /// explanation already, that says why value or limit is missing.
 GateResult settle(GateResult result, const Gate& gate, Bound bound) {
@@ -115,16 +178,18 @@ GateResult settle(GateResult result, const Gate& gate, Bound bound) {
     result.verdict = Verdict::kMissing;
     return result;
   }
-  if (gate.n_min && result.n < *gate.n_min) {
+  if (std::string why = why_insufficient(result, gate); !why.empty()) {
     result.verdict = Verdict::kInsufficient;
-    result.explanation = fmt::format("n = {}, at least {} are needed", result.n, *gate.n_min);
+    result.explanation = std::move(why);
     return result;
   }
-  const bool holds =
-      bound == Bound::kUpper ? *result.value <= *result.limit : *result.value >= *result.limit;
+  const bool by_interval = gate.bound == GateBound::kUpper95;
+  const double value = by_interval ? result.ci95->high : *result.value;
+  const bool holds = bound == Bound::kUpper ? value <= *result.limit : value >= *result.limit;
   result.verdict = holds ? Verdict::kPassed : Verdict::kFailed;
   if (!holds) {
-    result.explanation = fmt::format("{:.4g} is {} the limit {:.4g}", *result.value,
+    result.explanation = fmt::format("{}{:.4g} is {} the limit {:.4g}",
+                                     by_interval ? "upper end of the 95 % interval: " : "", value,
                                      bound == Bound::kUpper ? "above" : "below", *result.limit);
   }
   return result;
@@ -227,7 +292,11 @@ void validate(const Gate& gate) {
   check_limit("min", gate.min, metric);
   check(std::isfinite(gate.ratio) && gate.ratio > 0.0, "ratio: ", gate.ratio, "; must be > 0");
   check_allowances(gate, metric);
+  check_decoys(gate);
+  check_bound(gate);
 }
+
+const char* name(GateBound bound) { return bound == GateBound::kUpper95 ? "upper95" : "point"; }
 
 const char* name(Verdict verdict) {
   switch (verdict) {

@@ -24,10 +24,11 @@ std::string cell_name(const GateResult& r) {
 std::string details(const GateResult& r) {
   return fmt::format(
       "gate: {}\npatch: {}\nclass: {}\nmethod: {}\nverdict: {}\nvalue: {}\n95 % interval: {}\n"
-      "limit: {}\nbaseline: {}\nn: {}\ncoverage: {}\n{}\n",
+      "clusters: {}\nbound: {}\nlimit: {}\nbaseline: {}\nn: {}\ncoverage: {}\n{}\n",
       r.rule, r.patch, r.line_class.empty() ? kNoValue : std::string_view(r.line_class), r.method,
       name(r.verdict), number(r.value),
       r.ci95 ? fmt::format("{} - {}", number(r.ci95->low), number(r.ci95->high)) : "-",
+      r.n_clusters > 0 ? std::to_string(r.n_clusters) : std::string(kNoValue), name(r.bound),
       number(r.limit), number(r.baseline), r.n, number(r.evaluated_share), r.explanation);
 }
 
@@ -157,6 +158,8 @@ std::string to_json(const GateReport& report) {
                      {"decided_by", r.decided_by ? Json(name(*r.decided_by)) : Json(nullptr)},
                      {"value", number_json(r.value)},
                      {"ci95", interval_json(r.ci95)},
+                     {"n_clusters", r.n_clusters > 0 ? Json(r.n_clusters) : Json(nullptr)},
+                     {"bound", name(r.bound)},
                      {"limit", number_json(r.limit)},
                      {"baseline", number_json(r.baseline)},
                      {"n", r.n},

@@ -16,6 +16,7 @@ namespace {
 constexpr MetricUnit kInMetres = MetricUnit::kMetres;
 constexpr MetricUnit kAsShare = MetricUnit::kShare;
 constexpr bool kIsSigned = true;
+constexpr std::string_view kRmsMetric = "rms_m";
 
 struct AccuracyMetric {
   Metric metric;
@@ -23,7 +24,7 @@ struct AccuracyMetric {
 };
 
 constexpr std::array kAccuracyMetrics{
-    AccuracyMetric{{"rms_m", "RMS of the lines' mean distances to their planes", kInMetres},
+    AccuracyMetric{{kRmsMetric, "RMS of the lines' mean distances to their planes", kInMetres},
                    [](const Summary& s) { return s.rms_m; }},
     AccuracyMetric{{"rms_length_weighted_m", "the same, each line with its length", kInMetres},
                    [](const Summary& s) { return s.rms_length_weighted_m; }},
@@ -106,6 +107,14 @@ constexpr std::array kBuildingMetrics{BuildingMetric{
     {"buildings_within_m", "share of the buildings whose lines have an RMS of within_m at most",
      kAsShare}}};
 
+struct DecoyMetric {
+  Metric metric;
+};
+
+constexpr std::array kDecoyMetrics{DecoyMetric{
+    {"decoy_share", "share of the lines moved by distance_m on purpose that pass within 0.2 m",
+     kAsShare}}};
+
 template <typename Entries>
 std::vector<Metric> metrics_of(const Entries& entries) {
   return transformed(entries, [&](const auto& entry) { return entry.metric; });
@@ -138,11 +147,14 @@ std::vector<Metric> track_metrics() { return metrics_of(kTrackMetrics); }
 
 std::vector<Metric> building_metrics() { return metrics_of(kBuildingMetrics); }
 
+std::vector<Metric> decoy_metrics() { return metrics_of(kDecoyMetrics); }
+
 std::optional<Metric> find_metric(std::string_view name) {
   if (const auto* entry = find_entry(kAccuracyMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kMatchingMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kTrackMetrics, name)) return entry->metric;
   if (const auto* entry = find_entry(kBuildingMetrics, name)) return entry->metric;
+  if (const auto* entry = find_entry(kDecoyMetrics, name)) return entry->metric;
   return std::nullopt;
 }
 
@@ -150,6 +162,12 @@ bool is_track_metric(std::string_view name) { return find_entry(kTrackMetrics, n
 
 bool is_building_metric(std::string_view name) {
   return find_entry(kBuildingMetrics, name) != nullptr;
+}
+
+bool is_decoy_metric(std::string_view name) { return find_entry(kDecoyMetrics, name) != nullptr; }
+
+bool has_clustered_interval(std::string_view name) {
+  return name == kRmsMetric || is_decoy_metric(name);
 }
 
 bool is_matching_metric(std::string_view name) {
@@ -173,7 +191,7 @@ std::size_t metric_count(const TrackCounts& counts, std::string_view metric) {
 }
 
 std::optional<Interval> metric_interval(const Summary& summary, std::string_view metric) {
-  if (entry_of(kAccuracyMetrics, metric).metric.name != "rms_m") return std::nullopt;
+  if (entry_of(kAccuracyMetrics, metric).metric.name != kRmsMetric) return std::nullopt;
   return summary.ci95_m;
 }
 

@@ -33,11 +33,17 @@ std::vector<Metric> track_metrics();
 /// Figures of buildings, whose lines name them: buildings_within_m.
 std::vector<Metric> building_metrics();
 
+/// Figures of lines that were moved on purpose: decoy_share.
+std::vector<Metric> decoy_metrics();
+
 /// A metric of any kind by its name; empty if there is none.
 std::optional<Metric> find_metric(std::string_view name);
 bool is_matching_metric(std::string_view name);
 bool is_track_metric(std::string_view name);
 bool is_building_metric(std::string_view name);
+bool is_decoy_metric(std::string_view name);
+/// Whether the figure has an interval by a bootstrap over clusters.
+bool has_clustered_interval(std::string_view name);
 
 /// The figure of a class by the name of its metric; empty if the class does not have it.
 /// Throws std::invalid_argument for a name that is not in accuracy_metrics().

@@ -26,6 +26,8 @@ std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations)
     std::erase_if(evaluation.lines, [&](const LineEvaluation& line) {
       return line.status != Status::kEvaluated || n_evaluated[line.id] != evaluations.size();
     });
+    evaluation.decoys.clear();
+    evaluation.elsewhere.reset();
     evaluation = with_summaries(std::move(evaluation));
   }
   return result;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "evaluate/line_evaluation.h"
+#include "evaluate/statistics/cloud_following.h"
 #include "evaluate/statistics/constant_shift.h"
+#include "evaluate/statistics/decoy_figures.h"
 #include "evaluate/statistics/summary.h"
 
 #include <Eigen/Core>
@@ -23,13 +25,17 @@ struct Evaluation {
   std::vector<Summary> classes;       ///< see summarize_classes()
   /// Of the lines as they were given; nothing if none of them was judged.
   std::optional<ConstantShift> shift{};
+  /// Of lines that were moved on purpose and judged again; empty if none were.
+  std::vector<DecoyFigure> decoys{};
+  std::optional<CloudFollowing>
+      elsewhere{};  ///< of the same lines far off; nothing if none were moved
 };
 
 /// `evaluation` with `classes` computed from its lines and options.
 Evaluation with_summaries(Evaluation evaluation);
 
 /// The evaluations cut down to the lines, by id, that are `evaluated` in all of them: the paired
-/// line set on which methods are compared. Summaries are computed anew.
+/// line set on which methods are compared. Summaries are computed anew; decoys, which are of all lines, are left out.
 /// Throws std::invalid_argument if they are not all of one patch.
 std::vector<Evaluation> on_common_lines(std::span<const Evaluation> evaluations);
 

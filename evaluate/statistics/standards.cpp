@@ -88,7 +88,7 @@ NssdaFigures nssda_of(const AsprsFigures& asprs) {
   return {kHorizontal * *asprs.rmse_horizontal_m, kVertical * *asprs.rmse_vertical_m};
 }
 
-std::optional<double> mean_of(const std::vector<double>& values) {
+std::optional<double> mean_value_of(const std::vector<double>& values) {
   if (values.empty()) return std::nullopt;
   return sum(values) / static_cast<double>(values.size());
 }
@@ -106,8 +106,8 @@ std::vector<IsoMeasure> measures_of(const std::vector<const LineEvaluation*>& li
   const auto n_gross = static_cast<double>(
       std::ranges::count_if(errors_m, [&](double e) { return e > options.gross_m; }));
   const std::size_t n = s.n_evaluated;
-  return {{28, "mean value of positional uncertainties", mean_of(errors_m), "m", n},
-          {29, "the same without outliers", mean_of(kept_m), "m", kept_m.size()},
+  return {{28, "mean value of positional uncertainties", mean_value_of(errors_m), "m", n},
+          {29, "the same without outliers", mean_value_of(kept_m), "m", kept_m.size()},
           {30, "number of positional uncertainties above the gross limit", n_gross, "count", n},
           {31, "rate of positional uncertainties above the gross limit", s.gross_share, "1", n},
           {33, "LE50: half of the distances are not larger", s.median_m, "m", n},

@@ -4,6 +4,7 @@
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/standards.h"
 #include "evaluate/statistics/strata.h"
+#include "evaluate/tables/decoy_json.h"
 #include "evaluate/tables/shift_json.h"
 #include "evaluate/tables/summary_json.h"
 #include "evaluate/tables/table2.h"
@@ -195,6 +196,8 @@ Json evaluation_json(const Evaluation& evaluation) {
           {"origin_m", vector_json(evaluation.origin_m)},
           {"options", options_json(evaluation.options)},
           {"shift", shift_json(evaluation.shift)},
+          {"decoys", decoys_json(evaluation.decoys)},
+          {"elsewhere", following_json(evaluation.elsewhere)},
           {"summary", std::move(summary)},
           {"accuracy", accuracy_json(evaluation)},
           {"standards", standards_json(evaluation)},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate/tables/decoy_json.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_json.h"
 #include "evaluate/tables/summary_json.h"
@@ -216,6 +217,8 @@ Evaluation parse_evaluation(std::string_view json) {
   evaluation.origin_m = vector(root, "origin_m");
   evaluation.options = parse_options(member(root, "options"));
   if (root.contains("shift")) evaluation.shift = parse_shift(root["shift"]);
+  if (root.contains("decoys")) evaluation.decoys = parse_decoys(root["decoys"]);
+  if (root.contains("elsewhere")) evaluation.elsewhere = parse_following(root["elsewhere"]);
   const Json& lines = array(root, "lines");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     try {

@@ -114,12 +114,20 @@ class GatesReader {
     return name;
   }
 
+  [[nodiscard]] std::optional<std::string> bound(const YAML::Node& map) const {
+    std::optional<std::string> bound = text(map, "bound");
+    if (bound && bound != "point" && bound != "upper95") {
+      fail(map["bound"], "bound: " + *bound + "; must be point or upper95");
+    }
+    return bound;
+  }
+
   [[nodiscard]] GateEntry entry(const YAML::Node& map) const {
     if (!map.IsMap())
       fail(map, "a gate must be a map such as {class: total, metric: rms_m, max: 0.3}");
     check_keys(map, {"patch", "method", "class", "metric", "n_images", "decided_by", "within_m",
-                     "max", "min", "max_ratio_to", "ratio", "max_increase_over_baseline",
-                     "max_decrease_below_baseline", "n_min"});
+                     "kind", "distance_m", "bound", "max", "min", "max_ratio_to", "ratio",
+                     "max_increase_over_baseline", "max_decrease_below_baseline", "n_min"});
     GateEntry entry;
     entry.line = map.Mark().line + 1;
     entry.patch = text(map, "patch");
@@ -129,6 +137,9 @@ class GatesReader {
     entry.decided_by = text(map, "decided_by");
     entry.metric = text(map, "metric");
     entry.within_m = number(map, "within_m");
+    entry.kind = text(map, "kind");
+    entry.distance_m = number(map, "distance_m");
+    entry.bound = bound(map);
     entry.max = number(map, "max");
     entry.min = number(map, "min");
     entry.max_ratio_to_class = ratio_class(map);

@@ -25,10 +25,12 @@ struct GateEntry {
   std::optional<int> n_images;
   std::optional<std::string> decided_by;
   std::optional<double> within_m;
+  std::optional<std::string> kind, bound;
+  std::optional<double> distance_m;
   std::optional<int> n_min;  ///< the entry's own, else the file's
 };
 
-/// Reads a YAML file {n_min, gates: [{class, n_images, decided_by, within_m, patch, method, metric, max, min, max_ratio_to: {class},
+/// Reads a YAML file {n_min, gates: [{class, n_images, decided_by, within_m, kind, distance_m, bound, patch, method, metric, max, min, max_ratio_to: {class},
 /// ratio, max_increase_over_baseline, max_decrease_below_baseline, n_min}, ...]}; n_min beside
 /// `gates` is that of every entry without one.
 /// Throws IoError for a file that cannot be read or is not YAML, an unknown or repeated key (naming

@@ -4,6 +4,7 @@
 #include "evaluate/statistics/frame_check.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/error.h"
+#include "io/results/judge_decoys.h"
 #include "io/results/judged_lines.h"
 #include "io/results/judged_map.h"
 #include "io/results/line_shift.h"
@@ -217,7 +218,9 @@ JudgedFiles finish_judging(PreparedLines prepared,
   LineSets& lines = prepared.lines;
   LineShifts shifts = shifts_of(batches, lines, judged.line_sets, options, cloud);
   if (options.apply_shift && apply_shifts(shifts, lines)) {
-    batches = judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U);
+    batches = batches.decoys.empty()
+                  ? judge_in_batches(cloud, lines, options.judge, options.cloud_memory_mib << 20U)
+                  : judge_with_decoys(cloud, lines, options);
   }
   const io::PointCloud& facts = batches.readings.cloud;
   record.set("cloud", cloud_facts(batches.readings, cloud));
@@ -237,6 +240,11 @@ JudgedFiles finish_judging(PreparedLines prepared,
     judged.evaluations.push_back(evaluation_of(judged.line_sets[i], std::move(batches.results[i]),
                                                shifts[i], judged.frame, options));
     refuse_foreign_frame(judged.evaluations.back(), judged.line_sets[i], cloud);
+    if (!batches.decoys.empty()) {
+      add_decoys(batches.decoys[i], lines[i], judged.evaluations.back());
+      check_follows_cloud(judged.evaluations.back(), judged.line_sets[i].path, options,
+                          judged.warnings);
+    }
     add_value_warnings(judged.line_sets[i], judged.evaluations.back(), options.cloud.strict,
                        judged.warnings);
     judged.truth.push_back(

@@ -29,6 +29,10 @@ evaluate::Gate gate_of(const io::GateEntry& entry) {
   if (entry.decided_by) gate.decided_by = decided_group_named(*entry.decided_by);
   gate.within_m = entry.within_m;
   if (entry.metric) gate.metric = *entry.metric;
+  gate.kind = entry.kind;
+  gate.distance_m = entry.distance_m;
+  if (entry.bound == name(evaluate::GateBound::kUpper95))
+    gate.bound = evaluate::GateBound::kUpper95;
   gate.max = entry.max;
   gate.min = entry.min;
   gate.max_ratio_to_class = entry.max_ratio_to_class;

@@ -26,6 +26,9 @@ constexpr std::string_view kKeys =
 #           tables), or points and place (points_place); all that were judged if left out
 #   within_m  of buildings_within_m: the largest RMS of a building's lines that is good, as in
 #           {metric: buildings_within_m, within_m: 0.20, min: 0.90}
+#   kind, distance_m  of decoy_share: height, across or match; 0.5, 1, 2 or 5, as in
+#           {metric: decoy_share, kind: height, distance_m: 1, max: 0.02}. With an interval
+#           wider than its limit the gate fails; --decoys of run and evaluate makes more.
 #   patch   the patch's id; each patch if left out
 #   method  direct, joint, network or planes; after evaluate the line file's name without extension;
 #           for the figures of matching the matcher: pairwise, chio or both. If left out:
@@ -36,6 +39,9 @@ constexpr std::string_view kKeys =
 #
 # Its rules; every one that is written must hold:
 #   max                          the figure is at most this, in m or as a share from 0 to 1
+#   bound                        of max: point, the figure itself, if left out; upper95, the upper
+#                                end of the 95 % interval, of rms_m and decoy_share. With fewer
+#                                than 10 clusters (buildings) the gate then fails.
 #   min                          it is at least this
 #   max_ratio_to: {class: NAME}  at most `ratio` times the same figure of the class NAME;
 #   ratio                        2.5 if left out
@@ -54,6 +60,9 @@ gates:
 
   # Bad lines that are left out lower the RMS, so the share of lines judged needs its own gate:
   - {class: total, metric: evaluated_share, min: 0.80}
+
+  # So that chance cannot pass it, the upper end of the interval instead:
+  # - {class: total, metric: rms_m, max: 0.35, bound: upper95}
 
   # Of lines with classes:
   # - {class: aligned, metric: rms_m, max_ratio_to: {class: not_aligned}, ratio: 2.5}
@@ -81,9 +90,11 @@ std::string list_of(const std::vector<evaluate::Metric>& metrics) {
 std::string gates_template() {
   return fmt::format(
       "{}# Metrics of lines:\n{}# Metrics of matches:\n{}# Metrics of tracks, where the patch file "
-      "names reference_tracks:\n{}# Metrics of buildings:\n{}{}",
+      "names reference_tracks:\n{}# Metrics of buildings:\n{}# Metrics of decoys, lines moved on "
+      "purpose:\n{}{}",
       kKeys, list_of(evaluate::accuracy_metrics()), list_of(evaluate::matching_metrics()),
-      list_of(evaluate::track_metrics()), list_of(evaluate::building_metrics()), kGates);
+      list_of(evaluate::track_metrics()), list_of(evaluate::building_metrics()),
+      list_of(evaluate::decoy_metrics()), kGates);
 }
 
 }  // namespace ridgeline::results

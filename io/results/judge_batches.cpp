@@ -4,6 +4,7 @@
 #include "evaluate/judge/batch_judge.h"
 #include "evaluate/judge/image_evidence.h"
 #include "io/results/point_budget.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -23,6 +24,7 @@ struct LineRef {
   std::size_t set, line;
 };
 using Batch = std::vector<LineRef>;
+using LineEvaluations = std::vector<std::vector<evaluate::LineEvaluation>>;
 
 /// The surroundings of lines: nothing else of the cloud is kept.
 class Surroundings {
@@ -72,15 +74,28 @@ std::pair<Batch, Batch> near_and_far(const LineSets& lines) {
   return {std::move(near), std::move(far)};
 }
 
+evaluate::JudgeOptions without_points(evaluate::JudgeOptions options) {
+  options.keep_points = false;
+  return options;
+}
+
 class BatchedJudge {
  public:
+  /// From `first_decoys` on the sets of lines are decoys.
   BatchedJudge(io::CloudFiles& cloud,
                const LineSets& lines,
+               std::size_t first_decoys,
                const evaluate::JudgeOptions& options,
                std::uint64_t max_points)
-      : cloud_(cloud), lines_(lines), options_(options), max_points_(max_points) {
+      : cloud_(cloud),
+        lines_(lines),
+        first_decoys_(first_decoys),
+        options_(options),
+        max_points_(max_points) {
     judges_.reserve(lines.size());
-    for (const auto& set : lines) judges_.emplace_back(set, options);
+    for (std::size_t set = 0; set < lines.size(); ++set) {
+      judges_.emplace_back(lines[set], set < first_decoys ? options : without_points(options));
+    }
   }
 
   /// Judges the lines of the batch, or of its halves one after the other.
@@ -109,15 +124,25 @@ class BatchedJudge {
   }
 
   JudgedBatches take() { return taken(&evaluate::BatchJudge::take_results); }
+  /// The results of the decoys, whose planes have no ids.
+  LineEvaluations take_decoys() {
+    LineEvaluations results;
+    for (std::size_t set = first_decoys_; set < judges_.size(); ++set) {
+      results.push_back(transformed(judges_[set].take_part(), &evaluate::JudgedResult::evaluation));
+    }
+    return results;
+  }
   /// The results of lines that are a part of all.
   JudgedBatches take_part() { return taken(&evaluate::BatchJudge::take_part); }
 
  private:
   JudgedBatches taken(std::vector<evaluate::JudgedResult> (evaluate::BatchJudge::*results_of)()) {
     readings_.read_places = cloud_.read_places();
-    JudgedBatches judged{.results = {}, .readings = std::move(readings_)};
-    judged.results.reserve(judges_.size());
-    for (evaluate::BatchJudge& judge : judges_) judged.results.push_back((judge.*results_of)());
+    JudgedBatches judged{.results = {}, .readings = std::move(readings_), .decoys = {}};
+    judged.results.reserve(first_decoys_);
+    for (std::size_t set = 0; set < first_decoys_; ++set) {
+      judged.results.push_back((judges_[set].*results_of)());
+    }
     return judged;
   }
 
@@ -151,19 +176,49 @@ class BatchedJudge {
 
   io::CloudFiles& cloud_;
   const LineSets& lines_;
+  std::size_t first_decoys_;
   const evaluate::JudgeOptions& options_;
   std::uint64_t max_points_;
   std::vector<evaluate::BatchJudge> judges_;
   CloudReadings readings_;
 };
 
-/// Judges the lines near and far, and takes the results.
-JudgedBatches judge_all(BatchedJudge judge,
-                        const std::pair<Batch, Batch>& near_and_far,
-                        JudgedBatches (BatchedJudge::*take)()) {
+void judge_all(BatchedJudge& judge, const std::pair<Batch, Batch>& near_and_far) {
   judge.judge(near_and_far.first);
   if (!near_and_far.second.empty()) judge.judge(near_and_far.second);
-  return (judge.*take)();
+}
+
+/// The sets of lines, then those of their decoys.
+LineSets with_decoys(LineSets lines, const DecoySets& decoys) {
+  for (const auto& set : decoys) lines.push_back(transformed(set, &evaluate::Decoy::line));
+  return lines;
+}
+
+/// Puts the decoys and what became of them together.
+std::vector<std::vector<evaluate::JudgedDecoy>> judged_decoys(DecoySets decoys,
+                                                              LineEvaluations results) {
+  std::vector<std::vector<evaluate::JudgedDecoy>> judged(decoys.size());
+  for (std::size_t set = 0; set < decoys.size(); ++set) {
+    for (std::size_t i = 0; i < decoys[set].size(); ++i) {
+      judged[set].push_back({std::move(decoys[set][i]), std::move(results[set][i])});
+    }
+  }
+  return judged;
+}
+
+bool has_points(const evaluate::JudgedResult& result) {
+  using evaluate::Status;
+  const Status status = result.evaluation.status;
+  return status == Status::kEvaluated || status == Status::kNoPlane ||
+         status == Status::kLowCoverage || status == Status::kAmbiguous;
+}
+
+/// Whether no line has points near it. Those that were read may be near decoys only.
+bool all_lie_elsewhere(const JudgedBatches& judged) {
+  if (judged.readings.n_kept == 0) return true;
+  if (judged.decoys.empty()) return false;
+  return std::ranges::none_of(judged.results,
+                              [](const auto& set) { return std::ranges::any_of(set, has_points); });
 }
 
 }  // namespace
@@ -195,27 +250,33 @@ void add(CloudReadings part, CloudReadings& sum) {
 JudgedBatches judge_in_batches(io::CloudFiles& cloud,
                                const LineSets& lines,
                                const evaluate::JudgeOptions& options,
-                               std::uint64_t max_memory_bytes) {
-  const std::pair<Batch, Batch> batches = near_and_far(lines);
-  const auto judge = [&] {
-    return judge_all({cloud, lines, options, max_memory_bytes / kBytesPerPoint}, batches,
-                     &BatchedJudge::take);
+                               std::uint64_t max_memory_bytes,
+                               DecoySets decoys) {
+  const LineSets all = with_decoys(lines, decoys);
+  const std::pair<Batch, Batch> batches = near_and_far(all);
+  const auto judge_once = [&](DecoySets of_lines) {
+    BatchedJudge judge(cloud, all, lines.size(), options, max_memory_bytes / kBytesPerPoint);
+    judge_all(judge, batches);
+    JudgedBatches judged = judge.take();
+    judged.decoys = judged_decoys(std::move(of_lines), judge.take_decoys());
+    return judged;
   };
-  JudgedBatches judged = judge();
+  JudgedBatches judged = judge_once(decoys);
   const bool needs_points = std::ranges::any_of(batches.first, [&](const LineRef& ref) {
-    return !evaluate::refusal_of(lines[ref.set][ref.line], options);
+    return !evaluate::refusal_of(all[ref.set][ref.line], options);
   });
-  if (judged.readings.n_kept > 0 || !needs_points || cloud.unread_paths().empty()) return judged;
+  if (!all_lie_elsewhere(judged) || !needs_points || cloud.unread_paths().empty()) return judged;
   cloud.distrust_headers();  // before the lines are said to lie elsewhere
-  return judge();
+  return judge_once(std::move(decoys));
 }
 
 JudgedBatches judge_part(io::CloudFiles& cloud,
                          const LineSets& part,
                          const evaluate::JudgeOptions& options,
                          std::uint64_t max_memory_bytes) {
-  return judge_all({cloud, part, options, max_memory_bytes / kBytesPerPoint}, near_and_far(part),
-                   &BatchedJudge::take_part);
+  BatchedJudge judge(cloud, part, part.size(), options, max_memory_bytes / kBytesPerPoint);
+  judge_all(judge, near_and_far(part));
+  return judge.take_part();
 }
 
 }  // namespace ridgeline::results

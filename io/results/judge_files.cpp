@@ -3,7 +3,7 @@
 
 #include "io/error.h"
 #include "io/results/finish_judging.h"
-#include "io/results/judge_batches.h"
+#include "io/results/judge_decoys.h"
 #include "io/results/prepare_lines.h"
 #include "io/text/utf8.h"
 #include "reconstruct/geometry/transformed.h"
@@ -95,8 +95,7 @@ JudgedFiles judge_lines(LinesToJudge to_judge,
   PreparedLines prepared = prepare_lines(std::move(to_judge), cloud, options);
   check_models(prepared.judged.line_sets, options);
   record.end_stage("read_lines");
-  JudgedBatches batches =
-      judge_in_batches(cloud, prepared.lines, options.judge, options.cloud_memory_mib << 20U);
+  JudgedBatches batches = judge_with_decoys(cloud, prepared.lines, options);
   JudgedFiles judged =
       finish_judging(std::move(prepared), std::move(batches), cloud, options, record);
   judge_models(cloud, options, record, judged);

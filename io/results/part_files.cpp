@@ -92,7 +92,7 @@ void fields(auto& archive, Some<CloudReadings> auto& readings) {
 }
 
 void fields(auto& archive, Some<JudgedBatches> auto& part) {
-  auto& [results, readings] = part;
+  auto& [results, readings, decoys] = part;  // parts have no decoys
   all(archive, results, readings);
 }
 

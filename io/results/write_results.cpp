@@ -4,6 +4,7 @@
 #include "evaluate/statistics/accuracy.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
+#include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/standards_table.h"
@@ -125,13 +126,23 @@ std::vector<std::string> evaluation_names(const std::string& method) {
 }
 
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
-  std::vector<std::string> names{
-      "table2.md",    "table2.csv",           "table2.json",
-      "table2.tex",   "table2.common.md",     "table2.common.csv",
-      "run.json",     "tolerances.csv",       "tolerances.md",
-      "reference.md", "reference_errors.csv", "reference_completeness.csv",
-      "parts.csv",    "wireframe.csv",        "quality.csv",
-      "quality.xml"};
+  std::vector<std::string> names{"table2.md",
+                                 "table2.csv",
+                                 "table2.json",
+                                 "table2.tex",
+                                 "table2.common.md",
+                                 "table2.common.csv",
+                                 "run.json",
+                                 "tolerances.csv",
+                                 "tolerances.md",
+                                 "reference.md",
+                                 "reference_errors.csv",
+                                 "reference_completeness.csv",
+                                 "parts.csv",
+                                 "wireframe.csv",
+                                 "quality.csv",
+                                 "quality.xml",
+                                 "decoys.csv"};
   for (std::string& name : model_names()) names.push_back(std::move(name));
   for (const std::string& path : line_paths) {
     for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
@@ -153,7 +164,8 @@ void write_judged(const JudgedFiles& judged,
               (note.empty() ? "" : note + "\n\n") +
                   evaluate::to_markdown(evaluate::accuracy_statements(e)) + "\n" +
                   evaluate::to_markdown(evaluate::stratify(e)) +
-                  evaluate::standards_to_markdown(evaluate::standards_blocks(e)));
+                  evaluate::standards_to_markdown(evaluate::standards_blocks(e)) +
+                  evaluate::decoys_to_markdown(e));
     write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
                      judged.planes[i], i < judged.models.size() ? judged.models[i] : std::nullopt,
                      schema);
@@ -194,6 +206,11 @@ void write_tables(std::span<const Evaluation> evaluations,
   for (const std::string& moved : evaluate::moved_notes(evaluations)) note += "\n" + moved + "\n";
   write_truth(truth, note, out);
   write_quality(evaluations, truth, out);
+  if (std::ranges::any_of(evaluations, [](const Evaluation& e) { return !e.decoys.empty(); })) {
+    out.write("decoys.csv", evaluate::decoys_to_csv(evaluations));
+  } else {
+    out.remove("decoys.csv");
+  }
 }
 
 }  // namespace ridgeline::results

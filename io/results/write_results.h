@@ -38,6 +38,7 @@ void write_plane_points(const std::string& path, const JudgedFiles& judged);
 ///   tolerances.{csv,md}: precision and completeness at tolerances
 ///   reference_errors.csv, reference_completeness.csv, wireframe.csv, reference.md: if there are reference lines
 ///   quality.{csv,xml}: the measures of ISO 19157
+///   decoys.csv: if lines were moved on purpose
 void write_tables(std::span<const evaluate::Evaluation> evaluations,
                   const std::vector<TruthRows>& truth,
                   const OutputFolder& out,

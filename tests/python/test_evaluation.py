@@ -68,6 +68,33 @@ class EvaluateJudgesAsTheProgramDoes(Case):
         np.testing.assert_array_equal(lines["class_base"], ["aligned", "", ""])
 
 
+class LinesThatWereMovedOnPurpose(Case):
+    def test_are_figures_by_kind_and_distance(self):
+        result = ridgeline.evaluate(LINES, CLOUD)
+        self.assertEqual([(row["kind"], row["distance_m"]) for row in result.decoys],
+                         [(kind, distance_m) for kind in ("height", "across") for distance_m in (0.5, 1, 2, 5)])
+        for row in result.decoys:
+            self.assertGreater(row["n_decoys"], 0)
+            self.assertTrue(row["ci95"][0] <= row["share"] <= row["ci95"][1])
+        self.assertEqual([row["n_decoys"] for row in result.tables["decoys"]],
+                         [row["n_decoys"] for row in result.decoys])
+
+    def test_are_as_many_as_asked_for(self):
+        with_none = ridgeline.evaluate(LINES, CLOUD, decoys=0)
+        self.assertEqual(with_none.decoys, [])
+        self.assertNotIn("decoys", with_none.tables)
+        self.assertEqual(sum(row["n_decoys"] for row in ridgeline.evaluate(LINES, CLOUD, decoys=100).decoys), 100)
+        with self.assertRaisesRegex(ValueError, "decoys = -1"):
+            ridgeline.evaluate(LINES, CLOUD, decoys=-1)
+
+    def test_of_images_include_false_matches(self):
+        found = ridgeline.reconstruct(PATCH)
+        decoys = ridgeline.evaluate(found, CLOUD, patch=PATCH).decoys
+        self.assertEqual({row["kind"] for row in decoys}, {"height", "across", "match"})
+        gate = {"metric": "decoy_share", "kind": "match", "distance_m": 5, "max": 0.5}
+        self.assertTrue(ridgeline.gate(ridgeline.evaluate(found, CLOUD, patch=PATCH), [gate]).passed)
+
+
 class EvaluateTakesArrays(Case):
     def setUp(self):
         super().setUp()

@@ -98,6 +98,16 @@ class Result:
         return shift
 
     @cached_property
+    def decoys(self) -> list[dict[str, Any]]:
+        """How many lines pass for right ones that were moved on purpose, a dict for each kind and distance; empty for decoys=0.
+
+        kind: "height", "across" or "match"; distance_m; n_lines, n_decoys; share: of the decoys, those that come out within
+        0.2 m, with ci95; withheld_share: those that were not evaluated. It does not say how many lines are wrong (docs/method.md).
+        """
+        decoys: list[dict[str, Any]] = self.to_dict()["decoys"]
+        return decoys
+
+    @cached_property
     def buildings(self) -> list[dict[str, Any]]:
         """The buildings of a model, a dict each; empty for other line files.
 
@@ -108,7 +118,7 @@ class Result:
 
     @cached_property
     def tables(self) -> dict[str, list[dict[str, Any]]]:
-        """The tables by name, each row a dict: table2 and parts; tolerances; with reference lines reference_errors,
+        """The tables by name, each row a dict: table2 and parts; tolerances; decoys; with reference lines reference_errors,
         reference_completeness and wireframe; of models buildings, faces and kinds. Columns as in the files of that name (docs/outputs.md)."""
         return {name: [_typed(row) for row in csv.DictReader(io.StringIO(text))] for name, text in self._judged.tables()}
 
@@ -168,6 +178,7 @@ def evaluate(
     scale_to_ground: bool = False,
     apply_shift: bool = False,
     geoid: Path | None = None,
+    decoys: int | None = None,
     strict: bool = False,
     salvage: bool = False,
     vertex_pairs: bool = False,
@@ -195,6 +206,8 @@ def evaluate(
         to scale is refused.
     apply_shift: judge the lines without a shift that all have against the LIDAR planes, if it is significant (Result.shift).
     geoid: a geoid grid (.gtx, .tif) that explains a shift in height; by default what PROJ has.
+    decoys: to how many wrong places lines are moved and judged again (Result.decoys); by default half as many as lines, at
+        least 500 and at most 2,000; 0: none, and no check that the lines fit better where they lie than elsewhere.
     cloud_memory_mib: memory for points held at a time; with larger clouds, lines are judged in batches of neighbours.
     name: name of the patch in the tables; by default that of the patch file or the cloud.
     max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that of config, or 10.
@@ -226,6 +239,7 @@ def evaluate(
         "bootstrap_replicates": bootstrap_replicates,
         "bootstrap_seed": bootstrap_seed,
         "cloud_memory_mib": cloud_memory_mib,
+        "decoys": decoys,
         "geoid": None if geoid is None else os.fspath(geoid),
         "gross_m": gross_m,
         "scale_to_ground": scale_to_ground,

@@ -220,6 +220,17 @@ export interface Building {
   unexplained_share: number | null;
 }
 
+/** Lines that were moved on purpose, by kind and distance: how many of them pass for right ones. */
+export interface DecoyFigure {
+  kind: string;
+  distance_m: number;
+  n_lines: number;
+  n_decoys: number;
+  share: number | null;
+  ci95: [number, number] | null;
+  withheld_share: number | null;
+}
+
 export interface Method {
   name: string;
   options: { gross_m: number; [key: string]: unknown };
@@ -229,6 +240,8 @@ export interface Method {
   strata: Record<string, Stratum[]>;
   /** The figures by class. */
   standards?: Record<string, Standards>;
+  /** Empty if no lines were moved. */
+  decoys?: DecoyFigure[];
   lines: Line[];
   planes: Plane[];
   plane_of_point: string;

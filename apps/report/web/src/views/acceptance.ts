@@ -4,8 +4,9 @@
 import { halfSentence, headline, isOfFiles, ofPlace, placeSentence, productRows } from '../data/product';
 import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
-import { h } from '../ui/dom';
+import { h, replace } from '../ui/dom';
 import { interval, metres, percent } from '../ui/format';
+import { decoys } from './decoys';
 import { comparedFiles, lineFiles } from './line_files';
 import { Plan } from './plan';
 import { verdict } from './verdict';
@@ -78,13 +79,14 @@ export class Acceptance {
   readonly element: HTMLElement;
   private readonly plan: Plan;
   private readonly worst: WorstLines;
+  private readonly decoys = h('div', { id: 'decoys' });
 
   constructor(private readonly state: State) {
     const { report } = state;
     this.plan = new Plan(state);
     this.worst = new WorstLines(state);
     this.element = h('section', { id: 'acceptance' }, verdict(report),
-      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report)), this.plan.element, this.worst.element));
+      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report), this.decoys), this.plan.element, this.worst.element));
     this.show();
     state.onChange((now, before) => {
       if (now.patch !== before.patch || now.method !== before.method) this.show();
@@ -95,5 +97,6 @@ export class Acceptance {
   show(): void {
     this.plan.show(this.state.patch, this.state.method);
     this.worst.show(this.state.patch, this.state.method);
+    replace(this.decoys, decoys(this.state.method));
   }
 }
