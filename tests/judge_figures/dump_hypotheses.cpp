@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the hypotheses about the surface of true lines, for the fit of the weights.
+// Prints the hypotheses about the surfaces of true lines, for fit_weights.py:
+//   dump_hypotheses POINTS_PER_M2 JITTER_M village|other SEED...
+// Lines are moved in plan by up to JITTER_M, as right lines are, too.
 #include "evaluate/judge/candidate_planes.h"
 #include "evaluate/judge/point_grid.h"
 #include "evaluate/judge/surface_decision.h"
@@ -9,51 +11,75 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
-using namespace ridgeline;
-using namespace ridgeline::evaluate;
+namespace ridgeline::test {
+namespace {
 
-int main(int argc, char** argv) {
-  const double density = std::atof(argv[1]);
-  const double jitter_m = std::atof(argv[2]);
-  const test::Renderer renderer =
-      argv[3][0] == 'o' ? test::Renderer::kOther : test::Renderer::kVillage;
-  const JudgeOptions options;
-  for (int a = 4; a < argc; ++a) {
-    const test::HardSurvey survey =
-        test::hard_survey(std::strtoull(argv[a], nullptr, 10), density, renderer);
-    const auto grid =
-        PointGrid::build(survey.points.size(), [&](std::size_t i) { return survey.points[i]; });
-    for (std::size_t i = 0; i < survey.lines.size(); ++i) {
-      const auto& truth = survey.lines[i];
-      if (length(plan(truth.segment)) < 0.05 * length(truth.segment)) continue;
-      // right lines lie to a decimetre where they should, in plan as well
-      Segment3 line = truth.segment;
-      const Eigen::Vector2d along = (plan(line).end - plan(line).start).normalized();
-      const double move_m = jitter_m * std::sin(12.9898 * static_cast<double>(i + 1));
-      const Eigen::Vector3d move(-along.y() * move_m, along.x() * move_m, 0.0);
-      line = {line.start + move, line.end + move};
-      const Footprint footprint = footprint_of(line);
-      const auto zone =
-          points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
-      const auto candidates = candidate_planes(zone, footprint, options);
-      const auto hypotheses = surface_hypotheses(zone, candidates, footprint, line, {}, options);
-      for (const SurfaceHypothesis& h : hypotheses) {
-        double off = 0.0, signed_off = 0.0, nz = 0.0, sigma = 0.0;
-        for (const std::size_t k : h.planes) {
-          const SegmentPlaneDistance d = orthogonal_distance(line, candidates[k].fit.plane);
-          off += d.mean_abs / h.planes.size();
-          signed_off += d.mean / h.planes.size();
-          nz += candidates[k].fit.plane.normal().z() / h.planes.size();
-          sigma = std::max(sigma, candidates[k].fit.sigma_at(midpoint(truth.segment)));
-        }
-        fmt::print("{}_{} {} {:.3f} {} {} {:.4f} {:.4f} {:.4f} {:.4f}", argv[a], i, truth.kind,
-                   length(truth.segment), truth.planes.size(), name(h.surface), off, signed_off, nz,
-                   sigma);
-        for (const double v : h.plan) fmt::print(" {:.4f}", v);
-        fmt::print(" {:.4f}", h.accompanied);
-        fmt::print(" {:.3f} {:.3f}\n", h.heights_m.x(), h.heights_m.y());
-      }
+using evaluate::CandidatePlane;
+using evaluate::SurfaceHypothesis;
+
+/// A line moved across in plan, by up to `most_m`; the n-th line always by the same.
+Segment3 jittered(const Segment3& line, double most_m, std::size_t n) {
+  const Eigen::Vector2d along = (plan(line).end - plan(line).start).normalized();
+  const double by_m = most_m * std::sin(12.9898 * static_cast<double>(n + 1));
+  const Eigen::Vector3d move(-along.y() * by_m, along.x() * by_m, 0.0);
+  return {line.start + move, line.end + move};
+}
+
+/// Mean and signed distance, vertical part of the normal and sigma of the planes, then all terms.
+void print(const SurfaceHypothesis& h,
+           const Segment3& line,
+           const std::vector<CandidatePlane>& candidates) {
+  Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+  double sigma_m = 0.0;
+  for (const std::size_t k : h.planes) {
+    const evaluate::PlaneFit& fit = candidates[k].fit;
+    const SegmentPlaneDistance d = orthogonal_distance(line, fit.plane);
+    sums += Eigen::Vector3d(d.mean_abs, d.mean, fit.plane.normal().z()) /
+            static_cast<double>(h.planes.size());
+    sigma_m = std::max(sigma_m, fit.sigma_at(midpoint(line)));
+  }
+  fmt::print(" {} {:.4f} {:.4f} {:.4f} {:.4f}", name(h.surface), sums.x(), sums.y(), sums.z(),
+             sigma_m);
+  for (const double term : h.plan) fmt::print(" {:.4f}", term);
+  fmt::print(" {:.4f} {:.3f} {:.3f}\n", h.accompanied, h.heights_m.x(), h.heights_m.y());
+}
+
+void dump(const std::string& seed, const HardSurvey& survey, double jitter_m) {
+  const evaluate::JudgeOptions options;
+  const auto grid = evaluate::PointGrid::build(survey.points.size(),
+                                               [&](std::size_t i) { return survey.points[i]; });
+  for (std::size_t i = 0; i < survey.lines.size(); ++i) {
+    const HardLine& truth = survey.lines[i];
+    if (length(plan(truth.segment)) < 0.05 * length(truth.segment)) continue;
+    const Segment3 line = jittered(truth.segment, jitter_m, i);
+    const evaluate::Footprint footprint = evaluate::footprint_of(line);
+    const auto zone =
+        points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
+    const auto candidates = candidate_planes(zone, footprint, options);
+    for (const SurfaceHypothesis& h :
+         surface_hypotheses(zone, candidates, footprint, line, {}, options)) {
+      fmt::print("{}_{} {} {:.3f} {}", seed, i, truth.kind, length(line), truth.planes.size());
+      print(h, line, candidates);
     }
   }
 }
+
+int run(int argc, char** argv) {
+  if (argc < 5) {
+    fmt::print(stderr, "dump_hypotheses POINTS_PER_M2 JITTER_M village|other SEED...\n");
+    return 1;
+  }
+  const Renderer renderer = std::string(argv[3]) == "other" ? Renderer::kOther : Renderer::kVillage;
+  for (int i = 4; i < argc; ++i) {
+    dump(argv[i], hard_survey(std::strtoull(argv[i], nullptr, 10), std::atof(argv[1]), renderer),
+         std::atof(argv[2]));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace ridgeline::test
+
+int main(int argc, char** argv) { return ridgeline::test::run(argc, argv); }

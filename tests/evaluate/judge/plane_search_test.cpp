@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/plane_search.h"
 
+#include "evaluate/judge/plane_support.h"
 #include "tests/support/random.h"
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -39,7 +41,7 @@ TEST(SearchPlanes, FindsTheRoofThenTheGroundAndNoWall) {
        {SampleConsensus::kMsac, SampleConsensus::kRansac, SampleConsensus::kProsac}) {
     JudgeOptions options;
     options.method = method;
-    const std::vector<FoundPlane> planes = search_planes(roof_ground_wall(3), options, 42);
+    const std::vector<FoundPlane> planes = search_planes(roof_ground_wall(3), options);
     ASSERT_EQ(planes.size(), 2U) << static_cast<int>(method);
     EXPECT_NEAR(slope_rad(planes[0].fit.plane), std::atan(0.5), 0.03);
     EXPECT_NEAR(slope_rad(planes[1].fit.plane), 0.0, 0.05);
@@ -47,13 +49,12 @@ TEST(SearchPlanes, FindsTheRoofThenTheGroundAndNoWall) {
   }
 }
 
-TEST(SearchPlanes, GivesTheSameBitsForTheSameKey) {
+TEST(SearchPlanes, RefinesAPlaneUntilItsPointsStayTheSame) {
   const auto points = roof_ground_wall(5);
-  const auto a = search_planes(points, {}, line_key("17", 1));
-  const auto b = search_planes(points, {}, line_key("17", 1));
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].fit.plane.coeffs(), b[i].fit.plane.coeffs());
+  for (const FoundPlane& plane : search_planes(points, {})) {
+    const std::optional<PlaneFit> again = fit_plane(positions(plane.inliers));
+    ASSERT_TRUE(again);
+    EXPECT_EQ(plane.fit.plane.coeffs(), again->plane.coeffs());
   }
 }
 
@@ -64,7 +65,7 @@ TEST(SearchPlanes, FindsNoneInScatter) {
     const Eigen::Vector3d x(random.uniform(0, 10), random.uniform(0.2, 1.5), random.uniform(0, 9));
     points.push_back({x, x.x(), x.y(), i});
   }
-  for (const FoundPlane& plane : search_planes(points, {}, 1)) {
+  for (const FoundPlane& plane : search_planes(points, {})) {
     EXPECT_LT(plane.inliers.size(), 20U);  // a slab of a thicket, never a surface
   }
 }
@@ -72,12 +73,7 @@ TEST(SearchPlanes, FindsNoneInScatter) {
 TEST(SearchPlanes, NeedsTheStatedNumberOfPoints) {
   std::vector<ZonePoint> points = roof_ground_wall(3);
   points.resize(static_cast<std::size_t>(JudgeOptions{}.min_points) - 1);
-  EXPECT_TRUE(search_planes(points, {}, 1).empty());
-}
-
-TEST(LineKey, DependsOnTheIdAndTheSeed) {
-  EXPECT_NE(line_key("a", 1), line_key("b", 1));
-  EXPECT_NE(line_key("a", 1), line_key("a", 2));
+  EXPECT_TRUE(search_planes(points, {}).empty());
 }
 
 }  // namespace

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A line along x, 10 m, and planes beside it whose points are given.
+#include "evaluate/judge/surface_decision.h"
+
+#include "evaluate/judge/image_evidence.h"
+#include "evaluate/judge/plane_meeting.h"
+#include "tests/evaluate/judge/nadir_pair.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <vector>
+
+namespace ridgeline::evaluate {
+namespace {
+
+using Heights = std::function<double(double, double)>;
+
+constexpr double kSurfaceLength_m = 10.0;
+
+/// Points of z = height(s, t) on a regular grid of a rectangle beside the line.
+CandidatePlane surface(const Heights& height,
+                       double t_from,
+                       double t_to,
+                       double s_from = 0.0,
+                       double s_to = kSurfaceLength_m) {
+  CandidatePlane plane;
+  std::vector<Eigen::Vector3d> x;
+  for (double s = s_from; s <= s_to; s += 0.25) {
+    for (double t = t_from; t <= t_to + 1e-9; t += 0.25) {
+      x.emplace_back(s, t, height(s, t));
+      plane.beside.push_back({x.back(), s, t, 0});
+    }
+  }
+  plane.inliers = plane.beside;
+  plane.fit = fit_plane(x).value();
+  plane.coverage = coverage_along(plane.beside, kSurfaceLength_m, 0.3);
+  return plane;
+}
+
+double eave(double /*s*/, double t) { return 6.0 + 0.5 * t; }
+double meadow(double /*s*/, double /*t*/) { return 0.0; }
+
+std::vector<CandidatePlane> roof_over_ground() {
+  return {surface(eave, 0.0, 1.5), surface(meadow, -1.5, -0.25)};
+}
+
+JudgedLine line_at(double z) {
+  JudgedLine line;
+  line.segment = {{0, 0, z}, {kSurfaceLength_m, 0, z}};
+  return line;
+}
+
+SurfaceDecision decide(const std::vector<CandidatePlane>& planes,
+                       const JudgedLine& line,
+                       std::vector<ZonePoint> further_points = {},
+                       const JudgeOptions& options = {}) {
+  std::vector<ZonePoint> zone = std::move(further_points);
+  for (const CandidatePlane& plane : planes) {
+    zone.insert(zone.end(), plane.inliers.begin(), plane.inliers.end());
+  }
+  return decide_surface(zone, planes, footprint_of(line.segment), line, options);
+}
+
+TEST(DecideSurface, OfAnEaveIsItsRoofByThePlanWhereverTheLineLies) {
+  for (const double z : {6.0, 8.0, 13.0}) {
+    const SurfaceDecision decision = decide(roof_over_ground(), line_at(z));
+    ASSERT_EQ(decision.status, Status::kEvaluated) << z << decision.reason;
+    EXPECT_EQ(decision.planes, std::vector<std::size_t>{0}) << z;
+    EXPECT_EQ(decision.surface, Surface::kUpper) << z;
+    EXPECT_EQ(decision.other, Surface::kGround) << z;
+    EXPECT_EQ(decision.decided_by, DecidedBy::kPlan) << z;
+  }
+}
+
+TEST(DecideSurface, OfALineUnderAnOverhangIsTheGroundByItsPlaceAlone) {
+  // the roof goes on for half a metre beyond the line, and hides the ground as far
+  const std::vector<CandidatePlane> planes{surface(eave, -0.5, 1.5), surface(meadow, -1.5, -0.75)};
+  const SurfaceDecision decision = decide(planes, line_at(0.0));
+  ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_EQ(decision.planes, std::vector<std::size_t>{1});
+  EXPECT_EQ(decision.surface, Surface::kGround);
+  EXPECT_EQ(decision.decided_by, DecidedBy::kPlace);
+}
+
+TEST(DecideSurface, BelowTheLeastProbabilityIsAmbiguousAndNamesBothSurfaces) {
+  JudgeOptions options;
+  options.min_probability = 1.0;
+  const SurfaceDecision decision = decide(roof_over_ground(), line_at(9.0), {}, options);
+  EXPECT_EQ(decision.status, Status::kAmbiguous);
+  EXPECT_THAT(decision.reason, testing::HasSubstr("the upper surface"));
+  EXPECT_THAT(decision.reason, testing::HasSubstr("the ground"));
+  EXPECT_FALSE(decision.decided_by);
+}
+
+TEST(DecideSurface, OfTwoPlanesThatMeetIsBoth) {
+  const std::vector<CandidatePlane> planes{
+      surface([](double, double t) { return 9.0 - 0.5 * t; }, 0.0, 1.5),
+      surface([](double, double t) { return 9.0 + 0.5 * t; }, -1.5, 0.0)};
+  const SurfaceDecision decision = decide(planes, line_at(9.0));
+  ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_EQ(decision.kind, Kind::kRidge);
+  EXPECT_EQ(decision.surface, Surface::kRidge);
+  EXPECT_EQ(decision.planes, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(DecideSurface, HasTwoPlanesOfOneHeightForOneSurface) {
+  // they do not meet along the line, and give it the same distance
+  const std::vector<CandidatePlane> planes{
+      surface([](double, double t) { return 5.0 + 0.02 * t; }, 0.25, 1.5),
+      surface([](double, double t) { return 5.05 + 0.02 * t; }, -1.5, -0.25)};
+  const SurfaceDecision decision = decide(planes, line_at(5.0));
+  EXPECT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_GT(decision.probability.value_or(0.0), 0.95);
+}
+
+TEST(DecideSurface, OfABorderIsThePlaneOnItsKnownSide) {
+  JudgedLine line = line_at(3.0);
+  for (const double y : {1.0, -1.0}) {
+    line.inside = Eigen::Vector2d(0.0, y);
+    const SurfaceDecision decision = decide(roof_over_ground(), line);
+    ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+    EXPECT_EQ(decision.planes, std::vector<std::size_t>{y > 0.0 ? 0U : 1U});
+  }
+}
+
+TEST(DecideSurface, OfTheEdgeOfACarIsAnObject) {
+  std::vector<CandidatePlane> planes{surface(meadow, -1.5, -0.25),
+                                     surface([](double, double) { return 1.4; }, 0.0, 1.5)};
+  planes[1].low_object = true;
+  const SurfaceDecision decision = decide(planes, line_at(1.4));
+  EXPECT_EQ(decision.surface, Surface::kObject);
+  EXPECT_NE(decision.status, Status::kEvaluated);
+}
+
+TEST(DecideSurface, PointsAlongTheLineThatNoPlaneExplainsMakeItAnObjects) {
+  const std::vector<CandidatePlane> planes{surface(meadow, -1.5, 1.5)};
+  std::vector<ZonePoint> hedge;
+  for (double s = 0.1; s < kSurfaceLength_m; s += 0.1) {
+    const double z = 1.0 + 0.25 * std::sin(40.0 * s);
+    hedge.push_back({{s, 0.1, z}, s, 0.1, 0});
+  }
+  EXPECT_EQ(decide(planes, line_at(1.0)).status, Status::kEvaluated);
+  const SurfaceDecision decision = decide(planes, line_at(1.0), hedge);
+  EXPECT_EQ(decision.surface, Surface::kObject);
+  EXPECT_NE(decision.status, Status::kEvaluated);
+}
+
+TEST(DecideSurface, SaysThatNoPlaneAccompaniesTheLine) {
+  const SurfaceDecision decision = decide({surface(eave, 0.0, 1.5, 0.0, 3.0)}, line_at(6.0));
+  EXPECT_EQ(decision.status, Status::kLowCoverage);
+  EXPECT_THAT(decision.reason, testing::HasSubstr("33 %"));
+  EXPECT_FALSE(decision.surface);
+  EXPECT_EQ(decide({}, line_at(6.0)).status, Status::kNoPlane);
+}
+
+TEST(DecideSurface, FlagsALineInsideAPlaneAsMerged) {
+  const SurfaceDecision decision = decide({surface(meadow, -1.5, 1.5)}, line_at(0.0));
+  EXPECT_EQ(decision.flags, std::vector<std::string>{"merged"});
+}
+
+/// What three images show of a line at a height: a pair along x, and one beside it.
+ImageEvidence seen_by_three(double z) {
+  ImageEvidence images = test::seen({{0, 0, z}, {kSurfaceLength_m, 0, z}});
+  ProjectionMatrix aside;
+  aside << 10000, 0, 0, 0, 0, -10000, 0, 2e6, 0, 0, -1, 800;  // 200 m to the north
+  images.sightings.push_back({aside, project(aside, {{0, 0, z}, {kSurfaceLength_m, 0, z}})});
+  return images;
+}
+
+TEST(DecideSurface, OfALineThatThreeImagesShowIsWhereTheyShowItWhateverItsPlace) {
+  JudgedLine line = line_at(6.0);
+  line.images = seen_by_three(0.0);
+  const SurfaceDecision decision = decide(roof_over_ground(), line);
+  ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_EQ(decision.planes, std::vector<std::size_t>{1});
+  EXPECT_EQ(decision.decided_by, DecidedBy::kImages);
+}
+
+TEST(DecideSurface, OfALineThatThreeImagesShowBetweenTheSurfacesIsAnObject) {
+  JudgedLine line = line_at(3.0);
+  line.images = seen_by_three(3.0);
+  const SurfaceDecision decision = decide(roof_over_ground(), line);
+  EXPECT_EQ(decision.surface, Surface::kObject);
+  EXPECT_NE(decision.status, Status::kEvaluated);
+}
+
+TEST(HasIndependentSighting, NeedsAnImageOffTheBaseOfTheFirstTwo) {
+  ImageEvidence images = seen_by_three(0.0);
+  EXPECT_TRUE(has_independent_sighting(images));
+  images.sightings.pop_back();
+  EXPECT_FALSE(has_independent_sighting(images));
+  images.sightings.push_back({test::camera_at(300.0), images.sightings[0].px});
+  EXPECT_FALSE(has_independent_sighting(images)) << "in one flight line";
+}
+
+TEST(SightingsChiSquare, IsNoneForTheSurfaceSeenAndLimitedForAnother) {
+  constexpr double kRounding = 1e-9;
+  constexpr double kSigma_px = 1.0;
+  const ImageEvidence images = seen_by_three(2.0);
+  const auto level = [](double z) { return Plane3(Eigen::Vector3d::UnitZ(), -z); };
+  EXPECT_NEAR(sightings_chi_square(images, level(2.0), kSigma_px), 0.0, kRounding);
+  EXPECT_NEAR(sightings_chi_square(images, kSigma_px), 0.0, kRounding);
+  // the base is parallel to the line, so that only the third image tells the heights apart
+  EXPECT_NEAR(sightings_chi_square(images, level(8.0), kSigma_px), 25.0, kRounding);
+}
+
+TEST(MeetingOf, HasNoAnswerForParallelPlanesOrPlanesOnOneSide) {
+  const Footprint footprint = footprint_of(line_at(0.0).segment);
+  const auto upper = surface([](double, double t) { return 9.0 - 0.5 * t; }, 0.0, 1.5);
+  const auto lower = surface([](double, double t) { return 4.0 - 0.5 * t; }, -1.5, 0.0);
+  EXPECT_FALSE(meeting_of(upper, lower, footprint, {}));
+  const auto crossing = surface([](double, double t) { return 9.0 + 0.5 * t; }, 0.0, 1.5);
+  EXPECT_FALSE(meeting_of(upper, crossing, footprint, {}));
+}
+
+}  // namespace
+}  // namespace ridgeline::evaluate
