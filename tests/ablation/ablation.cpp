@@ -185,7 +185,7 @@ std::array<double, 2> interval(const Measure& measure, const Scenes& with, const
   return {differences[kReplicates / 40], differences[kReplicates - 1 - kReplicates / 40]};
 }
 
-/// Runs all variants on the patches; the results of each in a folder of its name. Returns their elapsed times.
+/// Runs all variants on the patches; the results of each in a folder of its name. Returns their processor times.
 std::map<std::string, double> run_variants(const fs::path& folder,
                                            const std::vector<std::string>& patches) {
   std::map<std::string, double> seconds;
@@ -198,9 +198,9 @@ std::map<std::string, double> run_variants(const fs::path& folder,
     arguments.insert(arguments.end(), patches.begin(), patches.end());
     const auto result = ridgeline::test::run_program(ridgeline::test::program(), arguments, folder);
     check(result.exit_code == 0, result.err);
-    seconds[variant.name] = result.seconds;
+    seconds[variant.name] = result.processor_s;
     std::fprintf(stderr, "%s: %s, %.1f s\n", folder.filename().c_str(), variant.name,
-                 result.seconds);
+                 result.processor_s);
   }
   return seconds;
 }
@@ -235,8 +235,9 @@ void print_set(const std::string& title,
       changes += fmt::format(" {} |", measure.name);
       rule += "--:|";
     }
-    fmt::print("\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | time s |\n{}--:|--:|--:|\n",
-               title, patches.size(), method, head, rule);
+    fmt::print(
+        "\n{}, {} scenes, `{}`\n\n{} median z² | beyond 3.29 % | processor s |\n{}--:|--:|--:|\n",
+        title, patches.size(), method, head, rule);
     const Scenes with = scenes_of(folder / kVariants[0].name, method);
     for (const Variant& variant : kVariants) {
       fmt::print("{}", row_of(variant, sum_of(scenes_of(folder / variant.name, method)),

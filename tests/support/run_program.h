@@ -22,7 +22,7 @@ inline constexpr bool kIsSanitized = RIDGELINE_IS_SANITIZED;
 struct ProgramResult {
   int exit_code = 0;  ///< 128 + n if signal n ended it, as a shell says
   std::string out, err;
-  double seconds = 0.0;
+  double processor_s = 0.0;  ///< of all threads, which other programs on the machine hardly change
   double peak_memory_mib = 0.0;
 };
 
