@@ -55,6 +55,7 @@ results::JudgeFilesOptions judge_files_options(const io::LinesBlockFile& block,
   options.scale_to_ground = block.scale_to_ground;
   options.cloud_memory_mib = given.cloud_memory_mib;
   options.geoid = given.shift.geoid;
+  options.n_decoys = 0;  // a task knows only some of the lines
   const Parameters parameters = read_parameters(given.parameters);
   options.max_aligned_angle_deg = parameters.method.estimation.lines.max_aligned_angle_deg;
   options.judge = parameters.judge;

@@ -144,22 +144,20 @@ std::string decoy_id(std::uint64_t key, DecoyKind kind, double distance_m) {
   return fmt::format("{:016x} {} {:+g} m", key, name(kind), distance_m);
 }
 
-/// One of eight sides by the line's key, the first one from there where the moved line stays in the box if there is one.
-Eigen::Vector2d side_step(std::uint64_t key,
-                          double distance_m,
-                          const Eigen::Vector2d& middle,
-                          const Eigen::AlignedBox2d& box) {
+/// The first of eight steps to all sides that keeps `x` in the box, beginning with one that the key chooses.
+std::optional<Eigen::Vector2d> step_within(const Eigen::AlignedBox2d& box,
+                                           const Eigen::Vector2d& x,
+                                           double distance_m,
+                                           std::uint64_t key) {
   constexpr std::uint64_t kSides = 8;
   const std::uint64_t first = KeyedRandom(key, 1).below(kSides);
-  const auto side = [&](std::uint64_t i) {
+  for (std::uint64_t i = 0; i < kSides; ++i) {
     const double angle =
         2.0 * std::numbers::pi * static_cast<double>((first + i) % kSides) / kSides;
-    return Eigen::Vector2d(distance_m * std::cos(angle), distance_m * std::sin(angle));
-  };
-  for (std::uint64_t i = 0; i < kSides; ++i) {
-    if (box.contains(middle + side(i))) return side(i);
+    const Eigen::Vector2d step(distance_m * std::cos(angle), distance_m * std::sin(angle));
+    if (box.contains(x + step)) return step;
   }
-  return side(0);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -227,9 +225,10 @@ std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines, const Judge
   for (std::size_t i = 0; i < std::min(kMoves, kElsewhere_m.size() * parents.size()); ++i) {
     const auto [key, number] = parents[i % parents.size()];
     const double distance_m = kElsewhere_m[(key + i / parents.size()) % kElsewhere_m.size()];
-    const Eigen::Vector2d by_m =
-        side_step(key, distance_m, midpoint(plan(lines[number].segment)), box);
-    JudgedLine line = moved_with_cameras(lines[number], by_m);
+    const std::optional<Eigen::Vector2d> step_m =
+        step_within(box, midpoint(plan(lines[number].segment)), distance_m, key);
+    if (!step_m) continue;
+    JudgedLine line = moved_with_cameras(lines[number], *step_m);
     line.id = decoy_id(key, DecoyKind::kElsewhere, distance_m);
     moved.push_back({number, DecoyKind::kElsewhere, distance_m, std::move(line)});
   }

@@ -57,7 +57,8 @@ std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,
                                const JudgeOptions& options);
 
 /// 200 lines moved in plan by one of kElsewhere_m; fewer lines by several of them. They are drawn as make_decoys() does. A
-/// line is moved to one of eight sides, if possible to one where it stays in the rectangle around all of them.
+/// line is moved to one of eight sides where it stays in the rectangle around all of them: other parts of the cloud need not
+/// be read for it. Without such a side it is not moved.
 std::vector<Decoy> move_elsewhere(std::span<const JudgedLine> lines, const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

@@ -109,6 +109,8 @@ class LinesBlock : public testing::Test {
                                        "town/tiles/*.las",
                                        "--reference-lines",
                                        "town/truth.geojson",
+                                       "--decoys",
+                                       "0",
                                        "--out",
                                        out};
     arguments.insert(arguments.end(), more.begin(), more.end());
