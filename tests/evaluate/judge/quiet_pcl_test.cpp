@@ -55,7 +55,7 @@ TEST(QuietPcl, HoldsForTheSearchOfPlanes) {
        {SampleConsensus::kMsac, SampleConsensus::kRansac, SampleConsensus::kProsac}) {
     JudgeOptions options;
     options.method = method;
-    EXPECT_EQ(printed_by([&] { EXPECT_TRUE(search_planes(points, options, 1).empty()); }), "");
+    EXPECT_EQ(printed_by([&] { EXPECT_TRUE(search_planes(points, options).empty()); }), "");
   }
 }
 

@@ -164,7 +164,8 @@ ImageEvidence seen_by_three(double z) {
   ImageEvidence images = test::seen({{0, 0, z}, {kSurfaceLength_m, 0, z}});
   ProjectionMatrix aside;
   aside << 10000, 0, 0, 0, 0, -10000, 0, 2e6, 0, 0, -1, 800;  // 200 m to the north
-  images.sightings.push_back({aside, project(aside, {{0, 0, z}, {kSurfaceLength_m, 0, z}})});
+  const Segment3 line{{0, 0, z}, {kSurfaceLength_m, 0, z}};
+  images.sightings.push_back({aside, project(aside, line)});
   return images;
 }
 
