@@ -47,7 +47,10 @@ void compare_with_references_of_a_town(benchmark::State& state) {
     JudgedLine line;
     line.segment = s;
     line.line_class = "not_aligned";
-    line.images = {cameras, {project(cameras[0], s), project(cameras[1], s)}, {-10.0, 30.0}};
+    line.images.emplace().height_range_m = {-10.0, 30.0};
+    for (const ProjectionMatrix& camera : cameras) {
+      line.images->sightings.push_back({camera, project(camera, s)});
+    }
     lines.push_back(line);
   }
   for (auto _ : state) benchmark::DoNotOptimize(compare_with_references(lines, truth));

@@ -41,9 +41,13 @@ TEST_F(Decoys, StandInEveryOutputByKindAndDistance) {
     EXPECT_GT(row["n_decoys"], 30);
     EXPECT_LE(row["ci95"][0], row["share"]);
     EXPECT_GE(row["ci95"][1], row["share"]);
-    if (row["kind"] == "height") EXPECT_LT(row["share"], 0.1) << row;
+    if (row["kind"] == "height") {
+      EXPECT_LT(row["share"], 0.1) << row;
+    }
     // a shift of 0.5 m along a roof is not seen
-    if (row["kind"] == "across" && row["distance_m"] == 0.5) EXPECT_GT(row["share"], 0.3) << row;
+    if (row["kind"] == "across" && row["distance_m"] == 0.5) {
+      EXPECT_GT(row["share"], 0.3) << row;
+    }
   }
   EXPECT_THAT(read(path("out/decoys.csv")), HasSubstr("lines.good,height,0.5,"));
   EXPECT_THAT(read(path("out/accuracy.lines.good.md")), HasSubstr("| height | 0.5 m |"));

@@ -49,7 +49,7 @@ class SampleLines {
 
 /// The results without what the number of readings decides.
 std::string bytes_of_results(const JudgedBatches& judged) {
-  return to_bytes(JudgedBatches{.results = judged.results, .decoys = {}, .readings = {}});
+  return to_bytes(JudgedBatches{.results = judged.results, .readings = {}, .decoys = {}});
 }
 
 TEST(JudgedParts, GiveTheBytesOfLinesThatAreJudgedTogether) {
