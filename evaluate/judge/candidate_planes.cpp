@@ -186,6 +186,7 @@ std::vector<ZonePoint> unexplained(std::span<const ZonePoint> zone,
 
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
+                                             const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
                                              const PointNormals& normals) {
   constexpr double kSmallestCell_m = 0.7;
@@ -205,7 +206,7 @@ std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
   add(planes_beside(zone, footprint, options, normals));
   add(search_planes(unexplained(zone, candidates, footprint, options), options, normals));
   drop_shadows(candidates, options);
-  mark_low_objects(candidates, spacing_m, options);
+  mark_low_objects(candidates, spacing_m, images, options);
   for (CandidatePlane& plane : candidates) describe_support(plane, footprint, spacing_m, options);
   if (auto ledge = search_ledge(zone, candidates, footprint, options)) {
     describe_support(*ledge, footprint, 2.0 * spacing_m, options);  // a strip has sparse points

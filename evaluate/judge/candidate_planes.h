@@ -3,7 +3,9 @@
 
 #include "evaluate/judge/plane_support.h"
 #include "evaluate/judge/point_normals.h"
+#include "evaluate/line_evaluation.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,9 +15,10 @@ namespace ridgeline::evaluate {
 /// among the points that these planes do not explain. Each is extended over its connected points of the
 /// zone and fitted again, and planes that turn out to be the same are united. A ledge along the line is
 /// added. Surfaces that let the laser through (tree canopies) are left out. Cars and the like are marked
-/// as low objects.
+/// as low objects, unless the images show that the line is their edge.
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
+                                             const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
                                              const PointNormals& normals = {});
 

@@ -2,6 +2,8 @@
 #include "evaluate/judge/judge_line.h"
 
 #include "evaluate/judge/candidate_planes.h"
+#include "evaluate/judge/doubt.h"
+#include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/image_evidence.h"
 #include "evaluate/judge/plan_hull.h"
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <iomanip>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -147,7 +148,22 @@ struct Surroundings {
   std::vector<ZonePoint> zone;
   std::vector<CandidatePlane> candidates;
   SurfaceDecision decision;
+
+  [[nodiscard]] bool is_contradicted(const std::optional<ImageEvidence>& images) const {
+    return decision.status == Status::kEvaluated &&
+           evaluate::is_contradicted(candidates, decision, images);
+  }
 };
+
+SurfaceDecision decide(const Surroundings& around,
+                       const JudgedLine& line,
+                       const JudgeOptions& options) {
+  const auto& [footprint, zone, candidates, decision] = around;
+  if (options.surface_by_evidence) {
+    return decide_surface(zone, candidates, footprint, line, options);
+  }
+  return {decide_edge(candidates, footprint, options, line.images, line.inside)};
+}
 
 Surroundings surroundings(const PointSearch& search,
                           const JudgedLine& line,
@@ -162,53 +178,46 @@ Surroundings surroundings(const PointSearch& search,
       static_cast<std::size_t>(options.min_points)) {
     return around;
   }
-  around.candidates = candidate_planes(around.zone, footprint, options, search.normals());
-  around.decision = decide_surface(around.zone, around.candidates, footprint, line, options);
+  const auto images = options.surface_by_evidence ? std::nullopt : line.images;
+  around.candidates = candidate_planes(around.zone, footprint, images, options, search.normals());
+  around.decision = decide(around, line, options);
   return around;
 }
 
-/// The surroundings where the base ray of the line meets the cloud, so that all methods meet the same points; those of
-/// the line's own plan view if there is no image, if the ray meets no surface, or if they decide and the others do not:
-/// a ray that passes the edge of a roof between two points of the cloud ends on the ground, a metre aside for a house of 8 m.
+/// The surroundings of the line's own plan view, if the images show the line on the planes there. They are
+/// needed when a ray passes the edge of a roof between two points of the cloud: it then ends on the ground,
+/// a metre aside for a house of 8 m. A line at a wrong height gains by this only if chance brings it within
+/// two pixels of a plane.
+std::optional<Surroundings> seen_where_it_lies(const PointSearch& search,
+                                               const JudgedLine& line,
+                                               const JudgeOptions& options) {
+  Surroundings own = surroundings(search, line, footprint_of(line.segment), options);
+  if (own.decision.status != Status::kEvaluated) return std::nullopt;
+  for (const std::size_t i : own.decision.planes) {
+    const double cost = image_cost_parts(*line.images, own.candidates[i].fit.plane).across;
+    if (!(cost <= kImageMargin)) return std::nullopt;
+  }
+  own.decision.flags = {"seen_instead"};
+  return own;
+}
+
+/// The image segment on the LIDAR surface is the footprint, so that all methods meet the same points. The line itself is
+/// the footprint if there is no image, if the rays meet no surface, or if the images show the line where it lies and not
+/// there.
 Surroundings surroundings(const PointSearch& search,
                           const JudgedLine& line,
                           const JudgeOptions& options) {
   const std::optional<Segment3> seen = line.images ? monoplot(search, *line.images) : std::nullopt;
-  if (seen) {
-    Surroundings around = surroundings(search, line, footprint_of(*seen), options);
-    if (around.decision.status == Status::kEvaluated) return around;
+  Surroundings around =
+      surroundings(search, line, footprint_of(seen ? *seen : line.segment), options);
+  if (!seen) return around;
+  if (!options.surface_by_evidence) {
+    if (!around.is_contradicted(line.images)) return around;
+    auto own = seen_where_it_lies(search, line, options);
+    return own ? std::move(*own) : std::move(around);
   }
+  if (around.decision.status == Status::kEvaluated) return around;
   return surroundings(search, line, footprint_of(line.segment), options);
-}
-
-/// The largest standard deviation of a chosen plane at the middle of the line.
-double largest_sigma_m(std::span<const CandidatePlane> candidates,
-                       std::span<const std::size_t> planes,
-                       const Footprint& footprint) {
-  const Eigen::Vector2d middle = footprint.middle();
-  double largest = 0.0;
-  for (const std::size_t i : planes) {
-    const PlaneFit& fit = candidates[i].fit;
-    const Eigen::Vector3d on_plane(middle.x(), middle.y(), height_at(fit.plane, middle));
-    largest = std::max(largest, fit.sigma_at(on_plane));
-  }
-  return largest;
-}
-
-/// A reason for doubt if a chosen plane is known less well at the middle of the line than from three laser points there.
-std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
-                                                   std::span<const std::size_t> planes,
-                                                   const Footprint& footprint,
-                                                   const JudgeOptions& options) {
-  // a plane must be known as well as by this many laser points on the line; three make a plane
-  constexpr double kFewestPoints = 3.0;
-  const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
-  const double sigma_m = largest_sigma_m(candidates, planes, footprint);
-  if (sigma_m <= known_to_m) return std::nullopt;
-  std::ostringstream reason;
-  reason << std::setprecision(3) << "its plane is known to " << sigma_m
-         << " m at the line, must be known to " << known_to_m << " m";
-  return reason.str();
 }
 
 LineEvaluation undecided(const JudgedLine& line) {
@@ -283,9 +292,10 @@ JudgedResult judge_line(const PointSearch& search,
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));
   }
-  if (auto doubt = reason_too_little_known(candidates, decision.planes, footprint, options)) {
-    return ended(std::move(e), Status::kAmbiguous, std::move(*doubt));
-  }
+  auto doubt = options.surface_by_evidence
+                   ? reason_too_little_known(candidates, decision, footprint, options)
+                   : reason_for_doubt(zone, candidates, decision, footprint, line.images, options);
+  if (doubt) return ended(std::move(e), Status::kAmbiguous, std::move(*doubt));
   e.decided_by = decision.decided_by;
   if (decision.kind == Kind::kRidge) {
     separate_at_intersection(candidates[decision.planes[0]], candidates[decision.planes[1]]);
@@ -307,7 +317,7 @@ JudgedResult judge_line(const PointSearch& search,
   if (e.kind == Kind::kRidge) {
     compare_with_intersection(e, line.segment);
     // each plane rests on the points of its own side only, which may be few
-    if (!reason_too_little_known(candidates, decision.planes, footprint, options)) {
+    if (!reason_too_little_known(candidates, decision, footprint, options)) {
       e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
                                           {e.planes[0].sigma_m, e.planes[1].sigma_m});
     }

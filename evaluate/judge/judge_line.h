@@ -35,10 +35,11 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
 
 /// The method (Ok et al. 2011, section 4) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over
-/// their connected points -> the surface that the line is an edge of (decide_surface()): one plane of a step, two of a
-/// ridge -> average orthogonal distance.
-/// The corridor lies where the image segment of the line meets the cloud, so that all methods meet the same points, or
-/// where the line does if no surface is decided on there.
+/// their connected points -> step edge (one plane) or ridge (two) -> average orthogonal distance.
+/// The corridor lies where the image segment of the line meets the cloud. If the images show the line on
+/// no plane there, it lies where the line does, provided that the images show it on the plane there (flag
+/// `seen_instead`). A line with a reason_for_doubt() is ambiguous. With JudgeOptions::surface_by_evidence
+/// decide_surface() decides on the planes, there or else where the line lies.
 /// Every line gets a status; a bad line never throws.
 JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/judge/low_objects.h"
 
+#include "evaluate/judge/image_evidence.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,14 +41,23 @@ bool is_low_object(const CandidatePlane& object,
          kOtherSide * static_cast<double>(std::max(left, right));
 }
 
+bool images_prefer(const CandidatePlane& object,
+                   const CandidatePlane& base,
+                   const std::optional<ImageEvidence>& images) {
+  return images &&
+         image_cost(*images, base.fit.plane) - image_cost(*images, object.fit.plane) > kImageMargin;
+}
+
 }  // namespace
 
 void mark_low_objects(std::vector<CandidatePlane>& candidates,
                       double spacing_m,
+                      const std::optional<ImageEvidence>& images,
                       const JudgeOptions& options) {
   for (CandidatePlane& plane : candidates) {
     plane.low_object = std::any_of(candidates.begin(), candidates.end(), [&](const auto& base) {
-      return &base != &plane && is_low_object(plane, base, spacing_m, options);
+      return &base != &plane && is_low_object(plane, base, spacing_m, options) &&
+             !images_prefer(plane, base, images);
     });
   }
 }

@@ -137,7 +137,7 @@ const char* words(Surface surface) {
 }
 
 /// Whether both sides of the line carry the plane, so that the line runs inside it.
-bool on_both_sides(const CandidatePlane& plane, const JudgeOptions& options) {
+bool runs_inside(const CandidatePlane& plane, const JudgeOptions& options) {
   const double gap = options.side_gap_m;
   const auto left =
       std::ranges::count_if(plane.beside, [&](const ZonePoint& p) { return p.t > gap; });
@@ -227,7 +227,7 @@ SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
   decision.planes = hypotheses[chosen].planes;
   decision.kind = decision.planes.size() == 2 ? Kind::kRidge : Kind::kStep;
   decision.decided_by = decided_by(chosen, hypotheses, evidence, options);
-  if (decision.kind == Kind::kStep && on_both_sides(candidates[decision.planes[0]], options)) {
+  if (decision.kind == Kind::kStep && runs_inside(candidates[decision.planes[0]], options)) {
     decision.flags.emplace_back("merged");
   }
   return decision;

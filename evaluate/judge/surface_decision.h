@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/surface_hypotheses.h"
 #include "evaluate/line_evaluation.h"
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -32,16 +32,11 @@ std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis>
                                               const std::optional<ImageEvidence>& images,
                                               const JudgeOptions& options);
 
-/// Which surface a line is an edge of.
-struct SurfaceDecision {
-  Status status = Status::kNoPlane;  ///< `evaluated`, or why no plane judges the line
-  std::string reason;
-  Kind kind = Kind::kNone;
-  std::vector<std::size_t> planes;  ///< indices of the candidates: one (step) or two (ridge)
-  std::vector<std::string> flags;
-  std::optional<Surface> surface, other;
-  std::optional<double> probability;  ///< of `surface`
-  std::optional<DecidedBy> decided_by;
+/// Which planes judge a line, and of which surface it is an edge by that. The latter is empty if decide_edge() decided.
+struct SurfaceDecision : EdgeDecision {
+  std::optional<Surface> surface{}, other{};
+  std::optional<double> probability{};  ///< of `surface`
+  std::optional<DecidedBy> decided_by{};
 };
 
 /// The most probable hypothesis. Those that lie at one height along the line are one surface, whose probabilities add up,

@@ -67,7 +67,7 @@ double beyond_line_m(const CandidatePlane& plane, const Reach& reach) {
 }
 
 /// A candidate with what its place in plan and height is to the line and to the other candidates.
-struct Placed {
+struct PlacedPlane {
   std::size_t candidate;
   Reach reach;
   double beyond_m;
@@ -75,12 +75,14 @@ struct Placed {
 };
 
 /// Share of the line over which one of the higher planes lies.
-double covered_share(const Placed& plane, std::span<const Placed> all, const Stretches& stretches) {
+double covered_share(const PlacedPlane& plane,
+                     std::span<const PlacedPlane> all,
+                     const Stretches& stretches) {
   constexpr double kBeyond_m = 0.15;
   std::size_t n = 0;
   for (std::size_t i = 0; i < stretches.n(); ++i) {
     n += std::ranges::any_of(all,
-                             [&](const Placed& other) {
+                             [&](const PlacedPlane& other) {
                                return other.height_m > plane.height_m + kHigher_m &&
                                       other.reach.lowest_t[i] < -kBeyond_m &&
                                       other.reach.highest_t[i] > kBeyond_m;
@@ -159,10 +161,10 @@ double accompanied_share(const PointsBeside& beside,
 }
 
 /// Whether a plane has as many points to the inside of the line as to the outside.
-bool is_inside(const CandidatePlane& plane,
-               const Footprint& footprint,
-               const JudgeOptions& options,
-               const Eigen::Vector2d& inside) {
+bool lies_inside(const CandidatePlane& plane,
+                 const Footprint& footprint,
+                 const JudgeOptions& options,
+                 const Eigen::Vector2d& inside) {
   const double side = footprint.across.dot(inside) < 0.0 ? -1.0 : 1.0;
   const auto beyond_gap = [&](double sign) {
     return std::ranges::count_if(
@@ -221,9 +223,9 @@ class Hypotheses {
   [[nodiscard]] std::vector<SurfaceHypothesis> steps(
       const std::optional<Eigen::Vector2d>& inside) const {
     std::vector<SurfaceHypothesis> all;
-    for (const Placed& plane : placed_) {
+    for (const PlacedPlane& plane : placed_) {
       const CandidatePlane& candidate = candidates_[plane.candidate];
-      if (inside && !is_inside(candidate, footprint_, options_, *inside)) continue;
+      if (inside && !lies_inside(candidate, footprint_, options_, *inside)) continue;
       all.push_back(step(plane));
     }
     return all;
@@ -249,16 +251,17 @@ class Hypotheses {
   }
 
  private:
-  [[nodiscard]] SurfaceHypothesis step(const Placed& plane) const {
+  [[nodiscard]] SurfaceHypothesis step(const PlacedPlane& plane) const {
     const CandidatePlane& candidate = candidates_[plane.candidate];
-    const bool is_lower = std::ranges::any_of(
-        placed_, [&](const Placed& other) { return other.height_m > plane.height_m + kHigher_m; });
+    const bool is_lower = std::ranges::any_of(placed_, [&](const PlacedPlane& other) {
+      return other.height_m > plane.height_m + kHigher_m;
+    });
     const bool is_ground =
         is_lower &&
         std::ranges::none_of(placed_,
-                             [&](const Placed& o) { return o.height_m < plane.height_m; }) &&
+                             [&](const PlacedPlane& o) { return o.height_m < plane.height_m; }) &&
         std::ranges::any_of(
-            placed_, [&](const Placed& o) { return o.height_m > plane.height_m + kStorey_m; });
+            placed_, [&](const PlacedPlane& o) { return o.height_m > plane.height_m + kStorey_m; });
     SurfaceHypothesis h;
     h.surface = candidate.low_object ? Surface::kObject
                 : is_ground          ? Surface::kGround
@@ -294,7 +297,7 @@ class Hypotheses {
     h.plan[kMeetingDirection] = meeting.direction_rad;
     h.plan[kMeetingMissing] = 1.0 - meeting.coverage;
     h.plan[kMeetingFlat] = options_.ridge_angle_deg * kRadPerDeg / angle_rad;
-    const Placed middle{a, {}, 0.0, h.heights_m.mean()};
+    const PlacedPlane middle{a, {}, 0.0, h.heights_m.mean()};
     h.plan[kCovered] = covered_share(middle, placed_, stretches_);
     add_points(candidates_[a].fit.plane, false, h);
     return h;
@@ -304,7 +307,7 @@ class Hypotheses {
   [[nodiscard]] bool is_on_wall(const ZonePoint& p) const {
     constexpr double kUnder_m = 0.2;
     constexpr double kBeyondBorder_m = 0.3;
-    return std::ranges::any_of(placed_, [&](const Placed& plane) {
+    return std::ranges::any_of(placed_, [&](const PlacedPlane& plane) {
       return p.t > std::ranges::min(plane.reach.lowest_t) - kBeyondBorder_m &&
              p.t < std::ranges::max(plane.reach.highest_t) + kBeyondBorder_m &&
              height_at(candidates_[plane.candidate].fit.plane, p.x.head<2>()) > p.x.z() + kUnder_m;
@@ -312,10 +315,10 @@ class Hypotheses {
   }
 
   /// The terms of a plane by the next higher one.
-  void add_step_above(const Placed& plane, SurfaceHypothesis& h) const {
+  void add_step_above(const PlacedPlane& plane, SurfaceHypothesis& h) const {
     constexpr double kAtBorder_m = 0.3;
-    const Placed* next = nullptr;
-    for (const Placed& other : placed_) {
+    const PlacedPlane* next = nullptr;
+    for (const PlacedPlane& other : placed_) {
       if (other.height_m <= plane.height_m + kHigher_m) continue;
       if (next == nullptr || other.height_m < next->height_m) next = &other;
     }
@@ -338,7 +341,7 @@ class Hypotheses {
   double spacing_m_;
   Stretches stretches_;
   PointsBeside beside_;
-  std::vector<Placed> placed_;
+  std::vector<PlacedPlane> placed_;
 };
 
 }  // namespace

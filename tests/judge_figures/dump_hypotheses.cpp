@@ -57,7 +57,7 @@ void dump(const std::string& seed, const HardSurvey& survey, double jitter_m) {
     const evaluate::Footprint footprint = evaluate::footprint_of(line);
     const auto zone =
         points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
-    const auto candidates = candidate_planes(zone, footprint, options);
+    const auto candidates = candidate_planes(zone, footprint, std::nullopt, options);
     for (const SurfaceHypothesis& h :
          surface_hypotheses(zone, candidates, footprint, line, {}, options)) {
       fmt::print("{}_{} {} {:.3f} {}", seed, i, truth.kind, length(line), truth.planes.size());

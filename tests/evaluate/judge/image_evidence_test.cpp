@@ -70,15 +70,32 @@ TEST_F(OnRoof, LineFarOffAlongTheRayIsJudgedByThePlanesThatItsImageShows) {
   EXPECT_NEAR(*judged.mean_distance_m, kLift_m * roof_.normal_z(), 0.05);
 }
 
-TEST_F(OnRoof, ALineOnTheGroundBesideAnEaveIsJudgedByTheGround) {
+TEST_F(OnRoof, ImagesTellALineOnTheGroundFromTheEaveAboveIt) {
+  // 0.3 m in front of the eave in plan: without images the upper surface would be taken
   const double y = roof_.half_width_m + 0.3;
   JudgedLine line;
   line.id = "kerb";
   line.segment = {{2, y, 0}, {10, y, 0}};
+  const LineEvaluation blind = judge_line(grid_, line, {}).evaluation;
+  ASSERT_EQ(blind.status, Status::kEvaluated) << blind.reason;
+  EXPECT_THAT(blind.flags, testing::Contains("upper_plane"));
+  EXPECT_GT(*blind.mean_distance_m, 5.0);
+
+  line.images = seen(line.segment);
   const LineEvaluation judged = judge_line(grid_, line, {}).evaluation;
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
   EXPECT_LT(*judged.mean_distance_m, 0.03);
-  EXPECT_EQ(judged.decided_by, DecidedBy::kPlace);
+}
+
+TEST_F(OnRoof, CostOfTheRightPlaneIsThatOfThePixelNoise) {
+  const ImageEvidence images = seen(verge());
+  const double slope = roof_.slope;
+  const Plane3 right(Eigen::Vector3d(0, slope, 1).normalized(),
+                     -roof_.ridge_height_m() * roof_.normal_z());
+  const Plane3 ground(Eigen::Vector3d::UnitZ(), 0.0);
+  EXPECT_NEAR(image_cost(images, right), 0.0, 1e-12);
+  // 6 to 8 m of height are 20 px of parallax across this line
+  EXPECT_GT(image_cost(images, ground), 400.0);
 }
 
 /// Level ground with a row of trees along x = 0, across the base, from 2.5 to 8 m up.
@@ -100,7 +117,9 @@ TEST(JudgeAmongTrees, TheirOutlineIsNotJudgedByTheGround) {
   JudgedLine line;
   line.id = "outline";
   line.segment = {{0.2, 1, 5.0}, {0.2, 9, 5.0}};
-  EXPECT_NE(judge_line(trees(), line, {}).evaluation.status, Status::kEvaluated);
+  EXPECT_EQ(judge_line(trees(), line, {}).evaluation.status, Status::kEvaluated);
+  line.images = seen(line.segment);
+  EXPECT_EQ(judge_line(trees(), line, {}).evaluation.status, Status::kAmbiguous);
 }
 
 TEST(JudgeAmongTrees, ALineOfTheGroundBelowIsJudged) {
@@ -126,24 +145,22 @@ PointGrid car() {
   return PointGrid::build(points.size(), [&](std::size_t i) { return points[i]; });
 }
 
-LineEvaluation judged_beside_a_car(const Segment3& segment) {
+double distance_of(const Segment3& segment) {
   JudgedLine line;
   line.id = "beside a car";
   line.segment = segment;
   line.images = seen(segment);
-  return judge_line(car(), line, {}).evaluation;
+  const LineEvaluation judged = judge_line(car(), line, {}).evaluation;
+  EXPECT_EQ(judged.status, Status::kEvaluated) << judged.reason;
+  return *judged.mean_distance_m;
 }
 
-TEST(JudgeBesideACar, TheEdgeOfItsRoofIsThatOfAnObject) {
-  const LineEvaluation judged = judged_beside_a_car({{0, 0.2, 1.4}, {0, 4.0, 1.4}});
-  EXPECT_NE(judged.status, Status::kEvaluated);
-  EXPECT_EQ(judged.surface, Surface::kObject);
+TEST(JudgeBesideACar, TheEdgeOfItsRoofIsJudgedByIt) {
+  EXPECT_LT(distance_of({{0, 0.2, 1.4}, {0, 4.0, 1.4}}), 0.03);
 }
 
 TEST(JudgeBesideACar, AMarkingIsJudgedByTheGround) {
-  const LineEvaluation judged = judged_beside_a_car({{-0.3, 0.2, 0.0}, {-0.3, 4.0, 0.0}});
-  ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
-  EXPECT_LT(*judged.mean_distance_m, 0.03);
+  EXPECT_LT(distance_of({{-0.3, 0.2, 0.0}, {-0.3, 4.0, 0.0}}), 0.03);
 }
 
 constexpr double kEaves_m = 8.0;
@@ -176,6 +193,7 @@ TEST(JudgeAtABareEdge, IsByTheRoofThatTheImagesShowItOn) {
   const LineEvaluation judged = judged_at_a_bare_edge(kEaves_m);
   ASSERT_EQ(judged.status, Status::kEvaluated) << judged.reason;
   EXPECT_LT(*judged.mean_distance_m, 0.03);
+  EXPECT_THAT(judged.flags, testing::Contains("seen_instead"));
 }
 
 TEST(JudgeAtABareEdge, OfALineAtAWrongHeightIsByTheGroundThatItsRaysEndOn) {

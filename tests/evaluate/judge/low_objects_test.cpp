@@ -2,6 +2,9 @@
 // The edge of a car's roof, 1.4 m above the street, with the bonnet 0.3 m below it.
 #include "evaluate/judge/low_objects.h"
 
+#include "evaluate/judge/image_evidence.h"
+#include "tests/evaluate/judge/nadir_pair.h"
+
 #include <gmock/gmock.h>
 
 namespace ridgeline::evaluate {
@@ -26,14 +29,32 @@ CandidatePlane level(double z, double half_width_m) {
   return plane;
 }
 
+ImageEvidence seen_at(double z) { return test::seen({{0, 0, z}, {0, kObjectLength_m, z}}); }
+
 std::vector<CandidatePlane> street_roof_and_bonnet() {
   return {level(0.0, 4.0), level(kRoof_m, 0.9), level(kBonnet_m, 0.9)};
 }
 
-TEST(MarkLowObjects, TakesACarForAnObject) {
+TEST(MarkLowObjects, TakesACarForNoJudgeWithoutImages) {
   std::vector<CandidatePlane> planes = street_roof_and_bonnet();
-  mark_low_objects(planes, kSpacing_m, {});
+  mark_low_objects(planes, kSpacing_m, std::nullopt, {});
   EXPECT_FALSE(planes[0].low_object);
+  EXPECT_TRUE(planes[1].low_object);
+  EXPECT_TRUE(planes[2].low_object);
+}
+
+TEST(MarkLowObjects, KeepsTheRoofOfACarThatTheImagesShowAboveTheStreetThoughNotAboveTheBonnet) {
+  std::vector<CandidatePlane> planes = street_roof_and_bonnet();
+  const ImageEvidence images = seen_at(kRoof_m);
+  ASSERT_LT(image_cost(images, planes[2].fit.plane), kImageMargin);
+  ASSERT_GT(image_cost(images, planes[0].fit.plane), kImageMargin);
+  mark_low_objects(planes, kSpacing_m, images, {});
+  EXPECT_FALSE(planes[1].low_object);
+}
+
+TEST(MarkLowObjects, MarksACarBesideALineThatTheImagesShowOnTheStreet) {
+  std::vector<CandidatePlane> planes = street_roof_and_bonnet();
+  mark_low_objects(planes, kSpacing_m, seen_at(0.0), {});
   EXPECT_TRUE(planes[1].low_object);
   EXPECT_TRUE(planes[2].low_object);
 }
@@ -41,7 +62,7 @@ TEST(MarkLowObjects, TakesACarForAnObject) {
 TEST(MarkLowObjects, MarksTwoCarsThatHideMuchOfTheStreet) {
   // 14 m2 of cars above 18 m2 of street
   std::vector<CandidatePlane> planes{level(0.0, 4.0), level(kRoof_m, 3.0)};
-  mark_low_objects(planes, kSpacing_m, {});
+  mark_low_objects(planes, kSpacing_m, std::nullopt, {});
   EXPECT_TRUE(planes[1].low_object);
 }
 

@@ -60,8 +60,8 @@ TEST(CandidatePlanes, GivesBothSlopesOfARoofAtItsRidge) {
   const test::SampledRoof roof;
   const JudgeOptions options;
   const Footprint ridge = footprint_of({{0, 0, 0}, {roof.length_m, 0, 0}});
-  auto planes =
-      candidate_planes(zone_of(roof.sample(5.0, 0.034, 1), ridge, options), ridge, options);
+  auto planes = candidate_planes(zone_of(roof.sample(5.0, 0.034, 1), ridge, options), ridge,
+                                 std::nullopt, options);
   std::erase_if(planes, [](const CandidatePlane& p) { return p.coverage < 0.9; });  // ground ahead
   ASSERT_EQ(planes.size(), 2U);
   for (const CandidatePlane& plane : planes) {
@@ -74,7 +74,8 @@ TEST(CandidatePlanes, UnitesAPlaneFoundOnBothSides) {
   const test::SampledRoof roof;
   const JudgeOptions options;
   const Footprint inside = footprint_of({{2, 2.5, 0}, {10, 2.5, 0}});
-  EXPECT_EQ(candidate_planes(zone_of(roof.sample(5.0, 0.034, 2), inside, options), inside, options)
+  EXPECT_EQ(candidate_planes(zone_of(roof.sample(5.0, 0.034, 2), inside, options), inside,
+                             std::nullopt, options)
                 .size(),
             1U);
 }
@@ -83,8 +84,8 @@ TEST(CandidatePlanes, ExtendsThePlaneBeyondTheCorridor) {
   const test::SampledRoof roof;
   const JudgeOptions options;
   const Footprint eave = footprint_of({{0, 5, 0}, {roof.length_m, 5, 0}});
-  const auto planes =
-      candidate_planes(zone_of(roof.sample(5.0, 0.034, 3), eave, options), eave, options);
+  const auto planes = candidate_planes(zone_of(roof.sample(5.0, 0.034, 3), eave, options), eave,
+                                       std::nullopt, options);
   const auto upper = std::max_element(
       planes.begin(), planes.end(),
       [](const auto& a, const auto& b) { return a.fit.centroid.z() < b.fit.centroid.z(); });
@@ -105,7 +106,7 @@ TEST(CandidatePlanes, LeavesOutACanopy) {
   const JudgeOptions options;
   const Footprint line = along_x(8);
   for (const CandidatePlane& plane :
-       candidate_planes(zone_of(tree, line, options), line, options)) {
+       candidate_planes(zone_of(tree, line, options), line, std::nullopt, options)) {
     EXPECT_NEAR(plane.fit.centroid.z(), 0.0, 0.05);  // the ground below remains
   }
 }

@@ -62,13 +62,18 @@ SurfaceDecision decide(const std::vector<CandidatePlane>& planes,
   return decide_surface(zone, planes, footprint_of(line.segment), line, options);
 }
 
-TEST(DecideSurface, OfAnEaveIsItsRoofByThePlanWhereverTheLineLies) {
-  for (const double z : {6.0, 8.0, 13.0}) {
-    const SurfaceDecision decision = decide(roof_over_ground(), line_at(z));
+TEST(DecideSurface, OfALineOnItsEaveIsTheRoof) {
+  const SurfaceDecision decision = decide(roof_over_ground(), line_at(6.0));
+  ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_EQ(decision.planes, std::vector<std::size_t>{0});
+  EXPECT_EQ(decision.surface, Surface::kUpper);
+  EXPECT_EQ(decision.other, Surface::kGround);
+}
+
+TEST(DecideSurface, OfALineInOpenGroundIsTheGroundByThePlanWhereverTheLineLies) {
+  for (const double z : {0.0, 1.0, 7.0}) {
+    const SurfaceDecision decision = decide({surface(meadow, -1.5, 1.5)}, line_at(z));
     ASSERT_EQ(decision.status, Status::kEvaluated) << z << decision.reason;
-    EXPECT_EQ(decision.planes, std::vector<std::size_t>{0}) << z;
-    EXPECT_EQ(decision.surface, Surface::kUpper) << z;
-    EXPECT_EQ(decision.other, Surface::kGround) << z;
     EXPECT_EQ(decision.decided_by, DecidedBy::kPlan) << z;
   }
 }
@@ -115,8 +120,8 @@ TEST(DecideSurface, HasTwoPlanesOfOneHeightForOneSurface) {
 }
 
 TEST(DecideSurface, OfABorderIsThePlaneOnItsKnownSide) {
-  JudgedLine line = line_at(3.0);
   for (const double y : {1.0, -1.0}) {
+    JudgedLine line = line_at(y > 0.0 ? 6.0 : 0.0);
     line.inside = Eigen::Vector2d(0.0, y);
     const SurfaceDecision decision = decide(roof_over_ground(), line);
     ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
@@ -159,13 +164,13 @@ TEST(DecideSurface, FlagsALineInsideAPlaneAsMerged) {
   EXPECT_EQ(decision.flags, std::vector<std::string>{"merged"});
 }
 
-/// What three images show of a line at a height: a pair along x, and one beside it.
+/// What three images show of a line at a height: two aside of each other, which tell its height, and one along it.
 ImageEvidence seen_by_three(double z) {
   ImageEvidence images = test::seen({{0, 0, z}, {kSurfaceLength_m, 0, z}});
   ProjectionMatrix aside;
   aside << 10000, 0, 0, 0, 0, -10000, 0, 2e6, 0, 0, -1, 800;  // 200 m to the north
   const Segment3 line{{0, 0, z}, {kSurfaceLength_m, 0, z}};
-  images.sightings.push_back({aside, project(aside, line)});
+  images.sightings.insert(images.sightings.begin() + 1, {aside, project(aside, line)});
   return images;
 }
 
@@ -189,7 +194,7 @@ TEST(DecideSurface, OfALineThatThreeImagesShowBetweenTheSurfacesIsAnObject) {
 TEST(HasIndependentSighting, NeedsAnImageOffTheBaseOfTheFirstTwo) {
   ImageEvidence images = seen_by_three(0.0);
   EXPECT_TRUE(has_independent_sighting(images));
-  images.sightings.pop_back();
+  images.sightings.erase(images.sightings.begin() + 1);
   EXPECT_FALSE(has_independent_sighting(images));
   images.sightings.push_back({test::camera_at(300.0), images.sightings[0].px});
   EXPECT_FALSE(has_independent_sighting(images)) << "in one flight line";
@@ -202,7 +207,7 @@ TEST(SightingsChiSquare, IsNoneForTheSurfaceSeenAndLimitedForAnother) {
   const auto level = [](double z) { return Plane3(Eigen::Vector3d::UnitZ(), -z); };
   EXPECT_NEAR(sightings_chi_square(images, level(2.0), kSigma_px), 0.0, kRounding);
   EXPECT_NEAR(sightings_chi_square(images, kSigma_px), 0.0, kRounding);
-  // the base is parallel to the line, so that only the third image tells the heights apart
+  // the third image lies along the line, which does not tell the heights apart
   EXPECT_NEAR(sightings_chi_square(images, level(8.0), kSigma_px), 25.0, kRounding);
 }
 
