@@ -80,8 +80,8 @@ bool CloudFollowing::is_known() const {
 }
 
 bool CloudFollowing::is_of_another_place() const {
-  constexpr double kNoDifference = 0.1;
-  return is_known() && ci95->low <= 0.0 && ci95->high < kNoDifference;
+  constexpr double kSmallDifference = 0.15;
+  return is_known() && ci95->low <= 0.0 && ci95->high < kSmallDifference;
 }
 
 bool CloudFollowing::is_weak() const {

@@ -27,7 +27,7 @@ struct CloudFollowing {
 
   /// Whether the pairs are enough for an answer.
   [[nodiscard]] bool is_known() const;
-  /// The lines fit no better where they lie: the interval of the difference holds 0 and nothing above 0.1, so that it is not wide
+  /// The lines fit no better where they lie: the interval of the difference holds 0 and nothing above 0.15, so that it is not wide
   /// because little is known.
   [[nodiscard]] bool is_of_another_place() const;
   /// The difference is below 0.3.

@@ -182,8 +182,8 @@ TEST_F(Following, LinesThatFitHereAsOftenAsThereAreOfAnotherPlace) {
 }
 
 TEST_F(Following, LinesOfWhichTooLittleIsKnownAreWarnedOf) {
-  add(2.5, 5.0, 34);
-  add(0.0, 5.0, 2);  // 2 of 36 fit: the interval holds 0 and ends above 0.1
+  add(2.5, 5.0, 28);
+  add(0.0, 5.0, 2);  // 2 of 30 fit: the interval holds 0 and ends above 0.15
   const CloudFollowing f = result();
   EXPECT_TRUE(f.is_weak());
   EXPECT_FALSE(f.is_of_another_place());
