@@ -68,6 +68,8 @@ void check_decoys(const Gate& gate) {
         "; decoy_share is of all classes together, so class must be left out");
   check(!gate.n_images, "n_images: ", gate.n_images.value_or(0),
         "; decoy_share is of lines of any number of images, so n_images must be left out");
+  check(!gate.decided_by,
+        "decided_by: decoy_share is of all lines that were judged, so decided_by must be left out");
   check(!gate.max_ratio_to_class,
         "max_ratio_to: decoy_share has no classes to relate to each other");
 }
