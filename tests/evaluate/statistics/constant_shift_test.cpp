@@ -240,7 +240,7 @@ TEST(FigureOfShift, StandsInEveryTableOfMovedLines) {
   evaluation.shift->applied = true;
   for (const std::string& text : texts()) EXPECT_THAT(text, HasSubstr("moved"));
   EXPECT_THAT(texts()[0], HasSubstr("moved by x -0.300, y 0.200, z -0.450 m"));
-  EXPECT_THAT(texts()[3], HasSubstr("q95_m,moved_x_m,moved_y_m,moved_z_m\n"));
+  EXPECT_THAT(texts()[3], HasSubstr("rms_points_place_m,moved_x_m,moved_y_m,moved_z_m\n"));
   EXPECT_THAT(texts()[3], HasSubstr(",-0.300,0.200,-0.450\n"));
 }
 
