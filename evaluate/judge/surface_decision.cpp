@@ -35,7 +35,7 @@ double log_place(const SurfaceHypothesis& h,
                  const JudgeOptions& options) {
   // density of a right line at its distance, in units of that of a wrong line that may be anywhere
   const double wrong =
-      kWrongDensity_per_m * options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
+      kWrongDensityPerMetre * options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
   if (h.planes.empty()) return std::log(wrong);
   return std::log(std::exp(-0.5 * place_chi_square(h, candidates, segment, options)) + wrong);
 }

@@ -46,7 +46,7 @@ inline constexpr std::array<double, kNumPlanTerms> kPlanWeights{
 inline constexpr double kAccompaniedWeight = 6.92;
 
 /// Share of wrong lines over the heights that they may have, against that of right ones.
-inline constexpr double kWrongDensity_per_m = 0.0020;
+inline constexpr double kWrongDensityPerMetre = 0.0020;
 /// Weight of a sighting's chi-square: neighbouring pixels and images err together.
 inline constexpr double kSightingWeight = 0.5;
 /// An object fits the sightings better, as it may lie where they are nearest.

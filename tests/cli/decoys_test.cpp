@@ -34,7 +34,7 @@ TEST_F(Decoys, StandInEveryOutputByKindAndDistance) {
   const ProgramResult result = evaluate("scene/lines.good.geojson", "out");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("Decoys that come out within 0.2 m"),
-                                HasSubstr("does not say how many lines are wrong")));
+                                HasSubstr("not say how many lines are wrong")));
   const json decoys = judged("out")["decoys"];
   ASSERT_EQ(decoys.size(), 8U) << "two kinds by four distances: no images are given";
   for (const json& row : decoys) {
