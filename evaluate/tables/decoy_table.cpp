@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kNote =
     "Lines were moved on purpose and judged again: so many of them would pass for right ones. This "
     "does not say how many "
-    "lines are wrong. height: up and down. across: in plan; a plane does not see a shift along "
+    "lines are wrong. height: up and down. across: in plan; a plane does not see a movement along "
     "itself, so most pass beside "
     "large roofs. match: along the rays of the first image, as a false match would put them.";
 
