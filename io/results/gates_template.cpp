@@ -26,7 +26,8 @@ constexpr std::string_view kKeys =
 #           tables), or points and place (points_place); all that were judged if left out
 #   within_m  of buildings_within_m: the largest RMS of a building's lines that is good, as in
 #           {metric: buildings_within_m, within_m: 0.20, min: 0.90}
-#   kind, distance_m  of decoy_share: height, across or match; 0.5, 1, 2 or 5, as in
+#   kind    of decoy_share: height, across or match
+#   distance_m  of decoy_share: 0.5, 1, 2 or 5, as in
 #           {metric: decoy_share, kind: height, distance_m: 1, max: 0.02}. With an interval
 #           wider than its limit the gate fails; --decoys of run and evaluate makes more.
 #   patch   the patch's id; each patch if left out
