@@ -29,7 +29,7 @@ class ErrorsAreOfTheRightKind(Case):
 
     def test_a_value_out_of_range_is_named_with_its_rule(self):
         for rule, options in ((r"lidar_sigma_m = -1, must be in \[0, 10\]", {"lidar_sigma_m": -1}),
-                              ("seed = 1.5, must be a whole number", {"seed": 1.5}),
+                              ("min_points = 10.5, must be a whole number", {"min_points": 10.5}),
                               (r"classes: 300; must be in \[0, 255\]", {"classes": [300]}),
                               ("bounds: 3 numbers", {"bounds": (1, 2, 3)}),
                               ("bounds: .* must not be inverted", {"bounds": (1, 1, 0, 0)}),
