@@ -69,7 +69,7 @@ TEST_F(Config, LeavesTheDefaultWhereTheFileSaysNothing) {
   ASSERT_EQ(judge_with("judge: {min_points: 12}\n").exit_code, 0);
   const nlohmann::json used = read_json(path("out/run.json"))["options"]["judge"];
   EXPECT_EQ(used["min_points"], 12);
-  EXPECT_EQ(used["max_iterations"], 300);
+  EXPECT_EQ(used["max_iterations"], 1000);
 }
 
 TEST_F(Config, IsAnInputThatIsRecordedAndNeverWrittenOver) {

@@ -144,6 +144,7 @@ TEST_F(ListedMetrics, WorkOnARunOrSayWhyNot) {
   std::vector<std::string> metrics =
       listed_metrics(run({"gate", "out", "--gates", "gates.yaml"}).err);
   EXPECT_EQ(std::erase(metrics, "buildings_within_m"), 1U);  // needs within_m and buildings
+  EXPECT_EQ(std::erase(metrics, "decoy_share"), 1U);         // needs kind and distance_m
   ASSERT_THAT(metrics, testing::IsSupersetOf({"rms_m", "evaluated_share_by_length", "quality"}));
   const std::string wide = gates_of(metrics, "min: -10, max: 10", "min: 0, max: 1");
   // Sample 1 has no reference tracks.
