@@ -188,7 +188,7 @@ std::optional<JudgedLine> moved_line(const JudgedLine& line, DecoyKind kind, dou
 }
 
 std::size_t default_n_decoys(std::size_t n_lines) {
-  return std::clamp(n_lines / 2, std::size_t{500}, std::size_t{2000});
+  return std::clamp(n_lines / 2, std::size_t{200}, std::size_t{2000});
 }
 
 std::vector<Decoy> make_decoys(std::span<const JudgedLine> lines,

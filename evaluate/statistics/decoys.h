@@ -45,7 +45,7 @@ struct Decoy {
 /// Throws std::invalid_argument for kElsewhere.
 std::optional<JudgedLine> moved_line(const JudgedLine& line, DecoyKind kind, double distance_m);
 
-/// How many decoys are made of `n_lines` lines unless a user says otherwise: half as many, at least 500 and at most 2,000.
+/// How many decoys are made of `n_lines` lines unless a user says otherwise: half as many, at least 200 and at most 2,000.
 std::size_t default_n_decoys(std::size_t n_lines);
 
 /// `n_decoys` decoys of lines that can be judged, fewer if there are not so many ways. A hash of a line's coordinates decides

@@ -207,7 +207,7 @@ def evaluate(
     apply_shift: judge the lines without a shift that all have against the LIDAR planes, if it is significant (Result.shift).
     geoid: a geoid grid (.gtx, .tif) that explains a shift in height; by default what PROJ has.
     decoys: to how many wrong places lines are moved and judged again (Result.decoys); by default half as many as lines, at
-        least 500 and at most 2,000; 0: none, and no check that the lines fit better where they lie than elsewhere.
+        least 200 and at most 2,000; 0: none, and no check that the lines fit better where they lie than elsewhere.
     cloud_memory_mib: memory for points held at a time; with larger clouds, lines are judged in batches of neighbours.
     name: name of the patch in the tables; by default that of the patch file or the cloud.
     max_aligned_angle_deg: lines up to this angle to the epipolar line are aligned; by default that of config, or 10.

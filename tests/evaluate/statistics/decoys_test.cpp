@@ -180,7 +180,7 @@ TEST(MakeDecoys, LeaveOutLinesThatCannotBeJudgedAndCopies) {
 }
 
 TEST(DefaultNDecoys, AreHalfWithinLimits) {
-  EXPECT_EQ(default_n_decoys(10), 500U);
+  EXPECT_EQ(default_n_decoys(10), 200U);
   EXPECT_EQ(default_n_decoys(3000), 1500U);
   EXPECT_EQ(default_n_decoys(100'000), 2000U);
 }
