@@ -137,7 +137,7 @@ struct LineEvaluation {
   Status status = Status::kNoLidar;
   std::string reason;  ///< one sentence for a status other than `evaluated`
   Kind kind = Kind::kNone;
-  std::vector<std::string> flags;    ///< merged, upper_plane, plane_ambiguous, seen_instead
+  std::vector<std::string> flags;    ///< merged
   std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
   /// What the line is most probably an edge of, and next to that; empty where no surface was looked for.
   std::optional<Surface> surface, surface_other;

@@ -2,7 +2,6 @@
 #include "evaluate/judge/candidate_planes.h"
 
 #include "evaluate/judge/ledge_search.h"
-#include "evaluate/judge/low_objects.h"
 #include "evaluate/judge/plan_hull.h"
 #include "evaluate/judge/zone_cells.h"
 
@@ -186,7 +185,6 @@ std::vector<ZonePoint> unexplained(std::span<const ZonePoint> zone,
 
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
-                                             const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
                                              const PointNormals& normals) {
   constexpr double kSmallestCell_m = 0.7;
@@ -206,7 +204,6 @@ std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
   add(planes_beside(zone, footprint, options, normals));
   add(search_planes(unexplained(zone, candidates, footprint, options), options, normals));
   drop_shadows(candidates, options);
-  mark_low_objects(candidates, spacing_m, images, options);
   for (CandidatePlane& plane : candidates) describe_support(plane, footprint, spacing_m, options);
   if (auto ledge = search_ledge(zone, candidates, footprint, options)) {
     describe_support(*ledge, footprint, 2.0 * spacing_m, options);  // a strip has sparse points

@@ -5,7 +5,6 @@
 #include "evaluate/judge/point_normals.h"
 #include "evaluate/line_evaluation.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,11 +13,9 @@ namespace ridgeline::evaluate {
 /// The planes that could judge a line. They are found among the points of each side of the line, then
 /// among the points that these planes do not explain. Each is extended over its connected points of the
 /// zone and fitted again, and planes that turn out to be the same are united. A ledge along the line is
-/// added. Surfaces that let the laser through (tree canopies) are left out. Cars and the like are marked
-/// as low objects, unless the images show that the line is their edge.
+/// added. Surfaces that let the laser through (tree canopies) are left out.
 std::vector<CandidatePlane> candidate_planes(std::span<const ZonePoint> zone,
                                              const Footprint& footprint,
-                                             const std::optional<ImageEvidence>& images,
                                              const JudgeOptions& options,
                                              const PointNormals& normals = {});
 

@@ -182,36 +182,6 @@ std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence&
   return seen;
 }
 
-ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane) {
-  constexpr double kSigmaAcross_px = 1.0;  // image line, orientation and plane together
-  constexpr double kSigmaAlong_px = 3.0;
-  constexpr double kMostAlong_px = 10.0;
-  const Segment2& base = images.sightings[0].px;
-  Segment2 other = images.sightings[1].px;
-  const ProjectionMatrix& from_base = images.sightings[0].image_from_local;
-  const ProjectionMatrix& from_other = images.sightings[1].image_from_local;
-  const Segment2 carried{project(from_other, point_on_plane(from_base, base.start, plane)),
-                         project(from_other, point_on_plane(from_base, base.end, plane))};
-  if ((carried.end - carried.start).dot(other.end - other.start) < 0.0) {
-    std::swap(other.start, other.end);
-  }
-  const Eigen::Vector2d along = (other.end - other.start).normalized();
-  ImageCost cost;
-  for (const Eigen::Vector2d& off :
-       {Eigen::Vector2d(carried.start - other.start), Eigen::Vector2d(carried.end - other.end)}) {
-    const double across_px = off.x() * along.y() - off.y() * along.x();
-    const double along_px = std::min(std::abs(off.dot(along)), kMostAlong_px);
-    cost.across += std::pow(across_px / kSigmaAcross_px, 2);
-    cost.along += std::pow(along_px / kSigmaAlong_px, 2);
-  }
-  return cost;
-}
-
-double image_cost(const ImageEvidence& images, const Plane3& plane) {
-  const ImageCost cost = image_cost_parts(images, plane);
-  return cost.across + cost.along;
-}
-
 bool has_independent_sighting(const ImageEvidence& images) {
   constexpr double kLeast_rad = 10.0 * kRadPerDeg;
   const auto centre = [&](std::size_t i) -> Eigen::Vector3d {

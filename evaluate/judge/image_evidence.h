@@ -17,23 +17,6 @@ namespace ridgeline::evaluate {
 /// if no straight line explains them, or if the result has no direction in plan.
 std::optional<Segment3> monoplot(const PointSearch& search, const ImageEvidence& images);
 
-/// The parts of image_cost(). Both count when two planes are compared. Whether the images show the line on
-/// a plane is decided by `across` alone, since the two segments need not show the same part of the line.
-struct ImageCost {
-  double across = 0.0;
-  double along = 0.0;
-};
-ImageCost image_cost_parts(const ImageEvidence& images, const Plane3& plane);
-
-/// How badly the plane explains the pair of segments, in chi-square units. The plane carries the ends of
-/// the base segment into the other image, where they are compared with the segment, across it and along
-/// it. The difference along it is limited, because an occlusion or a lack of contrast may put an end
-/// anywhere.
-double image_cost(const ImageEvidence& images, const Plane3& plane);
-
-/// Margin of image_cost() by which the images tell two planes apart.
-inline constexpr double kImageMargin = 4.0;
-
 /// Whether an image after the first two says something that they do not: its projection centre lies 10 degrees off the
 /// base of these two, seen from the first.
 bool has_independent_sighting(const ImageEvidence& images);

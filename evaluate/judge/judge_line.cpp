@@ -2,8 +2,6 @@
 #include "evaluate/judge/judge_line.h"
 
 #include "evaluate/judge/candidate_planes.h"
-#include "evaluate/judge/doubt.h"
-#include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/footprint.h"
 #include "evaluate/judge/image_evidence.h"
 #include "evaluate/judge/plan_hull.h"
@@ -148,22 +146,7 @@ struct Surroundings {
   std::vector<ZonePoint> zone;
   std::vector<CandidatePlane> candidates;
   SurfaceDecision decision;
-
-  [[nodiscard]] bool is_contradicted(const std::optional<ImageEvidence>& images) const {
-    return decision.status == Status::kEvaluated &&
-           evaluate::is_contradicted(candidates, decision, images);
-  }
 };
-
-SurfaceDecision decide(const Surroundings& around,
-                       const JudgedLine& line,
-                       const JudgeOptions& options) {
-  const auto& [footprint, zone, candidates, decision] = around;
-  if (options.surface_by_evidence) {
-    return decide_surface(zone, candidates, footprint, line, options);
-  }
-  return {decide_edge(candidates, footprint, options, line.images, line.inside)};
-}
 
 Surroundings surroundings(const PointSearch& search,
                           const JudgedLine& line,
@@ -178,46 +161,25 @@ Surroundings surroundings(const PointSearch& search,
       static_cast<std::size_t>(options.min_points)) {
     return around;
   }
-  const auto images = options.surface_by_evidence ? std::nullopt : line.images;
-  around.candidates = candidate_planes(around.zone, footprint, images, options, search.normals());
-  around.decision = decide(around, line, options);
+  around.candidates = candidate_planes(around.zone, footprint, options, search.normals());
+  around.decision = decide_surface(around.zone, around.candidates, footprint, line, options);
   return around;
 }
 
-/// The surroundings of the line's own plan view, if the images show the line on the planes there. They are
-/// needed when a ray passes the edge of a roof between two points of the cloud: it then ends on the ground,
-/// a metre aside for a house of 8 m. A line at a wrong height gains by this only if chance brings it within
-/// two pixels of a plane.
-std::optional<Surroundings> seen_where_it_lies(const PointSearch& search,
-                                               const JudgedLine& line,
-                                               const JudgeOptions& options) {
-  Surroundings own = surroundings(search, line, footprint_of(line.segment), options);
-  if (own.decision.status != Status::kEvaluated) return std::nullopt;
-  for (const std::size_t i : own.decision.planes) {
-    const double cost = image_cost_parts(*line.images, own.candidates[i].fit.plane).across;
-    if (!(cost <= kImageMargin)) return std::nullopt;
-  }
-  own.decision.flags = {"seen_instead"};
-  return own;
-}
-
 /// The image segment on the LIDAR surface is the footprint, so that all methods meet the same points. The line itself is
-/// the footprint if there is no image, if the rays meet no surface, or if the images show the line where it lies and not
-/// there.
+/// the footprint if there is no image, if the rays meet no surface, or if the line is known to lie on no surface there, which a
+/// ray may pass by between two points of the cloud.
 Surroundings surroundings(const PointSearch& search,
                           const JudgedLine& line,
                           const JudgeOptions& options) {
   const std::optional<Segment3> seen = line.images ? monoplot(search, *line.images) : std::nullopt;
   Surroundings around =
       surroundings(search, line, footprint_of(seen ? *seen : line.segment), options);
-  if (!seen) return around;
-  if (!options.surface_by_evidence) {
-    if (!around.is_contradicted(line.images)) return around;
-    auto own = seen_where_it_lies(search, line, options);
-    return own ? std::move(*own) : std::move(around);
-  }
-  if (around.decision.status == Status::kEvaluated) return around;
-  return surroundings(search, line, footprint_of(line.segment), options);
+  const bool is_on_surface =
+      around.decision.status == Status::kEvaluated && !around.decision.is_far;
+  if (!seen || is_on_surface) return around;
+  Surroundings own = surroundings(search, line, footprint_of(line.segment), options);
+  return own.decision.surface && !own.decision.is_far ? std::move(own) : std::move(around);
 }
 
 LineEvaluation undecided(const JudgedLine& line) {
@@ -292,10 +254,9 @@ JudgedResult judge_line(const PointSearch& search,
   if (decision.status != Status::kEvaluated) {
     return ended(std::move(e), decision.status, std::move(decision.reason));
   }
-  auto doubt = options.surface_by_evidence
-                   ? reason_too_little_known(candidates, decision, footprint, options)
-                   : reason_for_doubt(zone, candidates, decision, footprint, line.images, options);
-  if (doubt) return ended(std::move(e), Status::kAmbiguous, std::move(*doubt));
+  if (auto doubt = reason_too_little_known(candidates, decision.planes, footprint, options)) {
+    return ended(std::move(e), Status::kAmbiguous, std::move(*doubt));
+  }
   e.decided_by = decision.decided_by;
   if (decision.kind == Kind::kRidge) {
     separate_at_intersection(candidates[decision.planes[0]], candidates[decision.planes[1]]);
@@ -317,7 +278,7 @@ JudgedResult judge_line(const PointSearch& search,
   if (e.kind == Kind::kRidge) {
     compare_with_intersection(e, line.segment);
     // each plane rests on the points of its own side only, which may be few
-    if (!reason_too_little_known(candidates, decision, footprint, options)) {
+    if (!reason_too_little_known(candidates, decision.planes, footprint, options)) {
       e.displacement = ridge_displacement(line.segment, {e.planes[0].plane, e.planes[1].plane},
                                           {e.planes[0].sigma_m, e.planes[1].sigma_m});
     }

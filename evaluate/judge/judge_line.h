@@ -36,10 +36,8 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
 /// The method (Ok et al. 2011, section 4) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over
 /// their connected points -> step edge (one plane) or ridge (two) -> average orthogonal distance.
-/// The corridor lies where the image segment of the line meets the cloud. If the images show the line on
-/// no plane there, it lies where the line does, provided that the images show it on the plane there (flag
-/// `seen_instead`). A line with a reason_for_doubt() is ambiguous. With JudgeOptions::surface_by_evidence
-/// decide_surface() decides on the planes, there or else where the line lies.
+/// The corridor lies where the image segment of the line meets the cloud. If decide_surface()
+/// finds no surface there, it lies where the line does. A line with a reason_too_little_known() is ambiguous.
 /// Every line gets a status; a bad line never throws.
 JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,

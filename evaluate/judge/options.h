@@ -37,12 +37,7 @@ struct JudgeOptions {
   double ridge_offset_m = 1.0;
   /// Largest angle in plan between a line and the planes' intersection line.
   double ridge_direction_deg = 15.0;
-  /// Largest distance in plan between a line and the border of the plane it is judged by.
-  double step_offset_m = 0.8;
   double min_coverage = 0.5;  ///< of the line by the plane's inliers beside it
-  /// Whether the surface of a line is decided on by decide_surface() in place of decide_edge(). The three values after it
-  /// belong to it.
-  bool surface_by_evidence = false;
   /// Distance of a right line from its surface, whatever its tool states: the covariance in a judged file must not
   /// choose the surface.
   double place_sigma_m = 0.3;
@@ -73,12 +68,8 @@ struct JudgeOptions {
               "largest distance in plan from a line to the planes' intersection"},
         Field{"ridge_direction_deg", &O::ridge_direction_deg, 0.0, 90.0,
               "largest angle in plan between a line and the planes' intersection"},
-        Field{"step_offset_m", &O::step_offset_m, 0.0, 100.0,
-              "largest distance in plan from a line to the border of its plane"},
         Field{"min_coverage", &O::min_coverage, 0.0, 1.0,
               "share of the line that its plane must accompany"},
-        Field{"surface_by_evidence", &O::surface_by_evidence, false, true,
-              "weigh all evidence about the surface of a line, its place included; being tried"},
         Field{"place_sigma_m", &O::place_sigma_m, 0.001, 100.0,
               "distance of a right line from its surface, whatever its tool states"},
         Field{"sigma_edge_px", &O::sigma_edge_px, 0.01, 100.0,

@@ -4,6 +4,8 @@
 #include "evaluate/judge/plan_hull.h"
 #include "reconstruct/geometry/transformed.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,24 +20,6 @@ double median_distance(std::span<const ZonePoint> points, const Plane3& plane) {
   for (const ZonePoint& p : points) distances.push_back(plane.absDistance(p.x));
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
-/// Distance in plan from the line to the plane's points. It is the median over stretches of the line of
-/// the smallest |t|, so that one stray point does not bring a plane near.
-double nearest_along(std::span<const ZonePoint> points, double length_m, double stretch_m) {
-  const auto n = static_cast<std::size_t>(std::max(1.0, std::floor(length_m / stretch_m)));
-  std::vector<double> nearest(n, HUGE_VAL);
-  for (const ZonePoint& p : points) {
-    const double place = std::floor(p.s / length_m * static_cast<double>(n));
-    if (place < 0.0 || place >= static_cast<double>(n)) continue;
-    double& value = nearest[static_cast<std::size_t>(place)];
-    value = std::min(value, std::abs(p.t));
-  }
-  std::erase(nearest, HUGE_VAL);
-  if (nearest.empty()) return HUGE_VAL;
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
   return *middle;
 }
 
@@ -101,7 +85,24 @@ void describe_support(CandidatePlane& plane,
     }
   }
   plane.coverage = coverage_along(plane.beside, footprint.length_m, reach_m);
-  plane.nearest_m = nearest_along(plane.beside, footprint.length_m, 2.0 * reach_m);
+}
+
+std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
+                                                   std::span<const std::size_t> chosen,
+                                                   const Footprint& footprint,
+                                                   const JudgeOptions& options) {
+  // a plane must be known as well as by this many laser points on the line; three make a plane
+  constexpr double kFewestPoints = 3.0;
+  const double known_to_m = options.lidar_sigma_m / std::sqrt(kFewestPoints);
+  const Eigen::Vector2d middle = footprint.middle();
+  for (const std::size_t i : chosen) {
+    const PlaneFit& fit = candidates[i].fit;
+    const double sigma_m = fit.sigma_at({middle.x(), middle.y(), height_at(fit.plane, middle)});
+    if (sigma_m <= known_to_m) continue;
+    return fmt::format("its plane is known to {:.3g} m at the line, must be known to {:.3g} m",
+                       sigma_m, known_to_m);
+  }
+  return std::nullopt;
 }
 
 }  // namespace ridgeline::evaluate

@@ -3,7 +3,9 @@
 
 #include "evaluate/judge/plane_search.h"
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -15,9 +17,6 @@ struct CandidatePlane {
   std::vector<ZonePoint> inliers;  ///< of the zone
   std::vector<ZonePoint> beside;   ///< the inliers inside the corridor
   double coverage = 0.0;           ///< share of the line's length accompanied by `beside`
-  double nearest_m = 0.0;          ///< distance in plan from the line, median along it
-  /// Whether this is a car or a box on the ground, which explains its points but judges no line.
-  bool low_object = false;
 };
 
 /// Mean distance between neighbouring points, from n points on an area.
@@ -38,11 +37,18 @@ void trim(CandidatePlane& plane, double inlier_distance_m);
 /// The plain positions of the points.
 std::vector<Eigen::Vector3d> positions(std::span<const ZonePoint> points);
 
-/// Fills in `beside`, `coverage` and `nearest_m` from the inliers. A point stands for `reach_m` of the line
+/// Fills in `beside` and `coverage` from the inliers. A point stands for `reach_m` of the line
 /// to either side, about the distance between points.
 void describe_support(CandidatePlane& plane,
                       const Footprint& footprint,
                       double reach_m,
                       const JudgeOptions& options);
+
+/// Why planes judge no line: one is known less well at its middle, by PlaneFit::sigma_at(), than from three laser points
+/// there, as a few points off the line may happen to lie in a plane. Nothing if all are known.
+std::optional<std::string> reason_too_little_known(std::span<const CandidatePlane> candidates,
+                                                   std::span<const std::size_t> chosen,
+                                                   const Footprint& footprint,
+                                                   const JudgeOptions& options);
 
 }  // namespace ridgeline::evaluate

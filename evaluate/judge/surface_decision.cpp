@@ -29,15 +29,40 @@ double place_chi_square(const SurfaceHypothesis& h,
   return sum / static_cast<double>(h.planes.size());
 }
 
+/// Densities of the distance of a line from its surface, in units of that of a right line that lies on a plane.
+struct PlaceDensities {
+  double wrong;  ///< of a wrong line, which may be anywhere
+  double
+      object;  ///< of the edge of an object, which may be anywhere within kFarthestObject_m of a plane
+};
+
+PlaceDensities place_densities(const JudgeOptions& options) {
+  const double width_m = options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
+  return {kWrongDensityPerMetre * width_m, width_m / (2.0 * kFarthestObject_m)};
+}
+
 double log_place(const SurfaceHypothesis& h,
                  std::span<const CandidatePlane> candidates,
                  const Segment3& segment,
                  const JudgeOptions& options) {
-  // density of a right line at its distance, in units of that of a wrong line that may be anywhere
-  const double wrong =
-      kWrongDensityPerMetre * options.place_sigma_m * std::sqrt(2.0 * std::numbers::pi);
-  if (h.planes.empty()) return std::log(wrong);
-  return std::log(std::exp(-0.5 * place_chi_square(h, candidates, segment, options)) + wrong);
+  return std::log(std::exp(-0.5 * place_chi_square(h, candidates, segment, options)) +
+                  place_densities(options).wrong);
+}
+
+/// Of an object: what the cloud has no plane for lies near what it has one for, or has some points.
+double log_place_of_object(std::span<const SurfaceHypothesis> hypotheses,
+                           std::span<const CandidatePlane> candidates,
+                           const Segment3& segment,
+                           const JudgeOptions& options) {
+  const auto is_near = [&](const SurfaceHypothesis& h) {
+    return h.accompanied > 0.0 || std::ranges::any_of(h.planes, [&](std::size_t i) {
+             const double mean_m = orthogonal_distance(segment, candidates[i].fit.plane).mean;
+             return std::abs(mean_m) < kFarthestObject_m;
+           });
+  };
+  const PlaceDensities densities = place_densities(options);
+  return std::ranges::any_of(hypotheses, is_near) ? std::log(densities.object)
+                                                  : 2.0 * std::log(densities.wrong);
 }
 
 double log_images(const SurfaceHypothesis& h,
@@ -49,10 +74,10 @@ double log_images(const SurfaceHypothesis& h,
     sum += sightings_chi_square(images, candidates[i].fit.plane, options.sigma_edge_px);
   }
   if (h.planes.empty()) {
-    return kObjectSeen -
-           0.5 * kSightingWeight * sightings_chi_square(images, options.sigma_edge_px);
+    return std::log(place_densities(options).object) -
+           0.5 * sightings_chi_square(images, options.sigma_edge_px);
   }
-  return -0.5 * kSightingWeight * sum / static_cast<double>(h.planes.size());
+  return -0.5 * sum / static_cast<double>(h.planes.size());
 }
 
 constexpr std::array kOrder{DecidedBy::kPlan, DecidedBy::kImages, DecidedBy::kPoints,
@@ -92,6 +117,29 @@ double probability_of(std::size_t chosen,
     if (are_one_surface(hypotheses[chosen], hypotheses[i])) sum += p[i];
   }
   return sum;
+}
+
+/// Probability that a line lies on none of the surfaces that it may be an edge of.
+double probability_of_wrong(std::span<const SurfaceEvidence> evidence, std::span<const double> p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) sum += p[i] * evidence[i].wrong;
+  return sum;
+}
+
+/// The most probable hypothesis of the most probable surface.
+std::size_t likeliest(std::span<const SurfaceHypothesis> hypotheses,
+                      std::span<const double> p,
+                      bool objects_too) {
+  std::optional<std::size_t> best;
+  double most = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!objects_too && hypotheses[i].surface == Surface::kObject) continue;
+    const double of_surface = probability_of(i, hypotheses, p);
+    if (best && (of_surface < most || (of_surface == most && p[i] <= p[*best]))) continue;
+    best = i;
+    most = of_surface;
+  }
+  return *best;
 }
 
 /// The first kind of evidence from which on the surface stays probable, whatever is added.
@@ -179,8 +227,11 @@ std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis>
     e.points = kAccompaniedWeight * h.accompanied;
     if (seen) {
       e.images = log_images(h, candidates, *images, options);
+    } else if (h.planes.empty()) {
+      e.place = log_place_of_object(hypotheses, candidates, segment, options);
     } else {
       e.place = log_place(h, candidates, segment, options);
+      e.wrong = place_densities(options).wrong / std::exp(e.place);
     }
     all.push_back(e);
   }
@@ -198,20 +249,15 @@ SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
   const std::vector<SurfaceEvidence> evidence =
       surface_evidence(hypotheses, candidates, line.segment, line.images, options);
   const std::vector<double> p = probabilities(evidence, DecidedBy::kPlace);
-  std::vector<double> of_surface;
-  for (std::size_t i = 0; i < p.size(); ++i) of_surface.push_back(probability_of(i, hypotheses, p));
-  const double most = *std::ranges::max_element(of_surface);
-  std::size_t chosen = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (of_surface[i] >= most && (of_surface[chosen] < most || p[i] > p[chosen])) chosen = i;
-  }
+  const bool is_far = probability_of_wrong(evidence, p) >= options.min_probability;
+  const std::size_t chosen = likeliest(hypotheses, p, !is_far);
   const std::optional<std::size_t> next = next_surface(chosen, hypotheses, p);
 
   SurfaceDecision decision;
   decision.surface = hypotheses[chosen].surface;
-  decision.probability = of_surface[chosen];
+  decision.probability = probability_of(chosen, hypotheses, p);
   if (next) decision.other = hypotheses[*next].surface;
-  if (of_surface[chosen] < options.min_probability) {
+  if (!is_far && *decision.probability < options.min_probability) {
     decision.status = Status::kAmbiguous;
     decision.reason =
         fmt::format("{} with a probability of {:.2f}, or {}", words(*decision.surface),
@@ -224,6 +270,7 @@ SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
     return decision;
   }
   decision.status = Status::kEvaluated;
+  decision.is_far = is_far;
   decision.planes = hypotheses[chosen].planes;
   decision.kind = decision.planes.size() == 2 ? Kind::kRidge : Kind::kStep;
   decision.decided_by = decided_by(chosen, hypotheses, evidence, options);

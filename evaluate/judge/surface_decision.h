@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "evaluate/judge/edge_decision.h"
 #include "evaluate/judge/surface_hypotheses.h"
 #include "evaluate/line_evaluation.h"
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -14,6 +14,7 @@ namespace ridgeline::evaluate {
 /// Log-likelihoods of a hypothesis by each kind of evidence, up to a constant that all hypotheses of a line share.
 struct SurfaceEvidence {
   double plan = 0.0, images = 0.0, points = 0.0, place = 0.0;
+  double wrong = 0.0;  ///< probability by its place that an edge of this surface does not lie on it
 };
 
 /// The evidence for each hypothesis.
@@ -32,15 +33,22 @@ std::vector<SurfaceEvidence> surface_evidence(std::span<const SurfaceHypothesis>
                                               const std::optional<ImageEvidence>& images,
                                               const JudgeOptions& options);
 
-/// Which planes judge a line, and of which surface it is an edge by that. The latter is empty if decide_edge() decided.
-struct SurfaceDecision : EdgeDecision {
-  std::optional<Surface> surface{}, other{};
-  std::optional<double> probability{};  ///< of `surface`
-  std::optional<DecidedBy> decided_by{};
+/// Of which surface a line is an edge, and which planes judge it by that.
+struct SurfaceDecision {
+  Status status = Status::kNoPlane;  ///< `evaluated`, or why no plane was chosen
+  std::string reason;
+  Kind kind = Kind::kNone;
+  std::vector<std::size_t> planes;  ///< indices of the candidates: one (step) or two (ridge)
+  std::vector<std::string> flags;
+  std::optional<Surface> surface, other;  ///< empty without candidates
+  std::optional<double> probability;      ///< of `surface`
+  std::optional<DecidedBy> decided_by;    ///< of an evaluated line
+  bool is_far = false;  ///< the line lies on none of the surfaces that it may be an edge of
 };
 
 /// The most probable hypothesis. Those that lie at one height along the line are one surface, whose probabilities add up,
-/// as any of them gives the same distance. A surface below min_probability makes the line `ambiguous`.
+/// as any of them gives the same distance. A surface below min_probability makes the line `ambiguous`, unless it lies on none of
+/// them with this probability: it is wrong whichever is its own, and the likeliest one judges it.
 SurfaceDecision decide_surface(std::span<const ZonePoint> zone,
                                std::span<const CandidatePlane> candidates,
                                const Footprint& footprint,

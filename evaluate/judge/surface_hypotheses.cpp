@@ -21,10 +21,13 @@ struct Reach {
 
 class Stretches {
  public:
+  /// A line of 5 m has five stretches of 1 m, however its coordinates are rounded.
+  static constexpr double kRounding = 1e-6;
+
   Stretches(double length_m, double spacing_m)
       : length_m_(length_m),
         n_(static_cast<std::size_t>(
-            std::max(1.0, std::floor(length_m / std::max(1.0, 2.0 * spacing_m))))) {}
+            std::max(1.0, std::floor(length_m / std::max(1.0, 2.0 * spacing_m) + kRounding)))) {}
 
   [[nodiscard]] std::size_t n() const { return n_; }
   [[nodiscard]] double middle_m(std::size_t i) const {
@@ -235,7 +238,6 @@ class Hypotheses {
     std::vector<SurfaceHypothesis> all;
     for (std::size_t a = 0; a < candidates_.size(); ++a) {
       for (std::size_t b = a + 1; b < candidates_.size(); ++b) {
-        if (candidates_[a].low_object || candidates_[b].low_object) continue;
         const double angle = angle_between_rad(candidates_[a].fit, candidates_[b].fit);
         if (angle < options_.ridge_angle_deg * kRadPerDeg) continue;
         const auto meeting = meeting_of(candidates_[a], candidates_[b], footprint_, options_);
@@ -263,10 +265,7 @@ class Hypotheses {
         std::ranges::any_of(
             placed_, [&](const PlacedPlane& o) { return o.height_m > plane.height_m + kStorey_m; });
     SurfaceHypothesis h;
-    h.surface = candidate.low_object ? Surface::kObject
-                : is_ground          ? Surface::kGround
-                : is_lower           ? Surface::kLower
-                                     : Surface::kUpper;
+    h.surface = is_ground ? Surface::kGround : is_lower ? Surface::kLower : Surface::kUpper;
     h.planes = {plane.candidate};
     h.heights_m = heights_at_ends(candidate.fit.plane, footprint_);
     // points end before the border of their plane, by half their distance on average over a stretch
@@ -277,7 +276,6 @@ class Hypotheses {
     h.plan[kMissing] = 1.0 - candidate.coverage;
     h.plan[kFewPoints] = 1.0 / std::sqrt(candidate.fit.n);
     if (is_lower) h.plan[kLowerFewPoints] = h.plan[kFewPoints];
-    h.plan[kIsLowObject] = candidate.low_object ? 1.0 : 0.0;
     h.plan[kIsLedge] = candidate.fit.spread_m2.y() == HUGE_VAL ? 1.0 : 0.0;
     add_points(candidate.fit.plane, is_lower, h);
     return h;

@@ -32,7 +32,6 @@ enum PlanTerm : std::size_t {
   kMissing,         ///< share of the line that the plane does not accompany
   kFewPoints,       ///< 1 / sqrt of the plane's points
   kLowerFewPoints,  ///< the same of a plane with a higher one beside it
-  kIsLowObject,     ///< 1 for a car, a box
   kIsLedge,         ///< 1 for the narrow top of a wall
   // points that no plane explains, and that stand on the surface: shares of the points beside the line
   kStandBeside,  ///< within 0.8 m, on an upper surface or on two that meet
@@ -53,7 +52,7 @@ enum PlanTerm : std::size_t {
 /// A surface that a line may be an edge of.
 struct SurfaceHypothesis {
   Surface surface = Surface::kObject;
-  /// Candidates: one, two that meet; of an object none, or that of a car or a box.
+  /// Candidates: one, two that meet, of an object none.
   std::vector<std::size_t> planes;
   Eigen::Vector2d heights_m{HUGE_VAL,
                             HUGE_VAL};  ///< at the ends of the footprint; mean of two planes
@@ -63,7 +62,7 @@ struct SurfaceHypothesis {
 };
 
 /// The surfaces that a line may be an edge of: each candidate that accompanies enough of it, each pair that meets
-/// along it, and, first, an object without a plane. Cars and boxes (CandidatePlane::low_object) are objects. Of the border of a surface on a known side (`inside`, see
+/// along it, and, first, an object without a plane. Of the border of a surface on a known side (`inside`, see
 /// JudgedLine) only planes that lie on that side count, one by one.
 std::vector<SurfaceHypothesis> surface_hypotheses(std::span<const ZonePoint> zone,
                                                   std::span<const CandidatePlane> candidates,

@@ -67,11 +67,12 @@ inline simulate::VillageOptions hard_village(std::uint64_t seed) {
   return options;
 }
 
-inline HardSurvey hard_survey_of_village(std::uint64_t seed, double density_per_m2) {
+inline HardSurvey survey_of_village(const simulate::VillageOptions& options,
+                                    double density_per_m2) {
   constexpr std::uint8_t kLowNoise = 7;
-  const simulate::Scene scene = simulate::make_village(hard_village(seed));
+  const simulate::Scene scene = simulate::make_village(options);
   simulate::AlsOptions als;
-  als.seed = 1000 + seed;
+  als.seed = 1000 + options.seed;
   als.density_per_m2 = density_per_m2;
   const io::PointCloud cloud = simulate::scan_als(scene, als);
   std::vector<simulate::TruthLine> truth = simulate::observe_lines(scene, cloud);
@@ -144,7 +145,7 @@ inline HardSurvey hard_survey_of_other_scene(std::uint64_t seed, double density_
 inline HardSurvey hard_survey(std::uint64_t seed,
                               double density_per_m2,
                               Renderer renderer = Renderer::kVillage) {
-  return renderer == Renderer::kVillage ? hard_survey_of_village(seed, density_per_m2)
+  return renderer == Renderer::kVillage ? survey_of_village(hard_village(seed), density_per_m2)
                                         : hard_survey_of_other_scene(seed, density_per_m2);
 }
 

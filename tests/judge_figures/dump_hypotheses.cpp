@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints the hypotheses about the surfaces of true lines, for fit_weights.py:
-//   dump_hypotheses POINTS_PER_M2 JITTER_M village|other SEED...
+//   dump_hypotheses POINTS_PER_M2 JITTER_M village|other|plain SEED...
 // Lines are moved in plan by up to JITTER_M, as right lines are, too.
 #include "evaluate/judge/candidate_planes.h"
 #include "evaluate/judge/point_grid.h"
@@ -27,8 +27,10 @@ Segment3 jittered(const Segment3& line, double most_m, std::size_t n) {
   return {line.start + move, line.end + move};
 }
 
-/// Mean and signed distance, vertical part of the normal and sigma of the planes, then all terms.
+/// Mean distance of the true line, signed distance of the moved one, vertical part of the normal and sigma of the planes, then
+/// all terms.
 void print(const SurfaceHypothesis& h,
+           const Segment3& truth,
            const Segment3& line,
            const std::vector<CandidatePlane>& candidates) {
   Eigen::Vector3d sums = Eigen::Vector3d::Zero();
@@ -36,7 +38,8 @@ void print(const SurfaceHypothesis& h,
   for (const std::size_t k : h.planes) {
     const evaluate::PlaneFit& fit = candidates[k].fit;
     const SegmentPlaneDistance d = orthogonal_distance(line, fit.plane);
-    sums += Eigen::Vector3d(d.mean_abs, d.mean, fit.plane.normal().z()) /
+    sums += Eigen::Vector3d(orthogonal_distance(truth, fit.plane).mean_abs, d.mean,
+                            fit.plane.normal().z()) /
             static_cast<double>(h.planes.size());
     sigma_m = std::max(sigma_m, fit.sigma_at(midpoint(line)));
   }
@@ -57,23 +60,30 @@ void dump(const std::string& seed, const HardSurvey& survey, double jitter_m) {
     const evaluate::Footprint footprint = evaluate::footprint_of(line);
     const auto zone =
         points_beside(grid, footprint, options.fit_half_width_m, options.fit_half_width_m);
-    const auto candidates = candidate_planes(zone, footprint, std::nullopt, options);
+    const auto candidates = candidate_planes(zone, footprint, options);
     for (const SurfaceHypothesis& h :
          surface_hypotheses(zone, candidates, footprint, line, {}, options)) {
       fmt::print("{}_{} {} {:.3f} {}", seed, i, truth.kind, length(line), truth.planes.size());
-      print(h, line, candidates);
+      print(h, truth.segment, line, candidates);
     }
   }
 }
 
 int run(int argc, char** argv) {
   if (argc < 5) {
-    fmt::print(stderr, "dump_hypotheses POINTS_PER_M2 JITTER_M village|other SEED...\n");
+    fmt::print(stderr, "dump_hypotheses POINTS_PER_M2 JITTER_M village|other|plain SEED...\n");
     return 1;
   }
-  const Renderer renderer = std::string(argv[3]) == "other" ? Renderer::kOther : Renderer::kVillage;
+  const std::string scene = argv[3];
+  const double density_per_m2 = std::atof(argv[1]);
   for (int i = 4; i < argc; ++i) {
-    dump(argv[i], hard_survey(std::strtoull(argv[i], nullptr, 10), std::atof(argv[1]), renderer),
+    const auto seed = std::strtoull(argv[i], nullptr, 10);
+    simulate::VillageOptions plain;
+    plain.seed = seed;
+    dump(argv[i],
+         scene == "plain" ? survey_of_village(plain, density_per_m2)
+                          : hard_survey(seed, density_per_m2,
+                                        scene == "other" ? Renderer::kOther : Renderer::kVillage),
          std::atof(argv[2]));
   }
   return 0;

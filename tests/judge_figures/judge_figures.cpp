@@ -51,9 +51,7 @@ std::vector<LineEvaluation> judge(const HardScene& scene, const Moves& moves_m) 
     lines[i].id = std::to_string(i);
     lines[i].segment = moved(scene.survey.lines[i].segment, moves_m[i]);
   }
-  evaluate::JudgeOptions options;
-  options.surface_by_evidence = true;
-  return transformed(evaluate::judge_lines(scene.grid, lines, options),
+  return transformed(evaluate::judge_lines(scene.grid, lines, {}),
                      &evaluate::JudgedResult::evaluation);
 }
 

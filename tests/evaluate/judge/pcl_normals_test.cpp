@@ -67,6 +67,7 @@ LineToPlaneEvaluation<PointT> evaluation_of(
   options.corridor_half_width_m = kRoofHalfWidth_m;  // several terraces on each side
   options.side_gap_m =
       0.0;  // a terrace is not much wider than the narrowest plane that is judged by
+  options.place_sigma_m = 0.05;  // terraces lie nearer to each other than the default tells apart
   evaluation.setOptions(options);
   evaluation.setNormalDistanceWeight(kWeight);
   return evaluation;

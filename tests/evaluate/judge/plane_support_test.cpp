@@ -60,13 +60,12 @@ TEST(CandidatePlanes, GivesBothSlopesOfARoofAtItsRidge) {
   const test::SampledRoof roof;
   const JudgeOptions options;
   const Footprint ridge = footprint_of({{0, 0, 0}, {roof.length_m, 0, 0}});
-  auto planes = candidate_planes(zone_of(roof.sample(5.0, 0.034, 1), ridge, options), ridge,
-                                 std::nullopt, options);
+  auto planes =
+      candidate_planes(zone_of(roof.sample(5.0, 0.034, 1), ridge, options), ridge, options);
   std::erase_if(planes, [](const CandidatePlane& p) { return p.coverage < 0.9; });  // ground ahead
   ASSERT_EQ(planes.size(), 2U);
   for (const CandidatePlane& plane : planes) {
     EXPECT_NEAR(slope_rad(plane.fit.plane), std::atan(roof.slope), 0.01);
-    EXPECT_LT(plane.nearest_m, 0.5);
   }
 }
 
@@ -74,8 +73,7 @@ TEST(CandidatePlanes, UnitesAPlaneFoundOnBothSides) {
   const test::SampledRoof roof;
   const JudgeOptions options;
   const Footprint inside = footprint_of({{2, 2.5, 0}, {10, 2.5, 0}});
-  EXPECT_EQ(candidate_planes(zone_of(roof.sample(5.0, 0.034, 2), inside, options), inside,
-                             std::nullopt, options)
+  EXPECT_EQ(candidate_planes(zone_of(roof.sample(5.0, 0.034, 2), inside, options), inside, options)
                 .size(),
             1U);
 }
@@ -84,8 +82,8 @@ TEST(CandidatePlanes, ExtendsThePlaneBeyondTheCorridor) {
   const test::SampledRoof roof;
   const JudgeOptions options;
   const Footprint eave = footprint_of({{0, 5, 0}, {roof.length_m, 5, 0}});
-  const auto planes = candidate_planes(zone_of(roof.sample(5.0, 0.034, 3), eave, options), eave,
-                                       std::nullopt, options);
+  const auto planes =
+      candidate_planes(zone_of(roof.sample(5.0, 0.034, 3), eave, options), eave, options);
   const auto upper = std::max_element(
       planes.begin(), planes.end(),
       [](const auto& a, const auto& b) { return a.fit.centroid.z() < b.fit.centroid.z(); });
@@ -106,9 +104,34 @@ TEST(CandidatePlanes, LeavesOutACanopy) {
   const JudgeOptions options;
   const Footprint line = along_x(8);
   for (const CandidatePlane& plane :
-       candidate_planes(zone_of(tree, line, options), line, std::nullopt, options)) {
+       candidate_planes(zone_of(tree, line, options), line, options)) {
     EXPECT_NEAR(plane.fit.centroid.z(), 0.0, 0.05);  // the ground below remains
   }
+}
+
+/// Level ground from `n` points with noise of 3.4 cm, spread evenly over a strip along a line of 10 m that reaches from the line
+/// to 1.5 m on its left.
+CandidatePlane strip_of_ground(int n) {
+  constexpr double kLength_m = 10.0, kWidth_m = 1.5;
+  CandidatePlane plane;
+  plane.fit.plane = Plane3(Eigen::Vector3d::UnitZ(), 0.0);
+  plane.fit.centroid = {0.5 * kLength_m, 0.5 * kWidth_m, 0.0};
+  plane.fit.axes << 1.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+  // a uniform distribution of width w has the variance w^2 / 12
+  plane.fit.spread_m2 = n * Eigen::Vector2d(kLength_m, kWidth_m).cwiseAbs2() / 12.0;
+  plane.fit.n = n;
+  plane.fit.sigma0_m = 0.034;
+  return plane;
+}
+
+TEST(ReasonTooLittleKnown, IsAPlaneKnownLessWellThanThreePointsWouldTell) {
+  constexpr std::array<std::size_t, 1> kChosen{0};
+  const auto reason = [&](int n) {
+    return reason_too_little_known(std::array{strip_of_ground(n)}, kChosen, along_x(10), {});
+  };
+  // at the border of a strip n points tell as much as n / 4 at the place: 1/n + (w/2)^2 / (n w^2/12) = 4/n
+  EXPECT_FALSE(reason(13));
+  EXPECT_EQ(reason(11), "its plane is known to 0.0205 m at the line, must be known to 0.0196 m");
 }
 
 }  // namespace

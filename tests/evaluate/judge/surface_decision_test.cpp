@@ -67,7 +67,6 @@ TEST(DecideSurface, OfALineOnItsEaveIsTheRoof) {
   ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
   EXPECT_EQ(decision.planes, std::vector<std::size_t>{0});
   EXPECT_EQ(decision.surface, Surface::kUpper);
-  EXPECT_EQ(decision.other, Surface::kGround);
 }
 
 TEST(DecideSurface, OfALineInOpenGroundIsTheGroundByThePlanWhereverTheLineLies) {
@@ -109,6 +108,22 @@ TEST(DecideSurface, OfTwoPlanesThatMeetIsBoth) {
   EXPECT_EQ(decision.planes, (std::vector<std::size_t>{0, 1}));
 }
 
+TEST(DecideSurface, IsARidgeBesideTheLineToo) {
+  const std::vector<CandidatePlane> planes{
+      surface([](double, double t) { return 9.0 - 0.5 * (t - 0.25); }, 0.25, 1.5),
+      surface([](double, double t) { return 9.0 + 0.5 * (t - 0.25); }, -1.5, 0.25)};
+  EXPECT_EQ(decide(planes, line_at(9.0)).kind, Kind::kRidge);
+}
+
+TEST(DecideSurface, OfALineFarFromEverySurfaceIsTheLikeliestByThePlan) {
+  // it is wrong whichever surface it is an edge of
+  const SurfaceDecision decision = decide(roof_over_ground(), line_at(20.0));
+  ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_TRUE(decision.is_far);
+  EXPECT_EQ(decision.planes, std::vector<std::size_t>{0});
+  EXPECT_FALSE(decide(roof_over_ground(), line_at(6.1)).is_far);
+}
+
 TEST(DecideSurface, HasTwoPlanesOfOneHeightForOneSurface) {
   // they do not meet along the line, and give it the same distance
   const std::vector<CandidatePlane> planes{
@@ -129,13 +144,22 @@ TEST(DecideSurface, OfABorderIsThePlaneOnItsKnownSide) {
   }
 }
 
-TEST(DecideSurface, OfTheEdgeOfACarIsAnObject) {
-  std::vector<CandidatePlane> planes{surface(meadow, -1.5, -0.25),
-                                     surface([](double, double) { return 1.4; }, 0.0, 1.5)};
-  planes[1].low_object = true;
-  const SurfaceDecision decision = decide(planes, line_at(1.4));
-  EXPECT_EQ(decision.surface, Surface::kObject);
-  EXPECT_NE(decision.status, Status::kEvaluated);
+TEST(DecideSurface, OfTheEdgeOfACarIsItsRoofAndOfAMarkingBesideItTheGround) {
+  const std::vector<CandidatePlane> planes{surface([](double, double) { return 1.4; }, 0.0, 1.5),
+                                           surface(meadow, -1.5, -0.25)};
+  EXPECT_EQ(decide(planes, line_at(1.4)).planes, std::vector<std::size_t>{0});
+  EXPECT_EQ(decide(planes, line_at(0.0)).planes, std::vector<std::size_t>{1});
+}
+
+TEST(DecideSurface, OfABorderIsNoRidgeAndNoPlaneOnTheOtherSide) {
+  std::vector<CandidatePlane> planes{
+      surface([](double, double t) { return 9.0 - 0.5 * t; }, 0.0, 1.5),
+      surface([](double, double t) { return 9.0 + 0.5 * t; }, -1.5, 0.0)};
+  JudgedLine line = line_at(9.0);
+  line.inside = Eigen::Vector2d(0.0, -1.0);
+  EXPECT_EQ(decide(planes, line).planes, std::vector<std::size_t>{1});
+  planes.pop_back();
+  EXPECT_EQ(decide(planes, line).status, Status::kLowCoverage);
 }
 
 TEST(DecideSurface, PointsAlongTheLineThatNoPlaneExplainsMakeItAnObjects) {

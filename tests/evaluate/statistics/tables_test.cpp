@@ -34,7 +34,7 @@ Evaluation small_evaluation(const std::string& method = "direct") {
                       excluded_line("d", Status::kNoPlane, "aligned")};
   evaluation.lines[0].sigma_line_m = 0.2;
   evaluation.lines[0].epipolar_angle_deg = 33.0;
-  evaluation.lines[1].flags = {"merged", "plane_ambiguous"};
+  evaluation.lines[1].flags = {"merged", "another_flag"};
   evaluation.lines[2].building = "b 7";
   evaluation.lines[2].surface = Surface::kLower;
   evaluation.lines[2].surface_other = Surface::kObject;
@@ -270,7 +270,7 @@ TEST(LineCsv, HasARowPerLineWithTheDocumentedColumns) {
   EXPECT_THAT(text, StartsWith("id,patch,class,epipolar_angle_deg,kind,method,length_m,n_inliers"));
   EXPECT_THAT(text, HasSubstr("\nb,1,not_aligned,,step,direct,5.0000,40,0.0000,1.0000,0.0000,"
                               "-0.4000,-0.4000,0.4000,-0.4000,,0.0000,,evaluated,"
-                              "merged;plane_ambiguous,,,,,,,,,\n"));
+                              "merged;another_flag,,,,,,,,,\n"));
   EXPECT_THAT(text,
               HasSubstr("1.2000,1.2000,,0.0000,,evaluated,,,,,,,lower,object,0.9700,images\n"));
   EXPECT_THAT(text, HasSubstr("\nd,1,aligned,,,direct,5.0000,,,,,,,,,,,,no_plane,,,,,,,,,,\n"));
@@ -349,7 +349,7 @@ TEST(LineCsv, HasTheHorizontalAndVerticalPartsOfARidge) {
                               "height_if_vertical_m,surface,surface_other,surface_probability,"
                               "decided_by\n"));
   EXPECT_THAT(text, HasSubstr(",evaluated,,0.2000,-0.1000,0.0200,0.0100,,,,,\n"));
-  EXPECT_THAT(text, HasSubstr("plane_ambiguous,,,,,-0.4500,,,,\n"));
+  EXPECT_THAT(text, HasSubstr("another_flag,,,,,-0.4500,,,,\n"));
 }
 
 TEST(ParseEvaluation, TakesBackThePartsOfARidge) {
