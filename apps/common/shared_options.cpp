@@ -94,7 +94,7 @@ void add_decoys_option(CLI::App& app, std::optional<std::size_t>& n_decoys) {
   app.add_option(
          "--decoys", n_decoys,
          "moves lines to so many wrong places and judges them again, to see how many of them "
-         "would pass; default: half as many as lines, 500 to 2000; 0: none")
+         "would pass; default: half as many as lines, 200 to 2000; 0: none")
       ->check(CLI::NonNegativeNumber);
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -163,6 +164,33 @@ TEST(JudgeLines, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(a.max_distance_m, b.max_distance_m) << i;
     EXPECT_EQ(a.sigma_plane_m, b.sigma_plane_m) << i;
     EXPECT_EQ(one[i].inliers, two[i].inliers) << i;
+  }
+}
+
+TEST(JudgeLines, DoesNotDependOnIdsOrTheOrderOfLines) {
+  const SimulatedSurvey survey = simulated_survey(kFirstSeed, 5.0);
+  const auto grid = evaluate::PointGrid::build(survey.points.size(),
+                                               [&](std::size_t i) { return survey.points[i]; });
+  std::vector<evaluate::JudgedLine> lines;
+  for (const simulate::SceneLine& line : survey.scene.lines) {
+    lines.emplace_back().segment = line.segment;
+    lines.back().id = std::to_string(lines.size());
+  }
+  const std::vector<JudgedResult> one = evaluate::judge_lines(grid, lines, {});
+  std::reverse(lines.begin(), lines.end());
+  for (evaluate::JudgedLine& line : lines) line.id = "x" + line.id + "5000";
+  std::vector<JudgedResult> other = evaluate::judge_lines(grid, lines, {});
+  std::reverse(other.begin(), other.end());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const LineEvaluation& a = one[i].evaluation;
+    const LineEvaluation& b = other[i].evaluation;
+    EXPECT_EQ(a.status, b.status) << i;
+    EXPECT_EQ(a.surface, b.surface) << i;
+    EXPECT_EQ(a.surface_probability, b.surface_probability) << i;
+    EXPECT_EQ(a.decided_by, b.decided_by) << i;
+    EXPECT_EQ(a.mean_distance_m, b.mean_distance_m) << i;
+    ASSERT_EQ(a.planes.size(), b.planes.size()) << i;
+    for (std::size_t k = 0; k < a.planes.size(); ++k) EXPECT_EQ(a.planes[k].id, b.planes[k].id);
   }
 }
 

@@ -21,7 +21,7 @@ TEST_F(Demo, RunsTheSamplePatchesOfTheSourceTreeAndPrintsBothTables) {
               IsSupersetOf({"1", "2", "3", "4", "run.json", "table1.csv", "table1.md", "table2.csv",
                             "table2.json", "table2.md", "table2.tex"}));
   EXPECT_THAT(result.out, HasSubstr("patch  matcher   correct  false  missed"));
-  EXPECT_THAT(result.out, HasSubstr("patch  method  class        judged  lines"));
+  EXPECT_THAT(result.out, HasSubstr("patch  method  class                     judged  lines"));
   EXPECT_THAT(result.out, HasSubstr("demo/2/judged.joint.gpkg\n"));
   const std::string table = read(path("demo/table2.csv"));
   for (const char* row :
