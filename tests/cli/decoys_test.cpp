@@ -38,7 +38,7 @@ TEST_F(Decoys, StandInEveryOutputByKindAndDistance) {
   const json decoys = judged("out")["decoys"];
   ASSERT_EQ(decoys.size(), 8U) << "two kinds by four distances: no images are given";
   for (const json& row : decoys) {
-    EXPECT_GT(row["n_decoys"], 30);
+    EXPECT_GT(row["n_decoys"], 10);
     EXPECT_LE(row["ci95"][0], row["share"]);
     EXPECT_GE(row["ci95"][1], row["share"]);
     if (row["kind"] == "height") {
