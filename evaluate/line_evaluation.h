@@ -135,14 +135,14 @@ struct LineEvaluation {
   std::string line_class;
   std::string building;
   Status status = Status::kNoLidar;
-  std::string reason;  ///< one sentence for a status other than `evaluated`
   Kind kind = Kind::kNone;
-  std::vector<std::string> flags;    ///< merged
-  std::vector<JudgingPlane> planes;  ///< one (step) or two (ridge)
   /// What the line is most probably an edge of, and next to that; empty where no surface was looked for.
   std::optional<Surface> surface, surface_other;
-  std::optional<double> surface_probability;  ///< of `surface`
   std::optional<DecidedBy> decided_by;        ///< only of lines that are `evaluated`
+  std::optional<double> surface_probability;  ///< of `surface`
+  std::string reason;                         ///< one sentence for a status other than `evaluated`
+  std::vector<std::string> flags;             ///< merged
+  std::vector<JudgingPlane> planes;           ///< one (step) or two (ridge)
   double length_m = 0.0;                      ///< 0 unless the line is in_range()
   std::optional<double> epipolar_angle_deg;
   std::optional<int> n_images;  ///< that support it, by its file

@@ -107,6 +107,8 @@ wait_for_saved_state() {
   touch "$cluster/now"
   for ((attempt = 0; attempt < 200; ++attempt)); do
     [ "$cluster/state/job_state" -nt "$cluster/now" ] && return 0
+    # it saves after a change only, and the last one may have been saved before we looked
+    [ $((attempt % 20)) -ne 19 ] || scontrol update jobid="$(squeue -h -o %A | head -n 1)" comment="$attempt"
     sleep 0.1
   done
   return 1

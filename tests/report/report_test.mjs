@@ -56,19 +56,30 @@ test('three patches fit into 8 MB and open with little work', async () => {
   await close(page);
 });
 
+/** The figures of the lines that plan and images decided on, or of all where the judge did not say. */
+const headlineOf = (row) => row.decided_by?.plan_images ?? row;
+
+/** The rows that tables show of a class: three where points or the place of some lines decided. */
+function rowsOf(row) {
+  if (!row.decided_by?.points_place?.n_evaluated) return [row];
+  const of = (name, figures) => ({ ...figures, patch: row.patch, method: row.method, class: `${row.class} ${name}` });
+  return [of('plan_images', row.decided_by.plan_images), of('points_place', row.decided_by.points_place), of('all', row)];
+}
+
 test('opens on the product method with the figure that counts, a plan and the worst lines', async () => {
   const page = await openReport('demo');
   const state = await selection(page);
   assert.equal(await page.evaluate(() => globalThis.ridgeline.state.method.name), 'joint');
   const rows = readJson('demo/table2.json').rows.filter((r) => r.method === 'joint' && r.class === 'total');
-  const n = rows.reduce((sum, r) => sum + r.n_evaluated, 0);
-  const rms = Math.sqrt(rows.reduce((sum, r) => sum + r.rms_m ** 2 * r.n_evaluated, 0) / n);
+  const figures = rows.map(headlineOf);
+  const n = figures.reduce((sum, r) => sum + r.n_evaluated, 0);
+  const rms = Math.sqrt(figures.reduce((sum, r) => sum + r.rms_m ** 2 * r.n_evaluated, 0) / n);
   assert.equal(await page.locator('#key-figure .value').innerText(), `${metres(rms)} m`);
   assert.match(await page.locator('#verdict').innerText(), /^No specification was given/);
   const lines = readJson('demo', rows[0].patch, 'evaluation.joint.json').lines;
-  const worst = lines.filter((l) => l.mean_distance_m !== null).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
+  const worst = lines.filter((l) => l.mean_distance_m !== null && ['plan', 'images'].includes(l.decided_by)).sort((a, b) => b.mean_distance_m - a.mean_distance_m);
   const captions = await textOf(page, '#worst figcaption');
-  const { total } = readJson('demo', rows[0].patch, 'evaluation.joint.json').summary;
+  const total = headlineOf(readJson('demo', rows[0].patch, 'evaluation.joint.json').summary.total);
   assert.equal(captions.length, Math.max(5, Math.min(12, total.n_half_of_squares)));
   assert.equal(await page.locator('#half-of-squares').innerText(),
     `${total.n_half_of_squares} of ${total.n_evaluated} lines make half of the sum of squares; RMS of the others ${metres(total.rms_without_half_m)} m.`
@@ -149,11 +160,11 @@ test('of two line files one leads and is named at the figure, the other stands b
   ridgeline('evaluate', '--lines', join(samples, '1', 'lines.fair.geojson'), joint, '--cloud', join(samples, '1', 'lidar.las'), '--out', join(work, 'two'));
   const page = await openReport('two');
   const rows = readJson('two/table2.json').rows.filter((r) => r.class === 'total');
-  assert.equal(await page.locator('#key-figure .value').innerText(), `${metres(rows[0].rms_m)} m`);
+  assert.equal(await page.locator('#key-figure .value').innerText(), `${metres(headlineOf(rows[0]).rms_m)} m`);
   assert.match(await page.locator('#key-figure').innerText(), /the lines of lines\.fair from/);
   const beside = await page.locator('#line-files tbody tr').allInnerTexts();
   for (const [i, name] of ['lines.fair', 'joint'].entries()) {
-    const row = rows.find((r) => r.method === name);
+    const row = headlineOf(rows.find((r) => r.method === name));
     assert.deepEqual(beside[i].split('\t').slice(0, 3), [name, `${row.n_evaluated} of ${row.n_lines}`, metres(row.rms_m)]);
   }
   assert.match(await page.locator('#facts').innerText(), /Products/);
@@ -190,12 +201,12 @@ test('tables hold the figures of the JSON files', async () => {
     assert.deepEqual(cells.slice(0, 5), [row.patch, row.matcher, String(row.correct), String(row.false), String(row.missed)]);
     assert.ok(cells[7].startsWith((100 * row.quality).toFixed(1)), cells[7]);
   }
-  const rows = readJson('demo', 'table2.json').rows;
+  const rows = readJson('demo', 'table2.json').rows.flatMap(rowsOf);
   const all = page.locator('#table2-all tbody tr');
   assert.equal(await all.count(), rows.length);
   for (const [i, row] of rows.entries()) {
     const cells = await all.nth(i).locator('td').allTextContents();
-    assert.deepEqual(cells.slice(0, 7), [row.patch, row.method, row.class.replace('_', ' '), String(row.n_evaluated), String(row.n_lines),
+    assert.deepEqual(cells.slice(0, 7), [row.patch, row.method, row.class.replaceAll('_', ' '), String(row.n_evaluated), String(row.n_lines),
       (100 * row.evaluated_share).toFixed(1), metres(row.rms_m)]);
   }
   const published = await page.locator('#table2 tbody td').allTextContents();
@@ -363,8 +374,9 @@ test('the method switch changes lines, charts and figures, and keeps the line', 
   await page.locator('#methods button').nth(1).click();
   assert.equal((await selection(page)).method, 1);
   const joint = readJson('demo', '1', 'evaluation.joint.json');
-  const aligned = page.locator('#statistics tbody tr').nth(1).locator('td');
-  assert.equal(await aligned.nth(4).innerText(), metres(joint.summary.aligned.rms_m));
+  const shown = ['not_aligned', 'aligned', 'total'].flatMap((name) => rowsOf({ ...joint.summary[name], class: name }));
+  const rms = await page.locator('#statistics tbody td:nth-child(5)').allInnerTexts();
+  assert.deepEqual(rms, shown.map((row) => metres(row.rms_m)));
   assert.notEqual(await page.locator('#statistics').innerText(), direct);
   const common = readFileSync(join(work, 'demo', 'table2.common.csv'), 'utf8').split('\n').filter((row) => /^1,(direct|joint),total,/.test(row)).map((row) => row.split(','));
   const paired = await page.locator('.paired').innerText();

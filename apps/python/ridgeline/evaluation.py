@@ -153,10 +153,11 @@ class Result:
         return self._judged.text()
 
     def __repr__(self) -> str:
-        total = self.classes["total"]["decided_by"]["plan_images"]
-        rms = total["rms_m"]
-        shown = "none" if rms is None else f"{rms:.3f} m"
-        return f"<ridgeline.Result: {total['n_evaluated']} of {total['n_lines']} lines judged, RMS {shown}>"
+        total = self.classes["total"]
+        headline = total["decided_by"]["plan_images"]
+        rms = "none" if headline["rms_m"] is None else f"{headline['rms_m']:.3f} m"
+        return (f"<ridgeline.Result: {total['n_evaluated']} of {total['n_lines']} lines judged, "
+                f"RMS {rms} of {headline['n_evaluated']} by plan and images>")
 
 
 def evaluate(
