@@ -117,8 +117,8 @@ std::vector<Movable> drawn(std::span<const JudgedLine> lines,
     if (!refusal_of(lines[i], options)) all.push_back({key_of(lines[i].segment), i});
   }
   std::ranges::sort(all);
-  const auto rest = std::ranges::unique(all, {}, &Movable::key);
-  all.erase(rest.begin(), rest.end());
+  const auto has_same_key = [](const Movable& a, const Movable& b) { return a.key == b.key; };
+  all.erase(std::unique(all.begin(), all.end(), has_same_key), all.end());
   if (all.size() > n) all.resize(n);
   return all;
 }

@@ -78,8 +78,8 @@ std::string decoys_to_csv(std::span<const Evaluation> evaluations) {
       "patch,method,kind,distance_m,n_lines,n_decoys,share,ci95_low,ci95_high,withheld_share,"
       "n_clusters\n";
   const auto number = [](std::optional<double> value) {
-    constexpr int kDecimals = 6;
-    return fixed(value, kDecimals, "");
+    constexpr int kCsvDecimals = 6;
+    return fixed(value, kCsvDecimals, "");
   };
   for (const Evaluation& e : evaluations) {
     for (const DecoyFigure& d : e.decoys) {
