@@ -36,8 +36,9 @@ std::optional<Refusal> refusal_of(const JudgedLine& line, const JudgeOptions& op
 /// The method (Ok et al. 2011, section 4) for one line:
 /// the points of a planimetric corridor -> planes by sample consensus on each side, refined over
 /// their connected points -> step edge (one plane) or ridge (two) -> average orthogonal distance.
-/// The corridor lies where the image segment of the line meets the cloud. If decide_surface()
-/// finds no surface there, it lies where the line does. A line with a reason_too_little_known() is ambiguous.
+/// The corridor lies where the image segment of the line meets the cloud. If the line
+/// is known to lie on no surface there, the corridor lies where the line does. A line with a
+/// reason_too_little_known() is ambiguous.
 /// Every line gets a status; a bad line never throws.
 JudgedResult judge_line(const PointSearch& search,
                         const JudgedLine& line,

@@ -31,9 +31,8 @@ double place_chi_square(const SurfaceHypothesis& h,
 
 /// Densities of the distance of a line from its surface, in units of that of a right line that lies on a plane.
 struct PlaceDensities {
-  double wrong;  ///< of a wrong line, which may be anywhere
-  double
-      object;  ///< of the edge of an object, which may be anywhere within kFarthestObject_m of a plane
+  double wrong;   ///< of a wrong line, which may be anywhere
+  double object;  ///< of the edge of an object, which lies within kFarthestObject_m of a plane
 };
 
 PlaceDensities place_densities(const JudgeOptions& options) {
