@@ -30,6 +30,7 @@ std::string headline_text(const Summary* summary) {
 std::vector<ClassRow> rows_of(const Summary& summary) {
   if (summary.by_group.empty()) return {{summary.line_class, summary}};
   std::vector<ClassRow> rows;
+  rows.reserve(std::size(kDecidedGroups) + 1);
   for (const DecidedGroup group : kDecidedGroups) {
     rows.push_back(
         {fmt::format("{} {}", summary.line_class, name(group)), summary.of_group(group)});
