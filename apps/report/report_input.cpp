@@ -205,7 +205,8 @@ void read_buildings(const fs::path& folder, ReportPatch& patch) {
       building[key] = std::string(table.text(row, table.column(key)));
     for (const char* const key :
          {"n_lines", "n_judged_lines", "rms_m", "worst_distance_m", "n_faces", "n_judged_faces",
-          "ridge_height_m", "eave_height_m", "unexplained_share"}) {
+          "ridge_height_m", "eave_height_m", "unexplained_share", "shift_x_m", "shift_y_m",
+          "shift_z_m", "points_rms_m", "points_p90_m"}) {
       const std::size_t column = table.column(key);
       if (table.text(row, column).empty())
         building[key] = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/building_table.h"
 
+#include "evaluate/faces/whole_shift.h"
+#include "evaluate/statistics/distribution.h"
 #include "evaluate/tables/format.h"
 #include "reconstruct/geometry/check.h"
 
@@ -30,7 +32,7 @@ void add_line(const LineEvaluation& line, BuildingRow& row) {
 
 /// What the faces of a building add up to.
 struct FaceSums {
-  double height_m2 = 0.0, tilt_m2 = 0.0, outline_m2 = 0.0;
+  double height_m2 = 0.0, tilt_m2 = 0.0, outline_m2 = 0.0, covered_m2 = 0.0;
   int n_over = 0, n_unexplained = 0;
 };
 
@@ -38,17 +40,19 @@ void add_face(const FaceEvaluation& face, BuildingRow& row, FaceSums& sums) {
   ++row.n_faces;
   if (face.status == FaceStatus::kSteep) return;
   row.area_m2 += face.area_m2;
-  if (face.status == FaceStatus::kEvaluated) ++row.n_judged_faces;
   if (face.status != FaceStatus::kEvaluated && face.status != FaceStatus::kNoPlane) return;
+  ++row.n_judged_faces;
   row.judged_area_m2 += face.area_m2;
   sums.n_over += face.n_over;
   sums.n_unexplained += face.n_unexplained;
+  sums.covered_m2 += face.covered_share * face.area_m2;
   sums.height_m2 += face.verdict.height ? face.area_m2 : 0.0;
   sums.tilt_m2 += face.verdict.tilt ? face.area_m2 : 0.0;
   sums.outline_m2 += face.verdict.outline ? face.area_m2 : 0.0;
 }
 
 void set_shares(const FaceSums& sums, BuildingRow& row) {
+  if (row.area_m2 > 0.0) row.covered = sums.covered_m2 / row.area_m2;
   if (row.judged_area_m2 > 0.0) {
     row.wrong_height = sums.height_m2 / row.judged_area_m2;
     row.wrong_tilt = sums.tilt_m2 / row.judged_area_m2;
@@ -57,12 +61,25 @@ void set_shares(const FaceSums& sums, BuildingRow& row) {
   if (sums.n_over > 0) row.unexplained = static_cast<double>(sums.n_unexplained) / sums.n_over;
 }
 
-BuildingVerdict verdict_of(const BuildingRow& row, const FaceOptions& options) {
+void set_points(const PointDistances& points, BuildingRow& row) {
+  row.n_points = points.to_surface_m.size();
+  row.points_rms_m = rms(points.to_surface_m);
+  row.points_p90_m = quantile(points.to_surface_m, 0.9);
+  row.roof_points_rms_m = rms(points.to_roof_m);
+}
+
+bool is_gone(const PointDistances& points) {
+  constexpr double kMostBelow = 0.75;
+  return points.n_far_below > kMostBelow * points.n_over;
+}
+
+/// The verdict on a building's faces one by one.
+BuildingVerdict verdict_of_parts(const BuildingRow& row, const FaceOptions& options) {
   constexpr double kLeastJudged = 0.5;  // of the area
   if (!row.unexplained || row.judged_area_m2 < kLeastJudged * row.area_m2) {
     return BuildingVerdict::kNotJudged;
   }
-  if (*row.unexplained > options.max_unexplained) return BuildingVerdict::kFacesMissing;
+  if (*row.unexplained > options.max_unexplained) return BuildingVerdict::kChanged;
   BuildingVerdict verdict = BuildingVerdict::kRight;
   double largest = options.max_wrong_share;
   const auto consider = [&](double share, BuildingVerdict what) {
@@ -74,16 +91,48 @@ BuildingVerdict verdict_of(const BuildingRow& row, const FaceOptions& options) {
   return verdict;
 }
 
+/// Whether a shift is all that is wrong.
+std::optional<BuildingVerdict> verdict_of_shift(const Eigen::Vector3d& shift_m,
+                                                const FaceOptions& options) {
+  if (shift_m.head<2>().norm() > options.outline_tolerance_m) return BuildingVerdict::kShifted;
+  if (shift_m.z() > options.height_tolerance_m) return BuildingVerdict::kTooHigh;
+  if (shift_m.z() < -options.height_tolerance_m) return BuildingVerdict::kTooLow;
+  return std::nullopt;
+}
+
+void set_verdict(const RoofBuilding& building,
+                 std::span<const FaceEvaluation> evaluations,
+                 const PointDistances& points,
+                 const FaceOptions& options,
+                 BuildingRow& row) {
+  row.verdict = verdict_of_parts(row, options);
+  if (row.verdict == BuildingVerdict::kRight || row.verdict == BuildingVerdict::kNotJudged) return;
+  if (row.verdict == BuildingVerdict::kChanged) {
+    if (is_gone(points)) row.verdict = BuildingVerdict::kGone;
+    return;
+  }
+  const auto shift_m = whole_shift_m(building.faces, evaluations, options);
+  const auto verdict = shift_m ? verdict_of_shift(*shift_m, options) : std::nullopt;
+  if (!verdict) return;
+  row.verdict = *verdict;
+  row.shift_m = shift_m;
+}
+
 std::string csv_row(const std::string& method, const BuildingRow& row) {
   const auto figure = [](std::optional<double> value) { return fixed(value, 4, ""); };
   const auto area = [](double value_m2) { return fixed(value_m2, 1, ""); };
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", escape_csv(method),
-                     escape_csv(row.id), text(row.verdict), row.n_lines, row.n_judged_lines,
-                     figure(row.rms_m), escape_csv(row.worst_line), figure(row.worst_distance_m),
-                     row.n_faces, row.n_judged_faces, area(row.area_m2), area(row.judged_area_m2),
-                     figure(row.wrong_height), figure(row.wrong_tilt), figure(row.wrong_outline),
-                     figure(row.heights.ridge_m), figure(row.heights.eave_m),
-                     figure(row.unexplained));
+  const auto shift = [&](int axis) {
+    return figure(row.shift_m ? std::optional((*row.shift_m)[axis]) : std::nullopt);
+  };
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+      escape_csv(method), escape_csv(row.id), text(row.verdict), row.n_lines, row.n_judged_lines,
+      figure(row.rms_m), escape_csv(row.worst_line), figure(row.worst_distance_m), row.n_faces,
+      row.n_judged_faces, area(row.area_m2), area(row.judged_area_m2), figure(row.wrong_height),
+      figure(row.wrong_tilt), figure(row.wrong_outline), figure(row.heights.ridge_m),
+      figure(row.heights.eave_m), figure(row.unexplained), shift(0), shift(1), shift(2),
+      row.n_points, figure(row.points_rms_m), figure(row.points_p90_m),
+      figure(row.roof_points_rms_m), figure(row.covered));
 }
 
 }  // namespace
@@ -98,8 +147,16 @@ const char* text(BuildingVerdict verdict) {
       return "wrong tilt";
     case BuildingVerdict::kWrongOutline:
       return "wrong outline";
-    case BuildingVerdict::kFacesMissing:
-      return "faces missing";
+    case BuildingVerdict::kShifted:
+      return "shifted";
+    case BuildingVerdict::kTooHigh:
+      return "too high";
+    case BuildingVerdict::kTooLow:
+      return "too low";
+    case BuildingVerdict::kChanged:
+      return "changed";
+    case BuildingVerdict::kGone:
+      return "gone";
     case BuildingVerdict::kNotJudged:
       break;
   }
@@ -108,10 +165,13 @@ const char* text(BuildingVerdict verdict) {
 
 std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
                                         std::span<const std::vector<FaceEvaluation>> evaluations,
+                                        std::span<const PointDistances> points,
                                         std::span<const LineEvaluation> lines,
                                         const FaceOptions& options) {
   check(buildings.size() == evaluations.size(), "building_table: evaluations of ",
         evaluations.size(), " buildings, must be those of ", buildings.size());
+  check(buildings.size() == points.size(), "building_table: points of ", points.size(),
+        " buildings, must be those of ", buildings.size());
   std::map<std::string, std::vector<const LineEvaluation*>> lines_of;
   for (const LineEvaluation& line : lines) lines_of[line.building].push_back(&line);
   std::vector<BuildingRow> rows;
@@ -126,7 +186,8 @@ std::vector<BuildingRow> building_table(std::span<const RoofBuilding> buildings,
     for (const FaceEvaluation& face : evaluations[b]) add_face(face, row, sums);
     set_shares(sums, row);
     row.heights = edge_heights(buildings[b].faces, evaluations[b]);
-    row.verdict = verdict_of(row, options);
+    set_points(points[b], row);
+    set_verdict(buildings[b], evaluations[b], points[b], options, row);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -136,7 +197,9 @@ std::string buildings_csv_header() {
   return "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,n_"
          "judged_faces,"
          "area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,wrong_outline_share,"
-         "ridge_height_m,eave_height_m,unexplained_share\n";
+         "ridge_height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,shift_z_m,n_points,"
+         "points_rms_m,points_p90_m,"
+         "roof_points_rms_m,covered_share\n";
 }
 
 std::string buildings_csv_rows(const std::string& method, std::span<const BuildingRow> rows) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "evaluate/judge/plane_fit.h"
-#include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,11 +51,11 @@ struct PlaneDifference {
 
 /// Where an edge of a face's outline should be by the points beside it.
 struct EdgeOffset {
-  Segment2 edge;  ///< in plan, local, m
+  std::size_t edge = 0;  ///< place in PlanPolygon::edges()
   /// How far the edge lies outwards of the border of the points on the plane; negative if the face is too small. At most
   /// FaceOptions::reach_m either way: then the border may be farther off.
   double offset_m = 0.0;
-  /// Points that lie on the wrong side of the edge, less those that would lie on the wrong side of its better place.
+  /// Points that speak for this place rather than for the edge's own: those that its plane lacks, or has beyond the edge.
   int n_contradictions = 0;
 };
 

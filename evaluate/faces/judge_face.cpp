@@ -4,6 +4,7 @@
 #include "evaluate/faces/covered_share.h"
 #include "evaluate/faces/face_plane.h"
 #include "evaluate/faces/outline.h"
+#include "evaluate/faces/overhang.h"
 #include "evaluate/faces/plane_difference.h"
 #include "reconstruct/geometry/degrees.h"
 
@@ -41,28 +42,48 @@ double cover_radius_m(double points_per_m2) {
   return std::sqrt(8.0 / (std::numbers::pi * points_per_m2));
 }
 
-void set_cover(const RoofFace& face,
-               std::span<const FacePoint> points,
-               const FaceOptions& options,
-               FaceEvaluation& evaluation) {
+/// The points over a face that lie on its plane, in plan.
+std::vector<Eigen::Vector2d> points_on(const Plane3& plane,
+                                       std::span<const FacePoint> points,
+                                       const FaceOptions& options) {
   std::vector<Eigen::Vector2d> on_plane;
   for (const FacePoint& p : points) {
     const bool over = p.beyond_m <= 0.0;
-    if (over && is_on(evaluation.fit.plane, p, options)) on_plane.emplace_back(p.point.x.head<2>());
+    if (over && is_on(plane, p, options)) on_plane.emplace_back(p.point.x.head<2>());
   }
-  const double points_per_m2 = evaluation.n_over / evaluation.plan_area_m2;
-  evaluation.covered_share = covered_share(face.plan, on_plane, cover_radius_m(points_per_m2));
+  return on_plane;
 }
 
+/// Points under an overhang are neither missing nor unexplained, unless their edge is too far out.
 void set_areas(std::span<const FacePoint> points,
                std::span<const PlacedPoint> places,
+               const RoofFace& face,
+               std::span<const NeighbourFace> neighbours,
                FaceEvaluation& evaluation) {
+  const auto is_over_roof = [&](const Eigen::Vector2d& x) {
+    return face.plan.contains(x) ||
+           std::ranges::any_of(neighbours, [&](const NeighbourFace& other) {
+             return other.face->plan.contains(x);
+           });
+  };
+  const auto overhangs = [&](const FacePoint& p) {
+    const auto edge = std::ranges::find(evaluation.edges, p.edge, &EdgeOffset::edge);
+    const bool too_far_out = edge != evaluation.edges.end() && edge->offset_m > 0.0;
+    const Eigen::Vector2d x = p.point.x.head<2>();
+    const double below_m = height_at(evaluation.fit.plane, x) - p.point.x.z();
+    return !too_far_out && is_under_overhang(x, below_m, is_over_roof);
+  };
   int n_beyond = 0, n_missing = 0, n_unexplained = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool over = points[i].beyond_m <= 0.0;
-    if (over && places[i].place == PointPlace::kElsewhere) ++n_missing;
-    if (!over && places[i].place == PointPlace::kOnFace) ++n_beyond;
-    if (over && !places[i].explained) ++n_unexplained;
+    const PointPlace place = places[i].place;
+    if (points[i].beyond_m > 0.0) {
+      if (place == PointPlace::kOnFace) ++n_beyond;
+      continue;
+    }
+    const bool is_off_roof = place == PointPlace::kElsewhere || !places[i].explained;
+    if (is_off_roof && overhangs(points[i])) continue;
+    if (place == PointPlace::kElsewhere || place == PointPlace::kAbove) ++n_missing;
+    if (!places[i].explained) ++n_unexplained;
   }
   const double m2_per_point = evaluation.plan_area_m2 / evaluation.n_over;
   evaluation.beyond_m2 = n_beyond * m2_per_point;
@@ -121,9 +142,12 @@ void judge_outline(const PointSearch& search,
   const std::vector<FacePoint> points = points_around(search, face, options.reach_m);
   const std::vector<PlacedPoint> places =
       placed_points(points, face, evaluation.fit, neighbours, options);
-  set_cover(face, points, options, evaluation);
-  set_areas(points, places, evaluation);
-  evaluation.edges = edge_offsets(points, places, face, options);
+  const std::vector<Eigen::Vector2d> on_plane = points_on(evaluation.fit.plane, points, options);
+  const double over_per_m2 = evaluation.n_over / evaluation.plan_area_m2;
+  evaluation.covered_share = covered_share(face.plan, on_plane, cover_radius_m(over_per_m2));
+  const double on_per_m2 = static_cast<double>(on_plane.size()) / evaluation.plan_area_m2;
+  evaluation.edges = edge_offsets(points, places, face, on_per_m2, options);
+  set_areas(points, places, face, neighbours, evaluation);
   evaluation.verdict = plane_verdict(face, evaluation.fit, evaluation.difference, options);
   evaluation.verdict.outline = is_outline_wrong(evaluation.edges, options);
 }

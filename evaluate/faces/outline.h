@@ -16,7 +16,8 @@ enum class PointPlace : std::uint8_t {
   kOnFace,
   kOnFaceOrOther,  ///< on both planes, nearer to the face's: beside their intersection
   kOtherOrOnFace,  ///< on both planes, nearer to the other one
-  kElsewhere,
+  kElsewhere,      ///< below the face's plane, or on another one
+  kAbove,    ///< above the face's plane and on no other: its ray ended before it reached the face
   kUnknown,  ///< it may belong to either: planes that are nearly one, faces one above the other, or a neighbour without a plane
 };
 
@@ -33,12 +34,15 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
                                        std::span<const NeighbourFace> neighbours,
                                        const FaceOptions& options);
 
-/// For each edge of the outline the place where it contradicts the fewest of the points beside it: points on the face must lie
-/// inwards of it, others outwards. Of several such places it is the nearest to the edge's own, so that an edge that no point
-/// contradicts is right. An edge with fewer than twice FaceOptions::min_contradictions points beside it is left out.
+/// For each edge of the outline the place that the points beside it speak for, of several the nearest to the edge's own. A face is too
+/// large where its plane has no points in a strip along the edge although rays came through, and too small where its plane goes on.
+/// Points below the plane alone say nothing: slanting rays meet walls and ground under an overhang. An edge with fewer
+/// than twice FaceOptions::min_contradictions points beside it is left out.
+/// @param points_per_m2  in plan, of the face on its plane
 std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
                                      std::span<const PlacedPoint> places,
                                      const RoofFace& face,
+                                     double points_per_m2,
                                      const FaceOptions& options);
 
 /// Whether an edge is off by more than the tolerance, by enough points.

@@ -11,7 +11,7 @@
 
 namespace ridgeline::evaluate {
 
-/// A face of a building model. Local metres.
+/// A face of a building model, most of all of its roof. Local metres.
 struct RoofFace {
   std::string id;
   std::vector<std::vector<Eigen::Vector3d>> rings;  ///< the outer one, then holes; not closed
@@ -26,10 +26,11 @@ struct RoofFace {
   PlanPolygon plan;
 };
 
-/// A building by its roof faces.
+/// A building by its roof faces, which are judged, and its walls and grounds, which explain points.
 struct RoofBuilding {
   std::string id;
   std::vector<RoofFace> faces;
+  std::vector<RoofFace> others = {};
 };
 
 /// The normal is Newell's, of the outer ring: the sum of the vertices' cross products, which needs no choice of three

@@ -27,6 +27,11 @@ double sum_of_squares(std::span<const double> values) {
   return total.value();
 }
 
+std::optional<double> rms(std::span<const double> values) {
+  if (values.empty()) return std::nullopt;
+  return std::sqrt(sum_of_squares(values) / static_cast<double>(values.size()));
+}
+
 std::optional<double> quantile(std::vector<double> values, double share) {
   check(share >= 0.0 && share <= 1.0, "quantile: share = ", share, ", must be in [0, 1]");
   if (values.empty()) return std::nullopt;

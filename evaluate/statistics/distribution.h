@@ -20,6 +20,8 @@ class CompensatedSum {
 
 double sum(std::span<const double> values);
 double sum_of_squares(std::span<const double> values);
+/// Root mean square; empty for no values.
+std::optional<double> rms(std::span<const double> values);
 
 /// Quantile by linear interpolation between order statistics (type 7 of Hyndman and Fan 1996, the
 /// default of R and NumPy). Empty for no values.

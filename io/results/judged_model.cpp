@@ -20,7 +20,7 @@ namespace {
 
 using evaluate::RoofBuilding;
 
-/// The roof faces of all buildings with their numbers in the model.
+/// The faces of all buildings, with the numbers of their roof faces in the model.
 JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const LocalFrame& frame) {
   const io::BuildingModel& model = *set.model;
   const Eigen::Vector3d unit_m = unit_m_of(set);
@@ -31,13 +31,18 @@ JudgedModel roofs_of(const io::LineSet& set, const Eigen::Vector3d& by_m, const 
     judged.buildings[i].id = model.buildings[i].id;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
     const io::ModelFace& face = model.faces[i];
-    if (face.kind != io::SurfaceKind::kRoof) continue;
+    if (face.kind == io::SurfaceKind::kOther) continue;
     std::vector<Ring> rings = face.rings;
     for (Ring& ring : rings)
       for (Eigen::Vector3d& x : ring) x = frame.local_from_world(x.cwiseProduct(unit_m)) + by_m;
     RoofBuilding& building = judged.buildings[face.building];
-    building.faces.push_back(evaluate::make_roof_face(
-        face.id.empty() ? fmt::format("{}", i) : face.id, std::move(rings)));
+    evaluate::RoofFace made = evaluate::make_roof_face(
+        face.id.empty() ? fmt::format("{}", i) : face.id, std::move(rings));
+    if (face.kind != io::SurfaceKind::kRoof) {
+      building.others.push_back(std::move(made));
+      continue;
+    }
+    building.faces.push_back(std::move(made));
     judged.numbers[face.building].push_back(i);
   }
   return judged;
@@ -59,6 +64,7 @@ class ModelJudge {
       : cloud_(cloud), judged_(judged), options_(options), max_points_(max_points) {
     for (const RoofBuilding& building : judged.buildings) boxes_.push_back(plan_box(building));
     judged.faces.resize(judged.buildings.size());
+    judged.points.resize(judged.buildings.size());
   }
 
   void judge() {
@@ -82,11 +88,17 @@ class ModelJudge {
       return;
     }
     if (!near) near = cloud_.read(mask_of(members));
+    const std::vector<std::uint8_t> classes = ridgeline::transformed(
+        near->points, [](const io::CloudPoint& p) { return p.classification; });
     const evaluate::PointGrid grid = grid_of(*near);
     const auto buildings =
         transformed(members, [&](std::size_t i) { return judged_.buildings[i]; });
     auto faces = evaluate::judge_faces(grid, buildings, options_);
-    for (std::size_t k = 0; k < group.size(); ++k) judged_.faces[members[k]] = std::move(faces[k]);
+    auto points = evaluate::point_distances(grid, buildings, classes);
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      judged_.faces[members[k]] = std::move(faces[k]);
+      judged_.points[members[k]] = std::move(points[k]);
+    }
   }
 
   void judge_without_points(std::size_t i) {
@@ -164,8 +176,8 @@ JudgedModel judge_model(io::CloudFiles& cloud,
   evaluate::FaceOptions face_options;
   face_options.judge = options;
   ModelJudge(cloud, judged, face_options, max_memory_bytes / kBytesPerPoint).judge();
-  judged.rows =
-      evaluate::building_table(judged.buildings, judged.faces, evaluation.lines, face_options);
+  judged.rows = evaluate::building_table(judged.buildings, judged.faces, judged.points,
+                                         evaluation.lines, face_options);
   return judged;
 }
 

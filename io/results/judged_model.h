@@ -21,6 +21,7 @@ struct JudgedModel {
   std::vector<evaluate::RoofBuilding> buildings;  ///< all, in the order of the model
   std::vector<std::vector<std::size_t>> numbers;  ///< of their roof faces in LineSet::model
   std::vector<std::vector<evaluate::FaceEvaluation>> faces;  ///< of each building
+  std::vector<evaluate::PointDistances> points;              ///< of each building
   std::vector<evaluate::BuildingRow> rows;                   ///< of each building
 };
 

@@ -20,6 +20,10 @@ using io::Value;
 
 using BuildingField = Field<BuildingRow>;
 
+std::optional<double> shift_along(const BuildingRow& building, int axis) {
+  return building.shift_m ? std::optional((*building.shift_m)[axis]) : std::nullopt;
+}
+
 const std::vector<BuildingField>& building_fields() {
   static const std::vector<BuildingField> fields{
       {"building", ColumnType::kText, [](const auto& b) { return text(b.id); }},
@@ -43,8 +47,15 @@ const std::vector<BuildingField>& building_fields() {
       {"ridge_height_m", ColumnType::kReal,
        [](const auto& b) { return number(b.heights.ridge_m); }},
       {"eave_height_m", ColumnType::kReal, [](const auto& b) { return number(b.heights.eave_m); }},
-      {"unexplained_share", ColumnType::kReal,
-       [](const auto& b) { return number(b.unexplained); }}};
+      {"unexplained_share", ColumnType::kReal, [](const auto& b) { return number(b.unexplained); }},
+      {"shift_x_m", ColumnType::kReal, [](const auto& b) { return number(shift_along(b, 0)); }},
+      {"shift_y_m", ColumnType::kReal, [](const auto& b) { return number(shift_along(b, 1)); }},
+      {"shift_z_m", ColumnType::kReal, [](const auto& b) { return number(shift_along(b, 2)); }},
+      {"points_rms_m", ColumnType::kReal, [](const auto& b) { return number(b.points_rms_m); }},
+      {"points_p90_m", ColumnType::kReal, [](const auto& b) { return number(b.points_p90_m); }},
+      {"roof_points_rms_m", ColumnType::kReal,
+       [](const auto& b) { return number(b.roof_points_rms_m); }},
+      {"covered_share", ColumnType::kReal, [](const auto& b) { return number(b.covered); }}};
   return fields;
 }
 

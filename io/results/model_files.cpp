@@ -3,13 +3,16 @@
 
 #include "evaluate/faces/face_table.h"
 #include "evaluate/judge/roof_kind.h"
+#include "evaluate/statistics/distribution.h"
 #include "evaluate/tables/format.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -86,6 +89,22 @@ std::string by_rows(const JudgedFiles& judged, std::size_t i, const std::string&
   return text;
 }
 
+/// How far all points are from their buildings; nothing without points.
+std::optional<std::string> points_message(const JudgedModel& model) {
+  std::vector<double> to_surface_m, to_roof_m;
+  for (const evaluate::PointDistances& points : model.points) {
+    std::ranges::copy(points.to_surface_m, std::back_inserter(to_surface_m));
+    std::ranges::copy(points.to_roof_m, std::back_inserter(to_roof_m));
+  }
+  if (to_surface_m.empty()) return std::nullopt;
+  std::string text = fmt::format(
+      "{} points from the nearest surface of their building: RMS {:.3f} m, 90 % within {:.3f} m",
+      to_surface_m.size(), *evaluate::rms(to_surface_m), *evaluate::quantile(to_surface_m, 0.9));
+  if (!to_roof_m.empty())
+    text += fmt::format("; over the roofs {:.3f} m in height", *evaluate::rms(to_roof_m));
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> model_names() {
@@ -129,24 +148,21 @@ void write_models(const JudgedFiles& judged,
 }
 
 std::vector<std::string> model_messages(const JudgedFiles& judged) {
-  using evaluate::BuildingVerdict;
   std::vector<std::string> messages;
   for (std::size_t i = 0; i < judged.models.size(); ++i) {
     if (!judged.models[i]) continue;
-    std::map<BuildingVerdict, std::size_t> counts;
+    std::map<evaluate::BuildingVerdict, std::size_t> counts;
     for (const evaluate::BuildingRow& row : judged.models[i]->rows) ++counts[row.verdict];
     std::string text = fmt::format("{}: {} buildings", judged.evaluations[i].method,
                                    judged.models[i]->rows.size());
     const char* separator = ": ";
-    for (const BuildingVerdict verdict :
-         {BuildingVerdict::kRight, BuildingVerdict::kWrongHeight, BuildingVerdict::kWrongTilt,
-          BuildingVerdict::kWrongOutline, BuildingVerdict::kFacesMissing,
-          BuildingVerdict::kNotJudged}) {
+    for (const evaluate::BuildingVerdict verdict : evaluate::kBuildingVerdicts) {
       if (counts[verdict] == 0) continue;
       text += fmt::format("{}{} {}", std::exchange(separator, ", "), counts[verdict],
                           evaluate::text(verdict));
     }
     messages.push_back(std::move(text));
+    if (const auto points = points_message(*judged.models[i])) messages.push_back(*points);
   }
   return messages;
 }

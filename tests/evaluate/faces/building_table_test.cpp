@@ -25,14 +25,20 @@ BuildingSpec spec_of(RoofShape shape) {
       .shape = shape, .length_m = 14.0, .width_m = 10.0, .pitch_deg = 38.0, .azimuth_deg = 20.0};
 }
 
+/// The row of a building without lines.
+BuildingRow row_of(const RoofBuilding& building, const evaluate::PointGrid& search) {
+  const auto evaluations = evaluate::judge_faces(search, std::span(&building, 1), {});
+  const auto points = evaluate::point_distances(search, std::span(&building, 1), {});
+  return evaluate::building_table(std::span(&building, 1), evaluations, points, {}, {})[0];
+}
+
 /// The row of a building whose faces are changed, against the scan of the one as it was made.
 template <typename Change>
 BuildingRow row_after(RoofShape shape, const Change& change) {
   const MadeBuilding made = make_building(spec_of(shape));
   RoofBuilding building = roof_of(made);
   for (RoofFace& face : building.faces) face = change(face);
-  const auto evaluations = evaluate::judge_faces(scan_of(made, {}), std::span(&building, 1), {});
-  return evaluate::building_table(std::span(&building, 1), evaluations, {}, {})[0];
+  return row_of(building, scan_of(made, {}));
 }
 
 RoofFace moved(const RoofFace& face, const V& by) {
@@ -61,14 +67,51 @@ TEST(BuildingTable, FindsRightBuildingsRight) {
   }
 }
 
-TEST(BuildingTable, TellsAWrongHeight) {
+TEST(BuildingTable, TellsABuildingThatIsTooHighOrTooLowAsAWhole) {
   const BuildingRow row = row_after(RoofShape::kHip, [](const RoofFace& face) {
     return moved(face, {0, 0, 0.6});
   });
-  EXPECT_EQ(row.verdict, BuildingVerdict::kWrongHeight);
+  EXPECT_EQ(row.verdict, BuildingVerdict::kTooHigh);
+  EXPECT_NEAR(row.shift_m->z(), 0.6, 0.03);
   EXPECT_NEAR(*row.heights.ridge_m, 0.6, 0.03);
   EXPECT_NEAR(*row.heights.eave_m, 0.6, 0.03);
   EXPECT_NEAR(row.wrong_height, 1.0, 1e-9);
+  const BuildingRow low = row_after(RoofShape::kGable, [](const RoofFace& face) {
+    return moved(face, {0, 0, -0.4});
+  });
+  EXPECT_EQ(low.verdict, BuildingVerdict::kTooLow);
+  EXPECT_NEAR(low.shift_m->z(), -0.4, 0.03);
+}
+
+TEST(BuildingTable, TellsAWrongHeightOfOneFace) {
+  int n = 0;
+  const BuildingRow row = row_after(RoofShape::kGable, [&](const RoofFace& face) {
+    return n++ == 0 ? moved(face, {0, 0, 0.6}) : face;
+  });
+  EXPECT_EQ(row.verdict, BuildingVerdict::kWrongHeight);
+  EXPECT_FALSE(row.shift_m);
+}
+
+TEST(BuildingTable, TellsABuildingThatIsShiftedInPlan) {
+  for (const RoofShape shape :
+       {RoofShape::kGable, RoofShape::kHip, RoofShape::kShed, RoofShape::kLShape}) {
+    const BuildingRow row = row_after(shape, [](const RoofFace& face) {
+      return moved(face, {0.7, -0.4, 0});
+    });
+    EXPECT_EQ(row.verdict, BuildingVerdict::kShifted) << static_cast<int>(shape);
+    ASSERT_TRUE(row.shift_m);
+    EXPECT_LT((*row.shift_m - V(0.7, -0.4, 0.0)).norm(), 0.25) << static_cast<int>(shape);
+  }
+}
+
+TEST(BuildingTable, TellsABuildingThatIsGone) {
+  const MadeBuilding made = make_building(spec_of(RoofShape::kGable));
+  std::vector<V> ground;
+  Random random(1);
+  for (int i = 0; i < 4500; ++i) {
+    ground.emplace_back(random.uniform(-15, 15), random.uniform(-15, 15), random.normal(0.03));
+  }
+  EXPECT_EQ(row_of(roof_of(made), grid_of(ground)).verdict, BuildingVerdict::kGone);
 }
 
 TEST(BuildingTable, TellsAWrongTilt) {
@@ -94,14 +137,14 @@ TEST(BuildingTable, DoesNotTakeAMovedRidgeForAWrongHeight) {
   EXPECT_NEAR(*row.heights.ridge_m, 0.0, 0.03);
 }
 
-TEST(BuildingTable, TellsMissingFaces) {
+TEST(BuildingTable, TellsAnotherShape) {
   // a flat box in place of a gable 3.9 m higher
   const BuildingRow row = row_after(RoofShape::kGable, [](const RoofFace& face) {
     Rings rings = face.rings;
     for (V& x : rings[0]) x.z() = 5.0;
     return evaluate::make_roof_face(face.id, rings);
   });
-  EXPECT_EQ(row.verdict, BuildingVerdict::kFacesMissing);
+  EXPECT_EQ(row.verdict, BuildingVerdict::kChanged);
   EXPECT_GT(*row.unexplained, 0.9);
 }
 
@@ -118,6 +161,7 @@ TEST(BuildingTable, DoesNotJudgeABuildingOutsideTheCloud) {
 
 TEST(BuildingTable, WeighsVerdictsByArea) {
   const std::vector<RoofBuilding> buildings{{"a", std::vector<RoofFace>(4)}};
+  const std::vector<evaluate::PointDistances> points(1);
   std::vector<std::vector<FaceEvaluation>> evaluations(1);
   const auto face = [](double area_m2, bool height, bool outline, FaceStatus status) {
     FaceEvaluation evaluation;
@@ -131,26 +175,29 @@ TEST(BuildingTable, WeighsVerdictsByArea) {
                     face(40.0, false, true, FaceStatus::kEvaluated),
                     face(30.0, false, false, FaceStatus::kEvaluated),
                     face(500.0, false, false, FaceStatus::kSteep)};
-  const BuildingRow row = evaluate::building_table(buildings, evaluations, {}, {})[0];
+  const BuildingRow row = evaluate::building_table(buildings, evaluations, points, {}, {})[0];
   EXPECT_EQ(row.verdict, BuildingVerdict::kWrongOutline);
   EXPECT_NEAR(row.wrong_height, 0.3, 1e-12);
   EXPECT_NEAR(row.wrong_outline, 0.4, 1e-12);
   EXPECT_NEAR(row.area_m2, 100.0, 1e-12);
   evaluations[0][2].status = FaceStatus::kNoLidar;
   evaluations[0][2].area_m2 = 80.0;
-  EXPECT_EQ(evaluate::building_table(buildings, evaluations, {}, {})[0].verdict,
+  EXPECT_EQ(evaluate::building_table(buildings, evaluations, points, {}, {})[0].verdict,
             BuildingVerdict::kNotJudged);
   evaluations[0].pop_back();
-  EXPECT_THROW(evaluate::building_table(buildings, evaluations, {}, {}), std::invalid_argument);
+  EXPECT_THROW(evaluate::building_table(buildings, evaluations, points, {}, {}),
+               std::invalid_argument);
 }
 
 TEST(BuildingTable, SumsUpTheLinesOfEachBuilding) {
   const std::vector<RoofBuilding> buildings{{"a", {}}, {"b", {}}, {"c", {}}};
   const std::vector<std::vector<FaceEvaluation>> evaluations(3);
+  const std::vector<evaluate::PointDistances> points(3);
   const std::vector<LineEvaluation> lines{line_of("a", "1", 0.3), line_of("b", "2", 0.1),
                                           line_of("a", "3", 0.4), line_of("a", "4", -1.0),
                                           line_of("x", "5", 9.0), line_of("a", "6", 0.4)};
-  const std::vector<BuildingRow> rows = evaluate::building_table(buildings, evaluations, lines, {});
+  const std::vector<BuildingRow> rows =
+      evaluate::building_table(buildings, evaluations, points, lines, {});
   EXPECT_EQ(rows[0].n_lines, 4);
   EXPECT_EQ(rows[0].n_judged_lines, 3);
   EXPECT_NEAR(*rows[0].rms_m, std::sqrt((0.09 + 0.16 + 0.16) / 3.0), 1e-12);
@@ -177,16 +224,23 @@ TEST(ToBuildingsCsv, HasOneRowABuilding) {
   row.wrong_tilt = 0.5;
   row.heights.ridge_m = -0.25;
   row.unexplained = 0.01;
+  row.shift_m = V(0.5, -0.25, 0.125);
+  row.n_points = 700;
+  row.points_rms_m = 0.05;
+  row.points_p90_m = 0.08;
+  row.covered = 0.9;
   const std::string csv = evaluate::buildings_csv_header() +
                           evaluate::buildings_csv_rows("m", std::vector{row, BuildingRow{}});
   EXPECT_EQ(
       csv,
       "method,id,verdict,n_lines,n_judged_lines,rms_m,worst_line,worst_distance_m,n_faces,"
       "n_judged_faces,area_m2,judged_area_m2,wrong_height_share,wrong_tilt_share,"
-      "wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share\n"
+      "wrong_outline_share,ridge_height_m,eave_height_m,unexplained_share,shift_x_m,shift_y_m,"
+      "shift_z_m,"
+      "n_points,points_rms_m,points_p90_m,roof_points_rms_m,covered_share\n"
       "m,\"a,b\",wrong tilt,3,2,0.1235,7,0.2000,4,3,120.0,100.0,0.0000,0.5000,0.0000,-0.2500,,"
-      "0.0100\n"
-      "m,,not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,\n");
+      "0.0100,0.5000,-0.2500,0.1250,700,0.0500,0.0800,,0.9000\n"
+      "m,,not judged,0,0,,,,0,0,0.0,0.0,0.0000,0.0000,0.0000,,,,,,,0,,,,0.0000\n");
 }
 
 TEST(ToFacesCsv, HasOneRowAFace) {
@@ -208,7 +262,7 @@ TEST(ToFacesCsv, HasOneRowAFace) {
   face.covered_share = 1.0;
   face.beyond_m2 = 0.4;
   face.missing_m2 = 1.2;
-  face.edges = {{{}, 0.2, 3}, {{}, -0.3, 4}, {{}, 0.1, 0}};
+  face.edges = {{0, 0.2, 3}, {1, -0.3, 4}, {2, 0.1, 0}};
   const std::vector<std::vector<FaceEvaluation>> evaluations{{face, FaceEvaluation{}}};
   EXPECT_EQ(
       evaluate::faces_csv_header() +

@@ -34,12 +34,15 @@ PlaneFit fit_of(const Plane3& plane) {
 
 const PlaneFit kLevel = fit_of(Plane3(V::UnitZ(), 0.0));
 
-/// One point every 5 cm across the edge at x = 10: on z = 0 up to `border`, below that beyond.
+constexpr double kPointsPerM2 = 2.0;
+
+/// One point every 5 cm across the edge at x = 10, from y = 2 to 8: on z = 0 up to `border`, below that beyond.
 std::vector<V> points_up_to(double border, double from = 8.0, double to = 12.0) {
   std::vector<V> points;
   for (int i = 0; from + 0.05 * i < to; ++i) {
     const double x = from + 0.05 * i + 0.02;
-    points.emplace_back(x, 5.0 + 0.001 * i, x < border ? 0.0 : -3.0);
+    const double y = 2.0 + 6.0 * std::fmod(0.618 * i, 1.0);
+    points.emplace_back(x, y, x < border ? 0.0 : -3.0);
   }
   return points;
 }
@@ -52,7 +55,7 @@ EdgeOffset offset_by(const std::vector<V>& points,
   const evaluate::PointGrid grid = grid_of(points);
   const std::vector<FacePoint> around = points_around(grid, face, options.reach_m);
   const std::vector<PlacedPoint> places = placed_points(around, face, kLevel, neighbours, options);
-  const std::vector<EdgeOffset> edges = edge_offsets(around, places, face, options);
+  const std::vector<EdgeOffset> edges = edge_offsets(around, places, face, kPointsPerM2, options);
   EXPECT_EQ(edges.size(), 1U);
   return edges.empty() ? EdgeOffset{} : edges.front();
 }
@@ -61,19 +64,42 @@ TEST(EdgeOffsets, AreZeroWhereNoPointContradicts) {
   const EdgeOffset edge = offset_by(points_up_to(10.0));
   EXPECT_EQ(edge.offset_m, 0.0);
   EXPECT_EQ(edge.n_contradictions, 0);
-  EXPECT_NEAR(edge.edge.start.x(), 10.0, 1e-12);
+  EXPECT_EQ(edge.edge, 1U);
 }
 
 TEST(EdgeOffsets, ArePositiveWhereTheFaceIsTooLarge) {
   const EdgeOffset edge = offset_by(points_up_to(9.5));
   EXPECT_NEAR(edge.offset_m, 0.5, 0.05);  // to the next point
-  EXPECT_EQ(edge.n_contradictions, 10);
+  EXPECT_EQ(edge.n_contradictions, 9);    // expected in 9.5 m x 0.5 m
 }
 
 TEST(EdgeOffsets, AreNegativeWhereTheFaceIsTooSmall) {
   const EdgeOffset edge = offset_by(points_up_to(10.5));
   EXPECT_NEAR(edge.offset_m, -0.5, 0.05);
   EXPECT_EQ(edge.n_contradictions, 10);
+}
+
+TEST(EdgeOffsets, AreZeroWhereSlantingRaysPassUnderAnOverhang) {
+  std::vector<V> points = points_up_to(10.0);
+  for (double y = 2.0; y < 8.0; y += 0.1) {
+    points.emplace_back(9.5, y, -1.0 - 0.3 * y);  // a wall
+    points.emplace_back(9.8 - 0.05 * y, y, -4.0);
+  }
+  EXPECT_EQ(offset_by(points).offset_m, 0.0);
+}
+
+TEST(EdgeOffsets, FindAFaceTooLargeAlsoWithAWallBelow) {
+  std::vector<V> points = points_up_to(9.5);
+  for (double y = 2.0; y < 8.0; y += 0.1) points.emplace_back(9.2, y, -1.0 - 0.3 * y);
+  EXPECT_NEAR(offset_by(points).offset_m, 0.5, 0.05);
+}
+
+TEST(EdgeOffsets, AreZeroWhereNoRayCameThrough) {
+  std::vector<V> points = points_up_to(10.0);
+  std::erase_if(points, [](const V& x) { return x.x() > 9.0 && x.x() < 10.0; });
+  EXPECT_EQ(offset_by(points).offset_m, 0.0);
+  for (double y = 2.0; y < 8.0; y += 0.1) points.emplace_back(9.5, y, 2.0);  // a tree
+  EXPECT_EQ(offset_by(points).offset_m, 0.0);
 }
 
 TEST(EdgeOffsets, EndAtTheirReach) {
@@ -101,15 +127,14 @@ TEST(EdgeOffsets, TakeTheNearestOfSeveralPlaces) {
   EXPECT_EQ(offset_by(points).offset_m, 0.0);
 }
 
-TEST(EdgeOffsets, TakeTheNearestOfSeveralThatContradictAsManyPoints) {
-  for (const double odd :
-       {10.07, 9.92}) {  // a point that is wrong, before one further outwards or inwards is
+TEST(EdgeOffsets, AreNotMovedByOneOddPoint) {
+  for (const double odd : {10.07, 9.92}) {
     std::vector<V> points = points_up_to(10.0);
     for (V& x : points) {
       if (std::abs(x.x() - odd) < 0.02) x.z() = odd > 10.0 ? 0.0 : -3.0;
     }
-    EXPECT_EQ(offset_by(points).offset_m, 0.0) << odd;
-    EXPECT_EQ(offset_by(points).n_contradictions, 0) << odd;
+    EXPECT_NEAR(offset_by(points).offset_m, 0.0, 0.08) << odd;
+    EXPECT_LE(offset_by(points).n_contradictions, 1) << odd;
   }
 }
 
@@ -120,7 +145,7 @@ TEST(EdgeOffsets, LeaveOutEdgesWithFewPoints) {
   const evaluate::PointGrid grid = grid_of(points);
   const std::vector<FacePoint> around = points_around(grid, face, 1.5);
   const std::vector<PlacedPoint> places = placed_points(around, face, kLevel, {}, {});
-  EXPECT_TRUE(edge_offsets(around, places, face, {}).empty());
+  EXPECT_TRUE(edge_offsets(around, places, face, kPointsPerM2, {}).empty());
 }
 
 TEST(PlacedPoints, OfAPlaneThatGoesOnInANeighbourSayNothing) {
@@ -166,9 +191,9 @@ TEST(PlacedPoints, OnAFaceAboveAreNotMissing) {
   const std::vector<FacePoint> around = points_around(grid, face, 1.5);  // by x, then y
   const std::vector<PlacedPoint> places =
       placed_points(around, face, kLevel, std::span(&neighbour, 1), {});
-  EXPECT_EQ(places[0].place, PointPlace::kElsewhere);  // beyond the neighbour's reach
+  EXPECT_EQ(places[0].place, PointPlace::kAbove);  // beyond the neighbour's reach
   EXPECT_FALSE(places[0].explained);
-  EXPECT_EQ(places[1].place, PointPlace::kElsewhere);  // a chimney on it
+  EXPECT_EQ(places[1].place, PointPlace::kAbove);  // a chimney on it
   EXPECT_FALSE(places[1].explained);
   EXPECT_EQ(places[2].place, PointPlace::kUnknown);
   EXPECT_TRUE(places[2].explained);
@@ -176,7 +201,7 @@ TEST(PlacedPoints, OnAFaceAboveAreNotMissing) {
 
 TEST(IsOutlineWrong, NeedsAnOffsetAndPoints) {
   const auto is_wrong = [](double offset_m, int n_contradictions) {
-    const EdgeOffset edge{{}, offset_m, n_contradictions};
+    const EdgeOffset edge{0, offset_m, n_contradictions};
     return is_outline_wrong(std::span(&edge, 1), {});
   };
   EXPECT_TRUE(is_wrong(0.31, 5));

@@ -218,6 +218,11 @@ export interface Building {
   ridge_height_m: number | null;
   eave_height_m: number | null;
   unexplained_share: number | null;
+  shift_x_m: number | null;
+  shift_y_m: number | null;
+  shift_z_m: number | null;
+  points_rms_m: number | null;
+  points_p90_m: number | null;
 }
 
 /** Lines that were moved on purpose, by kind and distance: how many of them pass for right ones. */

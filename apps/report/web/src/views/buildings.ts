@@ -9,7 +9,25 @@ import { SortedTable, type SortedColumn } from '../ui/sorted_table';
 const shownRows = 50;
 
 /** Right ones last, those that could not be judged before them. */
-const order = ['wrong height', 'wrong tilt', 'wrong outline', 'faces missing', 'not judged', 'right'];
+const order = ['gone', 'changed', 'shifted', 'too high', 'too low', 'wrong height', 'wrong tilt', 'wrong outline', 'not judged', 'right'];
+
+/** What is wrong with a building, in one sentence. */
+function reason(building: Building): string {
+  const { shift_x_m: x, shift_y_m: y, shift_z_m: z } = building;
+  const shift = x === null || y === null || z === null ? '' : `: ${metres(Math.hypot(x, y))} m in plan, ${metres(z)} m in height`;
+  const text: Record<string, string> = {
+    gone: 'The scan has the ground in its place.',
+    changed: 'The scan has a roof of another shape: too many points over it lie on none of its planes.',
+    shifted: `All of it lies off the scan${shift}.`,
+    'too high': `All of it lies above the scan${shift}.`,
+    'too low': `All of it lies below the scan${shift}.`,
+    'wrong height': 'Most of its wrong area is too high or too low.',
+    'wrong tilt': 'Most of its wrong area has another slope or direction.',
+    'wrong outline': 'Most of its wrong area ends too far out or too far in.',
+    'not judged': 'Less than half of its area has points.',
+  };
+  return text[building.verdict] ?? '';
+}
 
 function countsText(buildings: readonly Building[]): string {
   const counts = order.map((verdict) => ({ verdict, n: buildings.filter((b) => b.verdict === verdict).length })).filter(({ n }) => n > 0);
@@ -20,7 +38,8 @@ function columns(select: (line: string) => void): SortedColumn<Building>[] {
   const share = (value: number | null): string => (value === null ? missing : percent(value));
   return [
     { key: 'id', title: 'building', value: (b) => b.id },
-    { key: 'verdict', title: 'verdict', value: (b) => b.verdict, hint: 'what most of its wrong area has' },
+    { key: 'verdict', title: 'verdict', value: (b) => b.verdict },
+    { key: 'points', title: 'points, m', number: true, value: (b) => b.points_rms_m, cell: (b) => metres(b.points_rms_m), hint: 'RMS distance of its points from its nearest surface' },
     { key: 'rms', title: 'RMS, m', number: true, value: (b) => b.rms_m, cell: (b) => metres(b.rms_m), hint: 'of its lines' },
     { key: 'lines', title: 'lines', number: true, value: (b) => b.n_judged_lines, cell: (b) => `${b.n_judged_lines}/${b.n_lines}`, hint: 'judged, of all' },
     { key: 'worst', title: 'worst line, m', number: true, value: (b) => b.worst_distance_m,
@@ -29,6 +48,7 @@ function columns(select: (line: string) => void): SortedColumn<Building>[] {
     { key: 'eave', title: 'eave, m', number: true, value: (b) => b.eave_height_m, cell: (b) => metres(b.eave_height_m), hint: 'height of its eaves, model minus scan' },
     { key: 'faces', title: 'faces', number: true, value: (b) => b.n_judged_faces, cell: (b) => `${b.n_judged_faces}/${b.n_faces}`, hint: 'judged, of all' },
     { key: 'unexplained', title: 'unexplained, %', number: true, value: (b) => b.unexplained_share, cell: (b) => share(b.unexplained_share), hint: 'points over it that lie on none of its planes' },
+    { key: 'reason', title: 'reason', value: reason },
   ];
 }
 
@@ -40,11 +60,11 @@ export function buildingsOf(state: State): HTMLElement[] {
     const line = lines.findIndex((l) => l.id === id);
     if (line >= 0) state.set({ line });
   };
-  const table = new SortedTable<Building>(columns(select), buildings, { id: 'buildings', sortBy: 'rms', descending: true, limit: shownRows });
+  const table = new SortedTable<Building>(columns(select), buildings, { id: 'buildings', sortBy: 'points', descending: true, limit: shownRows });
   return [
     h('h3', {}, `Buildings: ${name}`),
     h('p', { id: 'building-counts' }, countsText(buildings)),
     table.element,
-    h('p', { class: 'caption' }, 'A building is wrong in height, tilt or outline by what most of its wrong roof area has; faces are missing where too many points over it lie on none of its planes. faces.csv has each face, the map judged.*.gpkg both as layers.'),
+    h('p', { class: 'caption' }, 'faces.csv has each face; the map judged.*.gpkg has buildings and faces as layers.'),
   ];
 }

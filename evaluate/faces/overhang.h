@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <numbers>
+
+namespace ridgeline::evaluate {
+
+/// Whether a slanting ray that passes by a roof may have met this place under it: a wall, or the ground under an overhang.
+/// @param x        in plan
+/// @param below_m  how far it lies below the roof
+/// @param is_over  whether a place in plan lies under the roof
+template <typename IsOver>
+bool is_under_overhang(const Eigen::Vector2d& x, double below_m, const IsOver& is_over) {
+  constexpr double kMostSlanted =
+      0.6;  // tangent of 31 degrees; airborne scanners look up to 30 to each side
+  constexpr int kDirections = 8;
+  if (below_m <= 0.0) return false;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / kDirections;
+    const Eigen::Vector2d towards(std::cos(angle_rad), std::sin(angle_rad));
+    if (!is_over(Eigen::Vector2d(x + kMostSlanted * below_m * towards))) return true;
+  }
+  return false;
+}
+
+}  // namespace ridgeline::evaluate

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "evaluate/faces/face_evaluation.h"
+#include "evaluate/faces/options.h"
+#include "evaluate/faces/roof_face.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <span>
+
+namespace ridgeline::evaluate {
+
+/// By how much a building as a whole lies off its scan (model minus scan, local metres), if that alone makes it wrong: the least
+/// squares solution of its faces' shifts along their normals and its outlines' offsets across their edges, without which all but
+/// FaceOptions::max_wrong_share of its area is right. Nothing without it, or where faces and outlines do not fix all three
+/// components. Offsets that reach FaceOptions::reach_m are not used.
+/// @param evaluations  of the faces, in their order
+std::optional<Eigen::Vector3d> whole_shift_m(std::span<const RoofFace> faces,
+                                             std::span<const FaceEvaluation> evaluations,
+                                             const FaceOptions& options);
+
+}  // namespace ridgeline::evaluate
