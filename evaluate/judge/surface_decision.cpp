@@ -54,7 +54,7 @@ double log_place_of_object(std::span<const SurfaceHypothesis> hypotheses,
                            const Segment3& segment,
                            const JudgeOptions& options) {
   const auto is_near = [&](const SurfaceHypothesis& h) {
-    return h.accompanied > 0.0 || std::ranges::any_of(h.planes, [&](std::size_t i) {
+    return h.has_points || std::ranges::any_of(h.planes, [&](std::size_t i) {
              const double mean_m = orthogonal_distance(segment, candidates[i].fit.plane).mean;
              return std::abs(mean_m) < kFarthestObject_m;
            });

@@ -96,12 +96,14 @@ double covered_share(const PlacedPlane& plane,
   return static_cast<double>(n) / static_cast<double>(stretches.n());
 }
 
+constexpr double kNotOn = 1.5;  // of the inliers' distance
+
 /// A point beside the line that no candidate explains.
 bool is_unexplained(const ZonePoint& p,
                     std::span<const CandidatePlane> candidates,
                     const JudgeOptions& options) {
   return std::ranges::none_of(candidates, [&](const CandidatePlane& plane) {
-    return plane.fit.plane.absDistance(p.x) <= 1.5 * options.inlier_distance_m;
+    return plane.fit.plane.absDistance(p.x) <= kNotOn * options.inlier_distance_m;
   });
 }
 
@@ -215,11 +217,20 @@ class Hypotheses {
     }
   }
 
-  [[nodiscard]] SurfaceHypothesis object(const Segment3& segment) const {
+  [[nodiscard]] SurfaceHypothesis object(std::span<const ZonePoint> zone,
+                                         const Segment3& segment) const {
     SurfaceHypothesis h;
     h.plan[kShort] = 1.0 / std::max(1.0, footprint_.length_m);
     h.plan[kOneSideEmpty] = beside_.one_side_empty ? 1.0 : 0.0;
     h.accompanied = accompanied_share(beside_, segment, footprint_.length_m, spacing_m_);
+    h.has_points = std::ranges::any_of(zone, [&](const ZonePoint& p) {
+      constexpr double kNear_m = 1.0;
+      return distance(segment, p.x) <= kNear_m &&
+             std::ranges::none_of(placed_, [&](const auto& of) {
+               return candidates_[of.candidate].fit.plane.absDistance(p.x) <=
+                      kNotOn * options_.inlier_distance_m;
+             });
+    });
     return h;
   }
 
@@ -351,7 +362,7 @@ std::vector<SurfaceHypothesis> surface_hypotheses(std::span<const ZonePoint> zon
                                                   const std::optional<Eigen::Vector2d>& inside,
                                                   const JudgeOptions& options) {
   const Hypotheses hypotheses(zone, candidates, footprint, options);
-  std::vector<SurfaceHypothesis> all{hypotheses.object(segment)};
+  std::vector<SurfaceHypothesis> all{hypotheses.object(zone, segment)};
   if (!inside) std::ranges::move(hypotheses.meetings(), std::back_inserter(all));
   std::ranges::move(hypotheses.steps(inside), std::back_inserter(all));
   return all;

@@ -57,8 +57,9 @@ struct SurfaceHypothesis {
   Eigen::Vector2d heights_m{HUGE_VAL,
                             HUGE_VAL};  ///< at the ends of the footprint; mean of two planes
   std::array<double, kNumPlanTerms> plan{};
-  double accompanied =
-      0.0;  ///< of an object: share of the line with unexplained points within 0.3 m in space
+  // of an object
+  double accompanied = 0.0;  ///< share of the line with unexplained points within 0.3 m in space
+  bool has_points = false;   ///< within 1 m in space, on no plane of the other hypotheses
 };
 
 /// The surfaces that a line may be an edge of: each candidate that accompanies enough of it, each pair that meets
