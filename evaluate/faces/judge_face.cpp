@@ -54,11 +54,17 @@ std::vector<Eigen::Vector2d> points_on(const Plane3& plane,
   return on_plane;
 }
 
-/// Points under an overhang are neither missing nor unexplained, unless their edge is too far out.
+bool is_too_far_out(const EdgeOffset& edge, const FaceOptions& options) {
+  return edge.offset_m > options.outline_tolerance_m &&
+         edge.n_contradictions >= options.min_contradictions;
+}
+
+/// Points on the wall below an edge and those that rays past it meet are neither missing nor unexplained, unless the edge is too far out.
 void set_areas(std::span<const FacePoint> points,
                std::span<const PlacedPoint> places,
                const RoofFace& face,
                std::span<const NeighbourFace> neighbours,
+               const FaceOptions& options,
                FaceEvaluation& evaluation) {
   const auto is_over_roof = [&](const Eigen::Vector2d& x) {
     return face.plan.contains(x) ||
@@ -66,12 +72,13 @@ void set_areas(std::span<const FacePoint> points,
              return other.face->plan.contains(x);
            });
   };
-  const auto overhangs = [&](const FacePoint& p) {
+  const auto is_below_edge = [&](const FacePoint& p) {
     const auto edge = std::ranges::find(evaluation.edges, p.edge, &EdgeOffset::edge);
-    const bool too_far_out = edge != evaluation.edges.end() && edge->offset_m > 0.0;
+    if (edge != evaluation.edges.end() && is_too_far_out(*edge, options)) return false;
     const Eigen::Vector2d x = p.point.x.head<2>();
     const double below_m = height_at(evaluation.fit.plane, x) - p.point.x.z();
-    return !too_far_out && is_under_overhang(x, below_m, is_over_roof);
+    const bool is_on_wall = below_m > 0.0 && p.beyond_m >= -options.border_gap_m;
+    return is_on_wall || is_under_overhang(x, below_m, is_over_roof);
   };
   int n_beyond = 0, n_missing = 0, n_unexplained = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -81,7 +88,7 @@ void set_areas(std::span<const FacePoint> points,
       continue;
     }
     const bool is_off_roof = place == PointPlace::kElsewhere || !places[i].explained;
-    if (is_off_roof && overhangs(points[i])) continue;
+    if (is_off_roof && is_below_edge(points[i])) continue;
     if (place == PointPlace::kElsewhere || place == PointPlace::kAbove) ++n_missing;
     if (!places[i].explained) ++n_unexplained;
   }
@@ -147,7 +154,7 @@ void judge_outline(const PointSearch& search,
   evaluation.covered_share = covered_share(face.plan, on_plane, cover_radius_m(over_per_m2));
   const double on_per_m2 = static_cast<double>(on_plane.size()) / evaluation.plan_area_m2;
   evaluation.edges = edge_offsets(points, places, face, on_per_m2, options);
-  set_areas(points, places, face, neighbours, evaluation);
+  set_areas(points, places, face, neighbours, options, evaluation);
   evaluation.verdict = plane_verdict(face, evaluation.fit, evaluation.difference, options);
   evaluation.verdict.outline = is_outline_wrong(evaluation.edges, options);
 }
