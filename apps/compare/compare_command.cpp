@@ -5,10 +5,13 @@
 #include "evaluate/tables/shift_text.h"
 #include "io/files/atomic_file.h"
 #include "io/results/result_folder_reader.h"
+#include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -18,19 +21,44 @@ namespace {
 struct CompareArguments {
   std::vector<std::string> folders;
   std::string out;
+  std::vector<std::string> fail_if_worse;  ///< METRIC:MARGIN
 };
 
+struct Margin {
+  std::string metric;
+  double margin;
+};
+
+Margin parsed_margin(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const double margin =
+      colon == std::string::npos ? -1.0 : io::to_double(text.substr(colon + 1)).value_or(-1.0);
+  check(margin >= 0.0, "--fail-if-worse ", text,
+        ": must be METRIC:MARGIN with a margin of 0 or more, as rms_m:0.01");
+  return {text.substr(0, colon), margin};
+}
+
+/// A sentence for each figure that is worse by more than its margin.
+std::string worse_text(const evaluate::ComparisonReport& report,
+                       const std::vector<Margin>& margins) {
+  std::string text;
+  for (const auto& [metric, margin] : margins) {
+    for (const evaluate::WorseFigure& f : evaluate::worse_figures(report, metric, margin)) {
+      text += fmt::format("Worse: patch {}: {} by more than {}: {:.4f} in {}, {:.4f} in {}\n",
+                          f.patch, metric, margin, f.a, f.name_a, f.b, f.name_b);
+    }
+  }
+  return text;
+}
+
 /// Compares the methods of a single folder with each other, or each further folder with the first.
-evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
-  std::vector<evaluate::ResultFolder> folders;
-  folders.reserve(paths.size());
-  for (const std::string& path : paths) folders.push_back(results::read_result_folder(path));
+evaluate::ComparisonReport compare_all(const std::vector<evaluate::ResultFolder>& folders) {
   evaluate::ComparisonReport report;
   if (folders.size() > 1) {
     report = evaluate::compare_folders(folders);
   } else {
     report.comparisons = evaluate::compare_methods(folders.front());
-    check(!report.comparisons.empty(), "compare: ", paths.front(),
+    check(!report.comparisons.empty(), "compare: ", folders.front().name,
           " holds one method; give a second folder");
   }
   for (const evaluate::ResultFolder& folder : folders) {
@@ -39,6 +67,15 @@ evaluate::ComparisonReport compare_all(const std::vector<std::string>& paths) {
     }
   }
   return report;
+}
+
+/// Whether runs matched the same segments by different matchers.
+bool differ_by_matcher(const CompareArguments& a,
+                       const std::vector<evaluate::ResultFolder>& folders) {
+  return have_different_matchers(a.folders) &&
+         std::ranges::all_of(folders, [&](const auto& folder) {
+           return folder.segment_hashes == folders.front().segment_hashes;
+         });
 }
 
 /// Writes `comparison` to the terminal, and into the folder `out` if one is given.
@@ -53,14 +90,20 @@ void write_comparison(const Compared& comparison, const std::string& out) {
 }
 
 int run_compare(const CompareArguments& a) {
-  if (have_different_matchers(a.folders)) {
+  const std::vector<Margin> margins = transformed(a.fail_if_worse, parsed_margin);
+  const std::vector<evaluate::ResultFolder> folders =
+      transformed(a.folders, results::read_result_folder);
+  if (margins.empty() && differ_by_matcher(a, folders)) {
     const std::vector<evaluate::MatcherFigures> rows = read_matcher_figures(a.folders);
     check(!rows.empty(), "compare: the runs have no patch in common");
     write_comparison(rows, a.out);
-  } else {
-    write_comparison(compare_all(a.folders), a.out);
+    return kDone;
   }
-  return kDone;
+  const evaluate::ComparisonReport report = compare_all(folders);
+  const std::string worse = worse_text(report, margins);  // refuses before anything is written
+  write_comparison(report, a.out);
+  fmt::print("{}", worse);
+  return worse.empty() ? kDone : kGateFailed;
 }
 
 }  // namespace
@@ -71,9 +114,15 @@ Run add_compare(CLI::App& subcommand) {
       .add_option(
           "folders", a->folders,
           "folders that evaluate, run or demo wrote; one: its methods are compared; of runs "
-          "with different matchers: what each of these finds")
+          "that match the same segments by different matchers: what each of these finds")
       ->required();
   subcommand.add_option("--out", a->out, "folder for compare.md and compare.json");
+  subcommand
+      .add_option(
+          "--fail-if-worse", a->fail_if_worse,
+          "METRIC:MARGIN: exit code 3 if the figure of all lines of a further folder is worse "
+          "than that of the first by more, as rms_m:0.01 or evaluated_share:0.05")
+      ->allow_extra_args(false);
   return [a] { return run_compare(*a); };
 }
 

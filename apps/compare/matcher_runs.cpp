@@ -3,11 +3,9 @@
 
 #include "io/error.h"
 #include "io/files/csv_table.h"
-#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/results/result_folder_reader.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -28,7 +26,6 @@ struct PatchOfRun {
   evaluate::MatcherFigures figures;
   std::set<Pair> matches;
   std::map<Pair, std::string> verdicts;  ///< empty without reference matches
-  std::set<std::string> segment_hashes;
 };
 
 const nlohmann::json::json_pointer kPropagateHeights("/match/propagate_heights");
@@ -143,11 +140,6 @@ PatchOfRun read_patch_of_run(const std::string& folder, const std::string& patch
   run.matches = pairs_in(files / "matches.csv");
   run.figures.n_matches = run.matches.size();
   run.verdicts = verdicts_in(files / "verdicts.csv");
-  for (const auto& entry : fs::directory_iterator(files)) {
-    if (entry.path().filename().string().starts_with("segments.")) {
-      run.segment_hashes.insert(io::sha256_of_file(entry.path().string()));
-    }
-  }
   read_table1(folder, run.figures);
   read_accuracy(folder, run.figures);
   read_coverage(folder, run.figures);
@@ -217,10 +209,6 @@ std::vector<evaluate::MatcherFigures> read_matcher_figures(
       if (!fs::exists(fs::path(folder) / patch / "matches.csv")) continue;
       runs.push_back(read_patch_of_run(folder, patch));
       runs.back().figures.matcher = matcher_name(folder);
-      if (runs.back().segment_hashes == runs.front().segment_hashes) continue;
-      throw io::IoError(
-          folder, fmt::format("patch {}: not the segments of {}; ids must mean the same", patch,
-                              folders.front()));
     }
     if (runs.size() != folders.size()) continue;
     count_alone(runs);

@@ -13,8 +13,8 @@ namespace ridgeline::apps {
 bool have_different_matchers(const std::vector<std::string>& folders);
 
 /// The figures of every patch that all folders have, folder by folder within each patch. Segments are
-/// compared by their ids, so all runs must have extracted the same segments. Throws IoError for files
-/// that are missing or not those of a run, and for different segments.
+/// compared by their ids, so all runs must have matched the same segments. Throws IoError for files
+/// that are missing or not those of a run.
 std::vector<evaluate::MatcherFigures> read_matcher_figures(const std::vector<std::string>& folders);
 
 }  // namespace ridgeline::apps

@@ -3,13 +3,20 @@
 
 #include "evaluate/compare/pair_in_space.h"
 #include "evaluate/compare/wilcoxon.h"
+#include "evaluate/gates/metric.h"
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/tables/shift_text.h"
 #include "reconstruct/geometry/check.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
+#include <stdexcept>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -18,6 +25,7 @@ namespace {
 struct Pairs {
   std::vector<PairedLine> lines;
   std::vector<std::size_t> clusters;
+  std::vector<std::size_t> members_a, members_b;  ///< of each evaluation
 };
 
 using LineById = std::map<std::string, const LineEvaluation*>;
@@ -34,20 +42,32 @@ bool is_classed(const std::string& line_class) {
   return line_class == kAligned || line_class == kNotAligned;
 }
 
-Pairs pair_lines(const Evaluation& a, const LineById& b_by_id) {
-  Pairs pairs;
+void add_pair(
+    const Evaluation& a, std::size_t i, const Evaluation& b, std::size_t k, Pairs& pairs) {
+  const LineEvaluation& line = a.lines[i];
+  const LineEvaluation& other = b.lines[k];
+  pairs.lines.push_back({line.id, is_classed(line.line_class) ? line.line_class : other.line_class,
+                         *line.mean_distance_m, *other.mean_distance_m});
+  pairs.members_a.push_back(i);
+  pairs.members_b.push_back(k);
+}
+
+/// The same with the clusters of A.
+Pairs with_clusters(Pairs pairs, const Evaluation& a) {
   const std::vector<std::size_t> labels = cluster_labels(a.lines);
-  for (std::size_t i = 0; i < a.lines.size(); ++i) {
-    const LineEvaluation& line = a.lines[i];
-    const auto found = b_by_id.find(line.id);
-    if (line.status != Status::kEvaluated || found == b_by_id.end()) continue;
-    const LineEvaluation& other = *found->second;
-    pairs.lines.push_back({line.id,
-                           is_classed(line.line_class) ? line.line_class : other.line_class,
-                           *line.mean_distance_m, *other.mean_distance_m});
-    pairs.clusters.push_back(labels[i]);
-  }
+  for (const std::size_t i : pairs.members_a) pairs.clusters.push_back(labels[i]);
   return pairs;
+}
+
+Pairs pair_lines(const Evaluation& a, const Evaluation& b) {
+  const LineById b_by_id = evaluated_by_id(b);
+  Pairs pairs;
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    const auto found = b_by_id.find(a.lines[i].id);
+    if (a.lines[i].status != Status::kEvaluated || found == b_by_id.end()) continue;
+    add_pair(a, i, b, static_cast<std::size_t>(found->second - b.lines.data()), pairs);
+  }
+  return with_clusters(std::move(pairs), a);
 }
 
 /// The lines that are evaluated and whose place is known, and where they are.
@@ -69,18 +89,13 @@ PlacedLines placed_lines(const Evaluation& e, const Eigen::Vector3d& origin_m) {
 }
 
 Pairs pair_lines_in_space(const Evaluation& a, const Evaluation& b) {
-  const std::vector<std::size_t> labels = cluster_labels(a.lines);
   const PlacedLines of_a = placed_lines(a, a.origin_m);
   const PlacedLines of_b = placed_lines(b, a.origin_m);
   Pairs pairs;
   for (const auto& pair : pair_in_space(of_a.segments, of_b.segments)) {
-    const std::size_t i = of_a.members[pair.first];
-    const LineEvaluation& line = a.lines[i];
-    pairs.lines.push_back({line.id, line.line_class, *line.mean_distance_m,
-                           *b.lines[of_b.members[pair.second]].mean_distance_m});
-    pairs.clusters.push_back(labels[i]);
+    add_pair(a, of_a.members[pair.first], b, of_b.members[pair.second], pairs);
   }
-  return pairs;
+  return with_clusters(std::move(pairs), a);
 }
 
 /// The evaluation with the class by the base pair as that of each line that has one.
@@ -252,28 +267,61 @@ std::optional<std::size_t> n_views_of(const ResultFolder& folder, const std::str
   return found == folder.n_views.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The comparison of the paired lines, of the n_a and n_b lines that were evaluated.
+/// The evaluated lines that are in no pair, by their distance.
+CountsByDistance alone(const Evaluation& e, std::span<const std::size_t> paired) {
+  const std::set<std::size_t> has_partner(paired.begin(), paired.end());
+  CountsByDistance counts{};
+  for (std::size_t i = 0; i < e.lines.size(); ++i) {
+    if (e.lines[i].status != Status::kEvaluated || has_partner.contains(i)) continue;
+    const auto above = std::ranges::lower_bound(kAloneUpTo_m, *e.lines[i].mean_distance_m);
+    ++counts[static_cast<std::size_t>(above - kAloneUpTo_m.begin())];
+  }
+  return counts;
+}
+
+std::size_t sum_of(const CountsByDistance& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
 Comparison comparison_of(const Evaluation& a,
                          const Evaluation& b,
                          const Pairs& pairs,
                          std::string name_a,
                          std::string name_b) {
-  const auto n_evaluated = [](const Evaluation& e) {
-    return static_cast<std::size_t>(
-        std::ranges::count(e.lines, Status::kEvaluated, &LineEvaluation::status));
-  };
   Comparison result;
   result.patch = a.patch;
   result.name_a = std::move(name_a);
   result.name_b = std::move(name_b);
   result.n_common = pairs.lines.size();
-  result.n_only_a = n_evaluated(a) - pairs.lines.size();
-  result.n_only_b = n_evaluated(b) - pairs.lines.size();
+  result.only_a = alone(a, pairs.members_a);
+  result.only_b = alone(b, pairs.members_b);
+  result.n_only_a = sum_of(result.only_a);
+  result.n_only_b = sum_of(result.only_b);
   result.classes = summarize_pair_classes(pairs, a.options.bootstrap);
+  const double n_smaller =
+      static_cast<double>(result.n_common + std::min(result.n_only_a, result.n_only_b));
+  if (static_cast<double>(result.n_common) < kLeastPaired * n_smaller) {
+    for (PairedSummary& summary : result.classes) summary.wilcoxon_p.reset();
+  }
   result.worst = worst_lines(pairs.lines);
   result.own_a = a.classes;
   result.own_b = b.classes;
   return result;
+}
+
+/// Whether lines with the same id are of the same segments.
+bool have_same_ids(const ResultFolder& a, const ResultFolder& b, const std::string& patch) {
+  const auto of_a = a.segment_hashes.find(patch);
+  const auto of_b = b.segment_hashes.find(patch);
+  return of_a != a.segment_hashes.end() && of_b != b.segment_hashes.end() &&
+         of_a->second == of_b->second && n_views_of(a, patch) == n_views_of(b, patch);
+}
+
+/// Whether it is known where the lines lie; older folders tell it of lines from images only.
+bool are_placed(const Evaluation& e) {
+  return std::ranges::all_of(e.lines, [](const LineEvaluation& line) {
+    return line.status != Status::kEvaluated || line.segment;
+  });
 }
 
 void compare_with_first(const ResultFolder& first,
@@ -292,13 +340,12 @@ void compare_with_first(const ResultFolder& first,
     }
     std::string name_a = first.name + " " + a.method;
     std::string name_b = other.name + " " + b->method;
-    const std::optional<std::size_t> n_views_a = n_views_of(first, a.patch);
-    const std::optional<std::size_t> n_views_b = n_views_of(other, a.patch);
-    if (n_views_a && n_views_b && *n_views_a != *n_views_b) {
+    if (!have_same_ids(first, other, a.patch) && are_placed(a) && are_placed(*b)) {
       Comparison& c = report.comparisons.emplace_back(
           compare_in_space(a, *b, std::move(name_a), std::move(name_b)));
-      c.n_views_a = n_views_a;
-      c.n_views_b = n_views_b;
+      c.n_views_a = n_views_of(first, a.patch);
+      c.n_views_b = n_views_of(other, a.patch);
+      if (c.n_views_a == c.n_views_b) c.n_views_a = c.n_views_b = std::nullopt;
       continue;
     }
     report.comparisons.push_back(compare(a, *b, std::move(name_a), std::move(name_b),
@@ -313,13 +360,10 @@ Comparison compare(const Evaluation& a,
                    std::string name_a,
                    std::string name_b,
                    bool joint_adjusts_to_faces) {
-  const LineById a_by_id = evaluated_by_id(a);
-  const LineById b_by_id = evaluated_by_id(b);
-  Comparison result =
-      comparison_of(a, b, pair_lines(a, b_by_id), std::move(name_a), std::move(name_b));
+  Comparison result = comparison_of(a, b, pair_lines(a, b), std::move(name_a), std::move(name_b));
   const bool is_moved = !moved_note(a).empty() || !moved_note(b).empty();  // each by its own shift
   if (!joint_adjusts_to_faces && !is_moved && is_direct_and_joint(a.method, b.method)) {
-    result.n_not_aligned_differing = count_differing(a_by_id, b_by_id);
+    result.n_not_aligned_differing = count_differing(evaluated_by_id(a), evaluated_by_id(b));
   }
   return result;
 }
@@ -330,8 +374,10 @@ Comparison compare_in_space(const Evaluation& a,
                             std::string name_b) {
   const Evaluation base_a = with_base_classes(a);
   const Evaluation base_b = with_base_classes(b);
-  return comparison_of(base_a, base_b, pair_lines_in_space(base_a, base_b), std::move(name_a),
-                       std::move(name_b));
+  Comparison result = comparison_of(base_a, base_b, pair_lines_in_space(base_a, base_b),
+                                    std::move(name_a), std::move(name_b));
+  result.in_space = true;
+  return result;
 }
 
 ComparisonReport compare_folders(std::span<const ResultFolder> folders) {
@@ -351,9 +397,41 @@ std::vector<Comparison> compare_methods(const ResultFolder& folder) {
   for (const Evaluation& e : folder.evaluations) {
     const Evaluation* first = first_of_patch.try_emplace(e.patch, &e).first->second;
     if (first == &e) continue;
-    result.push_back(compare(*first, e, first->method, e.method, may_adjust_to_faces(folder)));
+    const bool in_space = folder.is_of_line_files && are_placed(*first) && are_placed(e);
+    result.push_back(
+        in_space ? compare_in_space(*first, e, first->method, e.method)
+                 : compare(*first, e, first->method, e.method, may_adjust_to_faces(folder)));
   }
   return result;
+}
+
+std::vector<WorseFigure> worse_figures(const ComparisonReport& report,
+                                       std::string_view metric,
+                                       double margin) {
+  const std::vector<Metric> metrics = accuracy_metrics();
+  const auto known = std::ranges::find(metrics, metric, &Metric::name);
+  if (known == metrics.end() || known->is_signed) {
+    std::vector<std::string_view> names;
+    for (const Metric& m : metrics)
+      if (!m.is_signed) names.push_back(m.name);
+    throw std::invalid_argument(
+        fmt::format("metric '{}', must be one of {}", metric, fmt::join(names, ", ")));
+  }
+  const bool more_is_better = metric.starts_with("evaluated_share");
+  std::vector<WorseFigure> worse;
+  for (const Comparison& c : report.comparisons) {
+    const auto figure = [&](const std::vector<Summary>& own) {
+      const Summary* const total = find_class(own, kTotal);
+      return total ? metric_value(*total, metric) : std::nullopt;
+    };
+    const std::optional<double> a = figure(c.own_a), b = figure(c.own_b);
+    if (!a) continue;
+    constexpr double kRounding = 1e-12;
+    const double loss = more_is_better ? *a - b.value_or(0.0) : b.value_or(HUGE_VAL) - *a;
+    if (loss > margin + kRounding)
+      worse.push_back({c.patch, c.name_a, c.name_b, *a, b.value_or(std::nan(""))});
+  }
+  return worse;
 }
 
 }  // namespace ridgeline::evaluate

@@ -4,13 +4,18 @@
 #include "evaluate/statistics/evaluation.h"
 #include "evaluate/tables/result_folder.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ridgeline::evaluate {
+
+/// Fewer pairs are a choice of the lines, of which no test says anything.
+inline constexpr double kLeastPaired = 0.8;
 
 /// One line evaluated in both A and B.
 struct PairedLine {
@@ -31,17 +36,24 @@ struct PairedSummary {
   std::optional<double> rms_gain_m;                       ///< A - B
   std::optional<Interval> rms_ratio_ci95, rms_gain_ci95;  ///< clustered bootstrap
   std::optional<double> median_gain_m;                    ///< of a_m - b_m
-  std::optional<double> wilcoxon_p;                       ///< of a_m - b_m
+  /// Of a_m - b_m; empty if the pairs of all classes are less than kLeastPaired of the smaller side's lines.
+  std::optional<double> wilcoxon_p;
 };
 
-/// Two judgements of the same lines, paired by line id, or in space.
+/// Upper ends of the classes of distance in which lines without a partner are counted, m; there is one more above them.
+inline constexpr std::array kAloneUpTo_m{0.05, 0.1, 0.3, 1.0};
+using CountsByDistance = std::array<std::size_t, kAloneUpTo_m.size() + 1>;
+
+/// Two judgements, whose lines are paired by their ids or in space.
 struct Comparison {
   std::string patch;
   std::string name_a, name_b;
-  /// The number of views that each side used, if it differs: the lines are then paired in space.
+  bool in_space = false;
+  /// The number of views that each side used, if it differs.
   std::optional<std::size_t> n_views_a, n_views_b;
   std::size_t n_common = 0;                ///< evaluated in both
   std::size_t n_only_a = 0, n_only_b = 0;  ///< evaluated in one; they count in coverage alone
+  CountsByDistance only_a{}, only_b{};     ///< the same by judged distance
   std::vector<PairedSummary> classes;      ///< not_aligned, aligned, total; or total alone
   std::vector<PairedLine> worst;           ///< up to 10 lines that lost most from A to B
   std::vector<Summary> own_a, own_b;       ///< each on its own lines, as published tables are
@@ -58,8 +70,8 @@ Comparison compare(const Evaluation& a,
                    std::string name_b,
                    bool joint_adjusts_to_faces = false);
 
-/// Compares B with A if they reconstructed one patch from different numbers of views. Their lines are other lines with
-/// other ids, so they are paired where they lie, see pair_in_space(), and every class is that of the base pair.
+/// Compares B with A where ids do not mean the same: lines are paired where they lie, see pair_in_space(), and every class is
+/// that of the base pair.
 Comparison compare_in_space(const Evaluation& a,
                             const Evaluation& b,
                             std::string name_a,
@@ -72,12 +84,25 @@ struct ComparisonReport {
 
 /// Compares each folder with the first one. Evaluations of the same patch and method are paired. If
 /// both folders have exactly one evaluation of a patch, the two are paired whatever their methods are
-/// called. Where the folders recorded different numbers of views of a patch, compare_in_space() compares them.
+/// called. compare_in_space() compares them, unless both recorded the same segments and number of views, from which ids follow, or
+/// one does not know where its lines lie.
 /// Throws std::invalid_argument for fewer than two folders or if nothing can be paired.
 ComparisonReport compare_folders(std::span<const ResultFolder> folders);
 
-/// Compares the methods of one folder, each with the first method of its patch.
+/// Compares the methods of one folder, each with the first method of its patch: files of lines in space, methods of a run by ids.
 std::vector<Comparison> compare_methods(const ResultFolder& folder);
+
+/// A figure of all lines of B that is worse than that of A.
+struct WorseFigure {
+  std::string patch, name_a, name_b;
+  double a = 0.0, b = 0.0;
+};
+
+/// Where a figure of all lines, of accuracy_metrics(), is worse in B than in A by more than the margin; of each comparison. A figure that
+/// B lacks and A has is worse. Throws std::invalid_argument for another metric and for one that has no worse side.
+std::vector<WorseFigure> worse_figures(const ComparisonReport& report,
+                                       std::string_view metric,
+                                       double margin);
 
 /// The report as Markdown: for each comparison a table on the common lines, one on the own lines of either side and one
 /// of the worst lines; then the warnings.

@@ -40,6 +40,17 @@ TextTable own_table(const Comparison& c) {
   return table;
 }
 
+TextTable alone_table(const Comparison& c) {
+  std::vector<std::string> columns{"only in"};
+  for (const double upto_m : kAloneUpTo_m) columns.push_back(fmt::format("up to {} m:", upto_m));
+  columns.emplace_back("above:");
+  TextTable table(columns);
+  for (const auto& [name, counts] : {std::pair("A", c.only_a), std::pair("B", c.only_b)}) {
+    table.add(name, counts[0], counts[1], counts[2], counts[3], counts[4]);
+  }
+  return table;
+}
+
 TextTable worst_table(const Comparison& c) {
   TextTable table({"id", "class", "A:", "B:", "A - B:"});
   for (const PairedLine& l : c.worst) {
@@ -56,12 +67,17 @@ std::string heading(const Comparison& c, Markup markup) {
 
 std::string comparison_text(const Comparison& c, Markup markup) {
   std::string text = heading(c, markup);
-  if (c.n_views_a && c.n_views_b) {
-    text += fmt::format(
-        "A used {} images, B {}, so their lines have ids of their own. They are paired in space: "
-        "at most {} m and {} degrees apart, side by side over half of the shorter one. "
-        "Classes are by the base pair.\n\n",
-        *c.n_views_a, *c.n_views_b, kMaxPairDistance_m, kMaxPairAngle_deg);
+  text += captioned("Each on its own lines:", own_table(c), markup) + "\n";
+  if (c.in_space) {
+    std::string how;
+    if (c.n_views_a && c.n_views_b)
+      how = fmt::format("A used {} images, B {}. ", *c.n_views_a, *c.n_views_b);
+    how += fmt::format(
+        "Lines are paired in space, one to one with the smallest sum of distances: at most {} m "
+        "and {} "
+        "degrees apart, side by side over half of the shorter one.",
+        kMaxPairDistance_m, kMaxPairAngle_deg);
+    text += paragraph(how, markup) + "\n";
   }
   text += fmt::format("Lines evaluated in both {}, only in A {}, only in B {}. Metres.\n\n",
                       c.n_common, c.n_only_a, c.n_only_b);
@@ -70,7 +86,10 @@ std::string comparison_text(const Comparison& c, Markup markup) {
   if (n_clusters < kMinClusters) {
     text += fmt::format("\nToo few clusters ({}) for reliable intervals.\n", n_clusters);
   }
-  text += "\n" + captioned("Each on its own lines:", own_table(c), markup);
+  if (c.n_only_a + c.n_only_b > 0) {
+    text +=
+        "\n" + captioned("Lines without a partner, by judged distance:", alone_table(c), markup);
+  }
   const TextTable worst = worst_table(c);
   if (!worst.empty()) {
     text += "\n" + captioned("Lines that lost most from A to B:", worst, markup);
@@ -127,11 +146,15 @@ Json comparison_json(const Comparison& c) {
   return {{"patch", c.patch},
           {"a", c.name_a},
           {"b", c.name_b},
+          {"in_space", c.in_space},
           {"n_views_a", c.n_views_a ? Json(*c.n_views_a) : Json(nullptr)},
           {"n_views_b", c.n_views_b ? Json(*c.n_views_b) : Json(nullptr)},
           {"n_common", c.n_common},
           {"n_only_a", c.n_only_a},
           {"n_only_b", c.n_only_b},
+          {"only_up_to_m", kAloneUpTo_m},
+          {"only_a_by_distance", c.only_a},
+          {"only_b_by_distance", c.only_b},
           {"common", std::move(common)},
           {"own_a", own_json(c.own_a)},
           {"own_b", own_json(c.own_b)},

@@ -3,13 +3,15 @@
 
 #include "reconstruct/geometry/degrees.h"
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -37,6 +39,101 @@ std::optional<double> gap_m(const Segment3& a, const Segment3& b) {
   return largest_m <= kMaxPairDistance_m ? std::optional(largest_m) : std::nullopt;
 }
 
+/// Two segments that may be a pair.
+struct Candidate {
+  std::size_t a, b;
+  double gap_m;
+};
+
+/// Candidates that share segments, directly or by others, together; in the order of their first ones.
+std::vector<std::vector<Candidate>> groups_of(const std::vector<Candidate>& candidates,
+                                              std::size_t n_a,
+                                              std::size_t n_b) {
+  std::vector<std::size_t> parent(n_a + n_b);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Candidate& c : candidates) parent[root(c.a)] = root(n_a + c.b);
+  std::map<std::size_t, std::size_t> group_of;
+  std::vector<std::vector<Candidate>> groups;
+  for (const Candidate& c : candidates) {
+    const auto [group, is_new] = group_of.try_emplace(root(c.a), groups.size());
+    if (is_new) groups.emplace_back();
+    groups[group->second].push_back(c);
+  }
+  return groups;
+}
+
+/// Minimises the sum of the costs of one column for each row by the Hungarian method with potentials (Kuhn 1955; Jonker and Volgenant 1987),
+/// for at most as many rows as columns. Returns the column of each row.
+std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
+  const auto n = static_cast<std::size_t>(costs.rows()), m = static_cast<std::size_t>(costs.cols());
+  // row and column 0 stand for "none"
+  std::vector<double> of_row(n + 1, 0.0), of_column(m + 1, 0.0);
+  std::vector<std::size_t> row_of(m + 1, 0), before(m + 1, 0);
+  for (std::size_t row = 1; row <= n; ++row) {
+    std::vector<double> slack(m + 1, HUGE_VAL);
+    std::vector<bool> is_done(m + 1, false);
+    row_of[0] = row;
+    std::size_t column = 0;
+    while (row_of[column] != 0) {
+      is_done[column] = true;
+      const std::size_t i = row_of[column];
+      std::size_t next = 0;
+      for (std::size_t k = 1; k <= m; ++k) {
+        if (is_done[k]) continue;
+        const double reduced =
+            costs(static_cast<Eigen::Index>(i - 1), static_cast<Eigen::Index>(k - 1)) - of_row[i] -
+            of_column[k];
+        if (reduced < slack[k]) slack[k] = reduced, before[k] = column;
+        if (next == 0 || slack[k] < slack[next]) next = k;
+      }
+      const double step = slack[next];
+      for (std::size_t k = 0; k <= m; ++k) {
+        if (is_done[k]) {
+          of_row[row_of[k]] += step;
+          of_column[k] -= step;
+        } else {
+          slack[k] -= step;
+        }
+      }
+      column = next;
+    }
+    for (; column != 0; column = before[column]) row_of[column] = row_of[before[column]];
+  }
+  std::vector<std::size_t> columns(n);
+  for (std::size_t k = 1; k <= m; ++k)
+    if (row_of[k] != 0) columns[row_of[k] - 1] = k - 1;
+  return columns;
+}
+
+/// The pairs of a group with the smallest sum of gaps, where a segment of a without a partner counts kMaxPairDistance_m.
+std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Candidate>& group) {
+  if (group.size() == 1) return {{group[0].a, group[0].b}};
+  std::map<std::size_t, Eigen::Index> rows, columns;
+  for (const Candidate& c : group) {
+    rows.try_emplace(c.a, static_cast<Eigen::Index>(rows.size()));
+    columns.try_emplace(c.b, static_cast<Eigen::Index>(columns.size()));
+  }
+  const auto n = static_cast<Eigen::Index>(rows.size()),
+             m = static_cast<Eigen::Index>(columns.size());
+  constexpr double kNever = 1e6;
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(n, m + n, kNever);
+  costs.rightCols(n).setConstant(kMaxPairDistance_m);
+  for (const Candidate& c : group) costs(rows[c.a], columns[c.b]) = c.gap_m;
+  const std::vector<std::size_t> chosen = cheapest_columns(costs);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const auto& [a, row] : rows) {
+    for (const auto& [b, column] : columns) {
+      if (static_cast<Eigen::Index>(chosen[static_cast<std::size_t>(row)]) == column)
+        pairs.emplace_back(a, b);
+    }
+  }
+  return pairs;
+}
+
 double lowest_x(const Segment3& s) { return std::min(s.start.x(), s.end.x()); }
 double highest_x(const Segment3& s) { return std::max(s.start.x(), s.end.x()); }
 
@@ -47,24 +144,17 @@ std::vector<std::pair<std::size_t, std::size_t>> pair_in_space(std::span<const S
   std::vector<std::size_t> by_x(b.size());
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});
   std::ranges::stable_sort(by_x, {}, [&](std::size_t k) { return lowest_x(b[k]); });
-  std::vector<std::tuple<double, std::size_t, std::size_t>> candidates;
+  std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (const std::size_t k : by_x) {
       if (lowest_x(b[k]) > highest_x(a[i]) + kMaxPairDistance_m) break;
       if (highest_x(b[k]) < lowest_x(a[i]) - kMaxPairDistance_m) continue;
-      if (const std::optional<double> gap = gap_m(a[i], b[k])) candidates.emplace_back(*gap, i, k);
+      if (const std::optional<double> gap = gap_m(a[i], b[k])) candidates.push_back({i, k, *gap});
     }
   }
-  std::ranges::sort(candidates);
-  std::vector<char> is_taken_a(a.size(), 0);
-  std::vector<char> is_taken_b(b.size(), 0);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (const auto& candidate : candidates) {
-    const std::size_t i = std::get<1>(candidate);
-    const std::size_t k = std::get<2>(candidate);
-    if (is_taken_a[i] != 0 || is_taken_b[k] != 0) continue;
-    is_taken_a[i] = is_taken_b[k] = 1;
-    pairs.emplace_back(i, k);
+  for (const std::vector<Candidate>& group : groups_of(candidates, a.size(), b.size())) {
+    std::ranges::copy(assignment(group), std::back_inserter(pairs));
   }
   std::ranges::sort(pairs);
   return pairs;

@@ -190,8 +190,10 @@ LineEvaluation undecided(const JudgedLine& line) {
   e.epipolar_angle_deg = line.epipolar_angle_deg;
   e.n_images = line.n_images;
   e.class_base = line.class_base;
-  if (line.n_images && in_range(line.segment)) e.segment = line.segment;
-  if (in_range(line.segment)) e.length_m = length(line.segment);
+  if (in_range(line.segment)) {
+    e.segment = line.segment;
+    e.length_m = length(line.segment);
+  }
   return e;
 }
 

@@ -2,6 +2,7 @@
 #include "io/results/result_folder_reader.h"
 
 #include "io/error.h"
+#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/kinds/recognise.h"
 #include "io/results/read_evaluations.h"
@@ -28,6 +29,17 @@ void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFol
       results.n_views = json["n_views"].get<std::map<std::string, std::size_t>>();
   } catch (const Json::exception& error) {
     throw io::IoError(file.string(), std::string("is no run's record: ") + error.what());
+  }
+}
+
+void read_segment_hashes(const fs::path& folder, evaluate::ResultFolder& results) {
+  for (const evaluate::Evaluation& evaluation : results.evaluations) {
+    const fs::path files = folder / evaluation.patch;
+    if (results.segment_hashes.contains(evaluation.patch) || !fs::is_directory(files)) continue;
+    for (const auto& entry : fs::directory_iterator(files)) {
+      if (entry.path().filename().string().starts_with("segments."))
+        results.segment_hashes[evaluation.patch].insert(io::sha256_of_file(entry.path().string()));
+    }
   }
 }
 
@@ -76,6 +88,7 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   for (FoundEvaluation& found : read_evaluations(folder, of_files)) {
     results.evaluations.push_back(std::move(found.evaluation));
   }
+  if (!of_files) read_segment_hashes(folder, results);
   const fs::path record = fs::path(folder) / "run.json";
   if (fs::exists(record)) read_run_record(run, record, results);
   results.joint_adjusts_to_faces = joint_adjusts_to_faces(run);

@@ -32,6 +32,21 @@ TEST_F(Compare, PairsTheLinesOfTwoFoldersPlainInTheTerminalAndAsMarkdownInTheFil
   EXPECT_FALSE(read_json(path("cmp/compare.json")).is_discarded());
 }
 
+TEST_F(Compare, FailsIfAFigureIsWorseByMoreThanTheMargin) {
+  judge("good");
+  judge("poor");
+  EXPECT_EQ(run({"compare", "poor/out", "good/out", "--fail-if-worse", "rms_m:0"}).exit_code, 0);
+  const ProgramResult worse =
+      run({"compare", "good/out", "poor/out", "--fail-if-worse", "rms_m:0.01", "--out", "cmp"});
+  EXPECT_EQ(worse.exit_code, 3) << worse.err;
+  EXPECT_THAT(worse.out, HasSubstr("Worse: patch lidar: rms_m by more than 0.01: "));
+  EXPECT_TRUE(std::filesystem::exists(path("cmp/compare.md")));
+  EXPECT_REFUSED(run({"compare", "good/out", "poor/out", "--fail-if-worse", "rms_m"}),
+                 HasSubstr("must be METRIC:MARGIN"));
+  EXPECT_REFUSED(run({"compare", "good/out", "poor/out", "--fail-if-worse", "rms:0"}),
+                 HasSubstr("must be one of rms_m, "));
+}
+
 TEST_F(Compare, OneFolderComparesItsMethods) {
   ASSERT_EQ(run({"evaluate", "--lines", "scene/lines.good.geojson", "scene/lines.fair.geojson",
                  "--cloud", "scene/lidar.las", "--out", "both"})

@@ -160,6 +160,41 @@ TEST(PairInSpace, TakesTheClosestOfThoseThatRunAlong) {
   EXPECT_THAT(pair_in_space(b, a), testing::ElementsAre(testing::Pair(1, 0)));
 }
 
+TEST(PairInSpace, MakesTheSumOfDistancesTheSmallest) {
+  // the closest two, 0.5 m apart, would leave the others without a partner
+  const std::vector<Segment3> a{{{0, 0, 0}, {5, 0, 0}}, {{0, 1.2, 0}, {5, 1.2, 0}}};
+  const std::vector<Segment3> b{{{0, 0.5, 0}, {5, 0.5, 0}}, {{0, -0.6, 0}, {5, -0.6, 0}}};
+  EXPECT_THAT(pair_in_space(a, b), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(1, 0)));
+  EXPECT_THAT(pair_in_space(b, a), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(1, 0)));
+}
+
+TEST(PairInSpace, IsTheBestOfAllAssignmentsOfSmallSets) {
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> place(0.0, 2.0);
+  const auto at = [&] {
+    const double y = place(rng);
+    return Segment3{{0, y, 0}, {5, y, 0}};
+  };
+  const auto cost_of = [](const Segment3& s, const Segment3& t) {
+    return std::abs(s.start.y() - t.start.y());
+  };
+  for (int trial = 0; trial < 50; ++trial) {
+    const std::vector<Segment3> a{at(), at(), at()}, b{at(), at(), at(), at()};
+    double sum_m = 3.0 * kMaxPairDistance_m;
+    for (const auto& [i, k] : pair_in_space(a, b))
+      sum_m += cost_of(a[i], b[k]) - kMaxPairDistance_m;
+    std::vector<std::size_t> order{0, 1, 2, 3};
+    double least_m = HUGE_VAL;
+    do {
+      double of_order_m = 0.0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        of_order_m += std::min(kMaxPairDistance_m, cost_of(a[i], b[order[i]]));
+      least_m = std::min(least_m, of_order_m);
+    } while (std::ranges::next_permutation(order).found);
+    EXPECT_NEAR(sum_m, least_m, kComparisonTol) << trial;
+  }
+}
+
 TEST(CompareFolders, PairsRunsOfDifferentNumbersOfViewsInSpaceByTheClassOfTheBasePair) {
   ResultFolder two;
   two.name = "two";
@@ -185,8 +220,68 @@ TEST(CompareFolders, PairsRunsOfDifferentNumbersOfViewsInSpaceByTheClassOfTheBas
   EXPECT_FALSE(c.n_not_aligned_differing);
   EXPECT_THAT(to_terminal(report), HasSubstr("A used 2 images, B 5"));
   EXPECT_THAT(report.warnings, testing::IsEmpty());
-  five.n_views.clear();  // an older run: by id as ever
-  EXPECT_EQ(compare_folders(std::vector{two, five}).comparisons.at(0).classes[2].n, 2U);
+}
+
+TEST(CompareFolders, PairsByIdsWhereBothHaveTheSameSegments) {
+  ResultFolder a;
+  a.evaluations = {
+      evaluation_of("joint", {placed_line("0", 0.0, 0.4), placed_line("1", 9.0, 0.2)})};
+  a.segment_hashes = {{"1", {"left", "right"}}};
+  ResultFolder b = a;
+  b.evaluations = {
+      evaluation_of("joint", {placed_line("0", 6.0, 0.3), placed_line("1", 9.1, 0.1)})};
+  EXPECT_EQ(compare_folders(std::vector{a, b}).comparisons.at(0).n_common, 2U);
+  b.segment_hashes["1"] = {"left", "other"};
+  const Comparison c = compare_folders(std::vector{a, b}).comparisons.at(0);
+  EXPECT_TRUE(c.in_space);
+  EXPECT_EQ(c.n_common, 1U);
+  EXPECT_THAT(c.only_a, testing::ElementsAre(0, 0, 0, 1, 0)) << "0.4 m";
+  EXPECT_THAT(c.only_b, testing::ElementsAre(0, 0, 1, 0, 0)) << "0.3 m";
+}
+
+TEST(CompareFolders, PairsARunWithItselfRenumbered) {
+  ResultFolder a;
+  std::vector<LineEvaluation> lines;
+  for (int i = 0; i < 20; ++i) lines.push_back(placed_line(std::to_string(i), 0.3 * i, 0.01 * i));
+  a.evaluations = {evaluation_of("x", lines)};
+  std::ranges::reverse(lines);
+  for (LineEvaluation& line : lines) line.id += "a";
+  ResultFolder b;
+  b.evaluations = {evaluation_of("x", lines)};
+  const Comparison c = compare_folders(std::vector{a, b}).comparisons.at(0);
+  EXPECT_EQ(c.n_common, 20U);
+  EXPECT_EQ(c.classes.back().n_unchanged, 20U);
+}
+
+TEST(CompareFolders, TestsNothingOnFewPairs) {
+  ResultFolder a;
+  std::vector<LineEvaluation> lines;
+  for (int i = 0; i < 20; ++i) lines.push_back(placed_line(std::to_string(i), 5.0 * i, 0.01 * i));
+  a.evaluations = {evaluation_of("x", lines)};
+  ResultFolder b;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i].mean_distance_m = 0.1;
+    if (i < 5) lines[i].segment->start.x() = lines[i].segment->end.x() = 900.0;
+  }
+  b.evaluations = {evaluation_of("x", lines)};
+  const Comparison c = compare_folders(std::vector{a, b}).comparisons.at(0);
+  EXPECT_EQ(c.n_common, 15U);
+  EXPECT_FALSE(c.classes.back().wilcoxon_p);
+  lines[0].segment = Segment3{{0, 0, 0}, {5, 0, 0}};
+  b.evaluations = {evaluation_of("x", lines)};
+  EXPECT_TRUE(compare_folders(std::vector{a, b}).comparisons.at(0).classes.back().wilcoxon_p)
+      << "16 of 20";
+}
+
+TEST(WorseFigures, AreThoseOfAllLinesBeyondTheMargin) {
+  const ComparisonReport report{{compare(evaluation_a(), evaluation_b(), "A", "B")}, {}};
+  EXPECT_TRUE(worse_figures(report, "rms_m", 0.0).empty()) << "A has a line at 9 m";
+  ASSERT_EQ(worse_figures(report, "evaluated_share", 0.2).size(), 1U) << "1 to 0.75";
+  EXPECT_TRUE(worse_figures(report, "evaluated_share", 0.25).empty());
+  const ComparisonReport back{{compare(evaluation_b(), evaluation_a(), "A", "B")}, {}};
+  EXPECT_EQ(worse_figures(back, "rms_m", 1.0).size(), 1U);
+  EXPECT_THROW(worse_figures(report, "mean_m", 0.1), std::invalid_argument) << "has no worse side";
+  EXPECT_THROW(worse_figures(report, "rms", 0.1), std::invalid_argument);
 }
 
 TEST(CompareFolders, ComparesEachFolderWithTheFirst) {
@@ -263,7 +358,7 @@ TEST(CompareFolders, LooksForADefectOnlyWhereBothAreKnownToShareTheCode) {
 TEST(ComparisonInATerminal, HasTheCellsOfTheMarkdownInAlignedColumns) {
   const ComparisonReport report{{compare(evaluation_a(), evaluation_b(), "a|b", "B")}, {"<odd>"}};
   const std::string text = to_terminal(report);
-  EXPECT_THAT(text, StartsWith("Patch 1: A = a|b, B = B\n\nLines evaluated in both 3, "));
+  EXPECT_THAT(text, StartsWith("Patch 1: A = a|b, B = B\n\nEach on its own lines:\n"));
   EXPECT_THAT(text, HasSubstr("On the common lines:\n"
                               "class        n  RMS A  RMS B  B / A           95 %  A - B"));
   EXPECT_THAT(text, HasSubstr("\naligned      2  0.707  0.515  0.728  0.250 - 1.167  0.192"));
@@ -279,7 +374,7 @@ TEST(ComparisonRenderings, AgreeToThePrintedDigit) {
   const std::string text = to_markdown(report);
   EXPECT_THAT(text, HasSubstr("both 3, only in A 1, only in B 0."));
   EXPECT_THAT(text, HasSubstr("| aligned | 2 | 0.707 | 0.515 | 0.728 | 0.250 - 1.167 | 0.192 |"));
-  EXPECT_LT(text.find("On the common lines"), text.find("Each on its own lines"));
+  EXPECT_LT(text.find("Each on its own lines"), text.find("On the common lines"));
   EXPECT_THAT(text, HasSubstr("differ on 1 not_aligned lines"));
   EXPECT_THAT(text, HasSubstr("Warning: odd"));
   const auto json = nlohmann::json::parse(to_json(report));
