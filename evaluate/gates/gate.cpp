@@ -229,9 +229,13 @@ GateResult apply_baseline(const Gate& gate,
   const double a = allowance.value_or(
       std::max(kLeastIncrease_m, kIncreaseShare * std::abs(base.value.value_or(0.0))));
   const bool upper = bound == Bound::kUpper;
-  GateResult result =
-      begin_result(gate, figure,
-                   fmt::format("{} baseline {} {:.4g}", upper ? "<=" : ">=", upper ? '+' : '-', a));
+  // the name of a check must be the same with every baseline
+  const std::string allowed = allowance ? fmt::format("{:.4g}", a)
+                                        : fmt::format("max({}, {:.0f} %)", kLeastIncrease_m,
+                                                      100.0 * kIncreaseShare);
+  GateResult result = begin_result(
+      gate, figure,
+      fmt::format("{} baseline {} {}", upper ? "<=" : ">=", upper ? '+' : '-', allowed));
   result.baseline = base.value;
   if (result.explanation.empty()) result.explanation = base.why_missing;
   if (base.value) {

@@ -156,6 +156,16 @@ TEST(ApplyGates, NamesTheAllowanceInTheRule) {
   EXPECT_EQ(only_result(gate, baseline, &baseline).rule, "total rms_m <= baseline + 0.03");
 }
 
+TEST(ApplyGates, HasTheSameRuleWithEveryBaseline) {
+  Gate gate = gate_on("total");
+  gate.max_increase_over_baseline = BaselineIncrease{};
+  for (const double rms_m : {0.01, 0.2}) {
+    const ResultFolder baseline = results_with(rms_m);
+    EXPECT_EQ(only_result(gate, baseline, &baseline).rule,
+              "total rms_m <= baseline + max(0.002, 5 %)");
+  }
+}
+
 TEST(ApplyGates, HoldsNothingAgainstTheBaselineThatNobodyWrote) {
   Gate gate = gate_on("total", "evaluated_share");
   gate.min = 0.8;
