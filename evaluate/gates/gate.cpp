@@ -230,9 +230,9 @@ GateResult apply_baseline(const Gate& gate,
       std::max(kLeastIncrease_m, kIncreaseShare * std::abs(base.value.value_or(0.0))));
   const bool upper = bound == Bound::kUpper;
   // the name of a check must be the same with every baseline
-  const std::string allowed = allowance ? fmt::format("{:.4g}", a)
-                                        : fmt::format("max({}, {:.0f} %)", kLeastIncrease_m,
-                                                      100.0 * kIncreaseShare);
+  const std::string allowed =
+      allowance ? fmt::format("{:.4g}", a)
+                : fmt::format("max({}, {:.0f} %)", kLeastIncrease_m, 100.0 * kIncreaseShare);
   GateResult result = begin_result(
       gate, figure,
       fmt::format("{} baseline {} {}", upper ? "<=" : ">=", upper ? '+' : '-', allowed));
