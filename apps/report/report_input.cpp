@@ -207,11 +207,9 @@ void read_buildings(const fs::path& folder, ReportPatch& patch) {
          {"n_lines", "n_judged_lines", "rms_m", "worst_distance_m", "n_faces", "n_judged_faces",
           "ridge_height_m", "eave_height_m", "unexplained_share", "shift_x_m", "shift_y_m",
           "shift_z_m", "points_rms_m", "points_p90_m"}) {
-      const std::size_t column = table.column(key);
-      if (table.text(row, column).empty())
-        building[key] = nullptr;
-      else
-        building[key] = table.number(row, column);
+      const bool is_given = table.has(key) && !table.text(row, table.column(key)).empty();
+      building[key] =
+          is_given ? evaluate::Json(table.number(row, table.column(key))) : evaluate::Json();
     }
   }
 }

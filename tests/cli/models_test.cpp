@@ -89,8 +89,8 @@ TEST_F(Models, TellTheHouseThatIsTooHighFromThoseThatAreRight) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(column("out/buildings.csv", "id"), testing::ElementsAre("1", "2", "3", "4"));
   EXPECT_THAT(column("out/buildings.csv", "verdict"),
-              testing::ElementsAre("right", "wrong height", "right", "right"));
-  EXPECT_THAT(result.out, HasSubstr("town.city: 4 buildings: 3 right, 1 wrong height"));
+              testing::ElementsAre("right", "too high", "right", "right"));
+  EXPECT_THAT(result.out, HasSubstr("town.city: 4 buildings: 3 right, 1 too high"));
   for (const auto& row : test::read_csv(path("out/faces.csv"))) {
     if (row.at("status") != "evaluated") continue;
     const double expected_m = row.at("building") == "2" ? kRaised_m : 0.0;
@@ -193,7 +193,7 @@ TEST_F(Models, GoBackWithTheirFigures) {
   EXPECT_EQ(judged["vertices"], model["vertices"]);
   const nlohmann::json attributes = judged["CityObjects"]["2"]["attributes"];
   EXPECT_EQ(attributes["roof"], "gable");
-  EXPECT_EQ(attributes["ridgeline_verdict"], "wrong height");
+  EXPECT_EQ(attributes["ridgeline_verdict"], "too high");
   EXPECT_NEAR(attributes["ridgeline_ridge_height_m"].get<double>(), kRaised_m, 0.03);
   // What was written is a model again, in each format.
   ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gml"}).exit_code, 0);
