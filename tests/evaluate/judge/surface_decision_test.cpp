@@ -77,6 +77,17 @@ TEST(DecideSurface, OfALineInOpenGroundIsTheGroundByThePlanWhereverTheLineLies) 
   }
 }
 
+TEST(DecideSurface, OfALineFarAboveTheGroundIsNotTheGroundIfPointsLieNextToIt) {
+  // two points of a surface that is too small for a plane
+  const std::vector<ZonePoint> beside{{{4.0, 0.6, 7.0}, 4.0, 0.6, 0},
+                                      {{5.0, 0.7, 7.0}, 5.0, 0.7, 0}};
+  const std::vector<CandidatePlane> ground{surface(meadow, -1.5, 1.5)};
+  const SurfaceDecision decision = decide(ground, line_at(7.0), beside);
+  EXPECT_NE(decision.status, Status::kEvaluated);
+  EXPECT_EQ(decision.surface, Surface::kObject);
+  EXPECT_EQ(decide(ground, line_at(7.0)).surface, Surface::kGround);
+}
+
 TEST(DecideSurface, OfALineUnderAnOverhangIsTheGroundByItsPlaceAlone) {
   // the roof goes on for half a metre beyond the line, and hides the ground as far
   const std::vector<CandidatePlane> planes{surface(eave, -0.5, 1.5), surface(meadow, -1.5, -0.75)};
