@@ -147,8 +147,7 @@ struct LineEvaluation {
   std::optional<double> epipolar_angle_deg;
   std::optional<int> n_images;  ///< that support it, by its file
   std::string class_base;       ///< by the base pair alone, if the file says so
-  /// Where the line lies, by which the lines of runs on different numbers of views are paired. Local; empty for lines
-  /// that are not in range or whose file states no number of images.
+  /// Where the line lies, by which lines are paired in space. Local; empty for lines that are not in range.
   std::optional<Segment3> segment;
 
   /// Mean over the planes of the mean |distance| (Ok et al. 2011).

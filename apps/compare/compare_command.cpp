@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
+#include "evaluate/tables/format.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/files/atomic_file.h"
 #include "io/results/result_folder_reader.h"
@@ -11,7 +12,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -44,8 +44,9 @@ std::string worse_text(const evaluate::ComparisonReport& report,
   std::string text;
   for (const auto& [metric, margin] : margins) {
     for (const evaluate::WorseFigure& f : evaluate::worse_figures(report, metric, margin)) {
-      text += fmt::format("Worse: patch {}: {} by more than {}: {:.4f} in {}, {:.4f} in {}\n",
-                          f.patch, metric, margin, f.a, f.name_a, f.b, f.name_b);
+      text +=
+          fmt::format("Worse: patch {}: {} by more than {}: {} in {}, {} in {}\n", f.patch, metric,
+                      margin, evaluate::fixed(f.a, 4), f.name_a, evaluate::fixed(f.b, 4), f.name_b);
     }
   }
   return text;
@@ -69,15 +70,6 @@ evaluate::ComparisonReport compare_all(const std::vector<evaluate::ResultFolder>
   return report;
 }
 
-/// Whether runs matched the same segments by different matchers.
-bool differ_by_matcher(const CompareArguments& a,
-                       const std::vector<evaluate::ResultFolder>& folders) {
-  return have_different_matchers(a.folders) &&
-         std::ranges::all_of(folders, [&](const auto& folder) {
-           return folder.segment_hashes == folders.front().segment_hashes;
-         });
-}
-
 /// Writes `comparison` to the terminal, and into the folder `out` if one is given.
 template <typename Compared>
 void write_comparison(const Compared& comparison, const std::string& out) {
@@ -91,15 +83,14 @@ void write_comparison(const Compared& comparison, const std::string& out) {
 
 int run_compare(const CompareArguments& a) {
   const std::vector<Margin> margins = transformed(a.fail_if_worse, parsed_margin);
-  const std::vector<evaluate::ResultFolder> folders =
-      transformed(a.folders, results::read_result_folder);
-  if (margins.empty() && differ_by_matcher(a, folders)) {
+  if (margins.empty() && have_different_matchers(a.folders) && match_same_segments(a.folders)) {
     const std::vector<evaluate::MatcherFigures> rows = read_matcher_figures(a.folders);
     check(!rows.empty(), "compare: the runs have no patch in common");
     write_comparison(rows, a.out);
     return kDone;
   }
-  const evaluate::ComparisonReport report = compare_all(folders);
+  const evaluate::ComparisonReport report =
+      compare_all(transformed(a.folders, results::read_result_folder));
   const std::string worse = worse_text(report, margins);  // refuses before anything is written
   write_comparison(report, a.out);
   fmt::print("{}", worse);

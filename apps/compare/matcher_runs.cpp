@@ -3,6 +3,7 @@
 
 #include "io/error.h"
 #include "io/files/csv_table.h"
+#include "io/files/sha256.h"
 #include "io/files/text_file.h"
 #include "io/results/result_folder_reader.h"
 
@@ -50,6 +51,15 @@ std::set<Pair> pairs_in(const fs::path& file) {
     pairs.emplace(table.index(row, left), table.index(row, right));
   }
   return pairs;
+}
+
+std::set<std::string> segment_hashes(const fs::path& files) {
+  std::set<std::string> hashes;
+  for (const auto& entry : fs::directory_iterator(files)) {
+    if (entry.path().filename().string().starts_with("segments."))
+      hashes.insert(io::sha256_of_file(entry.path().string()));
+  }
+  return hashes;
 }
 
 std::map<Pair, std::string> verdicts_in(const fs::path& file) {
@@ -198,6 +208,20 @@ bool have_different_matchers(const std::vector<std::string>& folders) {
                     options->value(kPropagateHeights, nlohmann::json()).dump());
   }
   return settings.size() > 1;
+}
+
+bool match_same_segments(const std::vector<std::string>& folders) {
+  for (const std::string& patch : patches_in(folders.front())) {
+    std::vector<std::set<std::string>> hashes;
+    for (const std::string& folder : folders) {
+      if (fs::exists(fs::path(folder) / patch / "matches.csv"))
+        hashes.push_back(segment_hashes(fs::path(folder) / patch));
+    }
+    const bool in_all = hashes.size() == folders.size();
+    if (in_all && std::ranges::any_of(hashes, [&](const auto& h) { return h != hashes[0]; }))
+      return false;
+  }
+  return true;
 }
 
 std::vector<evaluate::MatcherFigures> read_matcher_figures(

@@ -187,9 +187,8 @@ PairedSummary summarize_pairs(const Pairs& pairs,
     b_m.push_back(line.b_m);
     gains_m.push_back(line.gain_m());
   }
-  const auto n = static_cast<double>(summary.n);
-  summary.rms_a_m = std::sqrt(sum_of_squares(a_m) / n);
-  summary.rms_b_m = std::sqrt(sum_of_squares(b_m) / n);
+  summary.rms_a_m = rms(a_m);
+  summary.rms_b_m = rms(b_m);
   summary.rms_gain_m = *summary.rms_a_m - *summary.rms_b_m;
   if (*summary.rms_a_m > 0.0) summary.rms_ratio = *summary.rms_b_m / *summary.rms_a_m;
   summary.median_gain_m = median(gains_m);
@@ -311,10 +310,10 @@ Comparison comparison_of(const Evaluation& a,
 
 /// Whether lines with the same id are of the same segments.
 bool have_same_ids(const ResultFolder& a, const ResultFolder& b, const std::string& patch) {
-  const auto of_a = a.segment_hashes.find(patch);
-  const auto of_b = b.segment_hashes.find(patch);
-  return of_a != a.segment_hashes.end() && of_b != b.segment_hashes.end() &&
-         of_a->second == of_b->second && n_views_of(a, patch) == n_views_of(b, patch);
+  const auto of_a = a.id_hashes.find(patch);
+  const auto of_b = b.id_hashes.find(patch);
+  return of_a != a.id_hashes.end() && of_b != b.id_hashes.end() && of_a->second == of_b->second &&
+         n_views_of(a, patch) == n_views_of(b, patch);
 }
 
 /// Whether it is known where the lines lie; older folders tell it of lines from images only.
@@ -428,8 +427,7 @@ std::vector<WorseFigure> worse_figures(const ComparisonReport& report,
     if (!a) continue;
     constexpr double kRounding = 1e-12;
     const double loss = more_is_better ? *a - b.value_or(0.0) : b.value_or(HUGE_VAL) - *a;
-    if (loss > margin + kRounding)
-      worse.push_back({c.patch, c.name_a, c.name_b, *a, b.value_or(std::nan(""))});
+    if (loss > margin + kRounding) worse.push_back({c.patch, c.name_a, c.name_b, *a, b});
   }
   return worse;
 }

@@ -84,8 +84,8 @@ struct ComparisonReport {
 
 /// Compares each folder with the first one. Evaluations of the same patch and method are paired. If
 /// both folders have exactly one evaluation of a patch, the two are paired whatever their methods are
-/// called. compare_in_space() compares them, unless both recorded the same segments and number of views, from which ids follow, or
-/// one does not know where its lines lie.
+/// called. compare_in_space() compares them, unless both recorded the same segments, matches and number of views, which number
+/// the lines, or one does not know where its lines lie.
 /// Throws std::invalid_argument for fewer than two folders or if nothing can be paired.
 ComparisonReport compare_folders(std::span<const ResultFolder> folders);
 
@@ -95,11 +95,13 @@ std::vector<Comparison> compare_methods(const ResultFolder& folder);
 /// A figure of all lines of B that is worse than that of A.
 struct WorseFigure {
   std::string patch, name_a, name_b;
-  double a = 0.0, b = 0.0;
+  double a = 0.0;
+  std::optional<double> b;
 };
 
-/// Where a figure of all lines, of accuracy_metrics(), is worse in B than in A by more than the margin; of each comparison. A figure that
-/// B lacks and A has is worse. Throws std::invalid_argument for another metric and for one that has no worse side.
+/// Where a figure of all lines, of accuracy_metrics(), is worse in B than in A by more than the margin; of each comparison.
+/// A figure that B lacks and A has is worse. Throws std::invalid_argument for another metric and for one that has no worse
+/// side.
 std::vector<WorseFigure> worse_figures(const ComparisonReport& report,
                                        std::string_view metric,
                                        double margin);

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/compare/pair_in_space.h"
 
+#include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/degrees.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <tuple>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -66,8 +71,8 @@ std::vector<std::vector<Candidate>> groups_of(const std::vector<Candidate>& cand
   return groups;
 }
 
-/// Minimises the sum of the costs of one column for each row by the Hungarian method with potentials (Kuhn 1955; Jonker and Volgenant 1987),
-/// for at most as many rows as columns. Returns the column of each row.
+/// Minimises the sum of the costs of one column for each row by the Hungarian method with potentials (Kuhn 1955; Jonker and
+/// Volgenant 1987), for at most as many rows as columns. Returns the column of each row.
 std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
   const auto n = static_cast<std::size_t>(costs.rows()), m = static_cast<std::size_t>(costs.cols());
   // row and column 0 stand for "none"
@@ -109,6 +114,20 @@ std::vector<std::size_t> cheapest_columns(const Eigen::MatrixXd& costs) {
   return columns;
 }
 
+/// The closest ones of a group first, each segment once.
+std::vector<std::pair<std::size_t, std::size_t>> nearest_first(std::vector<Candidate> group) {
+  std::ranges::sort(group, {}, [](const Candidate& c) { return std::tuple(c.gap_m, c.a, c.b); });
+  std::set<std::size_t> taken_a, taken_b;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const Candidate& c : group) {
+    if (taken_a.contains(c.a) || taken_b.contains(c.b)) continue;
+    taken_a.insert(c.a);
+    taken_b.insert(c.b);
+    pairs.emplace_back(c.a, c.b);
+  }
+  return pairs;
+}
+
 /// The pairs of a group with the smallest sum of gaps, where a segment of a without a partner counts kMaxPairDistance_m.
 std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Candidate>& group) {
   if (group.size() == 1) return {{group[0].a, group[0].b}};
@@ -119,6 +138,8 @@ std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Ca
   }
   const auto n = static_cast<Eigen::Index>(rows.size()),
              m = static_cast<Eigen::Index>(columns.size());
+  constexpr double kMostCells = 1e6;
+  if (static_cast<double>(n) * static_cast<double>(n + m) > kMostCells) return nearest_first(group);
   constexpr double kNever = 1e6;
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(n, m + n, kNever);
   costs.rightCols(n).setConstant(kMaxPairDistance_m);
@@ -134,21 +155,16 @@ std::vector<std::pair<std::size_t, std::size_t>> assignment(const std::vector<Ca
   return pairs;
 }
 
-double lowest_x(const Segment3& s) { return std::min(s.start.x(), s.end.x()); }
-double highest_x(const Segment3& s) { return std::max(s.start.x(), s.end.x()); }
+Eigen::AlignedBox2d plan_box(const Segment3& s) { return plan_box_of(std::array{s.start, s.end}); }
 
 }  // namespace
 
 std::vector<std::pair<std::size_t, std::size_t>> pair_in_space(std::span<const Segment3> a,
                                                                std::span<const Segment3> b) {
-  std::vector<std::size_t> by_x(b.size());
-  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-  std::ranges::stable_sort(by_x, {}, [&](std::size_t k) { return lowest_x(b[k]); });
+  const BoxIndex index(transformed(b, plan_box));
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    for (const std::size_t k : by_x) {
-      if (lowest_x(b[k]) > highest_x(a[i]) + kMaxPairDistance_m) break;
-      if (highest_x(b[k]) < lowest_x(a[i]) - kMaxPairDistance_m) continue;
+    for (const std::size_t k : index.near(plan_box(a[i]), kMaxPairDistance_m)) {
       if (const std::optional<double> gap = gap_m(a[i], b[k])) candidates.push_back({i, k, *gap});
     }
   }

@@ -6,14 +6,6 @@
 #include <tuple>
 
 namespace ridgeline::evaluate {
-namespace {
-
-/// The middle line of a box along its longer side, and how far the box reaches to both sides of it.
-struct Corridor {
-  Segment2 axis;
-  double half_width_m;
-};
-
 Corridor corridor_of(const Eigen::AlignedBox2d& box) {
   const Eigen::Vector2d half = 0.5 * box.sizes();
   const bool wide = half.x() >= half.y();
@@ -21,8 +13,6 @@ Corridor corridor_of(const Eigen::AlignedBox2d& box) {
       wide ? Eigen::Vector2d(half.x(), 0.0) : Eigen::Vector2d(0.0, half.y());
   return {{box.center() - along, box.center() + along}, wide ? half.y() : half.x()};
 }
-
-}  // namespace
 
 std::vector<FacePoint> points_around(const PointSearch& search,
                                      const RoofFace& face,

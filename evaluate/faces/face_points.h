@@ -17,6 +17,13 @@ struct FacePoint {
   bool beside = false;  ///< whether its foot lies within that edge
 };
 
+/// The middle line of a box along its longer side, and how far the box reaches to both sides of it.
+struct Corridor {
+  Segment2 axis;
+  double half_width_m;
+};
+Corridor corridor_of(const Eigen::AlignedBox2d& box);
+
 /// The points over a face that is not degenerate and up to `reach_m` beside it in plan, whatever their height. They are in the
 /// order of x, then y, then z, and points at the same place are one, so that the same points give the same result in
 /// whatever order they come.

@@ -17,10 +17,9 @@ namespace {
 
 /// Why a face cannot be judged, whatever the cloud holds; `evaluated` if it can.
 FaceStatus status_of(const RoofFace& face, const FaceOptions& options) {
-  constexpr double kUpright_deg = 85.0;  // above, heights mean nothing
   if (face.degenerate) return FaceStatus::kDegenerate;
   const double slope_deg = slope_rad(face.plane) / kRadPerDeg;
-  if (slope_deg > std::min(options.judge.max_slope_deg, kUpright_deg)) return FaceStatus::kSteep;
+  if (slope_deg > options.judge.max_slope_deg || is_upright(face)) return FaceStatus::kSteep;
   return face.plan.area_m2() < options.min_area_m2 ? FaceStatus::kTooSmall : FaceStatus::kEvaluated;
 }
 
@@ -54,12 +53,8 @@ std::vector<Eigen::Vector2d> points_on(const Plane3& plane,
   return on_plane;
 }
 
-bool is_too_far_out(const EdgeOffset& edge, const FaceOptions& options) {
-  return edge.offset_m > options.outline_tolerance_m &&
-         edge.n_contradictions >= options.min_contradictions;
-}
-
-/// Points on the wall below an edge and those that rays past it meet are neither missing nor unexplained, unless the edge is too far out.
+/// Points on the wall below an edge and those that rays past it meet are neither missing nor unexplained, unless the edge is
+/// too far out.
 void set_areas(std::span<const FacePoint> points,
                std::span<const PlacedPoint> places,
                const RoofFace& face,
@@ -72,13 +67,15 @@ void set_areas(std::span<const FacePoint> points,
              return other.face->plan.contains(x);
            });
   };
+  const double deepest_m = 2.0 * options.reach_m / kMostSlanted;  // neighbours are known so far
   const auto is_below_edge = [&](const FacePoint& p) {
     const auto edge = std::ranges::find(evaluation.edges, p.edge, &EdgeOffset::edge);
-    if (edge != evaluation.edges.end() && is_too_far_out(*edge, options)) return false;
+    if (edge != evaluation.edges.end() && edge->offset_m > 0.0 && is_off(*edge, options))
+      return false;
     const Eigen::Vector2d x = p.point.x.head<2>();
     const double below_m = height_at(evaluation.fit.plane, x) - p.point.x.z();
     const bool is_on_wall = below_m > 0.0 && p.beyond_m >= -options.border_gap_m;
-    return is_on_wall || is_under_overhang(x, below_m, is_over_roof);
+    return is_on_wall || is_under_overhang(x, std::min(below_m, deepest_m), is_over_roof);
   };
   int n_beyond = 0, n_missing = 0, n_unexplained = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

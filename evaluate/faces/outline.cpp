@@ -95,8 +95,8 @@ struct Votes {
   double points_per_m2 = 0.0;       ///< of the face on its plane
 };
 
-/// So many expected points weigh as much as one that lies on the plane. A strip where the plane has ended still has a share e of the
-/// points that it would have: n of m speak for an end with the log-likelihood ratio (1 - e) m - n log(1 / e).
+/// So many expected points weigh as much as one that lies on the plane. A strip where the plane has ended still has a share e of
+/// the points that it would have: n of m speak for an end with the log-likelihood ratio (1 - e) m - n log(1 / e).
 constexpr double kWeightOfOne = 2.56;  // log(1 / e) / (1 - e) with e = 0.1
 
 /// One return below a strip shows that so many rays came through: slanting ones may meet the ground elsewhere.
@@ -113,8 +113,10 @@ void visit_strips(const Votes& votes, const EdgeCell& cell, double sign, const V
       sorted, [&](const auto& vote) { return sign > 0.0 ? vote.first <= 0.0 : vote.first < 0.0; });
   std::ranges::sort(sorted);
   int n_on = 0, n_off = 0;
-  for (const auto& [distance_m, is_on] : sorted) {
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto [distance_m, is_on] = sorted[i];
     ++(is_on ? n_on : n_off);
+    if (i + 1 < sorted.size() && sorted[i + 1].first == distance_m) continue;  // at the same place
     const double n_whole = votes.points_per_m2 * cell.area_m2(sign * distance_m);
     visit(distance_m, n_on, std::min(kRaysOfOne * n_off, n_whole));
   }
@@ -180,11 +182,13 @@ std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
   return edges;
 }
 
+bool is_off(const EdgeOffset& edge, const FaceOptions& options) {
+  return std::abs(edge.offset_m) > options.outline_tolerance_m &&
+         edge.n_contradictions >= options.min_contradictions;
+}
+
 bool is_outline_wrong(std::span<const EdgeOffset> edges, const FaceOptions& options) {
-  return std::ranges::any_of(edges, [&](const EdgeOffset& edge) {
-    return std::abs(edge.offset_m) > options.outline_tolerance_m &&
-           edge.n_contradictions >= options.min_contradictions;
-  });
+  return std::ranges::any_of(edges, [&](const EdgeOffset& edge) { return is_off(edge, options); });
 }
 
 }  // namespace ridgeline::evaluate

@@ -34,10 +34,10 @@ std::vector<PlacedPoint> placed_points(std::span<const FacePoint> points,
                                        std::span<const NeighbourFace> neighbours,
                                        const FaceOptions& options);
 
-/// For each edge of the outline the place that the points beside it speak for, of several the nearest to the edge's own. A face is too
-/// large where its plane has no points in a strip along the edge although rays came through, and too small where its plane goes on.
-/// Points below the plane alone say nothing: slanting rays meet walls and ground under an overhang. An edge with fewer
-/// than twice FaceOptions::min_contradictions points beside it is left out.
+/// For each edge of the outline the place that the points beside it speak for, of several the nearest to the edge's own. A face
+/// is too large where its plane has no points in a strip along the edge although rays came through, and too small where its
+/// plane goes on. Points below the plane do not show by themselves that it is too large: slanting rays meet walls and ground
+/// under an overhang. An edge with fewer than twice FaceOptions::min_contradictions points beside it is left out.
 /// @param points_per_m2  in plan, of the face on its plane
 std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
                                      std::span<const PlacedPoint> places,
@@ -46,6 +46,8 @@ std::vector<EdgeOffset> edge_offsets(std::span<const FacePoint> points,
                                      const FaceOptions& options);
 
 /// Whether an edge is off by more than the tolerance, by enough points.
+bool is_off(const EdgeOffset& edge, const FaceOptions& options);
+/// Whether one of the edges is.
 bool is_outline_wrong(std::span<const EdgeOffset> edges, const FaceOptions& options);
 
 }  // namespace ridgeline::evaluate

@@ -8,14 +8,15 @@
 
 namespace ridgeline::evaluate {
 
+/// Tangent of the largest angle of a laser's ray to the vertical, 31 degrees: airborne scanners look up to 30 to each side.
+inline constexpr double kMostSlanted = 0.6;
+
 /// Whether a slanting ray that passes by a roof may have met this place under it: a wall, or the ground under an overhang.
 /// @param x        in plan
 /// @param below_m  how far it lies below the roof
 /// @param is_over  whether a place in plan lies under the roof
 template <typename IsOver>
 bool is_under_overhang(const Eigen::Vector2d& x, double below_m, const IsOver& is_over) {
-  constexpr double kMostSlanted =
-      0.6;  // tangent of 31 degrees; airborne scanners look up to 30 to each side
   constexpr int kDirections = 8;
   if (below_m <= 0.0) return false;
   for (int i = 0; i < kDirections; ++i) {

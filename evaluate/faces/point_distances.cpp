@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate/faces/point_distances.h"
 
+#include "evaluate/faces/face_points.h"
 #include "evaluate/faces/overhang.h"
 #include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/interruption.h"
@@ -109,19 +110,16 @@ class BuildingSurfaces {
   [[nodiscard]] std::optional<double> below_roof_m(const Eigen::Vector3d& x) const {
     std::optional<double> nearest_m;
     for (const RoofFace* roof : roofs_) {
-      if (!roof->plan.contains(x.head<2>())) continue;
+      if (is_upright(*roof) || !roof->plan.contains(x.head<2>())) continue;
       const double below_m = height_at(roof->plane, x.head<2>()) - x.z();
       if (!nearest_m || std::abs(below_m) < std::abs(*nearest_m)) nearest_m = below_m;
     }
     return nearest_m;
   }
 
-  /// Whether a ray past the roof may have met a point so far below it.
-  [[nodiscard]] bool is_seen_past_roof(const Eigen::Vector3d& x, double below_m) const {
-    return is_under_overhang(x.head<2>(), below_m, [&](const Eigen::Vector2d& place) {
-      return std::ranges::any_of(roofs_,
-                                 [&](const RoofFace* roof) { return roof->plan.contains(place); });
-    });
+  [[nodiscard]] bool is_under_roof(const Eigen::Vector2d& x) const {
+    return std::ranges::any_of(roofs_,
+                               [&](const RoofFace* roof) { return roof->plan.contains(x); });
   }
 
  private:
@@ -141,12 +139,12 @@ std::vector<ClassedPoint> points_of(const PointSearch& search,
                                     const BuildingSurfaces& building,
                                     std::span<const std::uint8_t> classes) {
   std::vector<ClassedPoint> points;
-  const Eigen::AlignedBox2d box = building.box();
-  const Segment2 middle{{box.min().x(), box.center().y()}, {box.max().x(), box.center().y()}};
-  search.visit_near(middle, 0.5 * box.sizes().y() + kBeside_m, [&](const PointSearch::Point& p) {
-    if (!building.is_over_or_beside(p.x.head<2>())) return;
-    points.push_back({p.x, p.index < classes.size() ? classes[p.index] : std::uint8_t{0}});
-  });
+  const Corridor corridor = corridor_of(building.box());
+  search.visit_near(
+      corridor.axis, corridor.half_width_m + kBeside_m, [&](const PointSearch::Point& p) {
+        if (!building.is_over_or_beside(p.x.head<2>())) return;
+        points.push_back({p.x, p.index < classes.size() ? classes[p.index] : std::uint8_t{0}});
+      });
   const auto place = [](const ClassedPoint& p) { return std::tuple(p.x.x(), p.x.y(), p.x.z()); };
   std::ranges::sort(points, {},
                     [&](const ClassedPoint& p) { return std::tuple(place(p), p.of_class); });
@@ -164,6 +162,16 @@ double nearest_m(const Eigen::Vector3d& x, std::span<const BuildingSurfaces* con
   return nearest_m;
 }
 
+/// Whether a ray past the roofs may have met a point so far below one.
+bool is_seen_past_roofs(const Eigen::Vector3d& x,
+                        double below_m,
+                        std::span<const BuildingSurfaces* const> buildings) {
+  return below_m > kBeside_m && is_under_overhang(x.head<2>(), below_m, [&](const auto& place) {
+           return std::ranges::any_of(
+               buildings, [&](const auto* building) { return building->is_under_roof(place); });
+         });
+}
+
 /// @param around  the building and those that it touches
 PointDistances distances_of(const std::vector<ClassedPoint>& points,
                             const BuildingSurfaces& building,
@@ -178,7 +186,7 @@ PointDistances distances_of(const std::vector<ClassedPoint>& points,
     if (!below_m) continue;
     ++distances.n_over;
     if (*below_m > kFarBelow_m) ++distances.n_far_below;
-    if (is_ground || building.is_seen_past_roof(p.x, *below_m)) continue;
+    if (is_ground || is_seen_past_roofs(p.x, *below_m, around)) continue;
     distances.to_roof_m.push_back(std::abs(*below_m));
   }
   return distances;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "evaluate/faces/plan_polygon.h"
+#include "reconstruct/geometry/degrees.h"
 #include "reconstruct/geometry/plane.h"
 
 #include <Eigen/Core>
@@ -32,6 +33,12 @@ struct RoofBuilding {
   std::vector<RoofFace> faces;
   std::vector<RoofFace> others = {};
 };
+
+/// Whether a face is so steep that heights over it mean nothing.
+inline bool is_upright(const RoofFace& face) {
+  constexpr double kUpright_deg = 85.0;
+  return slope_rad(face.plane) > kUpright_deg * kRadPerDeg;
+}
 
 /// The normal is Newell's, of the outer ring: the sum of the vertices' cross products, which needs no choice of three
 /// vertices; the plane goes through the mean of the ring's vertices. Rings may run either way round.

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ridgeline::evaluate {
@@ -51,6 +52,11 @@ class Adjustment {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
+/// Whether the border is not farther off than it was looked for.
+bool is_within_reach(const EdgeOffset& edge, const FaceOptions& options) {
+  return std::abs(edge.offset_m) < options.reach_m - 2.0 * kEdgeSigma_m;
+}
+
 bool is_right_without(const Eigen::Vector3d& shift_m,
                       const RoofFace& face,
                       const FaceEvaluation& evaluation,
@@ -60,7 +66,8 @@ bool is_right_without(const Eigen::Vector3d& shift_m,
   if (evaluation.verdict.tilt) return false;
   if (std::abs(rest_m) > options.height_tolerance_m + shift.half_width) return false;
   return std::ranges::all_of(evaluation.edges, [&](const EdgeOffset& edge) {
-    return std::abs(edge.offset_m - across(face, edge).dot(shift_m)) <= 2.0 * kEdgeSigma_m;
+    return is_within_reach(edge, options) &&
+           std::abs(edge.offset_m - across(face, edge).dot(shift_m)) <= 2.0 * kEdgeSigma_m;
   });
 }
 
@@ -76,8 +83,8 @@ std::optional<Eigen::Vector3d> whole_shift_m(std::span<const RoofFace> faces,
     adjustment.add(faces[i].plane.normal(), shift.value,
                    std::hypot(kFaceSigma_m, 0.5 * shift.half_width));
     for (const EdgeOffset& edge : evaluations[i].edges) {
-      const bool is_known = std::abs(edge.offset_m) < options.reach_m;
-      if (is_known) adjustment.add(across(faces[i], edge), edge.offset_m, kEdgeSigma_m);
+      if (is_within_reach(edge, options))
+        adjustment.add(across(faces[i], edge), edge.offset_m, kEdgeSigma_m);
     }
   }
   const std::optional<Eigen::Vector3d> shift_m = adjustment.solution();

@@ -26,8 +26,8 @@ struct ResultFolder {
   std::optional<double> duration_s;
   /// The number of images by patch that the run reconstructed lines from, if it recorded that.
   std::map<std::string, std::size_t> n_views;
-  /// SHA-256 of the segments of each patch's images, from which ids follow; empty for lines of files.
-  std::map<std::string, std::set<std::string>> segment_hashes;
+  /// SHA-256 of the segments, matches and tracks of each patch, whose rows number the lines; empty for lines of files.
+  std::map<std::string, std::set<std::string>> id_hashes;
   /// Table2::joint_adjusts_to_faces by the recorded options; empty if these do not tell.
   std::optional<bool> joint_adjusts_to_faces;
 };

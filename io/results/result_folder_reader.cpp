@@ -32,13 +32,18 @@ void read_run_record(const Json& json, const fs::path& file, evaluate::ResultFol
   }
 }
 
-void read_segment_hashes(const fs::path& folder, evaluate::ResultFolder& results) {
+/// Whether the rows of a file of a patch number its lines.
+bool numbers_lines(const std::string& name) {
+  return name.starts_with("segments.") || name == "matches.csv" || name == "tracks.csv";
+}
+
+void read_id_hashes(const fs::path& folder, evaluate::ResultFolder& results) {
   for (const evaluate::Evaluation& evaluation : results.evaluations) {
     const fs::path files = folder / evaluation.patch;
-    if (results.segment_hashes.contains(evaluation.patch) || !fs::is_directory(files)) continue;
+    if (results.id_hashes.contains(evaluation.patch) || !fs::is_directory(files)) continue;
     for (const auto& entry : fs::directory_iterator(files)) {
-      if (entry.path().filename().string().starts_with("segments."))
-        results.segment_hashes[evaluation.patch].insert(io::sha256_of_file(entry.path().string()));
+      if (numbers_lines(entry.path().filename().string()))
+        results.id_hashes[evaluation.patch].insert(io::sha256_of_file(entry.path().string()));
     }
   }
 }
@@ -88,7 +93,7 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   for (FoundEvaluation& found : read_evaluations(folder, of_files)) {
     results.evaluations.push_back(std::move(found.evaluation));
   }
-  if (!of_files) read_segment_hashes(folder, results);
+  if (!of_files) read_id_hashes(folder, results);
   const fs::path record = fs::path(folder) / "run.json";
   if (fs::exists(record)) read_run_record(run, record, results);
   results.joint_adjusts_to_faces = joint_adjusts_to_faces(run);

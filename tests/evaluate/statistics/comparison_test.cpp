@@ -222,16 +222,16 @@ TEST(CompareFolders, PairsRunsOfDifferentNumbersOfViewsInSpaceByTheClassOfTheBas
   EXPECT_THAT(report.warnings, testing::IsEmpty());
 }
 
-TEST(CompareFolders, PairsByIdsWhereBothHaveTheSameSegments) {
+TEST(CompareFolders, PairsByIdsWhereBothHaveTheSameSegmentsAndMatches) {
   ResultFolder a;
   a.evaluations = {
       evaluation_of("joint", {placed_line("0", 0.0, 0.4), placed_line("1", 9.0, 0.2)})};
-  a.segment_hashes = {{"1", {"left", "right"}}};
+  a.id_hashes = {{"1", {"left", "right", "matches"}}};
   ResultFolder b = a;
   b.evaluations = {
       evaluation_of("joint", {placed_line("0", 6.0, 0.3), placed_line("1", 9.1, 0.1)})};
   EXPECT_EQ(compare_folders(std::vector{a, b}).comparisons.at(0).n_common, 2U);
-  b.segment_hashes["1"] = {"left", "other"};
+  b.id_hashes["1"] = {"left", "right", "other matches"};
   const Comparison c = compare_folders(std::vector{a, b}).comparisons.at(0);
   EXPECT_TRUE(c.in_space);
   EXPECT_EQ(c.n_common, 1U);

@@ -9,7 +9,7 @@ import { SortedTable, type SortedColumn } from '../ui/sorted_table';
 const shownRows = 50;
 
 /** Right ones last, those that could not be judged before them. */
-const order = ['gone', 'changed', 'shifted', 'too high', 'too low', 'wrong height', 'wrong tilt', 'wrong outline', 'not judged', 'right'];
+const order = ['gone', 'changed', 'faces missing', 'shifted', 'too high', 'too low', 'wrong height', 'wrong tilt', 'wrong outline', 'not judged', 'right'];
 
 /** What is wrong with a building, in one sentence. */
 function reason(building: Building): string {
@@ -18,9 +18,10 @@ function reason(building: Building): string {
   const text: Record<string, string> = {
     gone: 'The scan has the ground in its place.',
     changed: 'The scan has a roof of another shape: too many points over it lie on none of its planes.',
-    shifted: `All of it lies off the scan${shift}.`,
-    'too high': `All of it lies above the scan${shift}.`,
-    'too low': `All of it lies below the scan${shift}.`,
+    'faces missing': 'Too many points over it lie on none of its planes.',
+    shifted: `The whole building is displaced${shift}.`,
+    'too high': `The whole building is too high${shift}.`,
+    'too low': `The whole building is too low${shift}.`,
     'wrong height': 'Most of its wrong area is too high or too low.',
     'wrong tilt': 'Most of its wrong area has another slope or direction.',
     'wrong outline': 'Most of its wrong area ends too far out or too far in.',
