@@ -2,6 +2,7 @@
 #include "apps/common/command.h"
 #include "apps/compare/matcher_runs.h"
 #include "evaluate/compare/comparison.h"
+#include "evaluate/gates/metric.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/shift_text.h"
 #include "io/files/atomic_file.h"
@@ -10,8 +11,10 @@
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -25,9 +28,16 @@ struct CompareArguments {
 };
 
 struct Margin {
-  std::string metric;
+  evaluate::Metric metric;
   double margin;
 };
+
+/// Figures of lines of which one side is worse.
+std::vector<evaluate::Metric> metrics_with_a_worse_side() {
+  std::vector<evaluate::Metric> metrics = evaluate::accuracy_metrics();
+  std::erase_if(metrics, [](const evaluate::Metric& metric) { return metric.is_signed; });
+  return metrics;
+}
 
 Margin parsed_margin(const std::string& text) {
   const std::size_t colon = text.find(':');
@@ -35,7 +45,14 @@ Margin parsed_margin(const std::string& text) {
       colon == std::string::npos ? -1.0 : io::to_double(text.substr(colon + 1)).value_or(-1.0);
   check(margin >= 0.0, "--fail-if-worse ", text,
         ": must be METRIC:MARGIN with a margin of 0 or more, as rms_m:0.01");
-  return {text.substr(0, colon), margin};
+  const std::vector<evaluate::Metric> metrics = metrics_with_a_worse_side();
+  const std::string name = text.substr(0, colon);
+  const auto known = std::ranges::find(metrics, name, &evaluate::Metric::name);
+  check(known != metrics.end(), "--fail-if-worse ", text, ": the metric must be one of ",
+        fmt::format(
+            "{}",
+            fmt::join(transformed(metrics, [](const auto& metric) { return metric.name; }), ", ")));
+  return {*known, margin};
 }
 
 /// A sentence for each figure that is worse by more than its margin.
@@ -43,9 +60,12 @@ std::string worse_text(const evaluate::ComparisonReport& report,
                        const std::vector<Margin>& margins) {
   std::string text;
   for (const auto& [metric, margin] : margins) {
-    for (const evaluate::WorseFigure& f : evaluate::worse_figures(report, metric, margin)) {
+    const std::string_view name = metric.name;
+    const auto figure = [name](const evaluate::Summary& s) { return metric_value(s, name); };
+    const bool more_is_better = name.starts_with("evaluated_share");
+    for (const auto& f : evaluate::worse_figures(report, figure, more_is_better, margin)) {
       text +=
-          fmt::format("Worse: patch {}: {} by more than {}: {} in {}, {} in {}\n", f.patch, metric,
+          fmt::format("Worse: patch {}: {} by more than {}: {} in {}, {} in {}\n", f.patch, name,
                       margin, evaluate::fixed(f.a, 4), f.name_a, evaluate::fixed(f.b, 4), f.name_b);
     }
   }
@@ -91,8 +111,8 @@ int run_compare(const CompareArguments& a) {
   }
   const evaluate::ComparisonReport report =
       compare_all(transformed(a.folders, results::read_result_folder));
-  const std::string worse = worse_text(report, margins);  // refuses before anything is written
   write_comparison(report, a.out);
+  const std::string worse = worse_text(report, margins);
   fmt::print("{}", worse);
   return worse.empty() ? kDone : kGateFailed;
 }

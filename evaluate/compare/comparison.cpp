@@ -3,20 +3,15 @@
 
 #include "evaluate/compare/pair_in_space.h"
 #include "evaluate/compare/wilcoxon.h"
-#include "evaluate/gates/metric.h"
 #include "evaluate/statistics/distribution.h"
 #include "evaluate/tables/shift_text.h"
 #include "reconstruct/geometry/check.h"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -404,29 +399,21 @@ std::vector<Comparison> compare_methods(const ResultFolder& folder) {
   return result;
 }
 
-std::vector<WorseFigure> worse_figures(const ComparisonReport& report,
-                                       std::string_view metric,
-                                       double margin) {
-  const std::vector<Metric> metrics = accuracy_metrics();
-  const auto known = std::ranges::find(metrics, metric, &Metric::name);
-  if (known == metrics.end() || known->is_signed) {
-    std::vector<std::string_view> names;
-    for (const Metric& m : metrics)
-      if (!m.is_signed) names.push_back(m.name);
-    throw std::invalid_argument(
-        fmt::format("metric '{}', must be one of {}", metric, fmt::join(names, ", ")));
-  }
-  const bool more_is_better = metric.starts_with("evaluated_share");
+std::vector<WorseFigure> worse_figures(
+    const ComparisonReport& report,
+    const std::function<std::optional<double>(const Summary&)>& figure,
+    bool more_is_better,
+    double margin) {
+  constexpr double kRounding = 1e-12;
   std::vector<WorseFigure> worse;
   for (const Comparison& c : report.comparisons) {
-    const auto figure = [&](const std::vector<Summary>& own) {
+    const auto of_all = [&](const std::vector<Summary>& own) {
       const Summary* const total = find_class(own, kTotal);
-      return total ? metric_value(*total, metric) : std::nullopt;
+      return total ? figure(*total) : std::nullopt;
     };
-    const std::optional<double> a = figure(c.own_a), b = figure(c.own_b);
+    const std::optional<double> a = of_all(c.own_a), b = of_all(c.own_b);
     if (!a) continue;
-    constexpr double kRounding = 1e-12;
-    const double loss = more_is_better ? *a - b.value_or(0.0) : b.value_or(HUGE_VAL) - *a;
+    const double loss = b ? (more_is_better ? *a - *b : *b - *a) : HUGE_VAL;
     if (loss > margin + kRounding) worse.push_back({c.patch, c.name_a, c.name_b, *a, b});
   }
   return worse;

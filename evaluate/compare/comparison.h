@@ -6,10 +6,10 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ridgeline::evaluate {
@@ -99,12 +99,13 @@ struct WorseFigure {
   std::optional<double> b;
 };
 
-/// Where a figure of all lines, of accuracy_metrics(), is worse in B than in A by more than the margin; of each comparison.
-/// A figure that B lacks and A has is worse. Throws std::invalid_argument for another metric and for one that has no worse
-/// side.
-std::vector<WorseFigure> worse_figures(const ComparisonReport& report,
-                                       std::string_view metric,
-                                       double margin);
+/// Where a figure of all lines is worse in B than in A by more than the margin; of each comparison. A figure that B lacks and A
+/// has is worse.
+std::vector<WorseFigure> worse_figures(
+    const ComparisonReport& report,
+    const std::function<std::optional<double>(const Summary&)>& figure,
+    bool more_is_better,
+    double margin);
 
 /// The report as Markdown: for each comparison a table on the common lines, one on the own lines of either side and one
 /// of the worst lines; then the warnings.

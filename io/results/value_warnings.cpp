@@ -38,9 +38,9 @@ std::optional<double> rms_m(const std::vector<LineEvaluation>& lines, const Pred
 
 /// The steps that may have moved the lines: always steps of float32, and steps of too few digits unless the lines fit
 /// too well for them. Rounding to a step moves a coordinate by 0.29 of the step (RMS), and a line across its plane by
-/// less.
+/// less; of the lines that it moves the farthest many are not judged.
 Eigen::Vector3d harmful_steps_m(const io::LineSet& set, const std::vector<LineEvaluation>& lines) {
-  constexpr double kLeastHarm = 0.125;
+  constexpr double kLeastHarm = 0.05;
   const io::CoordinateSteps steps = io::steps_of(set, unit_m_of(set));
   Eigen::Vector3d steps_m = steps.steps_m();
   const auto rms = rms_m(lines, [](const LineEvaluation&) { return true; });

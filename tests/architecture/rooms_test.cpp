@@ -47,7 +47,7 @@ const std::map<std::string, Folders>& allowed() {
        {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h"}},
       {"evaluate/faces",
        {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h",
-        "evaluate/judge", "evaluate/tables/format.h"}},
+        "evaluate/judge", "evaluate/statistics/distribution.h", "evaluate/tables/format.h"}},
       {"evaluate/statistics",
        {"reconstruct/geometry", "evaluate/line_evaluation.h", "evaluate/probability.h",
         "evaluate/judge/options.h", "evaluate/judge/judge_line.h",

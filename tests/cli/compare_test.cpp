@@ -44,7 +44,7 @@ TEST_F(Compare, FailsIfAFigureIsWorseByMoreThanTheMargin) {
   EXPECT_REFUSED(run({"compare", "good/out", "poor/out", "--fail-if-worse", "rms_m"}),
                  HasSubstr("must be METRIC:MARGIN"));
   EXPECT_REFUSED(run({"compare", "good/out", "poor/out", "--fail-if-worse", "rms:0"}),
-                 HasSubstr("must be one of rms_m, "));
+                 HasSubstr("the metric must be one of rms_m, "));
 }
 
 TEST_F(Compare, OneFolderComparesItsMethods) {

@@ -275,13 +275,16 @@ TEST(CompareFolders, TestsNothingOnFewPairs) {
 
 TEST(WorseFigures, AreThoseOfAllLinesBeyondTheMargin) {
   const ComparisonReport report{{compare(evaluation_a(), evaluation_b(), "A", "B")}, {}};
-  EXPECT_TRUE(worse_figures(report, "rms_m", 0.0).empty()) << "A has a line at 9 m";
-  ASSERT_EQ(worse_figures(report, "evaluated_share", 0.2).size(), 1U) << "1 to 0.75";
-  EXPECT_TRUE(worse_figures(report, "evaluated_share", 0.25).empty());
   const ComparisonReport back{{compare(evaluation_b(), evaluation_a(), "A", "B")}, {}};
-  EXPECT_EQ(worse_figures(back, "rms_m", 1.0).size(), 1U);
-  EXPECT_THROW(worse_figures(report, "mean_m", 0.1), std::invalid_argument) << "has no worse side";
-  EXPECT_THROW(worse_figures(report, "rms", 0.1), std::invalid_argument);
+  const auto rms_m = [](const Summary& s) { return s.rms_m; };
+  EXPECT_TRUE(worse_figures(report, rms_m, false, 0.0).empty()) << "A has a line at 9 m";
+  EXPECT_EQ(worse_figures(back, rms_m, false, 1.0).size(), 1U);
+  const auto share = [](const Summary& s) { return s.evaluated_share(); };
+  EXPECT_EQ(worse_figures(report, share, true, 0.2).size(), 1U) << "1 to 0.75";
+  EXPECT_TRUE(worse_figures(report, share, true, 0.25).empty());
+  const ComparisonReport to_none{{compare(evaluation_a(), evaluation_of("x", {}), "A", "B")}, {}};
+  ASSERT_EQ(worse_figures(to_none, rms_m, false, 1.0).size(), 1U);
+  EXPECT_FALSE(worse_figures(to_none, rms_m, false, 1.0)[0].b);
 }
 
 TEST(CompareFolders, ComparesEachFolderWithTheFirst) {
