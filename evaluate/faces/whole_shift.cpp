@@ -87,7 +87,7 @@ std::optional<Eigen::Vector3d> whole_shift_m(std::span<const RoofFace> faces,
         adjustment.add(across(faces[i], edge), edge.offset_m, kEdgeSigma_m);
     }
   }
-  const std::optional<Eigen::Vector3d> shift_m = adjustment.solution();
+  std::optional<Eigen::Vector3d> shift_m = adjustment.solution();
   if (!shift_m) return std::nullopt;
   double right_m2 = 0.0, judged_m2 = 0.0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
