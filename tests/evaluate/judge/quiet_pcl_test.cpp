@@ -47,7 +47,8 @@ TEST(QuietPcl, HoldsUntilTheLastOfSeveralIsGone) {
 
 TEST(QuietPcl, HoldsForTheSearchOfPlanes) {
   std::vector<ZonePoint> points;
-  for (const pcl::PointXYZ& p : *straight_cloud()) {
+  const Cloud::Ptr cloud = straight_cloud();
+  for (const pcl::PointXYZ& p : *cloud) {
     const auto index = static_cast<std::uint32_t>(points.size());
     points.push_back({p.getVector3fMap().cast<double>(), p.x, p.y, index});
   }
