@@ -36,11 +36,13 @@ struct PairedSummary {
   std::optional<double> rms_gain_m;                       ///< A - B
   std::optional<Interval> rms_ratio_ci95, rms_gain_ci95;  ///< clustered bootstrap
   std::optional<double> median_gain_m;                    ///< of a_m - b_m
-  /// Of a_m - b_m; empty if the pairs of all classes are less than kLeastPaired of the smaller side's lines.
+  /// Of a_m - b_m; empty if the pairs of all classes are less than kLeastPaired of the smaller
+  /// side's lines.
   std::optional<double> wilcoxon_p;
 };
 
-/// Upper ends of the classes of distance in which lines without a partner are counted, m; there is one more above them.
+/// Upper ends of the classes of distance in which lines without a partner are counted, m; there is
+/// one more above them.
 inline constexpr std::array kAloneUpTo_m{0.05, 0.1, 0.3, 1.0};
 using CountsByDistance = std::array<std::size_t, kAloneUpTo_m.size() + 1>;
 
@@ -70,8 +72,8 @@ Comparison compare(const Evaluation& a,
                    std::string name_b,
                    bool joint_adjusts_to_faces = false);
 
-/// Compares B with A where ids do not mean the same: lines are paired where they lie, see pair_in_space(), and every class is
-/// that of the base pair.
+/// Compares B with A where ids do not mean the same: lines are paired where they lie, see
+/// pair_in_space(), and every class is that of the base pair.
 Comparison compare_in_space(const Evaluation& a,
                             const Evaluation& b,
                             std::string name_a,
@@ -84,12 +86,13 @@ struct ComparisonReport {
 
 /// Compares each folder with the first one. Evaluations of the same patch and method are paired. If
 /// both folders have exactly one evaluation of a patch, the two are paired whatever their methods are
-/// called. compare_in_space() compares them, unless both recorded the same segments, matches and number of views, which number
-/// the lines, or one does not know where its lines lie.
+/// called. compare_in_space() compares them, unless both recorded the same segments, matches and
+/// number of views, which number the lines, or one does not know where its lines lie.
 /// Throws std::invalid_argument for fewer than two folders or if nothing can be paired.
 ComparisonReport compare_folders(std::span<const ResultFolder> folders);
 
-/// Compares the methods of one folder, each with the first method of its patch: files of lines in space, methods of a run by ids.
+/// Compares the methods of one folder, each with the first method of its patch: files of lines in
+/// space, methods of a run by ids.
 std::vector<Comparison> compare_methods(const ResultFolder& folder);
 
 /// A figure of all lines of B that is worse than that of A.

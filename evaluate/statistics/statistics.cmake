@@ -1,5 +1,6 @@
 set(evaluate_statistics_sources
-  compare/comparison.cpp compare/comparison_report.cpp compare/matcher_table.cpp compare/pair_in_space.cpp
+  compare/compare_folders.cpp compare/comparison.cpp compare/comparison_report.cpp compare/matcher_table.cpp
+  compare/pair_in_space.cpp
   compare/wilcoxon.cpp
   gates/figure.cpp gates/gate.cpp gates/gate_report.cpp gates/gate_warnings.cpp gates/metric.cpp
   statistics/accuracy.cpp statistics/bootstrap.cpp statistics/calibration.cpp
