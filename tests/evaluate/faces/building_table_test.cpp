@@ -72,6 +72,7 @@ TEST(BuildingTable, TellsABuildingThatIsTooHighOrTooLowAsAWhole) {
     return moved(face, {0, 0, 0.6});
   });
   EXPECT_EQ(row.verdict, BuildingVerdict::kTooHigh);
+  ASSERT_TRUE(row.shift_m);
   EXPECT_NEAR(row.shift_m->z(), 0.6, 0.03);
   EXPECT_NEAR(*row.heights.ridge_m, 0.6, 0.03);
   EXPECT_NEAR(*row.heights.eave_m, 0.6, 0.03);
@@ -80,6 +81,7 @@ TEST(BuildingTable, TellsABuildingThatIsTooHighOrTooLowAsAWhole) {
     return moved(face, {0, 0, -0.4});
   });
   EXPECT_EQ(low.verdict, BuildingVerdict::kTooLow);
+  ASSERT_TRUE(low.shift_m);
   EXPECT_NEAR(low.shift_m->z(), -0.4, 0.03);
 }
 
