@@ -56,12 +56,12 @@ constexpr std::array kCommands{
             add_report},
     Command{"run", "images and LIDAR of patches -> 3D lines, judged: Tables 1 and 2",
             "  ridgeline run patch.yaml --out results\n"
-            "  ridgeline run patches/*.yaml --out results --methods direct,joint,network --resume",
+            "  ridgeline run patches/*.yaml --out results --methods direct,joint,lines --resume",
             add_run},
     Command{"block", "a town: frames cut into patches, and one result",
             "  ridgeline block block.yaml --out town\n"
             "  ridgeline block block.yaml --out town --plan; ridgeline block block.yaml --out town "
-            "--task 1-16",
+            "--task 1-4",
             add_block},
     Command{"extract", "line segments of an image with their uncertainty",
             "  ridgeline extract left.tif --out segments.csv\n"
@@ -82,12 +82,12 @@ constexpr std::array kCommands{
         "  ridgeline patch --init roofs.yaml --orientation block.xml --images frames --area "
         "513000,5403000,513100,5403100 --lidar 'tiles/*.laz'\n"
         "  ridgeline patch --init roofs.yaml --orientation opk.csv --cameras cameras.yaml --images "
-        "'frames/*.tif' --area area.gpkg --height-range 230,290",
+        "'frames/*.tif' --area area.geojson --height-range 230,290",
         add_patch},
     Command{"simulate", "a synthetic village: images, LIDAR, true lines",
             "  ridgeline simulate --out village\n"
             "  ridgeline simulate --out town --extent-m 1000,1000 --no-images --seed 7\n"
-            "  ridgeline simulate --out frames --frame-px 7680,13824 --orientation inpho\n"
+            "  ridgeline simulate --out frames --frame-px 4000,3000 --orientation inpho\n"
             "  ridgeline simulate --out block --block 2,3",
             add_simulate},
     Command{"info", "what a file or folder is, and what to do with it",
@@ -101,9 +101,8 @@ constexpr std::array kCommands{
 };
 
 constexpr const char* kOutputRules =
-    "Outputs are written whole or not at all, and never over an input. A file that an option "
-    "names is replaced only if ridgeline wrote it. A link is replaced; the file that it names "
-    "stays. A folder of results serves one run at a time.";
+    "Outputs are written whole or not at all, never over an input. In a results folder, only "
+    "unchanged files that ridgeline wrote are replaced; other existing files need --overwrite.";
 
 std::string version_text() {
   std::string text = fmt::format("ridgeline {} ({})\n", results::kVersion, results::kGitHash);

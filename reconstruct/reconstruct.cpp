@@ -9,14 +9,18 @@
 #include "reconstruct/beyond/roof_planes/faces_beside.h"
 #include "reconstruct/beyond/roof_planes/plane_lines.h"
 #include "reconstruct/beyond/shared_errors/shared_errors.h"
+#include "reconstruct/beyond/soft_edges/soft_edges.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/match/connect_matches.h"
 #include "reconstruct/ok2011/match/match_pairwise.h"
 #include "reconstruct/registrations.h"
+#include "reconstruct/scaled_scene.h"
 #include "reconstruct/tracks/tracks.h"
 #include "reconstruct/tracks/view_pairs.h"
 #include "reconstruct/views/edges_of_no_data.h"
+#include "reconstruct/views/own_segments.h"
+#include "reconstruct/views/reduced_view.h"
 #include "reconstruct/views/tracked_lines.h"
 
 #include <tbb/parallel_for_each.h>
@@ -159,7 +163,7 @@ void adjust_to_faces(std::span<const UsedPair> pairs, std::vector<ReconstructedL
   }
 }
 
-/// The lines of matched edges, by every method but Method::kPlanes.
+/// The lines of matched edges, by a method of tracks.
 std::vector<ReconstructedLine> lines_of_edges(const Scene& scene,
                                               std::span<const Track> tracks,
                                               std::span<const UsedPair> pairs,
@@ -221,11 +225,17 @@ void check_scene(const Scene& scene, std::span<const ViewPair> pairs) {
 const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pairwise" : "chio"; }
 
 std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options) {
-  const ImagePart image(view.image, {view.corner_px.x(), view.corner_px.y()});
-  std::vector<EdgeSegment> segments =
-      extract_segments(image, view.ideal_from_image, options.edges, edge_refinement(options));
-  remove_edges_of_no_data(segments, view.is_valid);
-  return segments;
+  if (view.own_segments) return completed_own_segments(view);
+  const auto extract_at_scale = [&](const View& seen) {
+    const ImagePart image(seen.image, {seen.corner_px.x(), seen.corner_px.y()});
+    std::vector<EdgeSegment> segments =
+        extract_segments(image, seen.ideal_from_image, options.edges, edge_refinement(options));
+    remove_edges_of_no_data(segments, seen.is_valid);
+    return segments;
+  };
+  std::vector<EdgeSegment> segments = extract_at_scale(view);
+  if (!options.beyond.soft_edges) return segments;
+  return segments_at_their_scales(view, std::move(segments), extract_at_scale);
 }
 
 void extract(Scene& scene, const ExtractionOptions& options) {
@@ -259,20 +269,33 @@ std::vector<ViewPair> pairs_of(const Scene& scene, const Options& options) {
   return choose_pairs(scene);
 }
 
-std::optional<Surface> surface_of(const StereoPair& pair, const Options& options) {
+namespace {
+
+bool takes_surface(const Options& options) {
   const MatchExtensionOptions& match = options.matching.beyond;
   const EstimateExtensionOptions& estimate = options.estimation.beyond;
-  const bool is_taken = match.surface || match.guided ||
-                        (estimate.surface && (estimate.consensus || estimate.faces_beside));
-  return is_taken ? dense_surface(pair) : std::nullopt;
+  return match.surface || match.guided ||
+         (estimate.surface && (estimate.consensus || estimate.faces_beside));
+}
+
+}  // namespace
+
+std::optional<Surface> surface_of(const StereoPair& pair, const Options& options) {
+  if (!takes_surface(options)) return std::nullopt;
+  const ScaledPair scaled(pair);
+  std::optional<Surface> surface = dense_surface(scaled.pair());
+  if (surface) take_to_pixels_of_files(pair, *surface);
+  return surface;
 }
 
 PairMatches match(const Scene& scene, const ViewPair& views, const Options& options) {
   const MatchingOptions& matching = options.matching;
-  const StereoPair pair = stereo_pair(scene, views);
+  const StereoPair in_files = stereo_pair(scene, views);
+  const ScaledPair scaled(in_files);
+  const StereoPair pair = scaled.pair();
   PairMatches result;
   result.views = views;
-  result.surface = surface_of(pair, options);
+  if (takes_surface(options)) result.surface = dense_surface(pair);
   for (const Matcher matcher : matching.matchers) {
     if (matcher == Matcher::kPairwise) {
       result.lists.push_back(by_pairs(pair, matching, result.surface));
@@ -285,6 +308,11 @@ PairMatches match(const Scene& scene, const ViewPair& views, const Options& opti
     result.lists.push_back(combined(pair.views[0]->segments, result.lists[0], *result.chio));
   }
   guide(pair, options, result);
+  for (const std::size_t side : {0U, 1U}) {
+    const View& view = *in_files.views[side];
+    result.guided[side] = in_pixels_of(view, scale_of_edges(view), std::move(result.guided[side]));
+  }
+  if (result.surface) take_to_pixels_of_files(in_files, *result.surface);
   return result;
 }
 
@@ -316,7 +344,8 @@ std::vector<Track> tracks_of(const Scene& scene,
   const auto matched = transformed(pairs, [](const PairMatches& pair) {
     return MatchedPair{pair.views, line_matches(pair.used())};
   });
-  return tracks_of(scene, matched, options.matching.candidates, options.matching.tracks);
+  return tracks_of(at_scale_of_edges(scene), matched, options.matching.candidates,
+                   options.matching.tracks);
 }
 
 std::vector<UsedPair> used_pairs(std::span<const PairMatches> pairs) {
@@ -332,28 +361,55 @@ std::vector<UsedPair> used_pairs(std::span<const ViewPair> pairs,
   return used;
 }
 
+namespace {
+
+std::vector<ReconstructedLine> estimate_at_scale(const Scene& scene,
+                                                 std::span<const Track> tracks,
+                                                 std::span<const UsedPair> pairs,
+                                                 const Options& options) {
+  const Method method = options.estimation.lines.method;
+  if (!has_lines_of_planes(method)) return lines_of_edges(scene, tracks, pairs, options);
+  Options from_edges = options;
+  from_edges.estimation.lines.method = method == Method::kLines ? Method::kNetwork : Method::kJoint;
+  std::vector<ReconstructedLine> lines = lines_of_edges(scene, tracks, pairs, from_edges);
+  const auto n_of_edges = static_cast<std::ptrdiff_t>(lines.size());
+  for (const UsedPair& pair : pairs) {
+    if (pair.surface == nullptr) continue;
+    for (ReconstructedLine& line : plane_lines(stereo_pair(scene, pair.views), *pair.surface, lines,
+                                               options.estimation.lines.max_aligned_angle_deg)) {
+      line.seen[0].sighting.view = pair.views.base;
+      line.seen[1].sighting.view = pair.views.search;
+      lines.push_back(std::move(line));
+    }
+  }
+  if (method == Method::kPlanes) lines.erase(lines.begin(), lines.begin() + n_of_edges);
+  return lines;
+}
+
+}  // namespace
+
 std::vector<ReconstructedLine> estimate(const Scene& scene,
                                         std::span<const Track> tracks,
                                         std::span<const UsedPair> pairs,
                                         const Options& options) {
-  if (options.estimation.lines.method != Method::kPlanes)
-    return lines_of_edges(scene, tracks, pairs, options);
-  Options from_edges = options;
-  from_edges.estimation.lines.method = Method::kJoint;
-  std::vector<ReconstructedLine> known;
-  std::vector<ReconstructedLine> found;
-  for (const UsedPair& pair : pairs) {
+  std::vector<Surface> surfaces;
+  surfaces.reserve(pairs.size());
+  std::vector<UsedPair> scaled_pairs(pairs.begin(), pairs.end());
+  for (UsedPair& pair : scaled_pairs) {
     if (pair.surface == nullptr) continue;
-    if (known.empty()) known = lines_of_edges(scene, tracks, pairs, from_edges);
-    for (ReconstructedLine& line : plane_lines(stereo_pair(scene, pair.views), *pair.surface, known,
-                                               options.estimation.lines.max_aligned_angle_deg)) {
-      line.seen[0].sighting.view = pair.views.base;
-      line.seen[1].sighting.view = pair.views.search;
-      known.push_back(line);
-      found.push_back(std::move(line));
+    surfaces.push_back(at_scale_of_edges(stereo_pair(scene, pair.views), *pair.surface));
+    pair.surface = &surfaces.back();
+  }
+  std::vector<ReconstructedLine> lines =
+      estimate_at_scale(at_scale_of_edges(scene), tracks, scaled_pairs, options);
+  const std::vector<int> scales = transformed(scene.views, scale_of_edges);
+  for (ReconstructedLine& line : lines) {
+    for (SeenSegment& seen : line.seen) {
+      const std::size_t view = seen.sighting.view;
+      seen.px = in_pixels_of(scene.views[view], scales[view], seen.px);
     }
   }
-  return found;
+  return lines;
 }
 
 std::vector<LineMatch> line_matches(const MatchList& list) {

@@ -78,8 +78,8 @@ struct Reconstruction {
 
 /// 3D lines of oriented images. The steps are: segments of each view, matches of pairs, tracks of all views,
 /// lines of the tracks with covariance and status (Ok et al. 2011, sections 2 and 3, and Chio and Wang 2000). What
-/// goes beyond the papers is done as the options say. Programs that keep files in between call extract(),
-/// match(), tracks_of() and estimate() in this order.
+/// goes beyond the papers is done as the options say; the method is Method::kJoint unless they name another one.
+/// Programs that keep files in between call extract(), match(), tracks_of() and estimate() in this order.
 /// @param scene  its views have images and no segments
 /// @param pairs  default: pairs_of()
 /// The result is the same for any number of threads. Throws std::invalid_argument for fewer than two views, a
@@ -89,7 +89,8 @@ Reconstruction reconstruct(Scene scene,
                            const Options& options = {},
                            std::span<const ViewPair> pairs = {});
 
-/// The segments of a view with a normalised image.
+/// The segments of a view with a normalised image: View::own_segments if it has them, otherwise
+/// those that are found now.
 std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options = {});
 
 /// Normalises the images of all views and finds their segments.

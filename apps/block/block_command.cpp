@@ -162,7 +162,6 @@ void add_steps(CLI::App& app, BlockArguments& a) {
 
 Run add_block(CLI::App& subcommand) {
   auto a = std::make_shared<BlockArguments>();
-  a->flags.methods = {"joint"};
   subcommand
       .add_option("block", a->file,
                   "block file (YAML): frames, their orientation, LIDAR; or lines and LIDAR")

@@ -101,6 +101,7 @@ BlockPlan plan_of(const json& document) {
     plan.frames.push_back({file_of(entry), entry.at("id"), entry.at("radiometry")});
   }
   for (const json& entry : document.at("patches")) plan.patches.push_back(patch_of(entry));
+  plan.extent_m = box_of(document.at("extent_m"));
   plan.n_without_views = document.at("n_squares_without_views");
   plan.warnings = document.at("warnings").get<std::vector<std::string>>();
   return plan;
@@ -108,10 +109,15 @@ BlockPlan plan_of(const json& document) {
 
 }  // namespace
 
+reconstruct::PatchGrid grid_of(const BlockPlan& plan) {
+  return {plan.patch_size_m, plan.extent_m, plan.overlap_m};
+}
+
 std::string to_json(const BlockPlan& plan) {
   ordered_json document{
       {"plan", plan.block}, {"block_file", plan.block_file},     {"key", plan.key},
       {"crs", plan.crs},    {"patch_size_m", plan.patch_size_m}, {"overlap_m", plan.overlap_m}};
+  document["extent_m"] = json_of(plan.extent_m);
   document["area_m"] = list_of(plan.area_m, [](const Eigen::Vector2d& x) {
     return ordered_json{x.x(), x.y()};
   });

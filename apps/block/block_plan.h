@@ -52,12 +52,16 @@ struct BlockPlan {
   double overlap_m = 0.0;
   std::vector<Eigen::Vector2d>
       area_m;                         ///< convex, counter-clockwise; empty if the block states none
+  Eigen::AlignedBox2d extent_m;       ///< of all squares, with and without views
   std::vector<PlannedFile> inputs;    ///< all but frames
   std::vector<PlannedFrame> frames;   ///< that a patch uses
   std::vector<PlannedPatch> patches;  ///< in the order of their squares
   std::size_t n_without_views = 0;    ///< squares that fewer than two images show
   std::vector<std::string> warnings;
 };
+
+/// The squares that the patches belong to.
+reconstruct::PatchGrid grid_of(const BlockPlan& plan);
 
 std::string to_json(const BlockPlan& plan);
 

@@ -3,7 +3,7 @@
 
 #include "apps/block/slurm_job.h"
 #include "apps/common/say.h"
-#include "io/files/atomic_file.h"
+#include "io/results/output_folder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -62,10 +62,11 @@ SlurmJob job_of(const BlockSteps& block, const std::string& folder, int threads)
 
 void write_cluster_files(const BlockSteps& block, const std::string& folder, int threads) {
   const SlurmJob job = job_of(block, folder, threads);
-  io::write_file(job.folder + "/tasks.sbatch", tasks_script(job));
-  io::write_file(job.folder + "/merge.sbatch", merge_script(job));
-  io::write_file(job.folder + "/submit.sh", submit_script(job));
-  io::write_file(job.folder + "/parallel.sh", parallel_script(job));
+  const results::OutputFolder out(folder, {});
+  out.write("tasks.sbatch", tasks_script(job));
+  out.write("merge.sbatch", merge_script(job));
+  out.write("submit.sh", submit_script(job));
+  out.write("parallel.sh", parallel_script(job));
   say("{}", how_to_submit(job));
 }
 

@@ -122,8 +122,8 @@ class LinesBlock final : public BlockSteps {
     const std::optional<results::LinesPart> part =
         results::read_lines_part(lines_path(i), plan_key());
     if (!part) {
-      throw io::IoError(lines_path(i),
-                        "is gone or damaged; remove " + plan_path() + " and make the plan again");
+      throw io::IoError(lines_path(i), "is missing or damaged; remove " + plan_path() +
+                                           " and make the plan again");
     }
     io::ReadOptions cloud_options = options_.cloud;
     cloud_options.frame = part->frame;

@@ -6,6 +6,7 @@
 #include "apps/block/patch_table.h"
 #include "apps/common/outcome.h"
 #include "apps/common/say.h"
+#include "apps/run/patch_stages.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/table2.h"
 #include "evaluate/tables/terminal_table.h"
@@ -31,10 +32,6 @@ namespace {
 using evaluate::Evaluation;
 using reconstruct::GridCell;
 using reconstruct::Method;
-
-std::string lines_name(Method method, std::string_view extension) {
-  return fmt::format("lines.{}{}", reconstruct::name(method), extension);
-}
 
 /// The lines of the block by one method, judged, with what belongs to each patch.
 struct MethodResult {
@@ -62,8 +59,12 @@ class BlockMerge {
   }
 
   std::size_t run() {
+    check_outputs();
     find_finished();
-    if (n_finished_ > 0) write_results();
+    if (n_finished_ > 0) {
+      write_results();
+      remove_other_methods(options_.methods, out_, "");
+    }
     write_patches_csv();
     write_record();
     return plan_.patches.size() - n_finished_;
@@ -74,6 +75,19 @@ class BlockMerge {
     std::vector<std::string> paths = transformed(plan_.inputs, &PlannedFile::path);
     for (const PlannedFrame& frame : plan_.frames) paths.push_back(frame.file.path);
     return paths;
+  }
+
+  /// Throws IoError for a file of somebody else where results go.
+  void check_outputs() const {
+    std::vector<std::string> names = results::result_names({});
+    names.emplace_back("patches.csv");
+    for (const Method method : options_.methods) {
+      for (const char* ending : {".geojson", ".gpkg"})
+        names.push_back(PatchStages::line_file(method, ending));
+      for (std::string& name : results::evaluation_names(reconstruct::name(method)))
+        names.push_back(std::move(name));
+    }
+    for (const std::string& name : names) (void)out_.path(name);
   }
 
   void write_results() {
@@ -108,8 +122,8 @@ class BlockMerge {
     std::vector<std::unique_ptr<io::LineWriter>> writers;
     for (const auto& [format, extension] : {std::pair(io::LineFormat::kGeoJson, ".geojson"),
                                             std::pair(io::LineFormat::kGeoPackage, ".gpkg")}) {
-      writers.push_back(
-          io::line_writer(out_.path(lines_name(method, extension)), {plan_.crs}, format));
+      writers.push_back(io::line_writer(out_.path(PatchStages::line_file(method, extension)),
+                                        {plan_.crs}, format));
     }
     std::vector<std::size_t>& patch_of_line = patch_of_line_.emplace_back();
     const MergedCounts counts =
@@ -140,7 +154,7 @@ class BlockMerge {
   void judge() {
     results::JudgeFilesOptions options;
     for (const Method method : options_.methods)
-      options.line_paths.push_back(out_.path(lines_name(method, ".geojson")));
+      options.line_paths.push_back(out_.path(PatchStages::line_file(method, ".geojson")));
     options.cloud_paths = block_.patch.lidar;
     options.patch = frames_as_patch();
     options.patch_name = plan_.block;
@@ -250,7 +264,7 @@ class BlockMerge {
       const LocalFrame& frame) const {
     std::map<GridCell, std::vector<evaluate::ReferenceLine>> by_patch;
     if (!block_.patch.reference_lines) return by_patch;
-    const reconstruct::PatchGrid grid{plan_.patch_size_m};
+    const reconstruct::PatchGrid grid = grid_of(plan_);
     for (const evaluate::ReferenceLine& line :
          results::reference_lines_of(io::read_lines(*block_.patch.reference_lines), frame)) {
       const Eigen::Vector3d middle = frame.world_from_local(midpoint(line.segment));
@@ -309,7 +323,7 @@ class BlockMerge {
       record_.add_input({frame.file.role, frame.file.path});
     }
     record_.end_stage("write");
-    out_.write("run.json", record_.to_json());
+    out_.write_record(record_.to_json());
   }
 
   const io::BlockFile& block_;

@@ -62,9 +62,7 @@ class StripMerge {
   using Take = std::function<void(const io::Line&, std::size_t patch)>;
 
   StripMerge(const BlockPlan& plan, const Take& take)
-      : plan_(plan),
-        take_(take),
-        merger_(reconstruct::PatchGrid{plan.patch_size_m}, {.overlap_m = plan.overlap_m}) {}
+      : plan_(plan), take_(take), merger_(grid_of(plan), {.overlap_m = plan.overlap_m}) {}
 
   void add(std::span<const FinishedPatch> column) {
     std::vector<LinesOfPatch> read(column.size());

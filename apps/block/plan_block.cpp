@@ -73,7 +73,7 @@ std::vector<GridCell> squares_of(const PatchGrid& grid,
   const GridCell first = grid.cell_of(extent.min());
   const GridCell last = grid.cell_of(extent.max());
   check((last.column - first.column + 1) * (last.row - first.row + 1) <= kMost,
-        "patch_size_m = ", grid.size_m, " cuts the block into more than ", kMost, " squares");
+        "patch_size_m = ", grid.size_m(), " cuts the block into more than ", kMost, " squares");
   std::vector<GridCell> squares;
   for (std::int64_t column = first.column; column <= last.column; ++column) {
     for (std::int64_t row = first.row; row <= last.row; ++row) {
@@ -214,10 +214,11 @@ BlockPlan plan_block(const io::BlockFile& block) {
   plan.inputs = planned_inputs(block);
   plan.key = key_of(block, plan.inputs);
   plan.warnings = warnings_of(block);
-  const PatchGrid grid{block.patch_size_m};
   const BlockHeights heights(block.patch, block.overlap_m);
   const Eigen::AlignedBox2d extent = extent_of(block.patch, heights);
   if (extent.isEmpty()) throw io::IoError(block.patch.path, "no image shows the ground");
+  plan.extent_m = extent;
+  const PatchGrid grid = grid_of(plan);
   const std::vector<GridCell> squares = squares_of(grid, extent, block.patch.area_m);
   std::vector<std::optional<PlannedPatch>> patches(squares.size());
   tbb::parallel_for(std::size_t{0}, squares.size(), [&](std::size_t i) {
@@ -234,7 +235,7 @@ BlockPlan plan_block(const io::BlockFile& block) {
     throw io::IoError(
         block.patch.path,
         fmt::format("no two of its {} images show one of the {} squares of {} m of the area",
-                    block.patch.images.size(), squares.size(), grid.size_m));
+                    block.patch.images.size(), squares.size(), grid.size_m()));
   }
   plan.frames = frames_of(block, plan.patches);
   return plan;

@@ -101,8 +101,8 @@ std::vector<std::string> unconfirmed_messages(const std::string& patch,
   for (const Evaluation& evaluation : evaluations) {
     const std::size_t n = n_of(evaluation, is_unconfirmed);
     if (n == 0) continue;
-    texts.push_back(
-        fmt::format("{} of {} by {}", n, lines(n_reconstructed(evaluation)), evaluation.method));
+    texts.push_back(fmt::format("{} of {}", n, lines(n_reconstructed(evaluation))));
+    if (evaluations.size() > 1) texts.back() += " by " + evaluation.method;
   }
   if (texts.empty()) return {};
   return {

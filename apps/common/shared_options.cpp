@@ -61,6 +61,10 @@ void add_local_origin_flag(CLI::App& app, bool& local_origin) {
       "coordinates in 32 bits");
 }
 
+void add_overwrite_flag(CLI::App& app, bool& overwrite) {
+  app.add_flag("--overwrite", overwrite, "replace output files that exist; default: they are kept");
+}
+
 void add_image_size_option(CLI::App& app, double& max_image_mpx) {
   constexpr double kMost_mpx = static_cast<double>(io::kMaxImagePixels) / 1e6;
   app.add_option("--max-image-mpx", max_image_mpx,

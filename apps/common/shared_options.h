@@ -28,6 +28,9 @@ void add_matcher_option(CLI::App& app, std::vector<std::string>& names);
 
 std::vector<std::string> line_format_names();
 
+/// Adds `--overwrite`, for results::check_output_file().
+void add_overwrite_flag(CLI::App& app, bool& overwrite);
+
 /// Adds `--local-origin`.
 void add_local_origin_flag(CLI::App& app, bool& local_origin);
 

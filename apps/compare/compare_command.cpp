@@ -5,7 +5,7 @@
 #include "evaluate/gates/metric.h"
 #include "evaluate/tables/format.h"
 #include "evaluate/tables/shift_text.h"
-#include "io/files/atomic_file.h"
+#include "io/results/output_folder.h"
 #include "io/results/result_folder_reader.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/check.h"
@@ -94,9 +94,9 @@ evaluate::ComparisonReport compare_all(const std::vector<evaluate::ResultFolder>
 template <typename Compared>
 void write_comparison(const Compared& comparison, const std::string& out) {
   if (!out.empty()) {
-    const std::filesystem::path folder(out);
-    io::write_file((folder / "compare.md").string(), evaluate::to_markdown(comparison));
-    io::write_file((folder / "compare.json").string(), evaluate::to_json(comparison));
+    const results::OutputFolder folder(out, {}, "compare.json");
+    folder.write("compare.md", evaluate::to_markdown(comparison));
+    folder.write_record(evaluate::Json::parse(evaluate::to_json(comparison)));
   }
   fmt::print("{}", evaluate::to_terminal(comparison));
 }
@@ -124,7 +124,7 @@ Run add_compare(CLI::App& subcommand) {
   subcommand
       .add_option(
           "folders", a->folders,
-          "folders that evaluate, run or demo wrote; one: its methods are compared; of runs "
+          "folders that evaluate, run, block or demo wrote; one: its methods are compared; of runs "
           "that match the same segments by different matchers: what each of these finds")
       ->required();
   subcommand.add_option("--out", a->out, "folder for compare.md and compare.json");

@@ -26,6 +26,9 @@ Run add_demo(CLI::App& subcommand) {
     RunOptions options;
   };
   auto a = std::make_shared<Arguments>();
+  // the papers' Table 2, beside what a run gives
+  a->options.methods = {reconstruct::Method::kDirect, reconstruct::Method::kJoint,
+                        reconstruct::Method::kLines};
   subcommand.add_option("--out", a->out, "folder for the results")->capture_default_str();
   add_report_flag(subcommand, a->options.report);
   return [a] { return run_demo(a->out, a->options); };

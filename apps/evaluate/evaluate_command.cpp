@@ -25,9 +25,9 @@ struct EvaluateArguments {
   std::string out, patch, reference_lines, write_points, schema = "plain";
   std::vector<int> classes;
   bool exclude_withheld = true, last_returns = false, strict = false, salvage = false;
-  bool vertex_pairs = false, scale_to_ground = false, report = true;
+  bool vertex_pairs = false, scale_to_ground = false, report = true, overwrite = false;
   std::vector<double> bounds, origin;
-  std::string assume_crs, lod, write_attributes;
+  std::string assume_crs, lod, write_attributes, id_column, building_column;
   std::vector<std::string> by;
   std::uint64_t max_points = 0, max_memory_mib = 0;
   std::uint64_t cloud_memory_mib = results::JudgeFilesOptions{}.cloud_memory_mib;
@@ -59,6 +59,10 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
       "--lod", a.lod,
       "level of detail of a model of buildings: 2.2, or 2 for the highest of 2.x; default: "
       "the highest up to 3 that a building has");
+  app.add_option("--id", a.id_column, "column of the lines' ids; default: id, else their number");
+  app.add_option("--building", a.building_column,
+                 "column that says to which building a line belongs, or of the names of the "
+                 "buildings of a model without ids; default: building");
   app.add_option("--by", a.by,
                  "attributes of the buildings of a model, by which buildings_by.csv groups them")
       ->delimiter(',');
@@ -73,6 +77,7 @@ void add_inputs(CLI::App& app, EvaluateArguments& a) {
   app.add_option(
       "--write-points", a.write_points,
       "file (.las, .pcd, .ply) for the points of the planes, coloured by plane; of one line file");
+  add_overwrite_flag(app, a.overwrite);
   add_shift_options(app, a.shift);
   add_decoys_option(app, a.n_decoys);
   add_schema_option(app, a.schema);
@@ -194,6 +199,8 @@ results::JudgeFilesOptions judge_files_options(const EvaluateArguments& a) {
   options.lines.assume_crs.definition = a.assume_crs;
   options.lines.vertex_pairs = a.vertex_pairs;
   options.lines.lod = a.lod;
+  options.lines.id_column = a.id_column;
+  options.lines.building_column = a.building_column;
   options.by = a.by;
   options.needs_models = !a.write_attributes.empty();
   const Parameters parameters = read_parameters(a.parameters);
@@ -210,8 +217,7 @@ void check_points_file(const EvaluateArguments& a, const std::vector<std::string
   check(a.lines.size() == 1, "--write-points: there are ", a.lines.size(),
         " line files; their planes differ, give one");
   io::require_point_format(a.write_points);
-  (void)results::output_file(a.write_points, inputs);
-  results::check_is_own(a.write_points, io::is_own_points_file, "points file");
+  results::check_output_file(a.write_points, inputs, a.overwrite);
 }
 
 void check_attributes(const EvaluateArguments& a,
@@ -221,7 +227,7 @@ void check_attributes(const EvaluateArguments& a,
   check(a.lines.size() == 1, "--write-attributes: there are ", a.lines.size(),
         " line files; give one model");
   for (const std::string& name : results::result_names(a.lines)) others.push_back(out.path(name));
-  (void)results::output_file(a.write_attributes, others);
+  results::check_output_file(a.write_attributes, others, a.overwrite);
   results::check_attributes_file(a.write_attributes);
 }
 

@@ -13,6 +13,7 @@
 #include "io/results/write_results.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <set>
 
@@ -86,13 +87,15 @@ void write_evaluation(const results::JudgedFiles& judged,
   record.end_stage("write");
   record.set("messages", messages);
   record.set("page", to_json(output.page));
-  out.write("run.json", record.to_json());
+  out.write_record(record.to_json());
   if (!output.attributes.empty()) results::write_model_with_figures(output.attributes, judged, 0);
+  const std::filesystem::path folder = output.folder;
   for (const evaluate::Evaluation& e : judged.evaluations) {
-    say("Map for QGIS: {}\n", out.path(results::map_name(e.method)));
+    say("Map for QGIS: {}\n", (folder / results::map_name(e.method)).string());
   }
-  if (!results::model_messages(judged).empty()) say("Buildings: {}\n", out.path("buildings.csv"));
-  say("Tables: {}\n", out.path("table2.md"));
+  if (!results::model_messages(judged).empty())
+    say("Buildings: {}\n", (folder / "buildings.csv").string());
+  say("Tables: {}\n", (folder / "table2.md").string());
   write_report_of_run(output.folder, output.report);
 }
 

@@ -23,6 +23,7 @@ struct ExtractArguments {
   std::string image, out, overlay, patch, image_id;
   std::vector<int> window_px;
   double max_image_mpx = 0.0;
+  bool overwrite = false;
   ParameterArguments parameters;
 };
 
@@ -57,11 +58,9 @@ io::PatchImage image_of(const ExtractArguments& a) {
   return image;
 }
 
-/// Refuses an output path that names an input, the other output or a file that this program did not write.
 void check_outputs(const ExtractArguments& a) {
-  (void)results::output_file(a.out, {a.image, a.patch});
-  results::check_is_own(a.out, "id,x1_px,y1_px,", "table of segments");
-  if (!a.overlay.empty()) (void)results::output_file(a.overlay, {a.image, a.patch, a.out});
+  results::check_output_file(a.out, {a.image, a.patch}, a.overwrite);
+  results::check_output_file(a.overlay, {a.image, a.patch, a.out}, a.overwrite);
   results::check_is_png("--overlay", a.overlay);
 }
 
@@ -105,6 +104,7 @@ Run add_extract(CLI::App& subcommand) {
           "part of the image to be read: column,row,columns,rows; segments are in its pixels")
       ->delimiter(',')
       ->expected(4);
+  add_overwrite_flag(subcommand, a->overwrite);
   add_image_size_option(subcommand, a->max_image_mpx);
   add_preset_option(subcommand, a->parameters.preset);
   add_config_option(subcommand, a->parameters.config);

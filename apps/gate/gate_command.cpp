@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/common/command.h"
+#include "apps/common/shared_options.h"
 #include "evaluate/gates/gate_report.h"
 #include "io/error.h"
 #include "io/files/atomic_file.h"
@@ -25,6 +26,7 @@ namespace {
 struct GateArguments {
   std::string results, gates, baseline, junit, summary, json;
   std::string init;
+  bool overwrite = false;
   bool is_init = false;  ///< --init is given; without a file, the template is printed
 };
 
@@ -47,15 +49,11 @@ void check_reports(const GateArguments& a) {
   for (const std::string& report : {a.junit, a.summary, a.json}) {
     if (report.empty()) continue;
     if (fs::exists(report) && is_result(report)) {
-      throw io::IoError(report, "is an input and would be written over; choose another name");
+      throw io::IoError(report, "is an input and would be overwritten; choose another name");
     }
-    others.push_back(results::output_file(report, others));
+    results::check_output_file(report, others, a.overwrite);
+    others.push_back(report);
   }
-  results::check_is_own(
-      a.junit, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ridgeline gate\"",
-      "JUnit report");
-  results::check_is_own(a.summary, "Accuracy gate: ", "summary of gates");
-  results::check_is_own(a.json, "{\n  \"passed\": ", "report of gates");
 }
 
 int write_template(const std::string& file) {
@@ -64,7 +62,7 @@ int write_template(const std::string& file) {
     return kDone;
   }
   if (fs::exists(fs::symlink_status(file))) {
-    throw io::IoError(file, "exists and would be written over; --init writes a new file");
+    throw io::IoError(file, "exists already; --init writes a new file");
   }
   io::write_file(file, results::gates_template());
   return kDone;
@@ -98,8 +96,8 @@ int run_gate(const GateArguments& a) {
 
 Run add_gate(CLI::App& subcommand) {
   auto a = std::make_shared<GateArguments>();
-  CLI::Option* results =
-      subcommand.add_option("results", a->results, "folder that run, demo or evaluate wrote");
+  CLI::Option* results = subcommand.add_option("results", a->results,
+                                               "folder that run, block, demo or evaluate wrote");
   CLI::Option* gates = subcommand.add_option("--gates", a->gates, "gates file (YAML)");
   CLI::Option* baseline = subcommand.add_option(
       "--baseline", a->baseline,
@@ -107,6 +105,7 @@ Run add_gate(CLI::App& subcommand) {
   subcommand.add_option("--junit", a->junit, "write JUnit XML, one testcase per gate");
   subcommand.add_option("--summary", a->summary, "write Markdown for the job's page");
   subcommand.add_option("--json", a->json, "write the verdicts as JSON");
+  add_overwrite_flag(subcommand, a->overwrite);
   CLI::Option* init = subcommand.add_option(
       "--init", a->init,
       "print a gates file with every key and metric explained, or write it to a new FILE; "

@@ -16,7 +16,9 @@
 #include "io/project/patch.h"
 #include "io/results/judged_lines.h"
 #include "io/text/text.h"
+#include "reconstruct/beyond/soft_edges/edge_facts.h"
 #include "reconstruct/geometry/transformed.h"
+#include "reconstruct/reconstruct.h"
 #include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
@@ -185,6 +187,34 @@ void print_radiometry(const std::string& path, const io::ImageFacts& facts) {
   }
 }
 
+/// Prints how sharp the middle of an image is.
+void print_edges(const std::string& path, const io::ImageFacts& facts) {
+  constexpr int kSide_px = 1024;
+  constexpr int kSmallest_px = 64;
+  if (std::min(facts.width_px, facts.height_px) < kSmallest_px) return;
+  const cv::Size size(std::min(kSide_px, facts.width_px), std::min(kSide_px, facts.height_px));
+  const io::Window middle{(facts.width_px - size.width) / 2, (facts.height_px - size.height) / 2,
+                          size.width, size.height};
+  try {
+    if (io::slow_reading(path, middle)) return;
+    reconstruct::View view;
+    const io::Picture picture = io::read_picture(path, {.window = middle, .samples = false});
+    view.image = reconstruct::normalised_image(picture.pixels);
+    view.is_valid = picture.is_valid;
+    view.corner_px = {middle.column, middle.row};
+    view.segments = reconstruct::extract(view);
+    const reconstruct::EdgeFacts edges = edge_facts(view);
+    fmt::print("  edges       of the middle {} x {} px{}\n", size.width, size.height,
+               edges.noise ? fmt::format(", noise {:.2g} %", 100.0 * *edges.noise) : "");
+    for (const reconstruct::EdgesOfScale& scale : edges.scales)
+      fmt::print("              at {} size: {} segment{}, {:.0f} px long in all{}\n",
+                 scale.scale_px == 1 ? "full" : fmt::format("1/{}", scale.scale_px),
+                 scale.n_segments, scale.n_segments == 1 ? "" : "s", scale.length_px,
+                 scale.width_px ? fmt::format(", {:.1f} px wide (sigma)", *scale.width_px) : "");
+  } catch (const io::IoError&) {  // print_radiometry() has said what is wrong
+  }
+}
+
 void print_image(const std::string& path) {
   const io::ImageFacts facts = io::image_facts(path);
   fmt::print("{}: {}\n  size        {} x {} px\n  bands       {} of {} bit\n", path, facts.format,
@@ -192,6 +222,7 @@ void print_image(const std::string& path) {
   if (facts.turn != io::ImageTurn::kNone)
     fmt::print("  turn        EXIF orientation {}\n", static_cast<int>(facts.turn));
   print_radiometry(path, facts);
+  print_edges(path, facts);
   print_use(
       fmt::format("name it under images in a patch file; ridgeline extract {} --out FILE", path));
 }
@@ -201,7 +232,10 @@ std::vector<std::string> missing_files(const io::PatchFile& patch) {
   const auto look_for = [&](const std::string& file) {
     if (!std::filesystem::exists(file)) warnings.push_back(file + " does not exist");
   };
-  for (const io::PatchImage& image : patch.images) look_for(image.path);
+  for (const io::PatchImage& image : patch.images) {
+    look_for(image.path);
+    if (image.segments) look_for(*image.segments);
+  }
   for (const std::string& pattern : patch.lidar) {
     try {
       for (const std::string& file : io::expand_patterns({pattern})) look_for(file);

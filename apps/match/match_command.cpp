@@ -32,6 +32,7 @@ struct MatchArguments {
   std::string provenance;
   ParameterArguments parameters;
   double max_image_mpx = 0.0;
+  bool overwrite = false;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   std::vector<std::string> matchers{"pairwise"};
   reconstruct::Options options;  ///< made from `parameters` and `matchers`
@@ -76,24 +77,19 @@ std::vector<std::string> segment_files(const MatchArguments& a, const io::PatchF
           (folder / segments_file(patch.images[1])).string()};
 }
 
-/// Refuses an output path that names an input, another output or a file that this program did not write.
 void check_outputs(const MatchArguments& a, const io::PatchFile& patch) {
-  std::vector<std::string> others = results::paths_of(input_files(patch));
-  std::vector<std::string> files = segment_files(a, patch);
-  files.insert(files.end(), {a.out, a.overlay, a.provenance});
-  for (const std::string& file : files) {
-    if (!file.empty()) others.push_back(results::output_file(file, others));
-  }
-  results::check_is_own(a.out, "left_id,right_id,score,", "table of matches");
-  results::check_is_own(a.provenance, "left_id,right_id,linked_right_ids,",
-                        "table of lines of chio");
-  results::check_is_png("--overlay", a.overlay);
-  for (const std::string& file : segment_files(a, patch))
-    results::check_is_own(file, "id,x1_px,y1_px,", "table of segments");
   const std::vector<reconstruct::Matcher>& matchers = a.options.matching.matchers;
   check(a.provenance.empty() || std::find(matchers.begin(), matchers.end(),
                                           reconstruct::Matcher::kChio) != matchers.end(),
         "provenance: lines of pairwise have none; needs --matcher chio");
+  std::vector<std::string> others = results::paths_of(input_files(patch));
+  std::vector<std::string> files = segment_files(a, patch);
+  files.insert(files.end(), {a.out, a.overlay, a.provenance});
+  for (const std::string& file : files) {
+    results::check_output_file(file, others, a.overwrite);
+    others.push_back(file);
+  }
+  results::check_is_png("--overlay", a.overlay);
 }
 
 int run_match(MatchArguments a) {
@@ -108,6 +104,7 @@ int run_match(MatchArguments a) {
   reconstruct::Scene scene = patch_scene(file, frame, patch_images(file));
   warn_of(check_pairs(file, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
   reconstruct::extract(scene, a.options.extraction);
+  warn_of(unused_segments(file, scene));
   reconstruct::PairMatches result = reconstruct::match(scene, kPairOfPatch, a.options);
   add_guided(scene, {&result, 1});
   const std::vector<reconstruct::View>& views = scene.views;
@@ -141,6 +138,7 @@ Run add_match(CLI::App& subcommand) {
   subcommand.add_option("--provenance", a->provenance,
                         "CSV of the lines of chio: process, neighbour and height of each");
   add_pair_check_option(subcommand, a->max_y_parallax_px);
+  add_overwrite_flag(subcommand, a->overwrite);
   add_image_size_option(subcommand, a->max_image_mpx);
   add_preset_option(subcommand, a->parameters.preset);
   add_config_option(subcommand, a->parameters.config);

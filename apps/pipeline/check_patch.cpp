@@ -5,6 +5,7 @@
 #include "io/crs/grid_scale.h"
 #include "io/error.h"
 #include "io/images/image.h"
+#include "io/project/segments_file.h"
 #include "io/text/json_text.h"
 #include "io/text/text.h"
 #include "reconstruct/geometry/epipolar.h"
@@ -72,6 +73,14 @@ void check_radiometry(const io::PatchImage& image, const io::ImageFacts& facts) 
   if (n == 0 || n == static_cast<std::size_t>(facts.n_bands)) return;
   throw io::IoError(image.path,
                     fmt::format("has {} bands; radiometry states {}", facts.n_bands, n));
+}
+
+/// The segments that another detector found, if there are any, must lie in the image.
+void check_segments(const io::PatchFile& patch,
+                    const io::PatchImage& image,
+                    const io::ImageFacts& facts) {
+  if (!image.segments) return;
+  (void)io::read_own_segments(*image.segments, patch.segment_sigma_px, size_of_file(image, facts));
 }
 
 /// Both limits of height must lie in front of the camera, on the ray through the middle of the image.
@@ -158,6 +167,9 @@ std::vector<results::InputFile> input_files(const io::PatchFile& patch) {
   if (patch.surface_model) files.push_back({"surface_model", *patch.surface_model});
   for (const std::string& file : patch.orientation_files) files.push_back({"orientation", file});
   for (const io::PatchImage& image : patch.images) files.push_back({"image", image.path});
+  for (const io::PatchImage& image : patch.images) {
+    if (image.segments) files.push_back({"segments", *image.segments});
+  }
   for (const std::string& file : io::expand_patterns(patch.lidar)) files.push_back({"cloud", file});
   if (patch.reference_matches) files.push_back({"reference", *patch.reference_matches});
   if (patch.reference_tracks) files.push_back({"reference", *patch.reference_tracks});
@@ -186,6 +198,7 @@ LocalFrame check_patch(const io::PatchFile& patch) {
     check_size(image, facts);
     check_window(image, facts);
     check_radiometry(image, facts);
+    check_segments(patch, image, facts);
     const Eigen::Vector2i size_px = size_of_image(image, facts);
     check_heights(patch, image, size_px);
     if (i == 0) {

@@ -150,12 +150,17 @@ std::vector<std::string> method_names() {
   return names;
 }
 
+std::vector<std::string> default_methods(const ParameterArguments& parameters) {
+  if (parameters.preset == "published") return {"direct", "joint"};
+  return {reconstruct::name(reconstruct::Method::kLines)};
+}
+
 reconstruct::Method method_named(const std::string& name) {
   for (const reconstruct::Method method : reconstruct::kMethods) {
     if (name == reconstruct::name(method)) return method;
   }
   throw std::invalid_argument(
-      fmt::format("method = {}, must be one of direct, joint, network, planes", name));
+      fmt::format("method = {}, must be one of {}", name, fmt::join(method_names(), ", ")));
 }
 
 std::vector<Matcher> matchers_named(const std::vector<std::string>& names) {
@@ -175,11 +180,10 @@ std::vector<Matcher> matchers_named(const std::vector<std::string>& names) {
 void check_preset(const ParameterArguments& parameters,
                   const std::vector<reconstruct::Method>& methods) {
   if (parameters.preset != "published") return;
-  for (const reconstruct::Method ours :
-       {reconstruct::Method::kNetwork, reconstruct::Method::kPlanes}) {
-    check(std::ranges::find(methods, ours) == methods.end(),
-          "--preset published: ", reconstruct::name(ours),
-          " is none of the papers' methods; must be direct or joint");
+  for (const reconstruct::Method method : methods) {
+    check(method == reconstruct::Method::kDirect || method == reconstruct::Method::kJoint,
+          "--preset published: ", reconstruct::name(method),
+          " is not one of the papers' methods; must be direct or joint");
   }
 }
 
@@ -259,6 +263,8 @@ nlohmann::ordered_json echo(const results::JudgeFilesOptions& options) {
   json["scale_to_ground"] = options.scale_to_ground;
   json["vertex_pairs"] = options.lines.vertex_pairs;
   json["lod"] = options.lines.lod;
+  json["id"] = options.lines.id_column;
+  json["building"] = options.lines.building_column;
   json["by"] = options.by;
   json["apply_shift"] = options.apply_shift;
   if (options.n_decoys) json["decoys"] = *options.n_decoys;

@@ -38,13 +38,17 @@ Parameters read_parameters(const ParameterArguments& arguments);
 
 std::vector<std::string> method_names();
 
+/// The methods of a run that names none: `lines`, with the preset `published` the papers' two. The last
+/// one is that of a command that takes a single method.
+std::vector<std::string> default_methods(const ParameterArguments& parameters);
+
 /// The method of that name. Throws std::invalid_argument unless it is one of method_names().
 reconstruct::Method method_named(const std::string& name);
 
 /// The matchers of these names in the order of the enum, each once. Throws std::invalid_argument for a name of no matcher.
 std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
 
-/// Throws std::invalid_argument if the preset is `published` and a method is in neither paper.
+/// Throws std::invalid_argument if the preset is `published` and a method is not of the papers.
 void check_preset(const ParameterArguments& parameters,
                   const std::vector<reconstruct::Method>& methods);
 

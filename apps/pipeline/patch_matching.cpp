@@ -21,21 +21,6 @@ std::vector<Segment2> in_image(const std::vector<EdgeSegment>& segments) {
   return transformed(segments, &EdgeSegment::in_image);
 }
 
-/// A segment in pixels of the file in those of the window that is read of it.
-Segment2 in_window(const Segment2& in_file, const io::PatchImage& image) {
-  if (!image.window) return in_file;
-  const Eigen::Vector2d corner(image.window->column, image.window->row);
-  return {in_file.start - corner, in_file.end - corner};
-}
-
-/// Whether the middle of a segment lies in what is read of the image.
-bool is_read(const Segment2& in_window, const io::PatchImage& image) {
-  if (!image.window) return true;
-  const Eigen::Vector2d middle = midpoint(in_window);
-  return middle.x() >= 0.0 && middle.y() >= 0.0 && middle.x() <= image.window->width - 1.0 &&
-         middle.y() <= image.window->height - 1.0;
-}
-
 std::vector<evaluate::EdgeInBoth> edges_in_both(const std::vector<io::ReferenceEdge>& edges,
                                                 const io::PatchFile& patch) {
   return transformed(edges, [&](const io::ReferenceEdge& edge) -> evaluate::EdgeInBoth {

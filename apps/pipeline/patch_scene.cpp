@@ -2,10 +2,12 @@
 #include "apps/pipeline/patch_scene.h"
 
 #include "io/images/image.h"
+#include "io/project/segments_file.h"
 #include "reconstruct/views/normalised_image.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <future>
 #include <utility>
 
@@ -16,6 +18,16 @@ namespace {
 PixelMap ideal_from_image(const io::PatchImage& view) {
   if (!view.interior || view.interior->distortion.is_zero()) return {};
   return [&view](const Eigen::Vector2d& x_px) { return io::undistorted_px(view, x_px); };
+}
+
+/// The segments of the image's own file in pixels of what is read of the image.
+std::vector<EdgeSegment> own_segments(const io::PatchImage& image, double sigma_px) {
+  std::vector<EdgeSegment> segments;
+  for (EdgeSegment segment : io::read_own_segments(*image.segments, sigma_px)) {
+    segment.in_image = in_window(segment.in_image, image);
+    if (is_read(segment.in_image, image)) segments.push_back(segment);
+  }
+  return segments;
 }
 
 }  // namespace
@@ -65,8 +77,30 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch,
   for (std::size_t i = 0; i < images.size(); ++i) {
     scene.views[i].image = images[i].image;
     scene.views[i].is_valid = images[i].is_valid;
+    const io::PatchImage& image = patch.images[i];
+    if (image.segments) scene.views[i].own_segments = own_segments(image, patch.segment_sigma_px);
   }
   return scene;
+}
+
+std::vector<std::string> unused_segments(const io::PatchFile& patch,
+                                         const reconstruct::Scene& scene,
+                                         std::span<const std::size_t> images) {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < patch.images.size(); ++i) {
+    const std::optional<std::string>& file = patch.images[i].segments;
+    const bool is_asked = images.empty() || std::ranges::find(images, i) != images.end();
+    if (!file || !is_asked) continue;
+    const std::size_t n = io::read_own_segments(*file, patch.segment_sigma_px).size();
+    const std::size_t n_used = extracted(scene.views[i].segments).size();
+    if (n_used == n) continue;
+    warnings.push_back(fmt::format(
+        "{}: {} of {} segments are not used: they lie outside of the window that is read, beside "
+        "pixels without data, or where the distortion of the lens is unknown; ids of results count "
+        "the others",
+        *file, n - n_used, n));
+  }
+  return warnings;
 }
 
 std::string edges_file(const io::PatchImage& image) {

@@ -7,6 +7,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,18 @@ reconstruct::View view_of(const io::PatchImage& image, const LocalFrame& frame);
 /// The views of a patch in a frame, without images and segments. The patch must outlive it.
 reconstruct::Scene patch_scene(const io::PatchFile& patch, const LocalFrame& frame);
 
-/// The views of a patch in a frame, with images and without segments. The patch must outlive it.
+/// The views of a patch in a frame, with images and View::own_segments, without segments. The patch
+/// must outlive it. Throws IoError as io::read_own_segments().
 reconstruct::Scene patch_scene(const io::PatchFile& patch,
                                const LocalFrame& frame,
                                const std::vector<PatchPicture>& images);
+
+/// Warns of segments of another detector that are not used: their middle lies outside of the window
+/// that is read, or completed_own_segments() leaves them out.
+/// @param images  have segments in the scene; default: all
+std::vector<std::string> unused_segments(const io::PatchFile& patch,
+                                         const reconstruct::Scene& scene,
+                                         std::span<const std::size_t> images = {});
 
 /// The names that the files of an image's segments have in the folder of a run: edges_file() holds the extracted segments,
 /// segments_file() these and the ones found while matching.

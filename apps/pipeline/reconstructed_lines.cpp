@@ -90,10 +90,12 @@ io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
   set.crs = crs;
   set.lines.reserve(lines.size());
   std::size_t num_matches = 0;
+  std::size_t num_of_planes = 0;
   for (const reconstruct::ReconstructedLine& line : lines) {
-    if (line.part <= 1) ++num_matches;
+    std::size_t& num_of_kind = is_of_match(line) ? num_matches : num_of_planes;
+    if (line.part <= 1) ++num_of_kind;
     io::Line& out = set.lines.emplace_back();
-    out.id = line_id(line, num_matches - 1);
+    out.id = line_id(line, num_of_kind - 1);
     out.segment_in_world = in_world(line.segment_in_local, scene.frame);
     out.method = reconstruct::name(method);
     out.line_class = reconstruct::name(line.line_class);

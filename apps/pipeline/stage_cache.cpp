@@ -13,8 +13,6 @@ namespace ridgeline::apps {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kFileName = "stages.json";
-
 nlohmann::json read_stages(const fs::path& file) {
   if (!fs::exists(file)) return nlohmann::json::object();
   nlohmann::json json = nlohmann::json::parse(io::read_text_file(file.string()), nullptr, false);
@@ -24,7 +22,7 @@ nlohmann::json read_stages(const fs::path& file) {
 }  // namespace
 
 StageCache::StageCache(fs::path folder, bool resume) : folder_(std::move(folder)), resume_(resume) {
-  if (resume_) stages_ = read_stages(folder_ / kFileName);
+  if (resume_) stages_ = read_stages(folder_ / kStagesFile);
 }
 
 bool StageCache::is_done(const std::string& stage, const std::string& key) const {
@@ -60,7 +58,7 @@ void StageCache::set_done(const std::string& stage,
     hashes[name] = io::sha256_of_file((folder_ / name).string());
   }
   stages_[stage] = {{"key", key}, {"files", std::move(hashes)}};
-  io::write_file((folder_ / kFileName).string(), stages_.dump(2) + "\n");
+  io::write_file((folder_ / kStagesFile).string(), stages_.dump(2) + "\n");
 }
 
 std::string stage_key(const std::vector<std::string>& parts) {

@@ -10,6 +10,9 @@
 
 namespace ridgeline::apps {
 
+/// The file of a StageCache.
+inline constexpr const char* kStagesFile = "stages.json";
+
 /// What is finished of a patch, for `--resume`: stages.json in its folder holds for every stage the
 /// key that it was run with and the hashes of the files that it wrote. A stage is done if its key is
 /// the same and its files are still as they were written.

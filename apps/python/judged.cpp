@@ -116,13 +116,9 @@ std::vector<std::pair<std::string, std::string>> tables(const Judged& judged) {
 }
 
 void write_map(const Judged& judged, const std::string& path, const std::string& schema) {
-  const std::string file = results::output_file(path, results::paths_of(judged.inputs));
+  results::check_output_file(path, results::paths_of(judged.inputs), true);
   const results::MapSchema columns = results::map_schema_named(schema);
-  interruptibly([&] {
-    results::write_judged_map(file, judged.files.line_sets.front(), judged.files.cloud_crs,
-                              judged.evaluation(), judged.files.planes.front(),
-                              judged.files.models.front(), columns);
-  });
+  interruptibly([&] { results::write_judged_map(path, judged.files, 0, columns); });
 }
 
 void write_to(const std::string& folder, const Judged& judged, results::MapSchema schema) {
@@ -138,7 +134,7 @@ void write_to(const std::string& folder, const Judged& judged, results::MapSchem
   results::write_tables(judged.files.evaluations, judged.files.truth, out);
   results::write_models(judged.files, {}, out);
   record.end_stage("write");
-  out.write("run.json", record.to_json());
+  out.write_record(record.to_json());
 }
 
 void write_folder(const Judged& judged, const std::string& folder, const std::string& schema) {

@@ -37,7 +37,7 @@ reconstruct::Options options_of(const py::dict& entries) {
   check(arguments.preset == "default" || arguments.preset == "published",
         "preset: ", arguments.preset, "; must be default or published");
   reconstruct::Options options = read_parameters(arguments).method;
-  std::string method = name(options.estimation.lines.method);
+  std::string method = apps::default_methods(arguments).back();
   take(entries, "method", method);
   options.estimation.lines.method = apps::method_named(method);
   apps::check_preset(arguments, {options.estimation.lines.method});
@@ -62,6 +62,7 @@ py::dict lines_of(const io::PatchFile& patch,
                           options.estimation.lines.max_aligned_angle_deg);
     std::ranges::move(apps::notes_on(patch), std::back_inserter(set.warnings));
     std::ranges::move(doubts, std::back_inserter(set.warnings));
+    std::ranges::move(apps::unused_segments(patch, found.scene), std::back_inserter(set.warnings));
     return set;
   }));
 }

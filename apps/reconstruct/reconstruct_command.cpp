@@ -18,12 +18,14 @@
 #include "reconstruct/beyond/surface/surface.h"
 #include "reconstruct/geometry/transformed.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,13 +34,14 @@ namespace fs = std::filesystem;
 namespace {
 
 struct ReconstructArguments {
-  std::string patch, matches, out, surface, method = "joint", format = "geojson";
+  std::string patch, matches, out, surface, method, format;
   ParameterArguments parameters;
   reconstruct::Options options;  ///< made from `parameters`, `matchers` and `method`
   std::vector<std::string> matchers{"pairwise"};
   double max_image_mpx = 0.0;
   double max_y_parallax_px = kDefaultMaxYParallax_px;
   bool local_origin = false;
+  bool overwrite = false;
 };
 
 /// Gives the views the segments that the matches name: those of segments.IMAGE.csv beside the file of matches, else those
@@ -100,6 +103,7 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
   reconstruct::Scene scene = patch_scene(patch, frame, patch_images(patch));
   warn_of(check_matched_pairs(patch, scene, a.options, a.max_y_parallax_px));
   find_segments(patch, a, scene);
+  if (a.matches.empty()) warn_of(unused_segments(patch, scene));
   const Tracked found = tracked(scene, a);
   if (a.options.estimation.lines.method == reconstruct::Method::kPlanes &&
       std::ranges::none_of(found.surfaces, [](const auto& s) { return s.has_value(); })) {
@@ -112,49 +116,43 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
     write_whole_surface(a.surface, patch, frame,
                         found.surfaces[0]
                             ? found.surfaces[0]
-                            : reconstruct::dense_surface(stereo_pair(scene, kPairOfPatch)));
+                            : reconstruct::surface_of(stereo_pair(scene, kPairOfPatch)));
   }
   return reconstruct::estimate(scene, found.tracks, used_pairs(found.pairs, found.surfaces),
                                a.options);
 }
 
-/// The beginning of files of the format that this program writes itself; nothing for a format that GDAL writes.
-std::optional<std::string_view> own_beginning(io::LineFormat format) {
-  switch (format) {
-    case io::LineFormat::kGeoJson:
-      return "{\"type\":\"FeatureCollection\",\n";
-    case io::LineFormat::kCsv:
-      return "x1,y1,z1,x2,y2,z2,id,";
-    case io::LineFormat::kObj:
-      return "# 3D line segments, metres\n";
-    case io::LineFormat::kPly:
-      return "ply\nformat ascii 1.0\ncomment 3D line segments, metres\n";
-    default:
-      return std::nullopt;
-  }
+/// The format of --format, else of the name's ending; GeoJSON if neither says it. Throws std::invalid_argument if both
+/// differ, or for an ending of no format.
+io::LineFormat format_of(const ReconstructArguments& a) {
+  const std::optional<io::LineFormat> by_ending = io::line_format_of_file(a.out);
+  const std::optional<io::LineFormat> stated = io::line_format(a.format);
+  const auto is_table = [](std::optional<io::LineFormat> format) {
+    return format == io::LineFormat::kCsv || format == io::LineFormat::kWktCsv;
+  };
+  const bool fits = stated == by_ending || (is_table(stated) && is_table(by_ending));
+  check(!stated || !by_ending || fits, "--format ", a.format, ": ", a.out,
+        " has the ending of another format; leave out --format or choose another name");
+  check(stated || by_ending || fs::path(a.out).extension().empty(), "--out = ", a.out,
+        ": no known format has this ending; use another name or give --format");
+  if (stated) return *stated;
+  return by_ending.value_or(io::LineFormat::kGeoJson);
 }
 
-/// Refuses an output path that names an input or a file that this program did not write.
-void check_out(const ReconstructArguments& a, std::vector<std::string> inputs) {
+void check_outputs(const ReconstructArguments& a, std::vector<std::string> inputs) {
   if (!a.matches.empty()) io::require_regular_file(a.matches, io::Expected::kMatches);
   inputs.push_back(a.matches);
-  (void)results::output_file(a.out, inputs);
-  if (!a.surface.empty()) {
-    check(a.surface.ends_with(".las"), "--write-surface: ", a.surface, ", must end in .las");
-    inputs.push_back(a.out);
-    (void)results::output_file(a.surface, inputs);
-    results::check_is_own(a.surface, io::is_own_points_file, "points file");
-  }
-  const std::optional<std::string_view> beginning = own_beginning(*io::line_format(a.format));
-  if (beginning) return results::check_is_own(a.out, *beginning, "file of lines");
-  if (!results::holds_something(a.out)) return;
-  throw io::IoError(a.out,
-                    "stands there and would be written over; choose another name or remove it");
+  results::check_output_file(a.out, inputs, a.overwrite);
+  inputs.push_back(a.out);
+  results::check_output_file(a.surface, inputs, a.overwrite);
+  check(a.surface.empty() || a.surface.ends_with(".las"), "--write-surface: ", a.surface,
+        ", must end in .las");
 }
 
 int run_reconstruct(ReconstructArguments a) {
   a.options = read_parameters(a.parameters).method;
   a.options.matching.matchers = matchers_named(a.matchers);
+  if (a.method.empty()) a.method = default_methods(a.parameters).back();
   a.options.estimation.lines.method = method_named(a.method);
   check_preset(a.parameters, {a.options.estimation.lines.method});
   io::PatchFile patch = read_patch(a.patch);
@@ -162,13 +160,14 @@ int run_reconstruct(ReconstructArguments a) {
   warn_of(patch.warnings);
   patch.max_image_mpx = a.max_image_mpx;
   const LocalFrame frame = check_patch(patch);
-  check_out(a, results::paths_of(input_files(patch)));
-  io::require_writable(*io::line_format(a.format));
+  check_outputs(a, results::paths_of(input_files(patch)));
+  const io::LineFormat format = format_of(a);
+  io::require_writable(format);
   const io::LineSet lines = line_set_of(lines_of(patch, frame, a), patch_scene(patch, frame),
                                         patch.crs, a.options.estimation.lines.method,
                                         a.options.estimation.lines.max_aligned_angle_deg);
   const std::size_t n_left_out =
-      io::write_lines(a.out, lines, *io::line_format(a.format), {.local_origin = a.local_origin});
+      io::write_lines(a.out, lines, format, {.local_origin = a.local_origin});
   const auto with_geometry =
       std::count_if(lines.lines.begin(), lines.lines.end(),
                     [](const io::Line& line) { return all_finite(line.segment_in_world); });
@@ -184,17 +183,19 @@ Run add_reconstruct(CLI::App& subcommand) {
   auto a = std::make_shared<ReconstructArguments>();
   subcommand.add_option("patch", a->patch, "patch file (YAML): images and cameras")->required();
   subcommand.add_option("--out", a->out, "file for the 3D lines")->required();
-  subcommand.add_option("--method", a->method, "direct, joint, network, planes")
-      ->check(CLI::IsMember(method_names()))
-      ->capture_default_str();
+  subcommand
+      .add_option("--method", a->method,
+                  fmt::format("{}. Default: lines; joint with --preset published",
+                              fmt::join(method_names(), ", ")))
+      ->check(CLI::IsMember(method_names()));
   subcommand.add_option("--matches", a->matches,
                         "matches.csv; its ids are those of segments.IMAGE.csv beside it, else of "
                         "the segments extracted now. Default: match now");
-  subcommand.add_option("--format", a->format, "of --out")
-      ->check(CLI::IsMember(line_format_names()))
-      ->capture_default_str();
+  subcommand.add_option("--format", a->format, "of --out; default: by its ending, else geojson")
+      ->check(CLI::IsMember(line_format_names()));
   subcommand.add_option("--write-surface", a->surface,
                         "LAS file for the points that dense matching of the pair knows");
+  add_overwrite_flag(subcommand, a->overwrite);
   add_local_origin_flag(subcommand, a->local_origin);
   add_pair_check_option(subcommand, a->max_y_parallax_px);
   add_image_size_option(subcommand, a->max_image_mpx);

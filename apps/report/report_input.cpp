@@ -18,6 +18,7 @@
 #include "io/project/tracks_file.h"
 #include "io/results/judged_lines.h"
 #include "io/results/result_folder_reader.h"
+#include "io/results/to_fix.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
@@ -172,7 +173,7 @@ void read_surface(const fs::path& folder, ReportPatch& patch) {
 
 void read_true_errors(const RunInputs& inputs, const std::string& reference, ReportPatch& patch) {
   const auto references = results::reference_lines_of(
-      io::read_lines(inputs.unchanged(reference), inputs.lines_options()), patch.frame);
+      io::read_lines(inputs.unchanged(reference), inputs.lines_options(true)), patch.frame);
   for (ReportMethod& method : patch.methods) {
     io::LineSet set;
     std::vector<std::size_t> index;
@@ -189,9 +190,13 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
   }
 }
 
-/// Reads the table of the buildings of those methods that are models.
-void read_buildings(const fs::path& folder, ReportPatch& patch) {
-  const fs::path file = folder / "buildings.csv";
+/// Adds the rows of a table, as JSON, to those of the method that each is of. `numbers` that a row does not have are null.
+/// Nothing without the file, which older runs do not have.
+void read_rows(const fs::path& file,
+               const std::vector<const char*>& texts,
+               const std::vector<const char*>& numbers,
+               ReportPatch& patch,
+               evaluate::Json ReportMethod::*rows) {
   if (!fs::exists(file)) return;
   const io::CsvTable table(file.string());
   const std::size_t name = table.column("method");
@@ -200,18 +205,28 @@ void read_buildings(const fs::path& folder, ReportPatch& patch) {
       return m.evaluation.method == table.text(row, name);
     });
     if (method == patch.methods.end()) continue;
-    evaluate::Json& building = method->buildings.emplace_back();
-    for (const char* const key : {"id", "verdict", "worst_line"})
-      building[key] = std::string(table.text(row, table.column(key)));
-    for (const char* const key :
-         {"n_lines", "n_judged_lines", "rms_m", "worst_distance_m", "n_faces", "n_judged_faces",
-          "ridge_height_m", "eave_height_m", "unexplained_share", "shift_x_m", "shift_y_m",
-          "shift_z_m", "points_rms_m", "points_p90_m"}) {
+    evaluate::Json& json = ((*method).*rows).emplace_back();
+    for (const char* const key : texts) json[key] = std::string(table.text(row, table.column(key)));
+    for (const char* const key : numbers) {
       const bool is_given = table.has(key) && !table.text(row, table.column(key)).empty();
-      building[key] =
+      json[key] =
           is_given ? evaluate::Json(table.number(row, table.column(key))) : evaluate::Json();
     }
   }
+}
+
+void read_buildings(const fs::path& folder, ReportPatch& patch) {
+  read_rows(folder / "buildings.csv", {"id", "verdict", "worst_line"},
+            {"n_lines", "n_judged_lines", "rms_m", "worst_distance_m", "n_faces", "n_judged_faces",
+             "ridge_height_m", "eave_height_m", "unexplained_share", "shift_x_m", "shift_y_m",
+             "shift_z_m", "points_rms_m", "points_p90_m", "area_m2", "judged_area_m2"},
+            patch, &ReportMethod::buildings);
+}
+
+void read_to_fix(const fs::path& folder, ReportPatch& patch) {
+  read_rows(folder / patch.subfolder / results::kToFixName, {"what", "id", "building", "kind"},
+            {"gain_share", "off_m", "move_x_m", "move_y_m", "move_z_m"}, patch,
+            &ReportMethod::to_fix);
 }
 
 /// Reads the data of the run from the paths that it recorded.
@@ -277,7 +292,7 @@ PathShortener path_shortener(const std::string& folder,
 ReportInput read_report_input(const std::string& folder) {
   if (!fs::is_directory(folder)) {
     io::refuse_other_kind(folder, io::Expected::kResults);
-    throw io::IoError(folder, "is no folder of results");
+    throw io::IoError(folder, "is not a results folder");
   }
   ReportInput input;
   const fs::path path(folder);
@@ -288,6 +303,7 @@ ReportInput read_report_input(const std::string& folder) {
   input.patches = read_evaluated_patches(path, inputs);
   for (ReportPatch& patch : input.patches) {
     if (inputs.is_of_files()) read_buildings(path, patch);
+    read_to_fix(path, patch);
     read_run_data(path, inputs, patch);
   }
   const PathShortener shortener = path_shortener(folder, inputs, input.patches);

@@ -46,6 +46,8 @@ struct ReportMethod {
   }
   /// The rows of buildings.csv, if the lines are those of a model; else empty.
   evaluate::Json buildings = evaluate::Json::array();
+  /// The rows of to_fix.csv.
+  evaluate::Json to_fix = evaluate::Json::array();
   std::vector<std::optional<double>> true_errors_m;  ///< error of each line; empty without truth
 };
 

@@ -4,6 +4,7 @@
 #include "apps/report/base64.h"
 #include "apps/report/line_sightings.h"
 #include "evaluate/gates/gate_report.h"
+#include "evaluate/statistics/product_method.h"
 #include "evaluate/tables/evaluation_json.h"
 #include "evaluate/tables/shift_text.h"
 #include "evaluate/tables/table2.h"
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace ridgeline::apps {
 namespace {
@@ -286,10 +288,18 @@ Json method_json(const ReportPatch& patch, const ReportMethod& method, const Sho
   for (const ShownPlane& plane : planes.planes) json["planes"].push_back(plane_json(plane));
   json["plane_of_point"] = base64(planes.plane_of_point);
   if (!method.buildings.empty()) json["buildings"] = method.buildings;
+  if (!method.to_fix.empty()) json["to_fix"] = method.to_fix;
   return json;
 }
 
-Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
+/// The index of the method that the run is for.
+std::size_t product_of(const ReportPatch& patch) {
+  return evaluate::product_index(patch.methods, [](const ReportMethod& method) {
+    return std::string_view(method.evaluation.method);
+  });
+}
+
+Json patch_json(const ReportPatch& patch, const ShownScene& scene, bool is_of_files) {
   Json methods = Json::array();
   for (std::size_t m = 0; m < patch.methods.size(); ++m) {
     methods.push_back(method_json(patch, patch.methods[m], scene.methods[m]));
@@ -305,7 +315,8 @@ Json patch_json(const ReportPatch& patch, const ShownScene& scene) {
           {"images", images_json(patch)},
           {"points", cloud_json(patch.cloud)},
           {"surface", points_json(patch.surface_in_local)},
-          {"methods", std::move(methods)}};
+          {"methods", std::move(methods)},
+          {"product", is_of_files ? 0 : product_of(patch)}};
 }
 
 /// The part of run.json that the page shows. It has no folders, which are the sender's own business, and
@@ -357,8 +368,9 @@ Json report_json(const ReportInput& input,
                  const std::vector<ShownScene>& scenes,
                  const std::optional<evaluate::GateReport>& gates) {
   Json patches = Json::array();
+  const bool is_of_files = input.run.value("command", "") == "evaluate";
   for (std::size_t i = 0; i < input.patches.size(); ++i) {
-    patches.push_back(patch_json(input.patches[i], scenes[i]));
+    patches.push_back(patch_json(input.patches[i], scenes[i], is_of_files));
   }
   Json table1 = Json::parse(evaluate::to_json(input.table1));
   const std::string table2 = evaluate::to_json(table2_of(input));

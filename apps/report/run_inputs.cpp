@@ -110,13 +110,17 @@ std::optional<std::string> RunInputs::reference_lines(
   return patch ? patch->reference_lines : std::nullopt;
 }
 
-io::ReadLinesOptions RunInputs::lines_options() const {
+io::ReadLinesOptions RunInputs::lines_options(bool of_truth) const {
   io::ReadLinesOptions options;
   options.assume_crs.definition = options_.value("assume_crs", "");
   options.unit_m = cloud_unit_m_;
   options.plan_scale = plan_scale_;
   options.vertex_pairs = options_.value("vertex_pairs", false);
   options.lod = options_.value("lod", "");
+  if (!of_truth) {
+    options.id_column = options_.value("id", "");
+    options.building_column = options_.value("building", "");
+  }
   return options;
 }
 

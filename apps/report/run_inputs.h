@@ -41,7 +41,8 @@ class RunInputs {
       const std::optional<io::PatchFile>& patch) const;
 
   /// The options that the run had, as far as its record holds them.
-  [[nodiscard]] io::ReadLinesOptions lines_options() const;
+  /// Of the judged lines, or of true lines, whose ids and buildings are those of their own file.
+  [[nodiscard]] io::ReadLinesOptions lines_options(bool of_truth = false) const;
   [[nodiscard]] io::ReadOptions cloud_options() const;
   /// The options of the judge: the widths that planes are fitted with, and defaults for the rest.
   [[nodiscard]] evaluate::JudgeOptions judge_options() const;

@@ -71,6 +71,7 @@ std::string write_report_of(const ReportInput& input,
                             const std::optional<evaluate::GateReport>& gates) {
   warn_as_the_page(input, gates);
   const results::OutputFolder out(folder, input.input_paths);
+  (void)out.path(kReportFile);  // refuses that of somebody else before the figures are drawn
   std::vector<ShownScene> scenes(input.patches.size());
   tbb::parallel_for(std::size_t{0}, scenes.size(),
                     [&](std::size_t i) { scenes[i] = shown_scene(input.patches[i]); });
@@ -97,10 +98,13 @@ void add_report_flag(CLI::App& app, bool& report) {
 }
 
 std::string write_report(const std::string& folder,
-                         const std::optional<evaluate::GateReport>& gates) {
-  if (is_block_folder(folder)) return write_block_report(folder, gates);
+                         const std::optional<evaluate::GateReport>& gates,
+                         const evaluate::Json& page) {
+  if (is_block_folder(folder)) return write_block_report(folder, gates, page);
   try {
-    return write_report_of(read_report_input(folder), folder, gates);
+    ReportInput input = read_report_input(folder);
+    input.run["page"].update(page);
+    return write_report_of(input, folder, gates);
   } catch (const evaluate::Json::exception& error) {
     throw io::IoError(folder, std::string("a file of its results is damaged: ") + error.what());
   }
@@ -115,9 +119,13 @@ void write_report_of_run(const std::string& folder, bool is_wanted) {
       spdlog::warn("the results are complete, but their report is not written: {}", error.what());
     }
   }
-  remove_patch_pages(folder);
-  std::error_code none;
-  std::filesystem::remove(std::filesystem::path(folder) / kReportFile, none);
+  try {
+    const results::OutputFolder out(folder, {});
+    remove_patch_pages(out, folder);
+    out.remove(kReportFile);
+  } catch (const std::exception& error) {
+    spdlog::warn("the report of an earlier run is not removed: {}", error.what());
+  }
 }
 
 }  // namespace ridgeline::apps

@@ -13,6 +13,7 @@
 #include "io/files/text_file.h"
 #include "io/lines/read_lines.h"
 #include "io/results/judge_files.h"
+#include "io/results/to_fix.h"
 #include "io/results/write_results.h"
 
 #include <fmt/format.h>
@@ -83,6 +84,8 @@ class PatchRun {
     if (patch_.reference_tracks) result_.tracks = stages_.score_tracks();
     for (const Method method : options_.methods) reconstruct(method);
     evaluate();
+    remove_other_methods(options_.methods, out_, patch_.id + "/");
+    result_.edges = stages_.edge_facts();
     result_.messages = outcome_messages(stages_.counts(), result_.evaluations);
     std::ranges::move(evaluate::shift_messages(result_.evaluations, options_.shift.apply),
                       std::back_inserter(result_.messages));
@@ -136,14 +139,21 @@ class PatchRun {
     const std::vector<std::string> files = stages_.edge_files();
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < files.size(); ++i) {
-      extract_keys_[i] = stage_key({image_keys_[i], parameters_["extract"].dump()});
+      extract_keys_[i] = stage_key(
+          {image_keys_[i], parameters_["extract"].dump(), own_segments_key(patch_.images[i])});
       if (!cache_.is_done(extract_stage(i), extract_keys_[i])) open.push_back(i);
     }
     result_.n_skipped_stages += files.size() - open.size();
-    if (!open.empty()) stages_.extract(open);
+    if (!open.empty()) record_.add_warnings(stages_.extract(open));
     for (const std::size_t i : open)
       cache_.set_done(extract_stage(i), extract_keys_[i], {files[i]});
     record_.end_stage(patch_.id + "/extract");
+  }
+
+  /// The segments of another detector, as text; empty if the image has none.
+  [[nodiscard]] std::string own_segments_key(const io::PatchImage& image) const {
+    if (!image.segments) return "";
+    return fmt::format("{} {}", record_.hash_of(*image.segments), patch_.segment_sigma_px);
   }
 
   [[nodiscard]] std::string extract_stage(std::size_t i) const {
@@ -189,6 +199,7 @@ class PatchRun {
         files.push_back(file);
       }
     }
+    files.emplace_back(results::kToFixName);
     stage("evaluate", evaluation_key(), files, [&] {
       results::write_judged(patch_.lidar.empty() ? judge_without_lidar() : judge_against_lidar(),
                             options_.map_schema, out_, patch_.id + "/");
@@ -325,6 +336,7 @@ void check_run(const CheckedPatch& checked,
       (void)out.path(patch.id + "/" + file);
     }
   }
+  (void)out.path(patch.id + "/" + results::kToFixName);
   if (patch.lidar.empty()) return;
   io::ReadOptions cloud;
   cloud.assume_crs = options.assume_crs;

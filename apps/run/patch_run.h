@@ -24,8 +24,7 @@
 namespace ridgeline::apps {
 
 struct RunOptions {
-  std::vector<reconstruct::Method> methods{reconstruct::Method::kDirect,
-                                           reconstruct::Method::kJoint};
+  std::vector<reconstruct::Method> methods{reconstruct::Method::kLines};
   Parameters parameters;
   evaluate::SummaryOptions summary;
   std::vector<io::LineFormat> line_formats;  ///< formats beside GeoJSON
@@ -43,9 +42,11 @@ struct RunOptions {
 };
 
 /// Matching and evaluation of one patch; its files are written.
+// NOLINTNEXTLINE(bugprone-exception-escape): what moving JSON could throw is an assertion
 struct PatchResult {
   std::vector<evaluate::Table1Row> matching;      ///< the rows of score_matches()
   std::optional<evaluate::PatchTracks> tracks;    ///< score_tracks()
+  nlohmann::ordered_json edges;                   ///< by image: how sharp it is, see edge_facts()
   std::vector<evaluate::Evaluation> evaluations;  ///< one per method
   std::vector<results::TruthRows> truth;
   std::vector<std::string> messages;  ///< outcome_messages()

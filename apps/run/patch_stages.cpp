@@ -6,20 +6,26 @@
 #include "apps/pipeline/patch_matching.h"
 #include "apps/pipeline/patch_scene.h"
 #include "apps/pipeline/reconstructed_lines.h"
+#include "apps/pipeline/stage_cache.h"
 #include "evaluate/gates/figure.h"
+#include "evaluate/tables/summary_json.h"
 #include "io/cloud/labelled_points.h"
 #include "io/cloud/las_writer.h"
 #include "io/files/atomic_file.h"
 #include "io/project/matches_file.h"
 #include "io/project/segments_file.h"
 #include "io/project/tracks_file.h"
+#include "io/results/write_results.h"
+#include "reconstruct/beyond/soft_edges/edge_facts.h"
 #include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ridgeline::apps {
@@ -53,6 +59,16 @@ std::string verdicts_csv(const std::vector<LineMatch>& matches,
   return text;
 }
 
+nlohmann::ordered_json to_json(const reconstruct::EdgeFacts& facts) {
+  nlohmann::ordered_json scales = nlohmann::ordered_json::array();
+  for (const reconstruct::EdgesOfScale& edges : facts.scales)
+    scales.push_back({{"scale_px", edges.scale_px},
+                      {"n_segments", edges.n_segments},
+                      {"length_px", std::round(edges.length_px)},
+                      {"width_px", evaluate::number_json(edges.width_px)}});
+  return {{"scales", std::move(scales)}, {"noise", evaluate::number_json(facts.noise)}};
+}
+
 }  // namespace
 
 PatchStages::PatchStages(const CheckedPatch& patch,
@@ -69,9 +85,7 @@ void PatchStages::check_outputs() const {
   };
   check_files(edge_files());
   check_files(match_files());
-  check_files({"verdicts.csv", kTrackList});
-  // A user may have chosen this name for points of another tool.
-  results::check_is_own(path(kSurfaceFile), io::is_own_points_file, "points file");
+  check_files({"verdicts.csv", kTrackList, kSurfaceFile, kStagesFile});
   for (const std::string& name : list_names()) check_files({list_file("verdicts", name)});
   for (const reconstruct::Method method : options_.methods) check_files(line_files(method));
 }
@@ -174,7 +188,7 @@ std::vector<std::string> PatchStages::check_pairs() {
                              options_.max_y_parallax_px);
 }
 
-void PatchStages::extract(std::span<const std::size_t> images) {
+std::vector<std::string> PatchStages::extract(std::span<const std::size_t> images) {
   read_images();
   tbb::parallel_for_each(images, [&](std::size_t i) {
     reconstruct::View& view = scene_.views[i];
@@ -182,6 +196,7 @@ void PatchStages::extract(std::span<const std::size_t> images) {
   });
   const std::vector<std::string> files = edge_files();
   for (const std::size_t i : images) io::write_segments(path(files[i]), scene_.views[i].segments);
+  return unused_segments(patch_, scene_, images);
 }
 
 std::vector<std::string> PatchStages::keep_surface() {
@@ -281,6 +296,19 @@ PatchCounts PatchStages::counts() const {
           io::read_matches(path(kMatchList)).size()};
 }
 
+nlohmann::ordered_json PatchStages::edge_facts() {
+  read_images();
+  std::vector<reconstruct::EdgeFacts> facts(patch_.images.size());
+  tbb::parallel_for(std::size_t{0}, facts.size(), [&](std::size_t i) {
+    reconstruct::View view = scene_.views[i];
+    view.segments = io::read_segments(path(edges_file(patch_.images[i])));
+    facts[i] = reconstruct::edge_facts(view);
+  });
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < facts.size(); ++i) json[patch_.images[i].id] = to_json(facts[i]);
+  return json;
+}
+
 std::vector<evaluate::Table1Row> PatchStages::score_matches() const {
   std::vector<evaluate::Table1Row> rows;
   const std::array<std::vector<EdgeSegment>, 2> extracted = segments_of_pair();
@@ -307,6 +335,19 @@ std::optional<evaluate::PatchTracks> PatchStages::score_tracks() const {
                          tracks(), options.estimation.lines.max_aligned_angle_deg);
   if (!score) return std::nullopt;
   return evaluate::PatchTracks{patch_.id, std::move(score->cells), score->n_unjudged};
+}
+
+void remove_other_methods(std::span<const reconstruct::Method> methods,
+                          const results::OutputFolder& out,
+                          const std::string& subfolder) {
+  for (const reconstruct::Method method : reconstruct::kMethods) {
+    if (std::ranges::find(methods, method) != methods.end()) continue;
+    std::vector<std::string> names = results::evaluation_names(reconstruct::name(method));
+    names.push_back(fmt::format("fig8.{}.png", reconstruct::name(method)));
+    for (const io::LineFormatInfo& info : io::line_formats())
+      names.push_back(PatchStages::line_file(method, info.extension));
+    for (const std::string& name : names) out.remove(subfolder + name);
+  }
 }
 
 }  // namespace ridgeline::apps

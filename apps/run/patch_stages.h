@@ -7,6 +7,8 @@
 #include "reconstruct/geometry/line_match.h"
 #include "reconstruct/reconstruct.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -38,7 +40,8 @@ class PatchStages {
   [[nodiscard]] std::vector<std::string> check_pairs();
   /// Extracts the segments of these images, all at once. One image alone would leave other cores idle while its edges
   /// are traced in the order of their lengths.
-  void extract(std::span<const std::size_t> images);
+  /// @return the warnings of unused_segments()
+  [[nodiscard]] std::vector<std::string> extract(std::span<const std::size_t> images);
   /// @return the files written
   [[nodiscard]] std::vector<std::string> match();
   /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is removed.
@@ -46,6 +49,8 @@ class PatchStages {
   [[nodiscard]] std::vector<std::string> keep_surface();
   void reconstruct(reconstruct::Method method);
   [[nodiscard]] PatchCounts counts() const;
+  /// By image: how wide its edges are, by the scale that they were found at, and its noise.
+  [[nodiscard]] nlohmann::ordered_json edge_facts();
   /// The rows of Table 1: one per matcher and, with two matchers, one for the combined matches. There are none without
   /// reference matches. Writes the verdict on each match to verdicts.csv, and to one more file per matcher if there are two.
   [[nodiscard]] std::vector<evaluate::Table1Row> score_matches() const;
@@ -81,5 +86,11 @@ class PatchStages {
   std::vector<std::optional<reconstruct::Surface>>
       surfaces_;  ///< by pair, computed when first needed
 };
+
+/// Removes the lines, tables, maps and figures that an earlier run made by other methods than these.
+/// @param subfolder  of the results: "" or ending in a slash
+void remove_other_methods(std::span<const reconstruct::Method> methods,
+                          const results::OutputFolder& out,
+                          const std::string& subfolder);
 
 }  // namespace ridgeline::apps

@@ -5,6 +5,9 @@
 #include "apps/common/shared_options.h"
 #include "apps/report/write_report.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace ridgeline::apps {
@@ -12,11 +15,13 @@ namespace ridgeline::apps {
 void add_block_flags(CLI::App& app, RunFlags& flags) {
   add_method_options(app, flags.parameters);
   add_judge_options(app, flags.parameters);
-  app.add_option("--methods", flags.methods, "of reconstruction: direct, joint, network, planes")
+  app.add_option(
+         "--methods", flags.methods,
+         fmt::format("of reconstruction: {}. Default: lines; direct,joint with --preset published",
+                     fmt::join(method_names(), ", ")))
       ->delimiter(',')
       ->allow_extra_args(false)  // a patch file may follow
-      ->check(CLI::IsMember(method_names()))
-      ->capture_default_str();
+      ->check(CLI::IsMember(method_names()));
   add_matcher_option(app, flags.matchers);
   add_shift_options(app, flags.options.shift);
   add_schema_option(app, flags.schema);
@@ -46,7 +51,8 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
 RunOptions run_options(const RunFlags& flags) {
   RunOptions options = flags.options;
   options.methods.clear();
-  for (const std::string& name : flags.methods) {
+  for (const std::string& name :
+       flags.methods.empty() ? default_methods(flags.parameters) : flags.methods) {
     const reconstruct::Method method = method_named(name);
     if (std::find(options.methods.begin(), options.methods.end(), method) ==
         options.methods.end()) {

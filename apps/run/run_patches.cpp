@@ -6,12 +6,14 @@
 #include "apps/pipeline/parameters.h"
 #include "apps/pipeline/read_patch.h"
 #include "apps/report/write_report.h"
+#include "evaluate/statistics/product_method.h"
 #include "evaluate/tables/decoy_table.h"
 #include "evaluate/tables/terminal_table.h"
 #include "io/error.h"
 #include "io/results/judged_map.h"
 #include "io/results/write_results.h"
 #include "io/text/text.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
@@ -56,12 +58,11 @@ std::vector<results::InputFile> inputs_of(const std::vector<CheckedPatch>& patch
   return inputs;
 }
 
+std::string method_name(reconstruct::Method method) { return reconstruct::name(method); }
+
 nlohmann::ordered_json echo_options(const RunOptions& options) {
   nlohmann::ordered_json json;
-  json["methods"] = nlohmann::ordered_json::array();
-  for (const reconstruct::Method method : options.methods) {
-    json["methods"].push_back(reconstruct::name(method));
-  }
+  json["methods"] = transformed(options.methods, method_name);
   json["max_image_mpx"] = options.max_image_mpx;
   json["max_y_parallax_px"] = options.max_y_parallax_px;
   json["matchers"] = nlohmann::ordered_json::array();
@@ -170,6 +171,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
 
   Progress progress(patches.size() * count_steps(options));
   std::vector<results::TruthRows> truth;
+  nlohmann::ordered_json edges = nlohmann::ordered_json::object();
   for (const CheckedPatch& patch : patches) {
     PatchResult result = run_patch(patch, options, out, progress, record);
     std::ranges::move(result.matching, std::back_inserter(found.table1.rows));
@@ -178,6 +180,7 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
     std::ranges::move(result.truth, std::back_inserter(truth));
     std::ranges::move(result.messages, std::back_inserter(found.messages));
     found.n_skipped_stages += result.n_skipped_stages;
+    edges[patch.file.id] = std::move(result.edges);
   }
   progress.clear();
   for (const std::string& warning : record.warnings()) {
@@ -191,9 +194,10 @@ PatchesResult write_patches(const std::vector<std::string>& patch_files,
   record.set("messages", found.messages);
   record.set("page", to_json(options.page));
   record.set("n_views", n_views_by_patch(patches, all_views));
+  record.set("edges", edges);
   if (const auto windows = windows_by_patch(patches); !windows.empty())
     record.set("windows_px", windows);
-  out.write("run.json", record.to_json());
+  out.write_record(record.to_json());
   return found;
 }
 
@@ -210,8 +214,8 @@ void run_patches(const std::string& command,
     say("{}\n",
         evaluate::to_terminal(evaluate::make_table2(found.evaluations, adjusts_to_faces(options))));
   }
-  // The last method is the best.
-  const std::string product = reconstruct::name(std::ranges::max(options.methods));
+  const std::vector<std::string> methods = transformed(options.methods, method_name);
+  const std::string& product = methods[evaluate::product_index(methods)];
   std::erase_if(found.evaluations, [&](const auto& e) { return e.method != product; });
   if (const std::string decoys = evaluate::decoys_to_terminal(found.evaluations); !decoys.empty()) {
     say("{}\n", decoys);

@@ -22,9 +22,14 @@ void photograph_rows(const Renderer& renderer,
                      const AerialView& view,
                      const SensorOptions& options,
                      const std::function<void(const cv::Mat& rows, int first_row)>& take) {
+  const int around = rows_around(options);
   for (int first = 0; first < view.size_px.y(); first += kRowsAtOnce) {
     const int end = std::min(first + kRowsAtOnce, view.size_px.y());
-    take(expose(renderer.radiance(view, first, end), options, view.number, first), first);
+    const int first_seen = std::max(first - around, 0);
+    const int end_seen = std::min(end + around, view.size_px.y());
+    const cv::Mat image =
+        expose(renderer.radiance(view, first_seen, end_seen), options, view.number, first_seen);
+    take(image.rowRange(first - first_seen, end - first_seen), first);
   }
 }
 

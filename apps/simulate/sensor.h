@@ -20,6 +20,9 @@ struct SensorOptions {
   double full_well_electrons = 12000.0;  ///< electrons at white, which set the shot noise
   double read_noise_electrons = 30.0;
   double radiometric_sigma = 0.05;  ///< spread of gain and gamma between views; a fifth for offsets
+  double blur_px = 0.0;  ///< sigma of a Gaussian blur of the light, in addition to the optics
+  bool bayer = false;    ///< each pixel sees one colour; the other two are interpolated
+  int jpeg_quality = 0;  ///< 1 to 100; 0: no compression
   std::uint64_t seed = 1;
 
   static constexpr auto fields() {
@@ -32,7 +35,11 @@ struct SensorOptions {
               "at white; decides the shot noise"},
         Field{"read_noise_electrons", &O::read_noise_electrons, 0.0, 1e4, "standard deviation"},
         Field{"radiometric_sigma", &O::radiometric_sigma, 0.0, 0.3,
-              "of gain and gamma of each view and band"}};
+              "of gain and gamma of each view and band"},
+        Field{"blur_px", &O::blur_px, 0.0, 20.0,
+              "sigma of a Gaussian blur of the image before its noise arises; 0: none"},
+        Field{"jpeg_quality", &O::jpeg_quality, 0, 100,
+              "of a JPEG compression of the finished image, 1 to 100; 0: none"}};
   }
 };
 
@@ -49,13 +56,22 @@ Radiometry radiometry_of(const SensorOptions& options, std::uint64_t view);
 /// Noise-free number in [0, 1] of a radiance (1: the largest one of the file).
 double tone(double radiance, std::size_t band, const SensorOptions& options, const Radiometry& r);
 
+/// Throws std::invalid_argument for an option outside its range and for options that do not go
+/// together: a Bayer pattern needs the bands `rgb`, JPEG needs 8 bits and three bands.
+void check_sensor(const SensorOptions& options);
+
 /// The image that view number `view` takes: CV_8UC(n) or CV_16UC(n) from a radiance as of
 /// Renderer::radiance(), n = 3 or 4 bands in the order of `bands`. Byte-identical for any number
-/// of threads. `first_row`: the row of the image that the radiance begins with, which its noise depends on. Throws
-/// std::invalid_argument for an option outside its range.
+/// of threads. `first_row`: the row of the image that the radiance begins with; noise and Bayer
+/// pattern depend on it. Pixel (0, 0) of the image sees red. Throws as check_sensor().
 cv::Mat expose(const cv::Mat& radiance,
                const SensorOptions& options,
                std::uint64_t view,
                int first_row = 0);
+
+/// The number of rows above and below that a row of the image depends on, a multiple of 16. Rows
+/// that are exposed with so many around them, from a multiple of 16 on, have the bytes that they
+/// have in the whole image.
+int rows_around(const SensorOptions& options);
 
 }  // namespace ridgeline::simulate

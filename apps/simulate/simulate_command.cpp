@@ -6,7 +6,6 @@
 #include "apps/simulate/degrade.h"
 #include "apps/simulate/flight.h"
 #include "apps/simulate/planned_views.h"
-#include "apps/simulate/scene_record.h"
 #include "apps/simulate/simulate_arguments.h"
 #include "apps/simulate/village.h"
 #include "apps/simulate/write_block.h"
@@ -17,6 +16,7 @@
 #include "io/models/write_model.h"
 #include "io/results/output_folder.h"
 #include "reconstruct/geometry/check.h"
+#include "reconstruct/geometry/transformed.h"
 
 #include <fmt/core.h>
 
@@ -108,6 +108,7 @@ void complete(const CLI::App& app, SimulateArguments& a) {
   }
   set_block(app, a);
   check_image_sizes(a.views.flight);
+  simulate::check_sensor(a.views.sensor);
   const io::CrsFacts crs = io::describe({a.village.crs});
   check(!crs.is_geographic, "--crs = ", a.village.crs, " (", crs.name,
         "), its coordinates are degrees; must be a projected one");
@@ -130,9 +131,11 @@ void write_graded_lines(const io::LineSet& truth,
 }
 
 int simulate_patch(const SimulateArguments& a) {
-  const results::OutputFolder out(a.out, {});
+  check_degraded(a.views,
+                 transformed(simulate::planned_views(a.views.flight), &simulate::PlannedView::id));
+  const results::OutputFolder out(a.out, {}, "simulate.json");
   const std::vector<std::string> names = file_names(a);
-  check_scene_files(out, names);
+  for (const std::string& name : names) (void)out.path(name);
   const simulate::Scene scene = simulate::make_village(a.village);
   if (!a.no_images) (void)simulate::aerial_views(scene, a.views.flight);  // throws before the work
   const io::PointCloud cloud = simulate::scan_als(scene, a.als);
@@ -144,27 +147,28 @@ int simulate_patch(const SimulateArguments& a) {
       out, "truth.geojson",
       a.no_images ? truth : write_views(scene, name_of_folder(a.out), a.views, truth, out));
   write_models(scene, a, out);
-  record_scene_files(out, names);
+  out.write_record(nlohmann::ordered_json::object());
   say("{}: {} buildings, {} true lines, {} laser points\n", a.out, scene.buildings.size(),
       truth.lines.size(), cloud.points.size());
   return kDone;
 }
 
 int simulate_block(const SimulateArguments& a) {
-  const results::OutputFolder out(a.out, {});
+  const results::OutputFolder out(a.out, {}, "simulate.json");
   const simulate::Scene scene = simulate::make_village(a.village);
   const std::vector<simulate::AerialView> frames = block_frames(scene, a);
+  check_degraded(a.views, transformed(frames, &simulate::AerialView::id));
   std::vector<std::string> names = block_file_names(scene, frames, a);
   names.insert(names.end(), std::begin(kLineFiles), std::end(kLineFiles));
   for (const ModelFile& file : model_files(a)) names.emplace_back(file.name);
-  check_scene_files(out, names);
+  for (const std::string& name : names) (void)out.path(name);
 
   const std::size_t num_points = write_block(scene, frames, name_of_folder(a.out), a, out);
   const io::LineSet truth = simulate::seen_in_block(scene, frames, nominal_truth(scene));
   write_graded_lines(truth, a.seed, out);
   write_lines_of(out, "truth.geojson", truth);
   write_models(scene, a, out);
-  record_scene_files(out, names);
+  out.write_record(nlohmann::ordered_json::object());
   say("{}: {} frames, a village of {} x {} m, {} buildings, {} true lines, {} laser points\n",
       a.out, frames.size(), scene.extent_m.x(), scene.extent_m.y(), scene.buildings.size(),
       truth.lines.size(), num_points);

@@ -181,6 +181,16 @@ void add_image_options(CLI::App& app, SimulateArguments& a) {
       ->group(group);
   add_flags(app, a.views.sensor, group);
   app.get_option("--bits")->check(CLI::IsMember({8, 16}));
+  app.add_flag("--bayer", a.views.sensor.bayer,
+               "keeps one colour of each pixel (red green / green blue) and interpolates the "
+               "other two")
+      ->group(group);
+  app.add_option(
+         "--degraded-views", a.views.degraded,
+         "ids of the views to which --blur-px, --bayer and --jpeg-quality apply; default: all")
+      ->delimiter(',')
+      ->excludes("--no-images")
+      ->group(group);
   add_flags(app, a.views.render, group);
   add_flags(app, a.views.flight, group);
 }

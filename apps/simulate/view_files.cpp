@@ -2,13 +2,41 @@
 #include "apps/simulate/view_files.h"
 
 #include "apps/simulate/photograph.h"
+#include "reconstruct/geometry/check.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ridgeline::apps {
 
 std::string image_file(const std::string& view_id) { return view_id + ".tif"; }
+
+void check_degraded(const ViewOptions& options, std::span<const std::string> view_ids) {
+  constexpr std::size_t kMostNamed = 30;  // all views of a patch; a block may have thousands
+  const simulate::SensorOptions& sensor = options.sensor;
+  check(options.degraded.empty() || sensor.blur_px > 0.0 || sensor.bayer || sensor.jpeg_quality > 0,
+        "--degraded-views, must be with --blur-px, --bayer or --jpeg-quality");
+  for (const std::string& id : options.degraded) {
+    const auto named = view_ids.first(std::min(view_ids.size(), kMostNamed));
+    check(std::ranges::find(view_ids, id) != view_ids.end(), "--degraded-views = ", id,
+          ", must be one of ", fmt::format("{}", fmt::join(named, ", ")),
+          named.size() < view_ids.size() ? ", ..." : "");
+  }
+}
+
+simulate::SensorOptions sensor_of(const ViewOptions& options, const simulate::AerialView& view) {
+  simulate::SensorOptions sensor = options.sensor;
+  const std::vector<std::string>& degraded = options.degraded;
+  if (degraded.empty() || std::ranges::find(degraded, view.id) != degraded.end()) return sensor;
+  sensor.blur_px = 0.0;
+  sensor.bayer = false;
+  sensor.jpeg_quality = 0;
+  return sensor;
+}
 
 simulate::RenderOptions light_of(const ViewOptions& options, const simulate::AerialView& view) {
   constexpr double kTurnDeg = 360.0;

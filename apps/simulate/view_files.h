@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace ridgeline::apps {
 
@@ -19,11 +20,20 @@ struct ViewOptions {
   simulate::FlightOptions flight;
   simulate::RenderOptions render;
   simulate::SensorOptions sensor;
+  /// Ids of the views to which blur_px, bayer and jpeg_quality of the sensor apply; empty: all.
+  std::vector<std::string> degraded;
   std::string orientation;  ///< format of write_orientation(); empty: matrices in patch.yaml
 };
 
 /// The file of a view; in an orientation the name of its image.
 std::string image_file(const std::string& view_id);
+
+/// Throws std::invalid_argument if a degraded view is not one of `view_ids`, or if views are named
+/// but neither blur, Bayer pattern nor JPEG is set.
+void check_degraded(const ViewOptions& options, std::span<const std::string> view_ids);
+
+/// The sensor of a view: without blur, Bayer pattern and JPEG unless the view is a degraded one.
+simulate::SensorOptions sensor_of(const ViewOptions& options, const simulate::AerialView& view);
 
 /// The light in which a view is taken: the sun moves on while the views are taken.
 simulate::RenderOptions light_of(const ViewOptions& options, const simulate::AerialView& view);

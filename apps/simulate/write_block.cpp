@@ -79,7 +79,7 @@ void write_frames(const simulate::Scene& scene,
       renderer.emplace(scene, light_of(options, frame));
     }
     ViewFile file(out.path(frame_file(frame)), frame, options);
-    simulate::photograph_rows(*renderer, frame, options.sensor,
+    simulate::photograph_rows(*renderer, frame, sensor_of(options, frame),
                               [&](const cv::Mat& rows, int) { file.write_rows(rows); });
     file.commit();
   }

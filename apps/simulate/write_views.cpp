@@ -32,9 +32,9 @@ simulate::ImageWindow write_image(const simulate::Scene& scene,
                                   const ViewOptions& options,
                                   const results::OutputFolder& out) {
   ViewFile file(out.path(image_file(view.id)), view, options);
-  simulate::ImageWindow village =
-      simulate::photograph(simulate::Renderer(scene, light_of(options, view)), view, options.sensor,
-                           [&](const cv::Mat& rows) { file.write_rows(rows); });
+  simulate::ImageWindow village = simulate::photograph(
+      simulate::Renderer(scene, light_of(options, view)), view, sensor_of(options, view),
+      [&](const cv::Mat& rows) { file.write_rows(rows); });
   file.commit();
   return village;
 }

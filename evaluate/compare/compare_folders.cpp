@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What of result folders is compared with what, and whether it got worse.
 #include "evaluate/compare/comparison.h"
+#include "evaluate/statistics/product_method.h"
 #include "reconstruct/geometry/check.h"
 
 #include <algorithm>
@@ -13,16 +14,28 @@ namespace {
 const Evaluation* counterpart(const Evaluation& e,
                               const ResultFolder& of,
                               const ResultFolder& other) {
-  const auto of_patch = [&](const Evaluation& x) { return x.patch == e.patch; };
+  const auto of_patch = [&](const ResultFolder& folder) {
+    std::vector<const Evaluation*> found;
+    for (const Evaluation& x : folder.evaluations) {
+      if (x.patch == e.patch) found.push_back(&x);
+    }
+    return found;
+  };
   const auto same =
       std::find_if(other.evaluations.begin(), other.evaluations.end(),
                    [&](const Evaluation& x) { return x.patch == e.patch && x.method == e.method; });
   if (same != other.evaluations.end()) return &*same;
-  const bool single =
-      std::count_if(of.evaluations.begin(), of.evaluations.end(), of_patch) == 1 &&
-      std::count_if(other.evaluations.begin(), other.evaluations.end(), of_patch) == 1;
-  if (!single) return nullptr;
-  return &*std::find_if(other.evaluations.begin(), other.evaluations.end(), of_patch);
+  const std::vector<const Evaluation*> own = of_patch(of);
+  const std::vector<const Evaluation*> others = of_patch(other);
+  if (own.size() == 1 && others.size() == 1) return others[0];
+  // runs of different methods are compared by what they are for
+  const bool share_a_method = std::ranges::any_of(own, [&](const Evaluation* x) {
+    return std::ranges::find(others, x->method, &Evaluation::method) != others.end();
+  });
+  if (share_a_method || others.empty() || of.is_of_line_files || other.is_of_line_files ||
+      own[product_index(own, &Evaluation::method)] != &e)
+    return nullptr;
+  return others[product_index(others, &Evaluation::method)];
 }
 
 /// Whether `joint` may have adjusted lines to faces. It is taken to have done so in a run whose options are not known,

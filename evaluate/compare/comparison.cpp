@@ -4,6 +4,7 @@
 #include "evaluate/compare/pair_in_space.h"
 #include "evaluate/compare/wilcoxon.h"
 #include "evaluate/statistics/distribution.h"
+#include "evaluate/statistics/product_method.h"
 #include "evaluate/tables/shift_text.h"
 
 #include <algorithm>
@@ -166,6 +167,13 @@ void count_changes(const Pairs& pairs, PairedSummary& summary) {
   }
 }
 
+/// Without the lines that no edge shows; the figures stay those of all lines.
+Evaluation of_edges(Evaluation e) {
+  std::erase_if(e.lines,
+                [&](const LineEvaluation& line) { return is_of_planes(e.method, line.id); });
+  return e;
+}
+
 PairedSummary summarize_pairs(const Pairs& pairs,
                               std::string_view line_class,
                               const BootstrapOptions& options) {
@@ -283,7 +291,10 @@ Comparison compare(const Evaluation& a,
                    std::string name_a,
                    std::string name_b,
                    bool joint_adjusts_to_faces) {
-  Comparison result = comparison_of(a, b, pair_lines(a, b), std::move(name_a), std::move(name_b));
+  const Evaluation edges_a = of_edges(a);
+  const Evaluation edges_b = of_edges(b);
+  Comparison result = comparison_of(edges_a, edges_b, pair_lines(edges_a, edges_b),
+                                    std::move(name_a), std::move(name_b));
   const bool is_moved = !moved_note(a).empty() || !moved_note(b).empty();  // each by its own shift
   if (!joint_adjusts_to_faces && !is_moved && is_direct_and_joint(a.method, b.method)) {
     result.n_not_aligned_differing = count_differing(evaluated_by_id(a), evaluated_by_id(b));

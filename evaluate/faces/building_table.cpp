@@ -70,7 +70,9 @@ void set_points(const PointDistances& points, BuildingRow& row) {
 
 bool is_gone(const PointDistances& points) {
   constexpr double kMostBelow = 0.75;
-  return points.n_far_below > kMostBelow * points.n_over;
+  constexpr double kStorey_m = 1.5;  // what is higher above the ground is no ground
+  const bool is_low = !points.above_ground_m || *points.above_ground_m < kStorey_m;
+  return is_low && points.n_far_below > kMostBelow * points.n_over;
 }
 
 /// The verdict on a building's faces one by one.
@@ -88,6 +90,8 @@ BuildingVerdict verdict_of_parts(const BuildingRow& row, const FaceOptions& opti
   consider(row.wrong_height, BuildingVerdict::kWrongHeight);
   consider(row.wrong_tilt, BuildingVerdict::kWrongTilt);
   consider(row.wrong_outline, BuildingVerdict::kWrongOutline);
+  const bool contradicted = row.rms_m && *row.rms_m > options.outline_tolerance_m;
+  if (verdict == BuildingVerdict::kRight && contradicted) return BuildingVerdict::kNotJudged;
   return verdict;
 }
 
@@ -108,7 +112,14 @@ void set_verdict(const RoofBuilding& building,
   row.verdict = verdict_of_parts(row, options);
   if (row.verdict == BuildingVerdict::kRight || row.verdict == BuildingVerdict::kNotJudged) return;
   if (row.verdict == BuildingVerdict::kChanged) {
-    if (is_gone(points)) row.verdict = BuildingVerdict::kGone;
+    if (is_gone(points)) {
+      row.verdict = BuildingVerdict::kGone;
+    } else if (points.parallel_below_m &&  // farther off than planes of faces are looked for
+               std::abs(*points.parallel_below_m) > options.max_height_m) {
+      row.shift_m = Eigen::Vector3d(0.0, 0.0, *points.parallel_below_m);
+      row.verdict =
+          *points.parallel_below_m > 0.0 ? BuildingVerdict::kTooHigh : BuildingVerdict::kTooLow;
+    }
     return;
   }
   const auto shift_m = whole_shift_m(building.faces, evaluations, options);

@@ -21,7 +21,8 @@
 namespace ridgeline::evaluate {
 
 enum class BuildingVerdict : std::uint8_t {
-  kNotJudged,  ///< less than half of its roof's area could be
+  /// Less than half of its roof's area could be, or its faces are right and its lines are not.
+  kNotJudged,
   kRight,
   kShifted,      ///< in plan as a whole
   kTooHigh,      ///< as a whole

@@ -3,6 +3,7 @@
 
 #include "evaluate/faces/face_points.h"
 #include "evaluate/faces/overhang.h"
+#include "evaluate/statistics/distribution.h"
 #include "reconstruct/geometry/box_index.h"
 #include "reconstruct/geometry/interruption.h"
 #include "reconstruct/geometry/transformed.h"
@@ -14,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace ridgeline::evaluate {
 namespace {
@@ -172,23 +174,41 @@ bool is_seen_past_roofs(const Eigen::Vector3d& x,
          });
 }
 
+/// The median of distances that agree with each other; nothing if they do not.
+std::optional<double> common_distance_m(const std::vector<double>& distances_m) {
+  constexpr double kAgree_m = 0.15;
+  if (distances_m.empty()) return std::nullopt;
+  const double spread_m = *quantile(distances_m, 0.84) - *quantile(distances_m, 0.16);
+  return spread_m <= 2.0 * kAgree_m ? quantile(distances_m, 0.5) : std::nullopt;
+}
+
 /// @param around  the building and those that it touches
 PointDistances distances_of(const std::vector<ClassedPoint>& points,
                             const BuildingSurfaces& building,
                             std::span<const BuildingSurfaces* const> around) {
   PointDistances distances;
+  std::vector<double> below_roof_m, z_over_m, z_beside_m;
   for (const ClassedPoint& p : points) {
     if (is_noise_or_plant_or_water(p.of_class)) continue;
     const bool is_low = p.x.z() < building.lowest_m() + kGround_m;
     const bool is_ground = p.of_class == kGroundClass || (p.of_class <= kUnclassified && is_low);
     const std::optional<double> below_m = building.below_roof_m(p.x);
     if (below_m || !is_ground) distances.to_surface_m.push_back(nearest_m(p.x, around));
+    (below_m ? z_over_m : z_beside_m).push_back(p.x.z());
     if (!below_m) continue;
+    below_roof_m.push_back(*below_m);
     ++distances.n_over;
+    distances.over_squares_m2 += *below_m * *below_m;
     if (*below_m > kFarBelow_m) ++distances.n_far_below;
     if (is_ground || is_seen_past_roofs(p.x, *below_m, around)) continue;
     distances.to_roof_m.push_back(std::abs(*below_m));
   }
+  distances.parallel_below_m = common_distance_m(below_roof_m);
+  // Of a slope about the middle; the higher ones may be those of walls and bushes.
+  constexpr double kLow = 0.3;
+  if (!z_over_m.empty() && !z_beside_m.empty())
+    distances.above_ground_m =
+        *quantile(std::move(z_over_m), 0.5) - *quantile(std::move(z_beside_m), kLow);
   return distances;
 }
 

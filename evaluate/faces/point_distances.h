@@ -5,6 +5,7 @@
 #include "evaluate/judge/point_search.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct PointDistances {
   int n_over = 0, n_far_below = 0;
   /// Vertically from the nearest roof above or below, of the points over the roof; without those that a ray past the roof meets.
   std::vector<double> to_roof_m;
+  double over_squares_m2 =
+      0.0;  ///< sum of the squares of the heights between all points over the roof and it
+  /// How far the points over the roof lie below it, if they have its shape: the middle two thirds within 0.15 m of each other's
+  /// median. Negative above it.
+  std::optional<double> parallel_below_m;
+  /// Median height of the points over the roof above the lower ones beside it; empty without points beside it.
+  std::optional<double> above_ground_m;
 };
 
 /// Of each building the points over its roof and up to 0.5 m beside it in plan. A point's nearest surface may be that of a building that

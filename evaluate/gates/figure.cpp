@@ -3,21 +3,18 @@
 
 #include "evaluate/gates/metric.h"
 #include "evaluate/statistics/image_count.h"
+#include "evaluate/statistics/product_method.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 
 namespace ridgeline::evaluate {
 namespace {
-
-/// Methods of reconstruction, the best first. The other methods of a run are there for comparison.
-constexpr std::array<std::string_view, 3> kByRank{"network", "joint", "direct"};
 
 constexpr const char* kAnyPatch = "(any)";
 constexpr const char* kNoMethod = "(none)";
@@ -175,13 +172,19 @@ Figure accuracy_figure(const Evaluation& e, const std::string& line_class, const
 /// The evaluations of a patch that a gate without a method concerns, see figures_of().
 std::vector<const Evaluation*> products_of(const std::vector<const Evaluation*>& evaluations,
                                            const ResultFolder& folder) {
-  if (folder.is_of_line_files) return evaluations;
-  for (const std::string_view method : kByRank) {
-    for (const Evaluation* e : evaluations) {
-      if (e->method == method) return {e};
-    }
-  }
-  return evaluations;
+  if (folder.is_of_line_files || evaluations.empty()) return evaluations;
+  return {evaluations[product_index(evaluations, &Evaluation::method)]};
+}
+
+std::string why_no_method(const std::string& method,
+                          const std::vector<std::string_view>& methods,
+                          const ResultFolder& folder) {
+  std::string why =
+      fmt::format("there is no method {}; there are: {}", method, fmt::join(methods, ", "));
+  const bool is_method = std::ranges::find(kMethodsByRank, method) != kMethodsByRank.end();
+  if (is_method && !folder.is_of_line_files)
+    why += fmt::format("; run with --methods {},{}", fmt::join(methods, ","), method);
+  return why;
 }
 
 std::vector<Figure> accuracy_figures(const Gate& gate,
@@ -207,8 +210,7 @@ std::vector<Figure> accuracy_figures(const Gate& gate,
     figures.push_back(missing_figure(gate, patch, line_class,
                                      methods.empty()
                                          ? "no lines of this patch were judged"
-                                         : fmt::format("there is no method {}; there are: {}",
-                                                       *gate.method, fmt::join(methods, ", "))));
+                                         : why_no_method(*gate.method, methods, folder)));
   }
   return figures;
 }

@@ -7,17 +7,14 @@
 #include <numbers>
 
 namespace ridgeline::evaluate {
-namespace {
 
-/// The horizontal unit vector across a direction in plan, to the side of larger x, else of larger y.
-Eigen::Vector3d across(const Eigen::Vector2d& along) {
+Eigen::Vector3d across_in_plan(const Segment3& segment) {
+  const Eigen::Vector2d along = (segment.end - segment.start).head<2>().normalized();
   const Eigen::Vector2d left(-along.y(), along.x());
   const bool is_to_larger = left.x() > 0.0 || (left.x() == 0.0 && left.y() > 0.0);
   const Eigen::Vector2d h = is_to_larger ? left : Eigen::Vector2d(-left);
   return {h.x(), h.y(), 0.0};
 }
-
-}  // namespace
 
 std::optional<RidgeDisplacement> ridge_displacement(const Segment3& segment,
                                                     const std::array<Plane3, 2>& planes,
@@ -27,7 +24,7 @@ std::optional<RidgeDisplacement> ridge_displacement(const Segment3& segment,
       acute_angle_rad(Eigen::Vector3d(planes[0].normal()), Eigen::Vector3d(planes[1].normal())) *
       180.0 / std::numbers::pi;
   if (!(along.norm() > 0.0) || angle_deg < kLeastRidgeAngle_deg) return std::nullopt;
-  const Eigen::Vector3d h = across(along.normalized());
+  const Eigen::Vector3d h = across_in_plan(segment);
   const Eigen::Vector3d x = midpoint(segment);
   Eigen::Matrix2d n;
   Eigen::Vector2d d;

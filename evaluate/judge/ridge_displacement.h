@@ -12,6 +12,9 @@ namespace ridgeline::evaluate {
 /// about that of the planes over the sine of half the angle.
 inline constexpr double kLeastRidgeAngle_deg = 20.0;
 
+/// The horizontal unit vector across a line, to the side of larger x, else of larger y. A vertical line has none: it is zero.
+Eigen::Vector3d across_in_plan(const Segment3& segment);
+
 /// How far a ridge or hip lies from the intersection of its planes, e = a h + b z: with z up and h the horizontal
 /// unit vector across the line, the signed distances d of the line's midpoint from the planes give
 /// (a, b)^T = N^-1 d with the rows (n_i . h, n_i . z) of N, and the covariance N^-1 diag(sigma_i^2) N^-T of the

@@ -165,17 +165,21 @@ double accompanied_share(const PointsBeside& beside,
   return coverage_along(near, length_m, reach_m);
 }
 
-/// Whether a plane has as many points to the inside of the line as to the outside.
+/// Whether a plane has points next to the line on its inside, at least half as many as on its outside. A roof goes on beyond a
+/// dormer, so that points farther away say nothing.
 bool lies_inside(const CandidatePlane& plane,
                  const Footprint& footprint,
                  const JudgeOptions& options,
                  const Eigen::Vector2d& inside) {
   const double side = footprint.across.dot(inside) < 0.0 ? -1.0 : 1.0;
-  const auto beyond_gap = [&](double sign) {
-    return std::ranges::count_if(
-        plane.beside, [&](const ZonePoint& p) { return sign * p.t > options.side_gap_m; });
+  constexpr double kNext_m = 1.0;
+  const auto next_to_line = [&](double sign) {
+    return std::ranges::count_if(plane.beside, [&](const ZonePoint& p) {
+      return sign * p.t > options.side_gap_m && sign * p.t <= options.side_gap_m + kNext_m;
+    });
   };
-  return beyond_gap(side) >= beyond_gap(-side);
+  const auto n_inside = next_to_line(side);
+  return n_inside > 0 && 2 * n_inside >= next_to_line(-side);
 }
 
 Eigen::Vector2d heights_at_ends(const Plane3& plane, const Footprint& footprint) {

@@ -355,4 +355,14 @@ std::optional<ConstantShift> estimate_shift(std::span<const LineEvaluation> line
   return shift;
 }
 
+bool ConstantShift::is_significant() const {
+  if (!(least_m > accuracy_m)) return false;
+  const auto is_told = [](const ShiftAxis& axis) { return axis.ci95_m.has_value(); };
+  const auto n_told = static_cast<std::size_t>(std::ranges::count_if(axes, is_told));
+  if (n_told + untold.size() < axes.size()) return true;  // an oblique direction is told, too
+  return std::ranges::any_of(axes, [](const ShiftAxis& axis) {
+    return axis.ci95_m && (axis.ci95_m->low > 0.0 || axis.ci95_m->high < 0.0);
+  });
+}
+
 }  // namespace ridgeline::evaluate

@@ -46,7 +46,9 @@ struct ConstantShift {
   std::string cause;     ///< a clause on what explains the shift; empty if nothing known does
   bool applied = false;  ///< whether the lines were moved by -shift_m before they were judged
 
-  [[nodiscard]] bool is_significant() const { return least_m > accuracy_m; }
+  /// Whether it is worth a word: the region keeps away from 0, and so does the interval of an axis, if axes are all that the
+  /// planes tell. A long region may keep away from 0 although both its intervals hold it.
+  [[nodiscard]] bool is_significant() const;
 };
 
 /// Estimates the shift t from the signed distances d of the lines' midpoints from their planes: n't = d for each plane (unit

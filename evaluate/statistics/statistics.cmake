@@ -21,7 +21,7 @@ set(evaluate_statistics_headers
   gates/figure.h gates/gate.h gates/gate_report.h gates/gate_warnings.h gates/metric.h
   statistics/accuracy.h statistics/bootstrap.h statistics/calibration.h statistics/cloud_following.h
   statistics/constant_shift.h statistics/decided_group.h statistics/decoy_figures.h statistics/decoys.h
-  statistics/distribution.h statistics/evaluation.h statistics/frame_check.h statistics/image_count.h
+  statistics/distribution.h statistics/evaluation.h statistics/frame_check.h statistics/image_count.h statistics/product_method.h
   statistics/interval.h statistics/matching_quality.h statistics/parameter_intervals.h statistics/random.h
   statistics/reference_errors.h
   tables/reference_table.h

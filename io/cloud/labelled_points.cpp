@@ -95,18 +95,6 @@ void require_point_format(const std::string& path) {
         ", must end in .las, .pcd or .ply");
 }
 
-bool is_own_points_file(const std::string& path) {
-  // Byte of the system identifier in the header of LAS.
-  constexpr std::size_t kSystemIdentifier = 26;
-  std::string start(128, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  if (start.starts_with(kPlyStart) || start.starts_with(kPcdStart)) return true;
-  return start.starts_with("LASF") && start.size() > kSystemIdentifier &&
-         start.substr(kSystemIdentifier).starts_with("ridgeline");
-}
-
 void write_labelled_points(const std::string& path, const LabelledPoints& points) {
   require_point_format(path);
   check(points.labels.size() == points.x_in_local.size(),

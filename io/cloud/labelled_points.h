@@ -24,9 +24,6 @@ struct LabelledPoints {
 /// Throws std::invalid_argument unless the path ends in .las, .pcd or .ply.
 void require_point_format(const std::string& path);
 
-/// Whether an existing file was written by write_labelled_points() or write_las().
-bool is_own_points_file(const std::string& path);
-
 /// Writes the points by the extension of the path, with fields rgb, plane_id and distance_m:
 ///   .las  LAS 1.4 in the units of the CRS, which it states
 ///   .ply  binary, double coordinates in the units of the CRS, which a comment states

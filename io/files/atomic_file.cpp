@@ -2,6 +2,7 @@
 #include "io/files/atomic_file.h"
 
 #include "io/error.h"
+#include "io/files/folder_lock.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -26,14 +27,6 @@ std::string temporary_name(const fs::path& path) {
   return (path.parent_path() / name).string();
 }
 
-/// Whether the path is no file of its own: a device, a pipe, or a link such as /dev/stdout to what a shell has
-/// opened.
-bool is_device(const std::string& path) {
-  std::error_code ignored;  // a path that does not exist is no device
-  const bool is_of_system = path.starts_with("/dev/") || path.starts_with("/proc/");
-  return fs::is_other(path, ignored) || (is_of_system && fs::is_symlink(path, ignored));
-}
-
 /// The path beside which the temporary file lies. A device's folder is no place for files, so the system's folder for
 /// temporary files takes its place.
 fs::path beside(const fs::path& path, bool is_device) {
@@ -41,6 +34,12 @@ fs::path beside(const fs::path& path, bool is_device) {
 }
 
 }  // namespace
+
+bool is_device(const std::string& path) {
+  std::error_code ignored;  // a path that does not exist is no device
+  const bool is_of_system = path.starts_with("/dev/") || path.starts_with("/proc/");
+  return fs::is_other(path, ignored) || (is_of_system && fs::is_symlink(path, ignored));
+}
 
 AtomicFile::AtomicFile(const std::string& path)
     : path_(path),
@@ -64,9 +63,11 @@ void AtomicFile::commit() {
   stream_.close();
   if (!stream_) throw IoError(path_, "could not be written whole; is the disk full?");
   if (is_device_) return send_to_device();
-  std::error_code error;
-  fs::rename(temporary_path_, path_, error);
-  if (error) throw IoError(path_, "cannot be put in place: " + error.message());
+  try {
+    put_in_place(temporary_path_, path_);
+  } catch (const fs::filesystem_error& error) {
+    throw IoError(path_, "cannot be put in place: " + error.code().message());
+  }
   committed_ = true;
 }
 

@@ -42,6 +42,10 @@ class AtomicFile {
   bool committed_ = false;
 };
 
+/// Whether the path is no file of its own: a device, a pipe, or a link such as /dev/stdout to what a shell has
+/// opened.
+bool is_device(const std::string& path);
+
 /// Whether a name is that of an AtomicFile's temporary file or of a ScratchFolder whose process, on this computer, has
 /// ended.
 bool is_left_by_dead_process(const std::string& file_name);

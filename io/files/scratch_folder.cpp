@@ -2,6 +2,7 @@
 #include "io/files/scratch_folder.h"
 
 #include "io/error.h"
+#include "io/files/folder_lock.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -33,9 +34,9 @@ void ScratchFolder::publish() const {
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
       const std::filesystem::path name = entry.path().filename();
       if (name == target_.filename()) continue;
-      std::filesystem::rename(entry.path(), target_.parent_path() / name);
+      put_in_place(entry.path(), target_.parent_path() / name);
     }
-    std::filesystem::rename(draft(), target_);
+    put_in_place(draft(), target_);
   } catch (const std::filesystem::filesystem_error& error) {
     throw IoError(target_.string(), "cannot be written: " + error.code().message());
   }

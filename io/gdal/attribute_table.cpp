@@ -34,13 +34,16 @@ Value as_number(const Value& value, ColumnType type) {
   return value;
 }
 
-Value as_text(const Value& value) {
-  if (const auto* const n = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *n);
-  if (const auto* const x = std::get_if<double>(&value)) return fmt::format("{}", *x);
-  return value;
-}
+Value as_text(const Value& value) { return value.index() == 0 ? value : Value(io::text_of(value)); }
 
 }  // namespace
+
+std::string text_of(const Value& value) {
+  if (const auto* const n = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *n);
+  if (const auto* const x = std::get_if<double>(&value)) return fmt::format("{}", *x);
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  return "";
+}
 
 ColumnType common_type(ColumnType a, ColumnType b) {
   if (a == b) return a;

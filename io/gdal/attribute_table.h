@@ -40,6 +40,9 @@ struct AttributeTable {
   std::vector<SparseRow> rows;
 };
 
+/// The value as text; empty for none.
+std::string text_of(const Value& value);
+
 /// The type that holds the values of both types: for two types of numbers the wider one, for all other pairs text.
 ColumnType common_type(ColumnType a, ColumnType b);
 

@@ -13,33 +13,44 @@
 #include <atomic>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace ridgeline::io {
 namespace {
 
-/// A copy of the picture in memory, bands in GDAL's order; null if that fails.
+/// Reads or writes all pixels of a dataset, whose bands are in GDAL's order.
+CPLErr copy_pixels(GDALRWFlag direction, GDALDataset& dataset, cv::Mat& picture) {
+  const int n_bands = picture.channels();
+  std::array<int, 3> blue_green_red{n_bands == 3 ? 3 : 1, 2, 1};
+  return dataset.RasterIO(direction, 0, 0, picture.cols, picture.rows, picture.data, picture.cols,
+                          picture.rows, GDT_Byte, n_bands, blue_green_red.data(),
+                          static_cast<GSpacing>(picture.elemSize()),
+                          static_cast<GSpacing>(picture.step[0]), 1, nullptr);
+}
+
+/// A copy of the picture in memory; null if that fails.
 GDALDatasetUniquePtr in_memory(const cv::Mat& picture) {
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
   if (driver == nullptr) return nullptr;
-  const int n_bands = picture.channels();
   GDALDatasetUniquePtr dataset(
-      driver->Create("", picture.cols, picture.rows, n_bands, GDT_Byte, nullptr));
+      driver->Create("", picture.cols, picture.rows, picture.channels(), GDT_Byte, nullptr));
   if (!dataset) return nullptr;
   cv::Mat pixels = picture;  // RasterIO takes no constant buffer
-  std::array<int, 3> blue_green_red{n_bands == 3 ? 3 : 1, 2, 1};
-  const CPLErr error = dataset->RasterIO(
-      GF_Write, 0, 0, picture.cols, picture.rows, pixels.data, picture.cols, picture.rows, GDT_Byte,
-      n_bands, blue_green_red.data(), static_cast<GSpacing>(picture.elemSize()),
-      static_cast<GSpacing>(picture.step[0]), 1, nullptr);
+  const CPLErr error = copy_pixels(GF_Write, *dataset, pixels);
   return error == CE_None ? std::move(dataset) : nullptr;
 }
 
-/// The bytes of a picture that GDAL encodes into a file of its file system in memory.
-std::string encoded(const cv::Mat& picture, const char* driver_name, const CPLStringList& options) {
+/// A file of GDAL's file system in memory; another one each time.
+std::string file_in_memory() {
   static std::atomic<int> n_files = 0;
+  return fmt::format("/vsimem/ridgeline_picture_{}", n_files++);
+}
+
+/// The bytes of a picture that GDAL encodes into a file in memory.
+std::string encoded(const cv::Mat& picture, const char* driver_name, const CPLStringList& options) {
   const QuietGdal quiet;
   register_gdal_drivers();
-  const std::string file = fmt::format("/vsimem/ridgeline_picture_{}", n_files++);
+  const std::string file = file_in_memory();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
   const GDALDatasetUniquePtr source = in_memory(picture);
   GDALDatasetUniquePtr copy(driver == nullptr || !source
@@ -81,6 +92,31 @@ std::string jpeg_bytes(const cv::Mat& picture, int quality) {
   CPLStringList options;
   options.SetNameValue("QUALITY", std::to_string(quality).c_str());
   return encoded(picture, "JPEG", options);
+}
+
+cv::Mat decoded_jpeg(const std::string& bytes) {
+  const QuietGdal quiet;
+  register_gdal_drivers();
+  const std::string file = file_in_memory();
+  std::vector<GByte> content(bytes.begin(), bytes.end());  // GDAL takes no constant buffer
+  VSIFCloseL(VSIFileFromMemBuffer(file.c_str(), content.data(), content.size(), FALSE));
+  constexpr std::array<const char*, 2> kDrivers{"JPEG", nullptr};
+  GDALDatasetUniquePtr dataset(
+      GDALDataset::Open(file.c_str(), GDAL_OF_RASTER, kDrivers.data(), nullptr, nullptr));
+  cv::Mat picture;
+  CPLErr error = CE_Failure;
+  if (dataset) {
+    const int type = dataset->GetRasterCount() == 1 ? CV_8UC1 : CV_8UC3;
+    picture.create(dataset->GetRasterYSize(), dataset->GetRasterXSize(), type);
+    error = copy_pixels(GF_Read, *dataset, picture);
+  }
+  dataset.reset();
+  VSIUnlink(file.c_str());
+  if (error != CE_None) {
+    throw std::runtime_error("a JPEG file could not be decoded: " +
+                             quiet.complaints("no reason given"));
+  }
+  return picture;
 }
 
 }  // namespace ridgeline::io

@@ -12,7 +12,4 @@ namespace ridgeline::io {
 /// cannot be written.
 void write_png(const std::string& path, const cv::Mat& picture);
 
-/// Whether write_png() made the file, as it says in the PNG.
-bool is_own_png(const std::string& path);
-
 }  // namespace ridgeline::io

@@ -6,6 +6,7 @@
 #include "io/kinds/recognise.h"
 #include "io/lines/line_checks.h"
 #include "io/lines/model_edges.h"
+#include "io/lines/named_by_columns.h"
 #include "io/lines/readers.h"
 #include "io/models/read_model.h"
 #include "io/text/text.h"
@@ -123,6 +124,7 @@ LineSet read_lines(const std::string& path, const ReadLinesOptions& options) {
   }
   if (!set.crs.known()) set.unit_m = options.unit_m;
   set.plan_scale = options.plan_scale;
+  name_by_columns(options.id_column, options.building_column, set);
   check_lines(set);
   return set;
 }

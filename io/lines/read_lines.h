@@ -11,11 +11,12 @@
 namespace ridgeline::io {
 
 struct ReadLinesOptions {
-  Crs assume_crs;  ///< declares or overrides the file's CRS; unknown: the file decides
+  Crs assume_crs = {};  ///< declares or overrides the file's CRS; unknown: the file decides
   /// Metres per coordinate unit by axis, for a file that states no CRS; unset: metres.
   std::optional<Eigen::Vector3d> unit_m = std::nullopt;
   Eigen::Vector2d plan_scale = Eigen::Vector2d::Ones();  ///< see LineSet::plan_scale
-  std::string lod = {};       ///< of models of buildings, see ReadModelOptions::lod
+  std::string lod = {};  ///< of models of buildings, see ReadModelOptions::lod
+  std::string id_column = {}, building_column = {};  ///< see name_by_columns()
   bool vertex_pairs = false;  ///< whether the vertices of an OBJ, two by two, are the segments
 };
 

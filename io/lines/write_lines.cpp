@@ -3,6 +3,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/lines/writers.h"
+#include "io/text/text.h"
 
 #include <Eigen/Geometry>
 #include <cpl_conv.h>
@@ -72,6 +73,16 @@ std::optional<LineFormat> line_format(std::string_view name) {
   const auto* const it =
       std::find_if(kFormats.begin(), kFormats.end(),
                    [&](const LineFormatInfo& info) { return info.name == name; });
+  if (it == kFormats.end()) return std::nullopt;
+  return it->format;
+}
+
+std::optional<LineFormat> line_format_of_file(std::string_view file) {
+  const std::string name = lower_case(file);
+  if (name.ends_with(".json")) return LineFormat::kGeoJson;
+  // .wkt.csv ends in .csv as well, and comes first
+  const auto* const it = std::ranges::find_if(
+      kFormats, [&](const auto& info) { return name.ends_with(info.extension); });
   if (it == kFormats.end()) return std::nullopt;
   return it->format;
 }

@@ -35,6 +35,10 @@ std::span<const LineFormatInfo> line_formats();
 /// The format of this name; nothing for an unknown name.
 std::optional<LineFormat> line_format(std::string_view name);
 
+/// The format that files of this name usually have, upper and lower case being the same: `.json` is GeoJSON; nothing for
+/// another ending.
+std::optional<LineFormat> line_format_of_file(std::string_view file);
+
 /// Throws std::invalid_argument if lines cannot be written in this format to any path, as GDAL finds no data for it.
 /// It is to be called before the work is done.
 void require_writable(LineFormat format);

@@ -12,6 +12,19 @@ std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image,
   return *ideal - image.window_px;
 }
 
+Segment2 in_window(const Segment2& in_file, const PatchImage& image) {
+  if (!image.window) return in_file;
+  const Eigen::Vector2d corner(image.window->column, image.window->row);
+  return {in_file.start - corner, in_file.end - corner};
+}
+
+bool is_read(const Segment2& in_window, const PatchImage& image) {
+  if (!image.window) return true;
+  const Eigen::Vector2d middle = midpoint(in_window);
+  return middle.x() >= 0.0 && middle.y() >= 0.0 && middle.x() <= image.window->width - 1.0 &&
+         middle.y() <= image.window->height - 1.0;
+}
+
 void read_window_only(PatchImage& image, const Window& window) {
   const Eigen::Vector2d corner(window.column, window.row);
   image.window = window;

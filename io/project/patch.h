@@ -7,6 +7,7 @@
 #include "reconstruct/geometry/epipolar.h"
 #include "reconstruct/geometry/local_frame.h"
 #include "reconstruct/geometry/orientation.h"
+#include "reconstruct/geometry/segment.h"
 
 #include <Eigen/Core>
 
@@ -31,7 +32,8 @@ struct PatchImage {
   ImageTurn turn = ImageTurn::kNone;  ///< of the file's pixels
   /// Per band the values that become 0 and 1; empty: those of the whole file.
   std::vector<std::array<double, 2>> radiometry{};
-  std::optional<ImageFacts> facts{};  ///< of the file, if its header has been read
+  std::optional<ImageFacts> facts{};      ///< of the file, if its header has been read
+  std::optional<std::string> segments{};  ///< file of another detector, see read_own_segments()
   /// Interior orientation of the full frame; set only if the patch gives it. undistorted_px() removes its distortion.
   std::optional<InteriorOrientation> interior;
   std::optional<ExteriorOrientation> exterior{};  ///< set only if the patch gives it
@@ -44,11 +46,20 @@ std::optional<Eigen::Vector2d> undistorted_px(const PatchImage& image, const Eig
 /// Lets nothing but a window of the file, which has been read whole so far, be read.
 void read_window_only(PatchImage& image, const Window& window);
 
+/// A segment in pixels of the file in those of the window that is read of it.
+Segment2 in_window(const Segment2& in_file, const PatchImage& image);
+/// Whether the middle of a segment lies in what is read of the image.
+bool is_read(const Segment2& in_window, const PatchImage& image);
+
 /// Where the heights to search in come from.
 enum class HeightSource : std::uint8_t { kStated, kLidar, kSurfaceModel };
 
 /// The images of a patch are at most so many if the patch states an area and no number.
 constexpr std::size_t kDefaultMaxViews = 5;
+
+/// Standard deviation across the line of the ends that another detector gives, if neither its file
+/// nor the patch states it: that of OpenCV's LSD against the true edges of the sample patches.
+constexpr double kDefaultSegmentSigma_px = 0.3;
 
 /// What belongs together in one reconstruction: images, heights to search in, LIDAR.
 struct PatchFile {
@@ -75,7 +86,8 @@ struct PatchFile {
   bool chooses_images = false;
   std::size_t max_views = kDefaultMaxViews;  ///< to be chosen at most
   std::vector<PatchImage>
-      without_file;            ///< oriented images that no file of a folder or pattern shows
+      without_file;  ///< oriented images that no file of a folder or pattern shows
+  double segment_sigma_px = kDefaultSegmentSigma_px;  ///< argument of read_own_segments()
   double max_image_mpx = 0.0;  ///< argument of read_image(); the user says it, not the file
 };
 
@@ -93,7 +105,8 @@ using FindPatchPoints =
 /// Reads a patch file (YAML or JSON). Relative paths in it are relative to the file and come out
 /// resolved. Keys:
 ///   id, height_range [lowest, highest] or auto, surface_model, crs, area [x_min, y_min, x_max, y_max] or a file of
-///   polygons, max_views, lidar, reference_matches, reference_tracks, reference_lines;
+///   polygons, max_views, lidar, segments {IMAGE: file, ...}, segment_sigma_px, reference_matches, reference_tracks,
+///   reference_lines;
 ///   images: list of {id, path, projection_matrix}, or in place of the matrix
 ///     interior {focal_length_mm, pixel_size_um, size_px, principal_point_mm, or focal_length_px [x, y], size_px,
 ///     principal_point_px, and k1, k2, k3, p1, p2},

@@ -49,11 +49,12 @@ std::vector<std::string_view> keys_of(ProjectKind kind) {
                                      "matrix",
                                      "colmap",
                                      "colmap_images",
-                                     "lidar"};
+                                     "lidar",
+                                     "segments"};
   if (is_block) {
     keys.insert(keys.end(), {"patch_size_m", "overlap_m"});
   } else {
-    keys.insert(keys.end(), {"reference_matches", "reference_tracks"});
+    keys.insert(keys.end(), {"segment_sigma_px", "reference_matches", "reference_tracks"});
   }
   keys.emplace_back("reference_lines");
   return keys;
@@ -82,6 +83,7 @@ class PatchReader {
     read_area(patch);
     read_images(patch);
     check_images(patch);
+    read_segments(patch);
     patch.reference_matches = optional_path("reference_matches");
     patch.reference_tracks = optional_path("reference_tracks");
     patch.reference_lines = optional_path("reference_lines");
@@ -90,6 +92,9 @@ class PatchReader {
 
   [[nodiscard]] BlockFile read_block(const FindPatchPoints& find) {
     BlockFile block;
+    if (map_.has("segments")) {
+      map_.fail("segments", "segments are of the images of a patch; a block extracts its own");
+    }
     block.patch = read(find);
     if (map_.has("patch_size_m")) block.patch_size_m = length_m("patch_size_m", 20.0, 10000.0);
     if (map_.has("overlap_m")) block.overlap_m = length_m("overlap_m", 1.0, 1000.0);
@@ -298,6 +303,29 @@ class PatchReader {
                                 images[j].id, images[i].id));
         }
       }
+    }
+  }
+
+  /// The files of segments by the ids of their images.
+  void read_segments(PatchFile& patch) const {
+    if (map_.has("segment_sigma_px")) {
+      if (!map_.has("segments")) {
+        map_.fail("segment_sigma_px", "segment_sigma_px needs segments");
+      }
+      patch.segment_sigma_px = map_.number("segment_sigma_px");
+      if (!(patch.segment_sigma_px > 0.0)) {
+        map_.fail("segment_sigma_px",
+                  fmt::format("segment_sigma_px = {}; must be positive", patch.segment_sigma_px));
+      }
+    }
+    if (!map_.has("segments")) return;
+    const YamlMap files(path_, map_.node("segments"),
+                        transformed(patch.images, [](const PatchImage& image) {
+                          return std::string_view(image.id);
+                        }));
+    for (PatchImage& image : patch.images) {
+      const char* id = image.id.c_str();
+      if (files.has(id)) image.segments = resolved(files.text(id));
     }
   }
 

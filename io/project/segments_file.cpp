@@ -8,12 +8,14 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace ridgeline::io {
 namespace {
 
 constexpr std::string_view kGuided = "guided";
+constexpr std::string_view kScale = "scale_px";
 constexpr std::array<std::string_view, 4> kEndNames{"x1", "y1", "x2", "y2"};
 
 /// A number of a segment by the name of its column. T: EdgeSegment or const EdgeSegment.
@@ -78,7 +80,7 @@ std::string header() {
     }
   }
   for_each_look_column(any, add);
-  return text + fmt::format(",{}\n", kGuided);
+  return text + fmt::format(",{},{}\n", kGuided, kScale);
 }
 
 std::string row_of(std::size_t id, const EdgeSegment& segment) {
@@ -90,7 +92,7 @@ std::string row_of(std::size_t id, const EdgeSegment& segment) {
     for (int k = i; k < 4; ++k) row += fmt::format(",{:.9g}", covariance(i, k));
   }
   for_each_look_column(segment, add);
-  return row + (segment.guided ? ",1\n" : ",0\n");
+  return row + fmt::format(",{},{}\n", segment.guided ? 1 : 0, segment.scale_px);
 }
 
 void check_segment(const EdgeSegment& segment, const std::string& where) {
@@ -102,14 +104,22 @@ void check_segment(const EdgeSegment& segment, const std::string& where) {
   positive("sigma_q_px", segment.line.sigma_q_px);
   positive("sigma_phi_rad", segment.line.sigma_phi_rad);
   positive("sigma_e_px", segment.line.sigma_e_px);
+  constexpr double kWidest_px = 8.0;
+  const double scale_px = segment.scale_px;
+  if (!(scale_px >= 1.0 && scale_px <= kWidest_px && scale_px == std::floor(scale_px))) {
+    throw IoError(where, fmt::format("{} = {}, must be a whole number from 1 to {}", kScale,
+                                     scale_px, kWidest_px));
+  }
+}
+
+void check_id(const CsvTable& table, std::size_t row) {
+  const double id = table.number(row, table.column("id"));
+  if (id == static_cast<double>(row)) return;
+  throw IoError(table.place_of(row), fmt::format("id = {}, must be {}: ids count from 0", id, row));
 }
 
 EdgeSegment segment_of(const CsvTable& table, std::size_t row) {
-  const double id = table.number(row, table.column("id"));
-  if (id != static_cast<double>(row)) {
-    throw IoError(table.place_of(row),
-                  fmt::format("id = {}, must be {}: ids count from 0", id, row));
-  }
+  check_id(table, row);
   EdgeSegment segment;
   const auto read = [&]<typename T>(const auto& column, T& value) {
     value = static_cast<T>(table.number(row, table.column(column)));
@@ -117,6 +127,54 @@ EdgeSegment segment_of(const CsvTable& table, std::size_t row) {
   for_each_geometry_column(segment, read);
   for_each_look_column(segment, read);
   segment.guided = table.has(kGuided) && table.number(row, table.column(kGuided)) != 0.0;
+  if (table.has(kScale)) segment.scale_px = table.number(row, table.column(kScale));
+  check_segment(segment, table.place_of(row));
+  return segment;
+}
+
+/// An end of a segment. `names`: the columns of its x and y.
+Eigen::Vector2d end_of(const CsvTable& table,
+                       std::size_t row,
+                       const std::array<std::string, 2>& names,
+                       const std::optional<Eigen::Vector2i>& size_px) {
+  constexpr double kBeyond_px = 5.0;  // detectors carry edges beyond the border of the image
+  Eigen::Vector2d end;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const std::string& name = names[static_cast<std::size_t>(axis)];
+    end[axis] = table.number(row, table.column(name));
+    if (!size_px) continue;
+    const double most_px = (*size_px)[axis] - 1.0 + kBeyond_px;
+    if (end[axis] >= -kBeyond_px && end[axis] <= most_px) continue;
+    throw IoError(table.place_of(row),
+                  fmt::format("{} = {}, must be in [{}, {}]: the image has {} x {} pixels", name,
+                              end[axis], -kBeyond_px, most_px, size_px->x(), size_px->y()));
+  }
+  return end;
+}
+
+EdgeSegment own_segment_of(const CsvTable& table,
+                           std::size_t row,
+                           double sigma_px,
+                           const std::optional<Eigen::Vector2i>& size_px) {
+  check_id(table, row);
+  const std::string prefix = table.has("image_x1_px") ? "image_" : "";
+  const auto optional = [&](std::string_view name, double otherwise) {
+    return table.has(name) ? table.number(row, table.column(name)) : otherwise;
+  };
+  EdgeSegment segment;
+  segment.in_image = {end_of(table, row, {prefix + "x1_px", prefix + "y1_px"}, size_px),
+                      end_of(table, row, {prefix + "x2_px", prefix + "y2_px"}, size_px)};
+  const double sigma = optional("sigma_px", sigma_px);
+  if (!(sigma > 0.0)) {
+    throw IoError(table.place_of(row), fmt::format("sigma_px = {}, must be positive", sigma));
+  }
+  segment.line = line_of_ends(segment.in_image, sigma);
+  if (!prefix.empty()) {  // a file of write_segments()
+    segment.line.sigma_q_px = optional("sigma_q_px", segment.line.sigma_q_px);
+    segment.line.sigma_phi_rad = optional("sigma_phi_rad", segment.line.sigma_phi_rad);
+    segment.line.sigma_e_px = optional("sigma_e_px", segment.line.sigma_e_px);
+  }
+  segment.scale_px = optional(kScale, segment.scale_px);
   check_segment(segment, table.place_of(row));
   return segment;
 }
@@ -136,6 +194,17 @@ std::vector<EdgeSegment> read_segments(const std::string& path) {
   for (std::size_t row = 0; row < table.size(); ++row) {
     segments.push_back(segment_of(table, row));
   }
+  return segments;
+}
+
+std::vector<EdgeSegment> read_own_segments(const std::string& path,
+                                           double sigma_px,
+                                           const std::optional<Eigen::Vector2i>& size_px) {
+  const CsvTable table(path, Expected::kSegments);
+  std::vector<EdgeSegment> segments;
+  segments.reserve(table.size());
+  for (std::size_t row = 0; row < table.size(); ++row)
+    segments.push_back(own_segment_of(table, row, sigma_px, size_px));
   return segments;
 }
 

@@ -7,6 +7,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -92,6 +93,17 @@ void emit(const char* key, const std::optional<std::string>& file, YAML::Emitter
   if (file) yaml << YAML::Key << key << YAML::Value << *file;
 }
 
+/// The files of segments that another detector found, by image.
+void emit_segments(const PatchFile& patch, YAML::Emitter& yaml) {
+  if (std::ranges::none_of(patch.images,
+                           [](const auto& image) { return image.segments.has_value(); }))
+    return;
+  yaml << YAML::Key << "segments" << YAML::Value << YAML::BeginMap;
+  for (const PatchImage& image : patch.images) emit(image.id.c_str(), image.segments, yaml);
+  yaml << YAML::EndMap;
+  yaml << YAML::Key << "segment_sigma_px" << YAML::Value << patch.segment_sigma_px;
+}
+
 void emit(const PatchKeys& keys, YAML::Emitter& yaml) {
   if (keys.area_m) emit_numbers("area", *keys.area_m, yaml);
   for (const auto& [key, word] :
@@ -114,6 +126,7 @@ void write_patch(const std::string& path, const PatchFile& patch, const PatchKey
   for (const PatchImage& image : patch.images) emit(image, keys.orientation.empty(), yaml);
   yaml << YAML::EndSeq;
   if (!patch.lidar.empty()) yaml << YAML::Key << "lidar" << YAML::Value << patch.lidar;
+  emit_segments(patch, yaml);
   emit("reference_matches", patch.reference_matches, yaml);
   emit("reference_tracks", patch.reference_tracks, yaml);
   emit("reference_lines", patch.reference_lines, yaml);

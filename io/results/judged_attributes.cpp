@@ -34,14 +34,6 @@ bool is_json(const std::string& file) {
   return lower.ends_with(".json") || lower.ends_with(".jsonl");
 }
 
-bool is_own_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  // A map of judged lines has more layers than the buildings.
-  return text.find("unexplained_share") != std::string::npos &&
-         text.find("signed_mean_m") == std::string::npos;
-}
-
 /// Nothing if buildings of the file share an id.
 std::optional<std::string> city_json(const io::LineSet& set, const JudgedModel& model) {
   io::BuildingValues values;
@@ -73,7 +65,6 @@ void check_attributes_file(const std::string& file) {
   const std::string lower = io::lower_case(file);
   check(is_json(file) || lower.ends_with(".gml") || lower.ends_with(".gpkg"),
         "--write-attributes = ", file, ", must end in .json, .jsonl, .gml or .gpkg");
-  check_is_own(file, is_own_file, "model with attributes");
 }
 
 void write_model_with_figures(const std::string& file, const JudgedFiles& judged, std::size_t i) {

@@ -6,6 +6,7 @@
 #include "io/results/judged_lines.h"
 #include "io/results/map_layers.h"
 #include "io/results/map_style.h"
+#include "io/results/to_fix.h"
 #include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/transformed.h"
 
@@ -314,19 +315,20 @@ std::string left_out_of_map(const io::LineSet& set) {
 }
 
 void write_judged_map(const std::string& path,
-                      const io::LineSet& set,
-                      const io::Crs& cloud_crs,
-                      const evaluate::Evaluation& evaluation,
-                      const std::vector<JudgedPlane>& planes,
-                      const std::optional<JudgedModel>& model,
+                      const JudgedFiles& judged,
+                      std::size_t i,
                       MapSchema schema) {
+  const io::LineSet& set = judged.line_sets[i];
+  const evaluate::Evaluation& evaluation = judged.evaluations[i];
   const Eigen::Vector3d unit_m = unit_m_of(set);
   const ToMap to_map(evaluation.origin_m, unit_m);
-  std::vector<io::MapLayer> layers{planes_layer(planes, to_map)};
-  if (model) std::ranges::move(model_layers(*model, set, to_map), std::back_inserter(layers));
-  layers.push_back(lines_layer(set, evaluation, planes, schema));
+  std::vector<io::MapLayer> layers{planes_layer(judged.planes[i], to_map)};
+  if (i < judged.models.size() && judged.models[i])
+    std::ranges::move(model_layers(*judged.models[i], set, to_map), std::back_inserter(layers));
+  layers.push_back(lines_layer(set, evaluation, judged.planes[i], schema));
   layers.push_back(vectors_layer(set, evaluation, unit_m, to_map));
-  io::write_geopackage(path, set.crs.known() ? set.crs : cloud_crs, layers);
+  layers.push_back(to_fix_layer(to_fix(judged, i), to_map));
+  io::write_geopackage(path, set.crs.known() ? set.crs : judged.cloud_crs, layers);
 }
 
 }  // namespace ridgeline::results

@@ -4,7 +4,7 @@
 #include "evaluate/judge/judged_planes.h"
 #include "evaluate/statistics/evaluation.h"
 #include "io/lines/line_set.h"
-#include "io/results/judged_model.h"
+#include "io/results/judge_files.h"
 
 #include <cstdint>
 #include <optional>
@@ -28,21 +28,19 @@ MapSchema map_schema_named(const std::string& name);
 /// A warning of the columns of the lines' file that the map leaves out; empty if it has room for all.
 std::string left_out_of_map(const io::LineSet& set);
 
-/// Writes judged lines as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
+/// Writes the judged lines of file `i` as a map (GeoPackage), in the reference system of the lines, else of the cloud, with
 /// coordinates in its units:
-///   lines    the lines of `set`, with every column of their file (NAME_in if its name is taken),
+///   lines    the lines, with every column of their file (NAME_in if its name is taken),
 ///            `source_fid`, `part`, and what became of them; coloured by distance. If they were moved before, moved_x_m, moved_y_m
 ///            and moved_z_m say by how much
 ///   planes   the LIDAR planes that judged them, as the hulls of their points
 ///   vectors  from the middle of each judged line to its foot on each of its planes
+///   to_fix   what to fix first, see to_fix()
 ///   buildings, faces  of a model, see model_layers()
 /// Throws IoError if the file cannot be written.
 void write_judged_map(const std::string& path,
-                      const io::LineSet& set,
-                      const io::Crs& cloud_crs,
-                      const evaluate::Evaluation& evaluation,
-                      const std::vector<evaluate::JudgedPlane>& planes,
-                      const std::optional<JudgedModel>& model,
+                      const JudgedFiles& judged,
+                      std::size_t i,
                       MapSchema schema);
 
 }  // namespace ridgeline::results

@@ -124,7 +124,7 @@ io::MapLayer buildings_layer(const JudgedModel& judged,
                      .geometry = io::MapGeometry::kMultiPolygon,
                      .columns = renamed(set.features.columns, columns_of(building_fields())),
                      .features = {},
-                     .style = verdict_style("buildings")};
+                     .style = buildings_style()};
   const std::size_t first = layer.columns.size();
   std::ranges::move(columns_of(building_fields()), std::back_inserter(layer.columns));
   for (std::size_t i = 0; i < judged.buildings.size(); ++i) {
@@ -144,7 +144,7 @@ io::MapLayer faces_layer(const JudgedModel& judged, const ToMap& to_map) {
                      .geometry = io::MapGeometry::kMultiPolygon,
                      .columns = {{"building", ColumnType::kText}},
                      .features = {},
-                     .style = verdict_style("faces")};
+                     .style = faces_style()};
   std::ranges::move(columns_of(face_fields()), std::back_inserter(layer.columns));
   for (std::size_t i = 0; i < judged.buildings.size(); ++i) {
     for (std::size_t k = 0; k < judged.faces[i].size(); ++k) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/map_style.h"
 
+#include "evaluate/faces/building_table.h"
+#include "reconstruct/geometry/transformed.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -25,6 +28,7 @@ constexpr std::array kSteps{Step{0.05, 0x0072b2, "up to 0.05 m"},
                             Step{0.3, 0x009e73, "up to 0.30 m"}, Step{1.0, 0xe69f00, "up to 1 m"},
                             Step{std::numeric_limits<double>::infinity(), 0xd55e00, "above 1 m"}};
 constexpr std::uint32_t kNotJudged = 0x969696;
+constexpr std::uint32_t kChanged = 0xcc79a7;
 constexpr std::uint32_t kPlane = 0xb9b1a7;
 constexpr std::uint32_t kVector = 0x23262b;
 
@@ -69,11 +73,6 @@ std::string qml(std::string_view renderer) {
       "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
       "<qgis version=\"3.22.0\" styleCategories=\"Symbology\">\n{}</qgis>\n",
       renderer);
-}
-
-std::string qml_of_one(const std::string& symbol) {
-  return qml("<renderer-v2 type=\"singleSymbol\" symbollevels=\"0\" forceraster=\"0\"><symbols>\n" +
-             symbol + "</symbols></renderer-v2>\n");
 }
 
 std::string qml_by_rules(const std::string& rules, const std::string& symbols) {
@@ -158,65 +157,187 @@ std::string sld_by_distance() {
   return sld("lines", rules);
 }
 
+/// How a rule finds its features by their `verdict`.
+enum class Match : std::uint8_t { kAll, kEquals, kHas, kNull };
+
+/// Areas of one look. Rules may share features, as a face may be wrong in several ways: the marks lie on each other.
+struct AreaRule {
+  std::string label;
+  Match match = Match::kAll;
+  std::string value = {};
+  std::uint32_t colour = 0;
+  const char* fill = "no";  ///< of QGIS: no, solid, f_diagonal
+  const char* stroke = "solid";
+  double width_mm = 0.2;
+};
+
+std::string qml_filter_of(const AreaRule& rule) {
+  switch (rule.match) {
+    case Match::kAll:
+      return "";
+    case Match::kEquals:
+      return fmt::format("&quot;verdict&quot; = '{}'", rule.value);
+    case Match::kHas:
+      return fmt::format("&quot;verdict&quot; LIKE '%{}%'", rule.value);
+    default:
+      return "&quot;verdict&quot; IS NULL";
+  }
+}
+
+std::string sld_filter_of(const AreaRule& rule) {
+  constexpr const char* kName = "<ogc:PropertyName>verdict</ogc:PropertyName>";
+  switch (rule.match) {
+    case Match::kAll:
+      return "";
+    case Match::kEquals:
+      return fmt::format(
+          "<ogc:Filter><ogc:PropertyIsEqualTo>{}<ogc:Literal>{}</ogc:Literal>"
+          "</ogc:PropertyIsEqualTo></ogc:Filter>",
+          kName, rule.value);
+    case Match::kHas:
+      return fmt::format(
+          "<ogc:Filter><ogc:PropertyIsLike wildCard=\"*\" singleChar=\".\" escape=\"!\">{}"
+          "<ogc:Literal>*{}*</ogc:Literal></ogc:PropertyIsLike></ogc:Filter>",
+          kName, rule.value);
+    default:
+      return fmt::format("<ogc:Filter><ogc:PropertyIsNull>{}</ogc:PropertyIsNull></ogc:Filter>",
+                         kName);
+  }
+}
+
+constexpr int kFillAlpha = 70;  ///< what lies below a face shows through
+
+std::string qml_of_areas(const std::vector<AreaRule>& areas) {
+  std::string rules, symbols;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const AreaRule& area = areas[i];
+    rules += fmt::format("<rule key=\"{{area{}}}\" symbol=\"{}\" label=\"{}\" filter=\"{}\"/>\n", i,
+                         i, area.label, qml_filter_of(area));
+    symbols += qml_symbol(static_cast<int>(i), "fill", "SimpleFill",
+                          {{"color", rgba(area.colour, kFillAlpha)},
+                           {"style", area.fill},
+                           {"outline_color", rgba(area.colour)},
+                           {"outline_style", area.stroke},
+                           {"outline_width", fmt::format("{}", area.width_mm)},
+                           {"outline_width_unit", "MM"}});
+  }
+  return qml_by_rules(rules, symbols);
+}
+
+/// SLD 1.0 has no hatches; a hatched area is filled more lightly there.
+std::string sld_of_areas(std::string_view layer, const std::vector<AreaRule>& areas) {
+  std::string rules;
+  for (const AreaRule& area : areas) {
+    const std::string_view fill = area.fill;
+    const double opacity = fill == "solid" ? kFillAlpha / 255.0 : kFillAlpha / 510.0;
+    const std::string filled =
+        fill == "no" ? ""
+                     : fmt::format(
+                           "<Fill><CssParameter name=\"fill\">{}</CssParameter><CssParameter "
+                           "name=\"fill-opacity\">{:.2f}</CssParameter></Fill>",
+                           hex(area.colour), opacity);
+    const std::string dash = std::string_view(area.stroke) == "solid"
+                                 ? ""
+                                 : "<CssParameter name=\"stroke-dasharray\">6 4</CssParameter>";
+    rules += fmt::format(
+        "<Rule><Name>{}</Name>{}<PolygonSymbolizer>{}<Stroke><CssParameter "
+        "name=\"stroke\">{}</CssParameter><CssParameter "
+        "name=\"stroke-width\">{:.2f}</CssParameter>{}"
+        "</Stroke></PolygonSymbolizer></Rule>\n",
+        area.label, sld_filter_of(area), filled, hex(area.colour), 3.5 * area.width_mm, dash);
+  }
+  return sld(layer, rules);
+}
+
+/// The outline of a building by its verdict: solid for heights, dashed for what is wrong in plan.
+struct BuildingStroke {
+  evaluate::BuildingVerdict verdict;
+  std::uint32_t colour;
+  const char* stroke;
+};
+using evaluate::BuildingVerdict;
+constexpr std::array kBuildingStrokes{
+    BuildingStroke{BuildingVerdict::kRight, kSteps[0].colour, "solid"},
+    BuildingStroke{BuildingVerdict::kShifted, kSteps[4].colour, "dash"},
+    BuildingStroke{BuildingVerdict::kTooHigh, kSteps[4].colour, "solid"},
+    BuildingStroke{BuildingVerdict::kTooLow, kSteps[4].colour, "solid"},
+    BuildingStroke{BuildingVerdict::kWrongHeight, kSteps[3].colour, "solid"},
+    BuildingStroke{BuildingVerdict::kWrongTilt, kSteps[3].colour, "dash dot"},
+    BuildingStroke{BuildingVerdict::kWrongOutline, kSteps[3].colour, "dash"},
+    BuildingStroke{BuildingVerdict::kChanged, kChanged, "solid"},
+    BuildingStroke{BuildingVerdict::kGone, kChanged, "dash"},
+    BuildingStroke{BuildingVerdict::kNotJudged, kNotJudged, "solid"}};
+static_assert(kBuildingStrokes.size() == evaluate::kBuildingVerdicts.size());
+
 }  // namespace
 
 io::MapStyle lines_style() { return {"distance from LIDAR", qml_by_distance(), sld_by_distance()}; }
 
 io::MapStyle planes_style() {
-  const std::string symbol = qml_symbol(0, "fill", "SimpleFill",
-                                        {{"color", rgba(kPlane, 70)},
-                                         {"style", "solid"},
-                                         {"outline_color", rgba(kPlane)},
-                                         {"outline_style", "solid"},
-                                         {"outline_width", "0.2"},
-                                         {"outline_width_unit", "MM"}});
-  const std::string rule = fmt::format(
-      "<Rule><PolygonSymbolizer><Fill><CssParameter name=\"fill\">{}</CssParameter><CssParameter "
-      "name=\"fill-opacity\">0.27</CssParameter></Fill>{}</PolygonSymbolizer></Rule>\n",
-      hex(kPlane), sld_stroke(kPlane, 0.7));
-  return {"LIDAR planes", qml_of_one(symbol), sld("planes", rule)};
+  const std::vector<AreaRule> rules{{.label = "LIDAR plane", .colour = kPlane, .fill = "solid"}};
+  return {"LIDAR planes", qml_of_areas(rules), sld_of_areas("planes", rules)};
 }
 
-io::MapStyle verdict_style(const std::string& name) {
-  struct Group {
+io::MapStyle buildings_style() {
+  const std::vector<AreaRule> rules = transformed(kBuildingStrokes, [](const BuildingStroke& of) {
+    const char* const verdict = evaluate::text(of.verdict);
+    return AreaRule{.label = verdict,
+                    .match = Match::kEquals,
+                    .value = verdict,
+                    .colour = of.colour,
+                    .fill = "no",
+                    .stroke = of.stroke,
+                    .width_mm = 0.7};
+  });
+  return {"verdict", qml_of_areas(rules), sld_of_areas("buildings", rules)};
+}
+
+io::MapStyle faces_style() {
+  const std::vector<AreaRule> rules{
+      {"right", Match::kEquals, "right", kSteps[0].colour, "solid", "solid", 0.2},
+      {"wrong height", Match::kHas, "height", kSteps[4].colour, "solid", "solid", 0.2},
+      {"wrong tilt", Match::kHas, "tilt", kSteps[4].colour, "f_diagonal", "solid", 0.2},
+      {"wrong outline", Match::kHas, "outline", kSteps[4].colour, "no", "dash", 0.7},
+      {"not judged", Match::kNull, "", kNotJudged, "no", "solid", 0.2}};
+  return {"verdict", qml_of_areas(rules), sld_of_areas("faces", rules)};
+}
+
+io::MapStyle to_fix_style() {
+  struct Mark {
     const char *label, *qml_filter, *sld_filter;
-    std::uint32_t colour;
+    double size_mm;
   };
-  constexpr std::array kGroups{
-      Group{"right", "&quot;verdict&quot; = 'right'",
-            "<ogc:Filter><ogc:PropertyIsEqualTo><ogc:PropertyName>verdict</ogc:PropertyName>"
-            "<ogc:Literal>right</ogc:Literal></ogc:PropertyIsEqualTo></ogc:Filter>",
-            kSteps[0].colour},
-      Group{"not judged", "&quot;verdict&quot; IS NULL OR &quot;verdict&quot; = 'not judged'",
-            "<ogc:Filter><ogc:Or><ogc:PropertyIsNull><ogc:PropertyName>verdict</ogc:PropertyName>"
-            "</ogc:PropertyIsNull><ogc:PropertyIsEqualTo><ogc:PropertyName>verdict"
-            "</ogc:PropertyName><ogc:Literal>not judged</ogc:Literal></ogc:PropertyIsEqualTo>"
-            "</ogc:Or></ogc:Filter>",
-            kNotJudged},
-      Group{"wrong (see verdict)", "ELSE", "<ElseFilter/>", kSteps[4].colour}};
+  constexpr std::array kMarks{
+      Mark{"the first ten to fix", "&quot;rank&quot; &lt;= 10",
+           "<ogc:Filter><ogc:PropertyIsLessThanOrEqualTo><ogc:PropertyName>rank</ogc:PropertyName>"
+           "<ogc:Literal>10</ogc:Literal></ogc:PropertyIsLessThanOrEqualTo></ogc:Filter>",
+           4.0},
+      Mark{"to fix", "ELSE", "<ElseFilter/>", 2.0}};
   std::string rules, symbols, sld_rules;
-  for (std::size_t i = 0; i < kGroups.size(); ++i) {
-    const Group& group = kGroups[i];
-    rules += fmt::format("<rule key=\"{{group{}}}\" symbol=\"{}\" label=\"{}\" filter=\"{}\"/>\n",
-                         i, i, group.label, group.qml_filter);
-    symbols += qml_symbol(static_cast<int>(i), "fill", "SimpleFill",
-                          {{"color", rgba(group.colour, 120)},
-                           {"style", "solid"},
-                           {"outline_color", rgba(group.colour)},
-                           {"outline_style", "solid"},
-                           {"outline_width", "0.2"},
-                           {"outline_width_unit", "MM"}});
+  for (std::size_t i = 0; i < kMarks.size(); ++i) {
+    const Mark& mark = kMarks[i];
+    rules += fmt::format("<rule key=\"{{mark{}}}\" symbol=\"{}\" label=\"{}\" filter=\"{}\"/>\n", i,
+                         i, mark.label, mark.qml_filter);
+    symbols += qml_symbol(static_cast<int>(i), "marker", "SimpleMarker",
+                          {{"name", "circle"},
+                           {"color", rgba(kSteps[4].colour, 0)},
+                           {"outline_color", rgba(kSteps[4].colour)},
+                           {"outline_width", "0.6"},
+                           {"outline_width_unit", "MM"},
+                           {"size", fmt::format("{}", mark.size_mm)},
+                           {"size_unit", "MM"}});
     sld_rules += fmt::format(
-        "<Rule><Name>{}</Name>{}<PolygonSymbolizer><Fill><CssParameter name=\"fill\">{}"
-        "</CssParameter><CssParameter name=\"fill-opacity\">0.47</CssParameter></Fill>{}"
-        "</PolygonSymbolizer></Rule>\n",
-        group.label, group.sld_filter, hex(group.colour), sld_stroke(group.colour, 0.7));
+        "<Rule><Name>{}</Name>{}<PointSymbolizer><Graphic><Mark><WellKnownName>circle"
+        "</WellKnownName>{}</Mark><Size>{}</Size></Graphic></PointSymbolizer></Rule>\n",
+        mark.label, mark.sld_filter, sld_stroke(kSteps[4].colour, 2.0), 3.0 * mark.size_mm);
   }
-  return {"verdict", qml_by_rules(rules, symbols), sld(name, sld_rules)};
+  return {"to fix", qml_by_rules(rules, symbols), sld("to_fix", sld_rules)};
 }
 
 io::MapStyle vectors_style() {
-  return {"line to plane", qml_of_one(qml_line(0, kVector, 0.3)),
+  return {"line to plane",
+          qml_by_rules("<rule key=\"{all}\" symbol=\"0\" label=\"line to its plane\"/>\n",
+                       qml_line(0, kVector, 0.3)),
           sld("vectors", sld_line_rule("line to plane", "", kVector, 1.0))};
 }
 

@@ -11,8 +11,12 @@ namespace ridgeline::results {
 io::MapStyle lines_style();
 /// Planes as thin outlines with a light fill.
 io::MapStyle planes_style();
-/// Faces, or buildings, of a model coloured by `verdict`.
-io::MapStyle verdict_style(const std::string& name);
+/// Buildings as outlines by `verdict`: solid for heights, dashed for what is wrong in plan.
+io::MapStyle buildings_style();
+/// Faces by `verdict`, each way to be wrong with a mark of its own: filled, hatched, dashed outline.
+io::MapStyle faces_style();
+/// Marks of what to fix, the first ten larger.
+io::MapStyle to_fix_style();
 /// Vectors as thin dark lines.
 io::MapStyle vectors_style();
 

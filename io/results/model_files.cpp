@@ -48,18 +48,11 @@ struct Group {
   double squares_m2 = 0.0;
 };
 
-std::string text_of(const io::Value& value) {
-  if (const auto* const n = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *n);
-  if (const auto* const x = std::get_if<double>(&value)) return fmt::format("{}", *x);
-  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
-  return "";
-}
-
 /// The value of a column in a row; empty text if the row has none.
 std::string value_in(const io::AttributeTable& table, std::size_t row, const std::string& name) {
   if (row >= table.rows.size()) return "";
   for (const auto& [column, value] : table.rows[row])
-    if (table.columns[column].name == name) return text_of(value);
+    if (table.columns[column].name == name) return io::text_of(value);
   return "";
 }
 

@@ -3,29 +3,45 @@
 
 #include "io/error.h"
 #include "io/files/atomic_file.h"
-#include "io/images/png_writer.h"
+#include "io/files/text_file.h"
+#include "io/results/version.h"
 #include "reconstruct/geometry/check.h"
 
-#include <fmt/format.h>
-
-#include <fstream>
-#include <system_error>
+#include <exception>
+#include <utility>
 
 namespace ridgeline::results {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void refuse_foreign(const std::string& file, std::string_view kind) {
-  throw io::IoError(file, fmt::format("is no {} of ridgeline and would be written over; choose "
-                                      "another name or remove it",
-                                      kind));
+using evaluate::Json;
+
+/// Whether there is something that a new file would replace.
+bool would_be_lost(const fs::path& file) {
+  const fs::file_status status = fs::symlink_status(file);
+  if (fs::is_regular_file(status)) return fs::file_size(file) > 0;
+  return fs::is_symlink(status) && !io::is_device(file.string());
 }
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& inputs)
-    : folder_(std::move(folder)), made_(folder_), lock_(io::FolderLock::of(folder_)) {
-  for (const std::string& input : inputs) inputs_.push_back(fs::weakly_canonical(input).string());
+OutputFolder::OutputFolder(fs::path folder,
+                           const std::vector<std::string>& inputs,
+                           std::string record_name)
+    : folder_(std::move(folder)),
+      record_name_(std::move(record_name)),
+      made_(folder_),
+      lock_(io::FolderLock::of(folder_)) {
+  for (const std::string& input : inputs) inputs_.insert(fs::weakly_canonical(input).string());
+}
+
+OutputFolder::~OutputFolder() {
+  try {
+    const fs::path record = folder_ / record_name_;
+    if (lock_->has_unlisted() && io::is_record(record))
+      write_record(Json::parse(io::read_text_file(record.string())));
+  } catch (const std::exception&) {  // the list stays in the file of the lock
+  }
 }
 
 std::string OutputFolder::path(std::string_view name) const {
@@ -34,48 +50,58 @@ std::string OutputFolder::path(std::string_view name) const {
   if (subfolder != folder_ && fs::is_symlink(subfolder)) {
     throw io::IoError(subfolder.string(), "is a link; results are not written through links");
   }
-  return output_file(file.string(), inputs_);
-}
-
-std::string output_file(const std::string& file, const std::vector<std::string>& others) {
-  const fs::path canonical = fs::weakly_canonical(file);
-  for (const std::string& other : others) {
-    if (other.empty() || fs::weakly_canonical(other) != canonical) continue;
-    throw io::IoError(file,
-                      "is an input, or another output, and would be written over; choose another "
-                      "name");
+  if (inputs_.contains(fs::weakly_canonical(file).string())) {
+    throw io::IoError(file.string(), "is an input and would be overwritten; choose another folder");
   }
-  return file;
-}
-
-bool holds_something(const std::string& file) {
-  return fs::is_regular_file(fs::symlink_status(file)) && fs::file_size(file) > 0;
-}
-
-void check_is_own(const std::string& file,
-                  bool (*is_own)(const std::string& file),
-                  std::string_view kind) {
-  if (holds_something(file) && !is_own(file)) refuse_foreign(file, kind);
-}
-
-void check_is_own(const std::string& file, std::string_view beginning, std::string_view kind) {
-  if (!holds_something(file)) return;
-  std::ifstream stream(file, std::ios::binary);
-  std::string start(beginning.size(), '\0');
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  if (!stream || start != beginning) refuse_foreign(file, kind);
-}
-
-void check_is_png(const std::string& option, const std::string& file) {
-  check(file.empty() || fs::path(file).extension() == ".png", option, " = ", file,
-        ", must end in .png: PNG is what is written");
-  check_is_own(file, io::is_own_png, "picture");
+  if (!fs::is_directory(file)) lock_->refuse_foreign(std::string(name));
+  return file.string();
 }
 
 void OutputFolder::write(std::string_view name, std::string_view content) const {
   io::write_file(path(name), content);
 }
 
-void OutputFolder::remove(std::string_view name) const { fs::remove(path(name)); }
+void OutputFolder::remove(std::string_view name) const {
+  if (!inputs_.contains(fs::weakly_canonical(folder_ / name).string()))
+    lock_->remove(std::string(name));
+}
+
+void OutputFolder::write_record(Json facts) const {
+  facts["versions"]["ridgeline"] = kVersion;
+  facts["files"] = lock_->own_files();
+  io::write_file(path(record_name_), evaluate::dump(facts));
+  lock_->set_listed();
+}
+
+std::vector<std::string> OutputFolder::own_files_in(std::string_view subfolder) const {
+  const fs::path prefix = fs::path(subfolder) / "";
+  std::vector<std::string> names;
+  for (const Json& entry : lock_->own_files()) {
+    const auto name = entry.at("path").get<std::string>();
+    if (name.starts_with(prefix.string())) names.push_back(name);
+  }
+  return names;
+}
+
+void check_output_file(const std::string& file,
+                       const std::vector<std::string>& others,
+                       bool overwrite) {
+  if (file.empty()) return;
+  const fs::path canonical = fs::weakly_canonical(file);
+  for (const std::string& other : others) {
+    if (other.empty() || fs::weakly_canonical(other) != canonical) continue;
+    throw io::IoError(file,
+                      "is an input, or another output, and would be overwritten; choose another "
+                      "name");
+  }
+  if (!overwrite && would_be_lost(file)) {
+    throw io::IoError(file, "exists already; --overwrite replaces it");
+  }
+}
+
+void check_is_png(const std::string& option, const std::string& file) {
+  check(file.empty() || fs::path(file).extension() == ".png", option, " = ", file,
+        ", must end in .png: PNG is what is written");
+}
 
 }  // namespace ridgeline::results

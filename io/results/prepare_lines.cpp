@@ -65,7 +65,9 @@ LineSets lines_beside(const io::CloudFiles& cloud,
 LinesToJudge read_lines_to_judge(const JudgeFilesOptions& options) {
   LinesToJudge lines{.sets = read_line_files(options), .references = {}};
   if (options.reference_lines) {
-    lines.references = io::read_lines(*options.reference_lines, options.lines);
+    io::ReadLinesOptions of_truth = options.lines;
+    of_truth.id_column = of_truth.building_column = "";
+    lines.references = io::read_lines(*options.reference_lines, of_truth);
   }
   return lines;
 }

@@ -27,18 +27,20 @@ std::string method_in_name(const fs::path& file) {
   return Json::parse(evaluate::dump(Json(stem.substr(stem.find('.') + 1)))).get<std::string>();
 }
 
-/// Patches and methods of a table2.json.
+/// Patches and methods of a table2.json. Of a flat folder it is those of the first patch: the rows after them are parts of
+/// a block, whose lines are in the evaluation of the block.
 class TableOfRun {
  public:
   /// Throws IoError for a file that is no such table.
-  TableOfRun(fs::path file, bool of_files)
-      : file_(std::move(file)), of_files_(of_files), exists_(fs::exists(file_)) {
+  TableOfRun(fs::path file, bool is_flat)
+      : file_(std::move(file)), is_flat_(is_flat), exists_(fs::exists(file_)) {
     if (!exists_) return;
     try {
       const Json table = read_json_object(file_);
       for (const Json& row : table.at("rows")) {
-        rank_.try_emplace({row.at("patch").get<std::string>(), row.at("method").get<std::string>()},
-                          rank_.size());
+        const auto patch = row.at("patch").get<std::string>();
+        if (is_flat_ && !rank_.empty() && patch != rank_.begin()->first.first) break;
+        rank_.try_emplace({patch, row.at("method").get<std::string>()}, rank_.size());
       }
     } catch (const Json::exception& error) {
       throw io::IoError(file_.string(), std::string("is no Table 2: ") + error.what());
@@ -48,7 +50,7 @@ class TableOfRun {
   /// Whether the table may name the evaluation, by where its file lies and what the file is called.
   [[nodiscard]] bool may_name(const FoundEvaluation& file) const {
     if (!exists_) return true;
-    if (of_files_ && !file.subfolder.empty()) return false;
+    if (is_flat_ && !file.subfolder.empty()) return false;
     const std::string method = method_in_name(file.path);
     return std::ranges::any_of(rank_, [&](const auto& entry) {
       const auto& [named_patch, named_method] = entry.first;
@@ -68,16 +70,15 @@ class TableOfRun {
     for (const auto& [name, rank] : rank_) {
       const auto is_it = [&rank = rank](const FoundEvaluation& one) { return one.rank == rank; };
       if (std::ranges::any_of(found, is_it)) continue;
-      throw io::IoError(file_.string(),
-                        fmt::format("names method {} of patch {}, but its evaluation.{}.json is "
-                                    "gone; run it again",
-                                    name.second, name.first, name.second));
+      throw io::IoError(file_.string(), fmt::format("names method {} of patch {}, but there is no "
+                                                    "evaluation.{}.json of it; run it again",
+                                                    name.second, name.first, name.second));
     }
   }
 
  private:
   fs::path file_;
-  bool of_files_, exists_;
+  bool is_flat_, exists_;
   std::map<std::pair<std::string, std::string>, std::size_t> rank_;
 };
 
@@ -113,8 +114,8 @@ Json read_json_object(const fs::path& file) {
   return json;
 }
 
-std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool of_files) {
-  const TableOfRun table(folder / "table2.json", of_files);
+std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool is_flat) {
+  const TableOfRun table(folder / "table2.json", is_flat);
   std::vector<FoundEvaluation> found;
   for (FoundEvaluation& file : evaluation_files(folder)) {
     if (!table.may_name(file)) continue;
@@ -129,8 +130,8 @@ std::vector<FoundEvaluation> read_evaluations(const fs::path& folder, bool of_fi
     const bool is_other = kind.group != io::FileGroup::kResultFolder;
     const std::string what = is_other ? ": it is " + kind.what : "";
     throw io::IoError(folder.string(),
-                      fmt::format("holds no evaluation.*.json{}; must be the --out of run, demo or "
-                                  "evaluate",
+                      fmt::format("holds no evaluation.*.json{}; must be the --out of run, block, "
+                                  "demo or evaluate",
                                   what));
   }
   table.check_all_found(found);

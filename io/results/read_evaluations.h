@@ -23,10 +23,10 @@ struct FoundEvaluation {
 };
 
 /// The evaluations of the last run into a folder, in the order of their paths. Evaluations that its table2.json does not
-/// name are of earlier runs and do not count, even if they are damaged. Without that table all count. `of_files` says
-/// that `evaluate` wrote the folder; it writes into the folder itself, not into a subfolder for each patch. Throws
-/// IoError for a file that is not what it should be, for an evaluation of the table that is gone, and for a folder
+/// name are of earlier runs and do not count, even if they are damaged. Without that table all count. `is_flat` says
+/// that `evaluate` or `block` wrote the folder: into itself, not into a subfolder for each patch. Throws
+/// IoError for a file that is not what it should be, for an evaluation of the table that is missing, and for a folder
 /// without evaluations.
-std::vector<FoundEvaluation> read_evaluations(const std::filesystem::path& folder, bool of_files);
+std::vector<FoundEvaluation> read_evaluations(const std::filesystem::path& folder, bool is_flat);
 
 }  // namespace ridgeline::results

@@ -78,7 +78,7 @@ evaluate::Table1 read_matching(const fs::path& folder, bool of_files) {
 
 evaluate::ResultFolder read_result_folder(const std::string& folder) {
   constexpr const char* kWhat =
-      "is no folder of results; must be the --out of run, demo or evaluate";
+      "is not a results folder; must be the --out of run, block, demo or evaluate";
   if (!fs::exists(folder)) throw io::MissingFileError(folder, kWhat);
   if (!fs::is_directory(folder)) {
     io::refuse_other_kind(folder, io::Expected::kResults);
@@ -88,9 +88,10 @@ evaluate::ResultFolder read_result_folder(const std::string& folder) {
   results.name = fs::path(folder).lexically_normal().string();
   const Json run = read_run_json(folder);
   const bool of_files = run.contains("command") && run["command"] == "evaluate";
+  const bool is_block = run.contains("command") && run["command"] == "block";
   results.is_of_line_files = of_files;
   results.matching = read_matching(folder, of_files);
-  for (FoundEvaluation& found : read_evaluations(folder, of_files)) {
+  for (FoundEvaluation& found : read_evaluations(folder, of_files || is_block)) {
     results.evaluations.push_back(std::move(found.evaluation));
   }
   if (!of_files) read_id_hashes(folder, results);

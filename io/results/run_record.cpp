@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/results/run_record.h"
 
-#include "evaluate/tables/summary_json.h"
 #include "io/files/library_versions.h"
 #include "io/files/sha256.h"
 #include "io/results/version.h"
@@ -99,7 +98,7 @@ void RunRecord::end_stage(const std::string& name) {
   stage_start_ = Clock::now();
 }
 
-std::string RunRecord::to_json() const {
+nlohmann::ordered_json RunRecord::to_json() const {
   nlohmann::ordered_json json;
   json["command"] = command_;
   json["versions"] = versions();
@@ -110,7 +109,7 @@ std::string RunRecord::to_json() const {
   json["stages"] = stages_;
   json["seconds"] = seconds_since(start_);
   json["peak_memory_mib"] = peak_memory_mib();
-  return evaluate::dump(json);
+  return json;
 }
 
 }  // namespace ridgeline::results

@@ -44,7 +44,8 @@ class RunRecord {
   /// Ends the stage that runs now. Records its wall time since the last one, and the peak memory so far.
   void end_stage(const std::string& name);
 
-  [[nodiscard]] std::string to_json() const;
+  /// The facts, for OutputFolder::write_record().
+  [[nodiscard]] nlohmann::ordered_json to_json() const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -2,6 +2,7 @@
 #include "io/results/write_results.h"
 
 #include "evaluate/statistics/accuracy.h"
+#include "evaluate/statistics/product_method.h"
 #include "evaluate/statistics/strata.h"
 #include "evaluate/tables/accuracy_table.h"
 #include "evaluate/tables/decoy_table.h"
@@ -11,6 +12,7 @@
 #include "evaluate/tables/table2.h"
 #include "io/cloud/labelled_points.h"
 #include "io/results/model_files.h"
+#include "io/results/to_fix.h"
 
 #include <fmt/core.h>
 
@@ -26,10 +28,10 @@ namespace {
 
 using evaluate::Evaluation;
 
-/// The evaluations without the method `planes`, whose lines are none of those of the other methods.
+/// The evaluations without the method `planes`, whose ids mean nothing in other methods.
 std::vector<Evaluation> of_matches(std::span<const Evaluation> evaluations) {
   std::vector<Evaluation> kept(evaluations.begin(), evaluations.end());
-  std::erase_if(kept, [](const Evaluation& e) { return e.method == "planes"; });
+  std::erase_if(kept, [](const Evaluation& e) { return e.method == evaluate::kPlanesMethod; });
   return kept;
 }
 
@@ -126,23 +128,13 @@ std::vector<std::string> evaluation_names(const std::string& method) {
 }
 
 std::vector<std::string> result_names(const std::vector<std::string>& line_paths) {
-  std::vector<std::string> names{"table2.md",
-                                 "table2.csv",
-                                 "table2.json",
-                                 "table2.tex",
-                                 "table2.common.md",
-                                 "table2.common.csv",
-                                 "run.json",
-                                 "tolerances.csv",
-                                 "tolerances.md",
-                                 "reference.md",
-                                 "reference_errors.csv",
-                                 "reference_completeness.csv",
-                                 "parts.csv",
-                                 "wireframe.csv",
-                                 "quality.csv",
-                                 "quality.xml",
-                                 "decoys.csv"};
+  std::vector<std::string> names{
+      "table2.md",    "table2.csv",           "table2.json",
+      "table2.tex",   "table2.common.md",     "table2.common.csv",
+      "run.json",     "tolerances.csv",       "tolerances.md",
+      "reference.md", "reference_errors.csv", "reference_completeness.csv",
+      "parts.csv",    "wireframe.csv",        "quality.csv",
+      "quality.xml",  "decoys.csv",           kToFixName};
   for (std::string& name : model_names()) names.push_back(std::move(name));
   for (const std::string& path : line_paths) {
     for (std::string& name : evaluation_names(stem_of(path))) names.push_back(std::move(name));
@@ -166,10 +158,11 @@ void write_judged(const JudgedFiles& judged,
                   evaluate::to_markdown(evaluate::stratify(e)) +
                   evaluate::standards_to_markdown(evaluate::standards_blocks(e)) +
                   evaluate::decoys_to_markdown(e));
-    write_judged_map(out.path(subfolder + names[3]), judged.line_sets[i], judged.cloud_crs, e,
-                     judged.planes[i], i < judged.models.size() ? judged.models[i] : std::nullopt,
-                     schema);
+    write_judged_map(out.path(subfolder + names[3]), judged, i, schema);
   }
+  std::vector<std::vector<ToFix>> lists;
+  for (std::size_t i = 0; i < judged.evaluations.size(); ++i) lists.push_back(to_fix(judged, i));
+  out.write(subfolder + kToFixName, to_fix_csv(judged, lists));
 }
 
 void write_plane_points(const std::string& path, const JudgedFiles& judged) {

@@ -17,9 +17,11 @@ struct EdgeExtensionOptions {
   bool junction_cuts = true;
   double min_junction_bend_px = 0.05;  ///< a cut stays if two lines fit better than one by this
   bool separate_edges = true;
+  bool soft_edges = true;
 
   static constexpr EdgeExtensionOptions none() {
-    return {.faint_edges = false, .junction_cuts = false, .separate_edges = false};
+    return {
+        .faint_edges = false, .junction_cuts = false, .separate_edges = false, .soft_edges = false};
   }
 
   static constexpr auto fields() {
@@ -36,7 +38,9 @@ struct EdgeExtensionOptions {
         Field{"min_junction_bend_px", &O::min_junction_bend_px, 0.0, 100.0,
               "such a cut stays where two lines fit better than one by this, root mean square"},
         Field{"separate_edges", &O::separate_edges, false, true,
-              "resolve two edges within about two pixels that blur into one"}};
+              "resolve two edges within about two pixels that blur into one"},
+        Field{"soft_edges", &O::soft_edges, false, true,
+              "look for edges wider than a pixel in reduced images, where they are sharp"}};
   }
 };
 

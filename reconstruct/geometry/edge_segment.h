@@ -32,6 +32,7 @@ struct EdgeSegment {
   int n_edge_pixels = 0;
   double rms_px = 0.0;    ///< root mean square distance of the edge pixels from the line
   double contrast = 0.0;  ///< mean strength of the colour gradient along the edge, 1/px
+  double scale_px = 1.0;  ///< pixels of the view per pixel of the reduced image it was found in
   bool guided = false;    ///< whether it was found where a segment of another view predicted it
 };
 

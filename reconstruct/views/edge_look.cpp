@@ -84,7 +84,7 @@ EdgeLook edge_look(const ImagePair& images,
       const double height_per_px = (slope == 0   ? 0.0
                                     : slope == 1 ? kSlope
                                                  : -kSlope) *
-                                   transfer.gsd_m;
+                                   transfer.gsd_m * frame.scale_px;
       frame.side_in_right =
           transfer.jacobian * frame.side_in_left + height_per_px * transfer.per_height;
       const Strip on_right =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/views/flanks.h"
 
+#include <utility>
+
 namespace ridgeline::reconstruct {
 namespace {
 
@@ -36,7 +38,7 @@ struct ColourSum {
 
 }  // namespace
 
-std::array<Flank, 2> flanks(const cv::Mat& image, const Segment2& in_image) {
+std::array<Flank, 2> flanks(const cv::Mat& image, const Segment2& in_image, double scale_px) {
   const Eigen::Vector2d u = along(in_image);
   const Eigen::Vector2d n = normal_of(u);
   std::array<ColourSum, 2> sums;
@@ -44,12 +46,22 @@ std::array<Flank, 2> flanks(const cv::Mat& image, const Segment2& in_image) {
   for (int i = 0; i < n_along; ++i) {
     const Eigen::Vector2d on_line = in_image.start + double(i) * u;
     for (int k = 0; k < kNumSamplesAcross; ++k) {
-      const double distance = kNearest_px + k;
+      const double distance = scale_px * (kNearest_px + k);
       sums[0].add(image, on_line - distance * n);
       sums[1].add(image, on_line + distance * n);
     }
   }
   return {sums[0].mean(image.channels()), sums[1].mean(image.channels())};
+}
+
+void set_flanks(const cv::Mat& image, EdgeSegment& segment) {
+  const auto [left, right] = flanks(image, segment.in_image, segment.scale_px);
+  segment.left = left;
+  segment.right = right;
+  if (left.grey <= right.grey) return;
+  std::swap(segment.left, segment.right);
+  for (Segment2* line : {&segment.in_image, &segment.line.segment})
+    std::swap(line->start, line->end);
 }
 
 }  // namespace ridgeline::reconstruct

@@ -13,6 +13,11 @@ namespace ridgeline::reconstruct {
 /// side that n = (-u_y, u_x) points away from (y runs down). Samples outside of the image are left
 /// out; a strip without any sample is black.
 /// `image`: CV_32FC(n), n = 1..4.
-std::array<Flank, 2> flanks(const cv::Mat& image, const Segment2& in_image);
+/// `scale_px`: the strips are this many times as wide and as far away, see EdgeSegment::scale_px
+std::array<Flank, 2> flanks(const cv::Mat& image, const Segment2& in_image, double scale_px = 1.0);
+
+/// Gives a segment with ends and scale its flanks, and turns it so that the brighter one is on the
+/// right.
+void set_flanks(const cv::Mat& image, EdgeSegment& segment);
 
 }  // namespace ridgeline::reconstruct

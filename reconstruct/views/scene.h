@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct View {
   cv::Mat is_valid{};  ///< CV_8UC1, 0 where the image has no data; empty if it has data everywhere
   Eigen::Vector2i corner_px =
       Eigen::Vector2i::Zero();  ///< of the image in the frame that it is cut from
+  /// What another detector found, for extract() to take in place of detecting edges. Known are
+  /// `in_image`, the sigmas of `line`, and `scale_px`.
+  std::optional<std::vector<EdgeSegment>> own_segments{};
 };
 
 /// Oriented images of one place.

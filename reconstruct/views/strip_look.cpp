@@ -61,8 +61,10 @@ StripFrame strip_frame(const EdgePair& edges, int most_along) {
   const auto& [left, right, overlap] = edges;
   const Segment2& segment = left.line.segment;
   const double length_px = overlap.share_of_left() * length(segment);
-  const int n = std::clamp(static_cast<int>(length_px / kAlongStep_px), kFewestAlong, most_along);
   StripFrame frame;
+  frame.scale_px = std::max(left.scale_px, right.scale_px);
+  const int n = std::clamp(static_cast<int>(length_px / (kAlongStep_px * frame.scale_px)),
+                           kFewestAlong, most_along);
   for (int i = 0; i < n; ++i) {
     const double share = (i + 0.5) / n;
     const double on_left = overlap.on_left[0] + share * overlap.share_of_left();
@@ -72,7 +74,7 @@ StripFrame strip_frame(const EdgePair& edges, int most_along) {
     frame.on_right.push_back(point_at(right.line.segment, on_right) +
                              file_shift(right, std::clamp(on_right, 0.0, 1.0)));
   }
-  frame.side_in_left = normal(segment);
+  frame.side_in_left = frame.scale_px * normal(segment);
   return frame;
 }
 

@@ -57,10 +57,11 @@ struct StripGrid {
 };
 
 /// Where the rows of a strip start on the line in both images, in file pixels, and the vectors that lead one
-/// pixel to the side.
+/// step to the side: a pixel of the reduced image in which the softer one of both edges was found.
 struct StripFrame {
   std::vector<Eigen::Vector2d> on_left, on_right;
   Eigen::Vector2d side_in_left, side_in_right;
+  double scale_px = 1.0;  ///< of the softer edge: pixels that a grid counts as one
 };
 
 /// A left and a right segment that may show one edge, and their overlap.
@@ -70,7 +71,7 @@ struct EdgePair {
   const EpipolarOverlap& overlap;
 };
 
-/// The rows of the strips along the epipolar overlap of two segments, every 1.5 px, but at least 4 and at
+/// The rows of the strips along the epipolar overlap of two segments, every 1.5 steps, but at least 4 and at
 /// most `most_along`. The caller sets `side_in_right`.
 StripFrame strip_frame(const EdgePair& edges, int most_along);
 

@@ -46,6 +46,7 @@ constexpr std::array kVariants{
     Variant{"faint_edges", "extract: {faint_edges: false}"},
     Variant{"junction_cuts", "extract: {junction_cuts: false}"},
     Variant{"separate_edges", "extract: {separate_edges: false}"},
+    Variant{"soft_edges", "extract: {soft_edges: false}"},
     Variant{"matched_radiometry", "match: {matched_radiometry: false}"},
     Variant{"close_lines", "match: {close_lines: false}"},
     Variant{"hidden_walls", "match: {hidden_walls: false}"},

@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -71,11 +72,16 @@ class OtherScenes : public testing::Test {
   }
   ~OtherScenes() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] fs::path make_scene(std::uint64_t seed) const {
-    const fs::path scene = folder_ / std::to_string(seed);
+  [[nodiscard]] fs::path make_scene(std::uint64_t seed,
+                                    const std::string& name,
+                                    const other::Degradation& degradation) const {
+    const fs::path scene = folder_ / name;
     fs::create_directories(scene);
-    other::write_scene(scene.string(), seed);
+    other::write_scene(scene.string(), seed, {}, false, degradation);
     return scene;
+  }
+  [[nodiscard]] fs::path make_scene(std::uint64_t seed) const {
+    return make_scene(seed, std::to_string(seed), {});
   }
 
   void run_all() const {
@@ -175,6 +181,28 @@ TEST_F(OtherScenes, ChangeWhereTheirTrueEdgesAre) {
             << "\n";
   EXPECT_GE(n, 200.0);
   EXPECT_GE(n_near / n, 0.85);
+}
+
+/// Mean squared difference of neighbouring pixels, which a blur lowers.
+double sharpness(const fs::path& file) {
+  const cv::Mat image = cv::imread(file.string());
+  const cv::Rect left(0, 0, image.cols - 1, image.rows);
+  const double norm = cv::norm(image(left), image(left + cv::Point(1, 0)));
+  return norm * norm / static_cast<double>(left.area());
+}
+
+TEST_F(OtherScenes, DegradeTheChosenImagesAlone) {
+  const fs::path plain = make_scene(kFirstSeed);
+  const fs::path soft = make_scene(
+      kFirstSeed, "soft", {.blur_px = 2.0, .bayer = true, .jpeg_quality = 80, .views = {"right"}});
+  const auto difference = [&](const char* image) {
+    return cv::norm(cv::imread((plain / image).string()), cv::imread((soft / image).string()));
+  };
+  EXPECT_EQ(difference("left.tif"), 0.0);
+  EXPECT_LT(sharpness(soft / "right.tif"), 0.5 * sharpness(plain / "right.tif"));
+  EXPECT_THROW((void)make_scene(kFirstSeed, "wrong", {.blur_px = 1.0, .views = {"strip1"}}),
+               std::invalid_argument);
+  EXPECT_THROW((void)make_scene(kFirstSeed, "wrong", {.jpeg_quality = 101}), std::invalid_argument);
 }
 
 }  // namespace

@@ -148,8 +148,8 @@ class ActionTest(unittest.TestCase):
         passed = self.run_readme_job(gates)
         self.assertEqual(passed.exit_code, 0, passed.log)
         self.assertIn("Accuracy gate: **passed**", passed.summary)
-        self.assertIn("joint total", passed.summary)
-        self.assertIn("1/lines.joint.geojson", passed.artifacts["ridgeline-results"])
+        self.assertIn("lines total", passed.summary)
+        self.assertIn("1/lines.lines.geojson", passed.artifacts["ridgeline-results"])
         gates["gates"][0]["max"] = 0.01
         failed = self.run_readme_job(gates)
         self.assertEqual(failed.exit_code, 3, failed.log)

@@ -29,7 +29,7 @@ class Block : public OrientedPatch {
   }
 
   void write_block(const std::string& file,
-                   const std::string& more = "patch_size_m: 40\noverlap_m: 8\n",
+                   const std::string& more = "patch_size_m: 20\noverlap_m: 8\n",
                    const std::string& images = "frames/*.tif") const {
     write(path("patch/" + file),
           fmt::format(
@@ -39,7 +39,7 @@ class Block : public OrientedPatch {
               images, area(), more));
   }
 
-  /// The box of the true lines, moved so that squares of 40 m cut it into four.
+  /// The box of the true lines, moved so that squares of 20 m cut it into four, with slivers of 4 m.
   [[nodiscard]] std::string area() const { return "[513004, 5403004, 513044, 5403044]"; }
 
   [[nodiscard]] ProgramResult block(const std::string& out,
@@ -105,12 +105,12 @@ TEST_F(Block, GivesTheSameBytesInOneCallAndStepByStep) {
   EXPECT_THAT(whole.out, HasSubstr("village"));
   EXPECT_THAT(whole.err, HasSubstr("4 of 4: patch"));
   const auto expected = results("whole");
-  for (const char* name : {"lines.joint.geojson", "lines.joint.gpkg", "judged.joint.gpkg",
-                           "table2.csv", "evaluation.joint.json", "patches.csv", "plan.json"})
+  for (const char* name : {"lines.lines.geojson", "lines.lines.gpkg", "judged.lines.gpkg",
+                           "table2.csv", "evaluation.lines.json", "patches.csv", "plan.json"})
     EXPECT_EQ(expected.count(name), 1U) << name;
-  EXPECT_THAT(expected.at("lines.joint.geojson"), HasSubstr("12825_135075/"));
+  EXPECT_THAT(expected.at("lines.lines.geojson"), HasSubstr("25650_270150/"));
 
-  expect_lines_of_the_area("whole/lines.joint.geojson");
+  expect_lines_of_the_area("whole/lines.lines.geojson");
   expect_true_lines_of_all_squares("whole");
 
   ASSERT_EQ(block("steps", {"--plan"}).exit_code, 0);
@@ -120,20 +120,34 @@ TEST_F(Block, GivesTheSameBytesInOneCallAndStepByStep) {
   EXPECT_EQ(results("steps"), expected);
 
   // A finished block is merged again, and no task runs.
-  const auto written = fs::last_write_time(path("steps/tasks/12825_135075/run.json"));
+  const auto written = fs::last_write_time(path("steps/tasks/25650_270150/run.json"));
   ASSERT_EQ(block("steps").exit_code, 0);
-  EXPECT_EQ(fs::last_write_time(path("steps/tasks/12825_135075/run.json")), written);
+  EXPECT_EQ(fs::last_write_time(path("steps/tasks/25650_270150/run.json")), written);
 
-  // A task that was killed while it wrote its lines, and one whose end was cut off, run again.
-  write(path("steps/tasks/12825_135075/12825_135075/lines.joint.geojson"), "{\"type\": \"Feat");
-  write(path("steps/tasks/12826_135075/done.json"), "{\"key\"");
+  // A task whose lines are lost, and one whose end was cut off, run again.
+  fs::remove(path("steps/tasks/25650_270150/25650_270150/lines.lines.geojson"));
+  write(path("steps/tasks/25651_270150/done.json"), "{\"key\"");
   const ProgramResult open = block("steps", {"--merge"});
   EXPECT_EQ(open.exit_code, 1);
   EXPECT_THAT(open.err,
-              AllOf(HasSubstr("patch 12825_135075 has no lines"), HasSubstr("patch 12826_135075"),
+              AllOf(HasSubstr("patch 25650_270150 has no lines"), HasSubstr("patch 25651_270150"),
                     HasSubstr("2 of 4 tasks have no results")));
   ASSERT_EQ(block("steps").exit_code, 0);
   EXPECT_EQ(results("steps"), expected);
+}
+
+TEST_F(Block, FolderIsReadAsThatOfOtherRuns) {
+  ASSERT_EQ(block("out").exit_code, 0);
+  write(path("gates.yaml"), "gates: [{metric: rms_m, class: total, max: 10}]\n");
+  EXPECT_THAT(run({"gate", "out", "--gates", "gates.yaml"}).out, HasSubstr("passed"));
+  EXPECT_THAT(run({"info", "out"}).out,
+              AllOf(HasSubstr("results of ridgeline block"), HasSubstr("patches     village\n")));
+  const ProgramResult compared = run({"compare", "out", "out"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_THAT(compared.out, AllOf(HasSubstr("village"), Not(HasSubstr("25650_270150"))));
+  const ProgramResult report = run({"report", "out", "--gates", "gates.yaml"});
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_THAT(read(path("out/report.html")), HasSubstr("\"gates\":{"));
 }
 
 TEST_F(Block, FailedTaskIsToldAndTheOthersGoOn) {

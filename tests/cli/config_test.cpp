@@ -54,10 +54,11 @@ TEST_F(Config, PublishedHoldsNothingOfOurs) {
   const YAML::Node published = YAML::Load(run({"config", "--preset", "published"}).out);
   for (const auto& [group, key] :
        {std::pair("extract", "faint_edges"), std::pair("extract", "junction_cuts"),
-        std::pair("extract", "separate_edges"), std::pair("match", "matched_radiometry"),
-        std::pair("match", "close_lines"), std::pair("match", "hidden_walls"),
-        std::pair("match", "propagate_heights"), std::pair("reconstruct", "consensus"),
-        std::pair("reconstruct", "surface"), std::pair("reconstruct", "register_profiles")}) {
+        std::pair("extract", "separate_edges"), std::pair("extract", "soft_edges"),
+        std::pair("match", "matched_radiometry"), std::pair("match", "close_lines"),
+        std::pair("match", "hidden_walls"), std::pair("match", "propagate_heights"),
+        std::pair("reconstruct", "consensus"), std::pair("reconstruct", "surface"),
+        std::pair("reconstruct", "register_profiles")}) {
     EXPECT_EQ(published[group][key].Scalar(), "false") << group << "." << key;
   }
   EXPECT_EQ(published["chio"]["allow_noise"].Scalar(), "false");
@@ -79,7 +80,7 @@ TEST_F(Config, IsAnInputThatIsRecordedAndNeverWrittenOver) {
   std::filesystem::create_directories(path("in"));
   write(path("in/table2.csv"), "judge: {min_points: 12}\n");
   EXPECT_REFUSED(evaluate("scene/lines.good.geojson", "in", {"--config", "in/table2.csv"}),
-                 HasSubstr("would be written over"));
+                 HasSubstr("would be overwritten"));
 }
 
 TEST_F(Config, NamesFileLineAndRuleOfWhatItRefuses) {

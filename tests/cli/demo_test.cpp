@@ -18,18 +18,21 @@ TEST_F(Demo, RunsTheSamplePatchesOfTheSourceTreeAndPrintsBothTables) {
   const ProgramResult result = run({"demo", "--out", "demo"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(names_in(path("demo")),
-              IsSupersetOf({"1", "2", "3", "4", "run.json", "table1.csv", "table1.md", "table2.csv",
-                            "table2.json", "table2.md", "table2.tex"}));
+              IsSupersetOf({"1", "2", "3", "4", "5", "run.json", "table1.csv", "table1.md",
+                            "table2.csv", "table2.json", "table2.md", "table2.tex"}));
   EXPECT_THAT(result.out, HasSubstr("patch  matcher   correct  false  missed"));
   EXPECT_THAT(result.out, HasSubstr("patch  method  class                     judged  lines"));
-  EXPECT_THAT(result.out, HasSubstr("demo/2/judged.joint.gpkg\n"));
+  EXPECT_THAT(result.out, HasSubstr("demo/2/judged.lines.gpkg\n"));
   const std::string table = read(path("demo/table2.csv"));
   for (const char* row :
-       {"1,direct,aligned,", "2,joint,total,", "3,joint,not_aligned,", "4,joint,not_aligned,"}) {
+       {"1,direct,aligned,", "2,joint,total,", "3,joint,not_aligned,", "4,lines,total,"}) {
     EXPECT_THAT(table, HasSubstr(row));
   }
   EXPECT_THAT(result.out, HasSubstr("Tracks, by true edges"));
   EXPECT_THAT(read(path("demo/4/accuracy.joint.md")), HasSubstr("| n_images"));
+  const nlohmann::json edges = read_json(path("demo/run.json"))["edges"];
+  EXPECT_EQ(edges["1"]["left"]["scales"][0]["scale_px"], 1);
+  EXPECT_EQ(edges["5"]["left"]["scales"][0]["scale_px"], 2);  // a soft pair
 }
 
 /// The words of the commands of sample_data/make.sh that begin with `make`.
@@ -48,7 +51,7 @@ std::vector<std::vector<std::string>> commands_of_samples() {
 // Images take minutes with sanitizers, and what a view shows is known with the images alone.
 TEST_F(Demo, SampleDataIsThatOfTheScriptThatMakesIt) {
   const auto commands = commands_of_samples();
-  EXPECT_EQ(commands.size(), 4U);
+  EXPECT_EQ(commands.size(), 5U);
   for (const std::vector<std::string>& command : commands) {
     std::vector<std::string> words{"simulate", "--no-images", "--out"};
     words.insert(words.end(), command.begin(), command.end());

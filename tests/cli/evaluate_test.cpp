@@ -239,10 +239,10 @@ TEST_F(Evaluate, NeverWritesOverAnInput) {
   write(path("out/table2.csv"), "id,x1,y1,z1,x2,y2,z2\n0,513010,5403010,250,513014,5403010,250\n");
   const std::string before = read(path("out/table2.csv"));
   EXPECT_REFUSED(evaluate("out/table2.csv", "out"),
-                 AllOf(HasSubstr("out/table2.csv"), HasSubstr("would be written over")));
+                 AllOf(HasSubstr("out/table2.csv"), HasSubstr("would be overwritten")));
   EXPECT_EQ(read(path("out/table2.csv")), before);
   std::filesystem::create_directory_symlink("out", path("alias"));
-  EXPECT_REFUSED(evaluate("out/table2.csv", "alias"), HasSubstr("would be written over"));
+  EXPECT_REFUSED(evaluate("out/table2.csv", "alias"), HasSubstr("would be overwritten"));
   EXPECT_EQ(read(path("out/table2.csv")), before);
 }
 

@@ -60,11 +60,11 @@ TEST_F(ExtractCommand, RefusesWrongInput) {
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--config", "p.yaml"}),
                  HasSubstr("p.yaml: line 1: min_length_px = -4, must be in [3, 100000]"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "square.png"}),
-                 HasSubstr("would be written over"));
+                 HasSubstr("would be overwritten"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--image-id", "left"}),
                  HasSubstr("needs --patch"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.csv"}),
-                 HasSubstr("would be written over"));
+                 HasSubstr("would be overwritten"));
   EXPECT_REFUSED(run({"extract", "square.png", "--out", "a.csv", "--overlay", "a.jpg"}),
                  HasSubstr("--overlay = a.jpg, must end in .png"));
   ASSERT_TRUE(cv::imwrite(path("pixel.png").string(), cv::Mat(1, 1, CV_8UC1, cv::Scalar(70))));
@@ -87,7 +87,7 @@ TEST_F(ExtractCommand, WritesIntoAPipeAndInThePlaceOfALink) {
 
   write(path("real.csv"), "mine");
   std::filesystem::create_symlink("real.csv", path("link.csv"));
-  EXPECT_EQ(run({"extract", "square.png", "--out", "link.csv"}).exit_code, 0);
+  EXPECT_EQ(run({"extract", "square.png", "--out", "link.csv", "--overwrite"}).exit_code, 0);
   EXPECT_FALSE(std::filesystem::is_symlink(path("link.csv")));
   EXPECT_EQ(read(path("link.csv")), received);
   EXPECT_EQ(read(path("real.csv")), "mine");

@@ -172,7 +172,7 @@ TEST_F(Gate, JunitNamesThePatchOfAPatternAfterItsFolder) {
     arguments.insert(arguments.end(), clouds.begin(), clouds.end());
     const ProgramResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(gate(kEasy, {"--junit", "gate.xml"}).exit_code, 0);
+    EXPECT_EQ(gate(kEasy, {"--junit", "gate.xml", "--overwrite"}).exit_code, 0);
     return testcases(path("gate.xml"));
   };
   const std::string current = path("").parent_path().filename().string();
@@ -271,10 +271,10 @@ TEST_F(Gate, MissingArgumentIsNamedWithTheWayToStart) {
 TEST_F(Gate, FolderWithoutResultsIsRefused) {
   write(path("gates.yaml"), std::string("gates: [") + kEasy + "]\n");
   EXPECT_REFUSED(run({"gate", "none", "--gates", "gates.yaml"}),
-                 HasSubstr("none: is no folder of results"));
+                 HasSubstr("none: is not a results folder"));
   EXPECT_REFUSED(run({"gate", "scene", "--gates", "gates.yaml"}),
                  HasSubstr("scene: holds no evaluation.*.json"));
-  EXPECT_REFUSED(gate(kEasy, {"--baseline", "none"}), HasSubstr("none: is no folder of results"));
+  EXPECT_REFUSED(gate(kEasy, {"--baseline", "none"}), HasSubstr("none: is not a results folder"));
 }
 
 TEST_F(Gate, DamagedResultsAreRefusedByName) {
@@ -288,13 +288,12 @@ TEST_F(Gate, DamagedResultsAreRefusedByName) {
 }
 
 TEST_F(Gate, ReportsNeverLandOnAnInput) {
-  EXPECT_REFUSED(gate(kEasy, {"--junit", "gates.yaml"}), HasSubstr("would be written over"));
+  EXPECT_REFUSED(gate(kEasy, {"--junit", "gates.yaml"}), HasSubstr("would be overwritten"));
   EXPECT_THAT(read(path("gates.yaml")), HasSubstr("gates: ["));
-  EXPECT_REFUSED(gate(kEasy, {"--json", "results/run.json"}), HasSubstr("would be written over"));
-  EXPECT_REFUSED(gate(kEasy, {"--json", "results/table2.json"}),
-                 HasSubstr("would be written over"));
+  EXPECT_REFUSED(gate(kEasy, {"--json", "results/run.json"}), HasSubstr("would be overwritten"));
+  EXPECT_REFUSED(gate(kEasy, {"--json", "results/table2.json"}), HasSubstr("would be overwritten"));
   EXPECT_REFUSED(gate(kEasy, {"--junit", "same", "--summary", "same"}),
-                 HasSubstr("would be written over"));
+                 HasSubstr("would be overwritten"));
   EXPECT_REFUSED(gate(kEasy, {"--summary", "scene"}), HasSubstr("scene: is a folder"));
 }
 

@@ -132,7 +132,7 @@ class WritePoints : public Cli {};
 
 TEST_F(WritePoints, WritesThePointsOfThePlanesInEachFormat) {
   for (const char* name : {"points.las", "points.pcd", "points.ply"}) {
-    const std::vector<std::string> more{"--no-report", "--write-points", name};
+    const std::vector<std::string> more{"--no-report", "--write-points", name, "--overwrite"};
     ASSERT_EQ(evaluate("scene/lines.good.geojson", "out", more).exit_code, 0) << name;
     const std::string first = read(path(name));
     ASSERT_EQ(evaluate("scene/lines.good.geojson", "out", more).exit_code, 0) << name;
@@ -147,7 +147,7 @@ TEST_F(WritePoints, RefusesWhatItCannotDoBeforeTheWork) {
   };
   EXPECT_REFUSED(refused("points.laz"), HasSubstr("points.laz, must end in .las, .pcd or .ply"));
   write(path("mine.ply"), "ply of a user");
-  EXPECT_REFUSED(refused("mine.ply"), HasSubstr("mine.ply: is no points file of ridgeline"));
+  EXPECT_REFUSED(refused("mine.ply"), HasSubstr("mine.ply: exists already"));
   EXPECT_EQ(read(path("mine.ply")), "ply of a user");
   EXPECT_REFUSED(refused("scene/lidar.las"), HasSubstr("scene/lidar.las: is an input"));
   EXPECT_REFUSED(run({"evaluate", "--lines", "scene/lines.good.geojson", "scene/lines.poor.geojson",

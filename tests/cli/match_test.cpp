@@ -30,9 +30,9 @@ TEST_F(Match, WritesMatchesAndAnOverlay) {
 }
 
 TEST_F(Match, GivesTheSameBytesForAnyNumberOfThreads) {
-  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "one.csv", "--jobs", "1"}).exit_code, 0);
-  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "two.csv", "--jobs", "2"}).exit_code, 0);
-  EXPECT_EQ(read(path("one.csv")), read(path("two.csv")));
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "1/m.csv", "--jobs", "1"}).exit_code, 0);
+  ASSERT_EQ(run({"match", "pair/patch.yaml", "--out", "2/m.csv", "--jobs", "2"}).exit_code, 0);
+  EXPECT_EQ(read(path("1/m.csv")), read(path("2/m.csv")));
 }
 
 TEST_F(Match, WithSegmentsIsWhatReconstructMakesOfThePatch) {
@@ -92,10 +92,10 @@ TEST_F(Match, SaysWhatIsWrongWithItsInput) {
                  HasSubstr("p.yaml: line 2: min_overlap = 2, must be in [0, 1]"));
   for (const char* input : {"pair/patch.yaml", "pair/left.tif", "pair/matches.csv"}) {
     EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", input}),
-                   AllOf(HasSubstr(input), HasSubstr("would be written over")));
+                   AllOf(HasSubstr(input), HasSubstr("would be overwritten")));
   }
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--overlay", "m.csv"}),
-                 HasSubstr("would be written over"));
+                 HasSubstr("would be overwritten"));
   EXPECT_REFUSED(run({"match", "pair/patch.yaml", "--out", "m.csv", "--overlay", "m.jpg"}),
                  HasSubstr("--overlay = m.jpg, must end in .png"));
   std::filesystem::remove(path("pair/right.tif"));

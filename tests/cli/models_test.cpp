@@ -201,7 +201,8 @@ TEST_F(Models, GoBackWithTheirFigures) {
   ASSERT_EQ(judge("judged.gml", "again").exit_code, 0);
   EXPECT_EQ(column("again/buildings.csv", "rms_m"), column("gml/buildings.csv", "rms_m"));
   ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gpkg"}).exit_code, 0);
-  ASSERT_EQ(judge("town.gml", "gml", {"--write-attributes", "judged.gpkg"}).exit_code, 0);
+  ASSERT_EQ(
+      judge("town.gml", "gml", {"--write-attributes", "judged.gpkg", "--overwrite"}).exit_code, 0);
 }
 
 TEST_F(Models, AndOptionsThatDoNotFitAreRefused) {

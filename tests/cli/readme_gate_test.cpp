@@ -36,7 +36,7 @@ std::string readme_block(const std::string& key) {
 
 /// The method that a gate without one applies to.
 std::string product_in(const fs::path& patch_folder) {
-  for (const char* method : {"network", "joint", "direct"}) {
+  for (const char* method : {"lines", "network", "joint", "direct"}) {
     if (fs::exists(patch_folder / fmt::format("evaluation.{}.json", method))) return method;
   }
   ADD_FAILURE() << patch_folder << " holds no evaluation";
@@ -127,7 +127,7 @@ class ListedMetrics : public RunSample {
                                              const std::string& gates) const {
     write(path("gates.yaml"), gates);
     const ProgramResult result =
-        run({"gate", results, "--gates", "gates.yaml", "--json", "verdicts.json"});
+        run({"gate", results, "--gates", "gates.yaml", "--json", "verdicts.json", "--overwrite"});
     std::set<std::string> metrics;
     const nlohmann::json verdicts = read_json(path("verdicts.json"));
     for (const auto& gate : verdicts["gates"]) {

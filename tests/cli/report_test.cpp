@@ -16,7 +16,8 @@ using ::testing::Not;
 class Report : public SmallPatch {
  protected:
   void run_patch(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", "out"};
+    std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out",
+                                       "out", "--methods",        "direct,joint"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ProgramResult result = run(arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -159,6 +160,9 @@ TEST_F(Report, ShowsTheLastEvaluationOnly) {
 
 TEST_F(Report, OfARunIsNotDisturbedByAnEvaluationInItsPatch) {
   run_patch({"--no-report"});
+  EXPECT_REFUSED(evaluate("scene/lines.good.geojson", "out/1", {"--no-report"}),
+                 HasSubstr("out/1/to_fix.csv"));
+  fs::remove(path("out/1/to_fix.csv"));
   ASSERT_EQ(evaluate("scene/lines.good.geojson", "out/1", {"--no-report"}).exit_code, 0);
   const ProgramResult result = run({"report", "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -284,7 +288,7 @@ TEST_F(Report, OfJudgedLineFilesNeedsNoImages) {
 TEST_F(Report, RefusesAFolderWithoutResults) {
   fs::create_directories(path("empty"));
   EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("holds no evaluation"));
-  EXPECT_REFUSED(run({"report", "nowhere"}), HasSubstr("is no folder"));
+  EXPECT_REFUSED(run({"report", "nowhere"}), HasSubstr("is not a results folder"));
   write(path("empty/evaluation.x.json"), "[]");
   EXPECT_REFUSED(run({"report", "empty"}), HasSubstr("evaluation.x.json"));
   write(path("empty/evaluation.x.json"), R"({"method": "x", "lines": [{}]})");

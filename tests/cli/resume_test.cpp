@@ -30,7 +30,8 @@ class Resume : public Cli {
                                      const std::string& file,
                                      const std::vector<std::string>& more) const {
     std::vector<std::string> words{
-        "-c", script, file, test::program(), "run", "patch/patch.yaml", "--out", "out", "--quiet"};
+        "-c",    script, file,        test::program(), "run",    "patch/patch.yaml",
+        "--out", "out",  "--methods", "direct,joint",  "--quiet"};
     words.insert(words.end(), more.begin(), more.end());
     return test::run_program("/bin/bash", words, path("."));
   }
@@ -45,7 +46,8 @@ class Resume : public Cli {
   }
 
   [[nodiscard]] ProgramResult resume(const std::vector<std::string>& more) const {
-    std::vector<std::string> words{"run", "patch/patch.yaml", "--out", "out", "--resume"};
+    std::vector<std::string> words{"run",       "patch/patch.yaml", "--out",   "out",
+                                   "--methods", "direct,joint",     "--resume"};
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
   }

@@ -4,6 +4,7 @@
 #include "tests/cli/cli_fixture.h"
 #include "tests/support/paths.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,12 +12,14 @@
 
 namespace ridgeline::cli {
 
-/// Runs the small patch.
+/// Runs the small patch, by the papers' methods unless the arguments name others.
 class RunPatch : public SmallPatch {
  protected:
   [[nodiscard]] ProgramResult run_patch(const std::string& out,
                                         const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"run", "patch/patch.yaml", "--out", out};
+    if (std::ranges::find(more, "--methods") == more.end())
+      arguments.insert(arguments.end(), {"--methods", "direct,joint"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }

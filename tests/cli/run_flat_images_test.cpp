@@ -36,8 +36,8 @@ TEST_F(FlatPatch, ImagesWithoutTextureGiveNoLinesAndNoError) {
   write_flat(400, 300);
   const ProgramResult result = run({"run", "flat/patch.yaml", "--out", "out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(read_json(path("out/flat/lines.joint.geojson"))["features"].empty());
-  EXPECT_THAT(read(path("out/table2.csv")), HasSubstr("flat,joint,total,0,0,,"));
+  EXPECT_TRUE(read_json(path("out/flat/lines.lines.geojson"))["features"].empty());
+  EXPECT_THAT(read(path("out/table2.csv")), HasSubstr("flat,lines,total,0,0,,"));
 }
 
 TEST_F(FlatPatch, ImagesWithoutTextureAreNotCheckedAgainstTheirCameras) {

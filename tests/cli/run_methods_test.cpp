@@ -210,7 +210,73 @@ TEST_F(RunSample, LinesOfPlanesAreCountedByThemselves) {
   const ProgramResult published =
       run_patch("published", {"--preset", "published", "--methods", "joint,planes"});
   EXPECT_EQ(published.exit_code, 1);
-  EXPECT_THAT(published.err, HasSubstr("planes is none of the papers' methods"));
+  EXPECT_THAT(published.err, HasSubstr("planes is not one of the papers' methods"));
+}
+
+TEST_F(RunSample, LinesAreThoseOfTheNetworkAndOfPlanesWhereItHasNone) {
+  write(path("few.yaml"),
+        "extract: {min_length_px: 60, faint_edges: false}\nmatch: {guided: false}\n");
+  ASSERT_EQ(run_patch("out", {"--config", "few.yaml", "--methods", "lines,network", "--no-report"})
+                .exit_code,
+            0);
+  const nlohmann::json network = read_json(path("out/1/lines.network.geojson"))["features"];
+  const nlohmann::json lines = read_json(path("out/1/lines.lines.geojson"))["features"];
+  ASSERT_GT(lines.size(), network.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const nlohmann::json& properties = lines[i]["properties"];
+    EXPECT_EQ(properties["method"], "lines");
+    if (i < network.size()) {
+      EXPECT_EQ(properties["id"], network[i]["properties"]["id"]);
+      EXPECT_EQ(lines[i]["geometry"], network[i]["geometry"]);
+    } else {
+      EXPECT_EQ(properties["id"], "p" + std::to_string(i - network.size()));
+      EXPECT_EQ(properties["status"], "planes");
+    }
+  }
+}
+
+TEST_F(RunPatch, LinesAreTheDefaultAndTheProduct) {
+  const auto run_default = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"run", "patch/patch.yaml", "--out", "out", "--no-report"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  };
+  const auto methods = [&] { return read_json(path("out/run.json"))["options"]["methods"]; };
+  ASSERT_EQ(run_default({"--preset", "published"}).exit_code, 0);
+  EXPECT_EQ(methods(), (nlohmann::json{"direct", "joint"}));
+  const ProgramResult result = run_default({});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(methods(), nlohmann::json{"lines"});
+  const ProgramResult several = run_default({"--methods", "direct,lines"});
+  EXPECT_THAT(several.out, HasSubstr("out/1/judged.lines.gpkg"));
+  write(path("gates.yaml"), "gates: [{metric: rms_m, max: 10}]\n");
+  ASSERT_EQ(run({"gate", "out", "--gates", "gates.yaml", "--json", "gate.json"}).exit_code, 0);
+  EXPECT_EQ(read_json(path("gate.json"))["gates"][0]["method"], "lines");
+  EXPECT_REFUSED(run_default({"--preset", "published", "--methods", "lines"}),
+                 HasSubstr("lines is not one of the papers' methods"));
+}
+
+TEST_F(RunPatch, KeepsAnInputAmongTheFilesOfAnotherMethod) {
+  ASSERT_EQ(run_patch("out", {"--methods", "joint", "--no-report"}).exit_code, 0);
+  remove_line("reference_lines");
+  write(path("patch/patch.yaml"),
+        read(path("patch/patch.yaml")) + "reference_lines: ../out/1/lines.joint.geojson\n");
+  ASSERT_EQ(run_patch("out", {"--methods", "direct", "--no-report"}).exit_code, 0);
+  EXPECT_THAT(names_in(path("out/1")), IsSupersetOf({"lines.joint.geojson"}));
+  EXPECT_THAT(names_in(path("out/1")), Not(testing::Contains("evaluation.joint.json")));
+}
+
+TEST_F(RunPatch, LeavesNothingOfMethodsThatItDoesNotRun) {
+  ASSERT_EQ(run_patch("out", {"--methods", "lines,joint", "--lines-format", "csv"}).exit_code, 0);
+  ASSERT_THAT(names_in(path("out/1")),
+              IsSupersetOf({"lines.joint.geojson", "lines.joint.csv", "judged.lines.gpkg",
+                            "evaluation.joint.csv", "accuracy.lines.md", "fig8.joint.png"}));
+  write(path("out/1/lines.mine.joint.geojson"), "{}");
+  ASSERT_EQ(run_patch("out", {"--methods", "direct"}).exit_code, 0);
+  for (const std::string& file : names_in(path("out/1"))) {
+    if (file == "lines.mine.joint.geojson") continue;
+    EXPECT_THAT(file, Not(testing::AnyOf(HasSubstr(".joint."), HasSubstr(".lines."))));
+  }
 }
 
 }  // namespace

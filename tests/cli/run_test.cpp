@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/files/sha256.h"
 #include "tests/cli/run_fixture.h"
 
 namespace ridgeline::cli {
@@ -38,8 +39,8 @@ TEST_F(RunPatch, ResumeSkipsWhatIsFinishedAndGivesTheSameBytes) {
   EXPECT_THAT(again.err, HasSubstr("8 finished stages skipped"));
   EXPECT_EQ(results_in("out"), first);
 
-  // a damaged file is made again, with the same content, so that what depends on it stays
-  write(path("out/1/lines.joint.geojson"), "damaged");
+  // a lost file is made again, with the same content, so that what depends on it stays
+  fs::remove(path("out/1/lines.joint.geojson"));
   const ProgramResult repaired = run_patch("out", {"--resume"});
   EXPECT_THAT(repaired.err, HasSubstr("7 finished stages skipped"));
   EXPECT_EQ(results_in("out"), first);
@@ -81,9 +82,9 @@ TEST_F(RunPatch, InputsAreNeverWrittenOver) {
   fs::create_directory(path("in"));
   fs::rename(path("patch"), path("in/1"));
   EXPECT_REFUSED(run({"run", "in/1/patch.yaml", "--out", "in"}),
-                 AllOf(HasSubstr("in/1/matches.csv"), HasSubstr("would be written over")));
+                 AllOf(HasSubstr("in/1/matches.csv"), HasSubstr("would be overwritten")));
   EXPECT_REFUSED(run({"reconstruct", "in/1/patch.yaml", "--out", "in/1/truth.geojson"}),
-                 HasSubstr("would be written over"));
+                 HasSubstr("would be overwritten"));
   EXPECT_EQ(results_in("in/1"), before);
 }
 
@@ -123,6 +124,13 @@ TEST_F(RunPatch, WithoutAReportThatOfAnEarlierRunIsGone) {
   EXPECT_FALSE(fs::exists(path("out/report.html")));
 }
 
+TEST_F(RunPatch, StagesThatTheUserChangedAreNotReplaced) {
+  ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
+  write(path("out/1/matches.csv"), "mine");
+  EXPECT_REFUSED(run_patch("out", {"--no-report", "--resume"}), HasSubstr("out/1/matches.csv"));
+  EXPECT_EQ(read(path("out/1/matches.csv")), "mine");
+}
+
 TEST_F(RunPatch, DamagedRecordOfStagesMeansDoneAnew) {
   ASSERT_EQ(run_patch("out", {"--no-report"}).exit_code, 0);
   const auto stages = read_json(path("out/1/stages.json"));
@@ -130,6 +138,12 @@ TEST_F(RunPatch, DamagedRecordOfStagesMeansDoneAnew) {
     auto damaged = stages;
     for (auto& stage : damaged) stage[key] = nullptr;
     write(path("out/1/stages.json"), damaged.dump());
+    nlohmann::json run = read_json(path("out/run.json"));
+    for (auto& file : run["files"]) {
+      if (file["path"] == "1/stages.json")
+        file["sha256"] = io::sha256_of_file(path("out/1/stages.json").string());
+    }
+    write(path("out/run.json"), run.dump());
     const ProgramResult again = run_patch("out", {"--no-report", "--resume"});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_THAT(again.err, HasSubstr("0 finished stages skipped")) << key;
@@ -198,15 +212,15 @@ TEST_F(RunPatch, WithoutLidarWritesLinesAndSaysWhyNoneIsEvaluated) {
 }
 
 TEST_F(RunPatch, ReconstructFromTheMatchesOfARunGivesItsLines) {
-  ASSERT_EQ(run_patch("out").exit_code, 0);
+  ASSERT_EQ(run_patch("out", {"--methods", "lines"}).exit_code, 0);
   const ProgramResult result = run({"reconstruct", "patch/patch.yaml", "--matches",
                                     "out/1/matches.csv", "--out", "lines.geojson"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(read(path("lines.geojson")), read(path("out/1/lines.joint.geojson")));
+  EXPECT_EQ(read(path("lines.geojson")), read(path("out/1/lines.lines.geojson")));
 
   write(path("out/1/matches.csv"), "left_id,right_id\n0,999999\n");
   EXPECT_REFUSED(run({"reconstruct", "patch/patch.yaml", "--matches", "out/1/matches.csv", "--out",
-                      "lines.geojson"}),
+                      "others.geojson"}),
                  AllOf(HasSubstr("matches.csv"), HasSubstr("right_id = 999999, must be in 0..")));
 }
 

@@ -246,6 +246,20 @@ TEST_F(SimulateBlock, HasAnyOrientationAndItsWords) {
               AllOf(HasSubstr("orientation: inpho.prj\n"), Not(HasSubstr("cameras"))));
 }
 
+TEST_F(SimulateBlock, HasDegradedFramesThatAloneChange) {
+  ASSERT_EQ(simulate("b").exit_code, 0);
+  ASSERT_EQ(simulate("c", {"--blur-px", "1.5", "--bayer", "--jpeg-quality", "80",
+                           "--degraded-views", "01_02,02_03"})
+                .exit_code,
+            0);
+  for (const std::string& name : names_in(path("b/frames"))) {
+    const bool is_degraded = name == "01_02.tif" || name == "02_03.tif";
+    EXPECT_EQ(read(path("b/frames") / name) == read(path("c/frames") / name), !is_degraded) << name;
+  }
+  EXPECT_REFUSED(simulate("s", {"--bayer", "--degraded-views", "left"}),
+                 HasSubstr("--degraded-views = left, must be one of 01_01, 01_02, 01_03, 02_01"));
+}
+
 TEST_F(SimulateBlock, WrongOnesAreRefusedWithTheOptionTheValueAndTheRule) {
   for (const std::vector<std::string>& option :
        std::vector<std::vector<std::string>>{{"--extent-m", "100,100"},

@@ -84,6 +84,48 @@ TEST_F(SimulateViews, TheSunMovesOnByItsStepFromViewToView) {
   EXPECT_FALSE(read(path("s/right.tif")) == read(path("s.default/right.tif")));
 }
 
+TEST_F(SimulateViews, ThatAreDegradedAloneChange) {
+  ASSERT_EQ(simulate({"--views", "strip:3"}).exit_code, 0);
+  std::filesystem::rename(path("s"), path("s.default"));
+  const std::vector<std::string> degraded{"--views", "strip:3",        "--blur-px", "2",
+                                          "--bayer", "--jpeg-quality", "50"};
+  const auto changed = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = degraded;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(simulate(arguments).exit_code, 0);
+    std::vector<std::string> names;
+    for (const std::string& name : names_in(path("s"))) {
+      const bool is_image = name.ends_with(".tif");
+      if (is_image && read(path("s") / name) != read(path("s.default") / name))
+        names.push_back(name);
+    }
+    return names;
+  };
+  EXPECT_THAT(changed({"--degraded-views", "strip3"}), ElementsAre("strip3.tif"));
+  EXPECT_TRUE(read(path("s/truth.geojson")) == read(path("s.default/truth.geojson")));
+  EXPECT_THAT(changed({"--degraded-views", "strip1,strip3"}),
+              ElementsAre("strip1.tif", "strip3.tif"));
+  EXPECT_THAT(changed({}), ElementsAre("strip1.tif", "strip2.tif", "strip3.tif"));
+}
+
+TEST_F(SimulateViews, DegradedOnesAreRefusedWithTheOptionTheValueAndTheRule) {
+  EXPECT_REFUSED(simulate({"--blur-px", "1", "--degraded-views", "left,middle"}),
+                 HasSubstr("--degraded-views = middle, must be one of left, right"));
+  EXPECT_REFUSED(simulate({"--degraded-views", "left"}),
+                 HasSubstr("must be with --blur-px, --bayer or --jpeg-quality"));
+  EXPECT_REFUSED(simulate({"--bayer", "--degraded-views", "left", "--no-images"}),
+                 AllOf(HasSubstr("--degraded-views"), HasSubstr("--no-images")));
+  EXPECT_REFUSED(simulate({"--blur-px", "-1"}),
+                 AllOf(HasSubstr("--blur-px"), HasSubstr("must be in [0, 20]")));
+  EXPECT_REFUSED(simulate({"--jpeg-quality", "101"}),
+                 AllOf(HasSubstr("--jpeg-quality"), HasSubstr("must be in [0, 100]")));
+  EXPECT_REFUSED(simulate({"--jpeg-quality", "50", "--bits", "16"}),
+                 HasSubstr("bits = 16, must be 8 with a JPEG quality"));
+  EXPECT_REFUSED(simulate({"--bayer", "--bands", "cir"}),
+                 HasSubstr("bands = cir, must be rgb with a Bayer pattern"));
+  EXPECT_FALSE(std::filesystem::exists(path("s")));
+}
+
 TEST_F(SimulateViews, WrongOnesAreRefusedWithTheOptionTheValueAndTheRule) {
   EXPECT_REFUSED(simulate({"--views", "strip"}),
                  AllOf(HasSubstr("--views: 'strip'"), HasSubstr("must be strip:N")));

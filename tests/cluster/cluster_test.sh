@@ -29,6 +29,7 @@ make_block() {
   folder="$work/it's a block"
   "$program" --quiet simulate --block 1,3 --frame-px 768,512 --out "$folder" --seed 3
   block=$folder/block.yaml
+  sed -i 's/^patch_size_m:.*/patch_size_m: 50/' "$block"  # four patches
 }
 
 # One thread each, as the tasks of this test share a host.

@@ -83,7 +83,7 @@ std::size_t judge_from_files(const Cloud& cloud) {
   const ridgeline::results::OutputFolder out("judged", options.line_paths);
   write_judged(judged, ridgeline::results::MapSchema::kPlain, out, "");
   write_tables(judged.evaluations, judged.truth, out);
-  out.write("run.json", record.to_json());
+  out.write_record(record.to_json());
   return judged.evaluations.front().lines.size();
 }
 

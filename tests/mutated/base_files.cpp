@@ -178,7 +178,7 @@ void write_texts(Writer& out) {
           {{"info", "FILE"}, {"run", "tracked.yaml", "--out", "OUT", "--no-report"}});
   out.add("gates.yaml",
           "gates:\n"
-          "  - {class: total, method: joint, metric: rms_m, max: 0.30}\n"
+          "  - {class: total, method: lines, metric: rms_m, max: 0.30}\n"
           "  - {class: aligned, metric: rms_m, max_ratio_to: {class: not_aligned}, ratio: 2.5}\n"
           "  - {class: total, metric: evaluated_share, min: 0.80}\n"
           "  - {metric: rms_m, class: total, max_increase_over_baseline: 0.02}\n",
@@ -240,13 +240,13 @@ void add_results(Writer& out, const std::string& patch) {
   }
   const std::string of_patch = "results/" + patch + "/";
   for (const char* name :
-       {"evaluation.joint.json", "evaluation.direct.json", "lines.joint.geojson"}) {
+       {"evaluation.lines.json", "evaluation.direct.json", "lines.lines.geojson"}) {
     out.add(of_patch + name, readers);
   }
   out.add(of_patch + "matches.csv", kMatchCommands);
   for (const char* name : {"stages.json", "segments.left.csv", "matches.csv"}) {
-    out.add(of_patch + name,
-            {{"run", "patch.yaml", "--out", "results", "--resume", "--no-report"}});
+    out.add(of_patch + name, {{"run", "patch.yaml", "--out", "results", "--methods", "direct,lines",
+                               "--resume", "--no-report"}});
   }
 }
 

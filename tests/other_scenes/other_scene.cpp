@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// other_scene FOLDER SEED [VIEWS [hard]]: a scene with its truth, as the acceptance test renders it.
-// VIEWS: strip:N for N views along a strip (strip:2, a stereo pair, if nothing is said), or
-// strip:N,cross:M with M more along a strip at right angles. hard: on steeper ground, with annexes,
-// small dormers and laser points.
+// A scene with its truth, as the acceptance test renders it.
 #include "tests/other_scenes/write_scene.h"
 
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -12,15 +12,27 @@
 #include <string>
 
 int main(int argc, char** argv) {
-  const bool is_hard = argc == 5 && std::string(argv[4]) == "hard";
-  if (argc < 3 || argc > 5 || (argc == 5 && !is_hard)) {
-    std::cerr << "usage: other_scene FOLDER SEED [strip:N[,cross:M] [hard]]\n";
-    return EXIT_FAILURE;
-  }
+  std::string folder;
+  std::uint64_t seed = 0;
+  std::string views = "strip:2";
+  std::string hard;
+  ridgeline::other::Degradation degradation;
+  CLI::App app("Writes a scene of the second renderer");
+  app.add_option("FOLDER", folder)->required();
+  app.add_option("SEED", seed)->required();
+  app.add_option("VIEWS", views, "strip:N, or strip:N,cross:M with M views at right angles")
+      ->capture_default_str();
+  app.add_option("hard", hard, "steeper ground, annexes, small dormers, and laser points")
+      ->check(CLI::IsMember({"hard"}));
+  app.add_option("--blur-px", degradation.blur_px, "blurs the images before their noise arises");
+  app.add_flag("--bayer", degradation.bayer, "one colour per pixel, the others interpolated");
+  app.add_option("--jpeg-quality", degradation.jpeg_quality, "1 to 100; 0: no compression");
+  app.add_option("--degraded-views", degradation.views, "ids; default: all")->delimiter(',');
+  CLI11_PARSE(app, argc, argv);
   try {
-    const auto plan = ridgeline::other::flight_plan(argc >= 4 ? argv[3] : "strip:2");
-    std::filesystem::create_directories(argv[1]);
-    ridgeline::other::write_scene(argv[1], std::stoull(argv[2]), plan, is_hard);
+    const auto plan = ridgeline::other::flight_plan(views);
+    std::filesystem::create_directories(folder);
+    ridgeline::other::write_scene(folder, seed, plan, !hard.empty(), degradation);
   } catch (const std::exception& error) {
     std::cerr << "other_scene: " << error.what() << "\n";
     return EXIT_FAILURE;

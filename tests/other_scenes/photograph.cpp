@@ -4,11 +4,14 @@
 #include "tests/other_scenes/random_stream.h"
 #include "tests/other_scenes/textures.h"
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace ridgeline::other {
 namespace {
@@ -105,6 +108,38 @@ class Shader {
   std::vector<Vector3d> sun_points_;
 };
 
+/// Keeps each colour where its filter (red green / green blue) lets it through; elsewhere it is the
+/// mean of its neighbours.
+cv::Mat through_filters(const cv::Mat& image) {
+  const cv::Matx33f cross(0, 1, 0, 1, 4, 1, 0, 1, 0);
+  const cv::Matx33f square(1, 2, 1, 2, 4, 2, 1, 2, 1);
+  std::array<cv::Mat, 3> colours;
+  cv::split(image, colours.data());
+  for (int i = 0; i < 3; ++i) {
+    cv::Mat& colour = colours[i];
+    for (int row = 0; row < image.rows; ++row) {
+      for (int column = 0; column < image.cols; ++column) {
+        if (row % 2 + column % 2 != i) colour.at<unsigned char>(row, column) = 0;
+      }
+    }
+    // beyond the border the image is mirrored at its last pixels, so each filter keeps its places
+    cv::filter2D(colour, colour, -1, (i == 1 ? cross : square) * 0.25F);
+  }
+  cv::Mat result;
+  cv::merge(colours.data(), colours.size(), result);
+  return result;
+}
+
+cv::Mat through_jpeg(const cv::Mat& image, int quality) {
+  cv::Mat blue_first;
+  cv::cvtColor(image, blue_first, cv::COLOR_RGB2BGR);
+  std::vector<unsigned char> file;
+  cv::imencode(".jpg", blue_first, file, {cv::IMWRITE_JPEG_QUALITY, quality});
+  cv::Mat result;
+  cv::cvtColor(cv::imdecode(file, cv::IMREAD_COLOR), result, cv::COLOR_BGR2RGB);
+  return result;
+}
+
 }  // namespace
 
 cv::Mat light(const Scene& scene, const RayTracer& tracer, const AerialCamera& camera) {
@@ -144,7 +179,8 @@ cv::Mat expose(const cv::Mat& light, const Film& film) {
       }
     }
   }
-  return image;
+  if (film.bayer) image = through_filters(image);
+  return film.jpeg_quality > 0 ? through_jpeg(image, film.jpeg_quality) : image;
 }
 
 }  // namespace ridgeline::other

@@ -19,6 +19,8 @@ struct Film {
   double read_noise = 0.002;    ///< standard deviation, share of the range
   double photon_noise = 0.005;  ///< standard deviation at full light
   std::uint64_t seed = 0;
+  bool bayer = false;    ///< one colour per pixel (red green / green blue), the others interpolated
+  int jpeg_quality = 0;  ///< 1 to 100; 0: no compression
 };
 
 /// Light (red, green, blue) that reaches the camera, CV_32FC3: by Lambert's law from the sun, with

@@ -6,6 +6,7 @@
 #include "io/lines/write_lines.h"
 #include "io/project/matches_file.h"
 #include "io/project/write_patch.h"
+#include "reconstruct/geometry/check.h"
 #include "reconstruct/geometry/epipolar.h"
 #include "tests/other_scenes/laser.h"
 #include "tests/other_scenes/photograph.h"
@@ -146,6 +147,27 @@ Film random_film(RandomStream& random) {
           .seed = random.bits()};
 }
 
+void check_degradation(const Degradation& d, const std::vector<AerialCamera>& cameras) {
+  check(d.blur_px >= 0.0 && d.blur_px <= 20.0, "blur_px = ", d.blur_px, ", must be in [0, 20]");
+  check(d.jpeg_quality >= 0 && d.jpeg_quality <= 100, "jpeg_quality = ", d.jpeg_quality,
+        ", must be in [0, 100]");
+  std::string ids;
+  for (const AerialCamera& camera : cameras) ids += (ids.empty() ? "" : ", ") + camera.id;
+  for (const std::string& view : d.views) {
+    check(std::ranges::count(cameras, view, &AerialCamera::id) == 1, "degraded view = ", view,
+          ", must be one of ", ids);
+  }
+}
+
+/// The film with the degradation, if that is for the view.
+Film degraded(Film film, const Degradation& d, const std::string& view) {
+  if (!d.views.empty() && std::ranges::count(d.views, view) == 0) return film;
+  film.blur_sigma_px = std::hypot(film.blur_sigma_px, d.blur_px);
+  film.bayer = d.bayer;
+  film.jpeg_quality = d.jpeg_quality;
+  return film;
+}
+
 }  // namespace
 
 Eigen::Vector3d scene_origin_m() { return kOrigin_m; }
@@ -153,13 +175,16 @@ Eigen::Vector3d scene_origin_m() { return kOrigin_m; }
 void write_scene(const std::string& folder,
                  std::uint64_t seed,
                  const FlightPlan& plan,
-                 bool is_hard) {
+                 bool is_hard,
+                 const Degradation& degradation) {
   const Scene scene = make_settlement(seed, is_hard);
   const RayTracer tracer(scene);
   const std::vector<AerialCamera> cameras = cameras_for(scene, seed, plan);
+  check_degradation(degradation, cameras);
   RandomStream random(seed + 2000U);
   for (const AerialCamera& camera : cameras) {
-    const cv::Mat image = expose(light(scene, tracer, camera), random_film(random));
+    const Film film = degraded(random_film(random), degradation, camera.id);
+    const cv::Mat image = expose(light(scene, tracer, camera), film);
     io::write_tiff(folder + "/" + image_file(camera), image);
   }
   std::vector<Edge> edges = scene.edges;

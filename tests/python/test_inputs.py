@@ -204,7 +204,7 @@ class Reconstruct(Case):
             left, right = (house_from_above(x_m) for x_m in (-15.0, 15.0))
             ridgeline.reconstruct([ridgeline.View(left.image, left.matrix, "a"),
                                    ridgeline.View(np.dstack([right.image] * 3), right.matrix, "b")], (-2, 12))
-        with self.assertRaisesRegex(ValueError, "method = x, must be one of direct, joint"):
+        with self.assertRaisesRegex(ValueError, "method = x, must be one of lines, network, joint"):
             ridgeline.reconstruct(PATCH, method="x")
 
 

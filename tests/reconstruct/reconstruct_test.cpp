@@ -184,6 +184,21 @@ TEST_F(TwoViews, AreRefusedByNameIfTheyCannotBeAPair) {
   EXPECT_THAT(message_of(oriented(), no_surface), HasSubstr("there is no surface"));
 }
 
+TEST_F(TwoViews, LinesAreThoseOfTheNetworkAndOfPlanesWhereItHasNone) {
+  Options options;
+  options.extraction.edges.min_length_px = 300.0;  // longer than any edge of the house
+  options.extraction.beyond.faint_edges = options.matching.beyond.guided = false;
+  options.estimation.lines.method = Method::kNetwork;
+  const std::vector<ReconstructedLine> network = reconstruct(oriented(), options).lines;
+  options.estimation.lines.method = Method::kLines;
+  std::vector<ReconstructedLine> lines = reconstruct(oriented(), options).lines;
+  ASSERT_GT(lines.size(), network.size());
+  for (std::size_t i = network.size(); i < lines.size(); ++i)
+    EXPECT_EQ(lines[i].status, Status::kPlanes);
+  lines.resize(network.size());
+  EXPECT_EQ(coordinates(lines), coordinates(network));
+}
+
 TEST_F(TwoViews, AreLeftWhenInterrupted) {
   Interruption::request();
   EXPECT_THROW((void)reconstruct(oriented()), Interrupted);

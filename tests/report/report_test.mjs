@@ -40,7 +40,7 @@ async function downloadOf(page, action) {
 
 before(async () => {
   freshWork();
-  ridgeline('run', ...['1', '2', '3'].map((patch) => join(samples, patch, 'patch.yaml')), '--out', join(work, 'demo'));
+  ridgeline('run', ...['1', '2', '3'].map((patch) => join(samples, patch, 'patch.yaml')), '--out', join(work, 'demo'), '--methods', 'direct,joint');
   browser = await launch();
 });
 after(async () => browser?.close());
@@ -640,7 +640,7 @@ function fiveImages() {
   const patch = join(work, 'five_patch');
   ridgeline('simulate', '--out', patch, '--seed', '3', '--extent-m', '40,40', '--samples-per-side', '1', '--focal-length-px', '7000', '--views', 'strip:3,cross:2');
   ridgeline('run', join(patch, 'patch.yaml'), '--out', join(work, 'five'), '--no-report');
-  const file = join(work, 'five', 'five_patch', 'lines.joint.geojson');
+  const file = join(work, 'five', 'five_patch', 'lines.lines.geojson');
   const lines = JSON.parse(readFileSync(file, 'utf8'));
   const moved = lines.features.find((f) => f.properties.n_images === 5).properties;
   const sighting = moved.sightings.findIndex((s) => s[0] === 'cross1');
@@ -808,7 +808,7 @@ test('lines are filtered by the number of their images, and unconfirmed ones are
   const { lines } = await page.evaluate(() => ({ lines: globalThis.ridgeline.state.method.lines.map((l) => [l.status, l.n_images]) }));
   const unconfirmed = lines.filter(([status]) => status === 'unconfirmed').length;
   assert.ok(unconfirmed > 0);
-  assert.match(await page.locator('#patch-facts').innerText(), new RegExp(`joint: ${lines.length} lines, .* ${unconfirmed} unconfirmed\\.`));
+  assert.match(await page.locator('#patch-facts').innerText(), new RegExp(`lines: ${lines.length} lines, .* ${unconfirmed} unconfirmed\\.`));
   const choose = (label, value) => page.locator('#lines').getByLabel(label, { exact: true }).selectOption(value);
   await choose('status', 'unconfirmed');
   assert.match(await page.locator('#line-count').innerText(), new RegExp(`^${unconfirmed} of ${lines.length} lines`));

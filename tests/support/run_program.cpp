@@ -66,12 +66,17 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
                          const char* folder,
                          int out,
                          int err,
-                         unsigned time_limit_s) {
+                         unsigned processor_limit_s) {
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   dup2(nothing, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
-  alarm(time_limit_s);  // the alarm goes on in the program
+  if (processor_limit_s > 0) {         // of the program as well: execve() keeps limits
+    constexpr unsigned kOfClock = 20;  // for a program that waits for ever
+    alarm(kOfClock * processor_limit_s);
+    const rlimit limit{processor_limit_s, RLIM_INFINITY};
+    if (setrlimit(RLIMIT_CPU, &limit) != 0) _exit(kNotStarted);
+  }
   if (chdir(folder) == 0) execve(argv[0], argv, variables);
   _exit(kNotStarted);
 }
@@ -99,7 +104,7 @@ ProgramResult run_program(const std::string& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder,
                           const std::vector<std::string>& environment,
-                          unsigned time_limit_s) {
+                          unsigned processor_limit_s) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = with_variables(environment);
@@ -112,7 +117,7 @@ ProgramResult run_program(const std::string& program,
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) {
     become(argv.data(), envp.data(), folder.c_str(), fileno(out.get()), fileno(err.get()),
-           time_limit_s);
+           processor_limit_s);
   }
   ProgramResult result;
   wait_for(child, result);

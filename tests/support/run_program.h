@@ -28,12 +28,13 @@ struct ProgramResult {
 
 /// Runs `program` with `arguments` in `folder`, without a shell and with stdin at /dev/null, and
 /// waits for its end. `environment` holds NAME=value pairs that are set on top of this process's.
-/// With a `time_limit_s` above 0 SIGALRM ends it after that time.
+/// With a `processor_limit_s` above 0 SIGXCPU ends it after that time of all its threads, however busy the machine is,
+/// and SIGALRM ends one that waits for much longer.
 /// Throws std::system_error if the program cannot be started.
 ProgramResult run_program(const std::string& program,
                           const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder,
                           const std::vector<std::string>& environment = {},
-                          unsigned time_limit_s = 0);
+                          unsigned processor_limit_s = 0);
 
 }  // namespace ridgeline::test

@@ -146,7 +146,7 @@ class Result:
         Raises FileExistsError for a folder that is not empty, unless overwrite.
         """
         if not overwrite and os.path.isdir(folder) and os.listdir(folder):
-            raise FileExistsError(f"{os.fspath(folder)}: is not empty; overwrite=True replaces files in it")
+            raise FileExistsError(f"{os.fspath(folder)}: is not empty; overwrite=True replaces the files that ridgeline wrote there")
         self._judged.write(os.fspath(folder), schema)
 
     def __str__(self) -> str:

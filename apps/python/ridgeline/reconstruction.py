@@ -51,7 +51,7 @@ def reconstruct(
     views: Path | Sequence[View],
     height_range_m: Sequence[float] | None = None,
     *,
-    method: str = "joint",
+    method: str | None = None,
     preset: str = "default",
     matchers: Sequence[str] = ("pairwise",),
     config: Config | None = None,
@@ -61,7 +61,8 @@ def reconstruct(
 
     views: two views, the first is the base image; or a patch file, which has heights and reference system as well.
     height_range_m: lowest and highest height of objects, in metres of the map.
-    method: "direct", "joint", "network", or "planes" for the ridges, hips and valleys that no edge shows.
+    method: "lines" (the default, except with "published"): those of "network", and the ridges, hips and valleys that no
+        edge shows ("planes"); "direct" and "joint" (the default with "published") are those of the papers.
     preset: "default" (the best known) or "published" (the papers').
     matchers: "pairwise", "chio" or both. config: a file of `ridgeline config`, or a mapping {"match": {...}, ...}.
     crs: reference system of the matrices, for the lines.
@@ -71,10 +72,11 @@ def reconstruct(
     """
     options: dict[str, Any] = {
         "matchers": [matchers] if isinstance(matchers, str) else list(matchers),
-        "method": method,
         "preset": preset,
         **config_entries(config),
     }
+    if method is not None:
+        options["method"] = method
     if isinstance(views, (str, os.PathLike)):
         if height_range_m is not None or crs:
             raise ValueError("height_range_m, crs: the patch file states them; do not give them as well")

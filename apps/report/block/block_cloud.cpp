@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -40,14 +41,21 @@ Eigen::AlignedBox3d box_of(const BlockFolder& block) {
 class PatchesAround {
  public:
   explicit PatchesAround(const BlockFolder& block) : block_(block) {
-    for (std::size_t i = 0; i < block.patches.size(); ++i)
-      patch_of_square_[block.patches[i].square] = i;
+    for (std::size_t i = 0; i < block.patches.size(); ++i) {
+      const ShownPatch& patch = block.patches[i];
+      patch_of_square_[patch.square] = i;
+      const Eigen::Array2d low_m = Eigen::Array2d(static_cast<double>(patch.square[0]),
+                                                  static_cast<double>(patch.square[1])) *
+                                   block.patch_size_m;
+      reach_m_ = std::max({reach_m_, (low_m - patch.area_m.min().array()).maxCoeff(),
+                           (patch.area_m.max().array() - low_m - block.patch_size_m).maxCoeff()});
+    }
   }
 
   template <typename Visit>
   void for_each(const Eigen::Vector2d& x_m, const Visit& visit) const {
-    const auto low = square_of(x_m - Eigen::Vector2d::Constant(block_.overlap_m));
-    const auto high = square_of(x_m + Eigen::Vector2d::Constant(block_.overlap_m));
+    const auto low = square_of(x_m - Eigen::Vector2d::Constant(reach_m_));
+    const auto high = square_of(x_m + Eigen::Vector2d::Constant(reach_m_));
     for (std::int64_t column = low[0]; column <= high[0]; ++column) {
       for (std::int64_t row = low[1]; row <= high[1]; ++row) {
         const auto found = patch_of_square_.find({column, row});
@@ -64,6 +72,7 @@ class PatchesAround {
   }
 
   const BlockFolder& block_;
+  double reach_m_ = 0.0;  ///< by which areas reach beyond their squares at most
   std::map<std::array<std::int64_t, 2>, std::size_t> patch_of_square_;
 };
 

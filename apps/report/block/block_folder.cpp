@@ -2,6 +2,7 @@
 #include "apps/report/block/block_folder.h"
 
 #include "apps/report/path_shortener.h"
+#include "evaluate/statistics/product_method.h"
 #include "io/error.h"
 #include "io/files/csv_table.h"
 #include "io/files/text_file.h"
@@ -104,16 +105,8 @@ class PatchRows {
   io::CsvTable table_;
 };
 
-/// The product is the best method that was run; the others are baselines and never shown first.
-int rank_of(std::string_view method) {
-  constexpr std::array<std::string_view, 3> kByRank{"network", "joint", "direct"};
-  return static_cast<int>(std::ranges::find(kByRank, method) - kByRank.begin());
-}
-
 void put_product_first(BlockFolder& block) {
-  std::size_t product = 0;
-  for (std::size_t m = 1; m < block.methods.size(); ++m)
-    if (rank_of(block.methods[m].method) < rank_of(block.methods[product].method)) product = m;
+  const std::size_t product = evaluate::product_index(block.methods, &ShownLines::method);
   const auto to_front = [&](auto& list) {
     std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(product),
                 list.begin() + static_cast<std::ptrdiff_t>(product) + 1);

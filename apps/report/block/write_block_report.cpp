@@ -11,7 +11,6 @@
 #include <spdlog/spdlog.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <set>
 
 namespace ridgeline::apps {
@@ -25,17 +24,14 @@ std::string text_of(const evaluate::Json& json) {
   return json.dump(-1, ' ', false, evaluate::Json::error_handler_t::replace);
 }
 
-std::string page_name(const std::string& patch) { return patch + ".html"; }
+std::string page_name(const std::string& patch) {
+  return fmt::format("{}/{}.html", kPagesFolder, patch);
+}
 
-/// Removes pages whose names are not among `kept`.
-void remove_pages_but(const fs::path& pages, const std::set<std::string>& kept) {
-  if (!fs::is_directory(fs::symlink_status(pages))) return;
-  std::vector<fs::path> gone;
-  for (const auto& entry : fs::directory_iterator(pages)) {
-    const bool is_page = entry.path().extension() == ".html" && entry.is_regular_file();
-    if (is_page && kept.count(entry.path().filename().string()) == 0) gone.push_back(entry.path());
-  }
-  for (const fs::path& page : gone) fs::remove(page);
+/// Removes pages that the program wrote and whose names are not among `kept`.
+void remove_pages_but(const results::OutputFolder& out, const std::set<std::string>& kept) {
+  for (const std::string& page : out.own_files_in(kPagesFolder))
+    if (!kept.contains(page)) out.remove(page);
 }
 
 BlockCloud cloud_of(BlockFolder& block) {
@@ -54,17 +50,9 @@ BlockCloud cloud_of(BlockFolder& block) {
   }
 }
 
-/// The inputs that lie in a folder. Each page is compared with them before it is written, and a block has thousands of both.
-std::vector<std::string> inputs_in(const fs::path& folder, const BlockFolder& block) {
-  const fs::path canonical = fs::weakly_canonical(folder);
-  std::vector<std::string> inputs;
-  for (const std::string& path : block.input_paths)
-    if (fs::weakly_canonical(path).parent_path() == canonical) inputs.push_back(path);
-  return inputs;
-}
-
-void write_pages(const fs::path& folder, const BlockFolder& block, const BlockCloud& cloud) {
-  const results::OutputFolder out(folder, inputs_in(folder, block));
+void write_pages(const results::OutputFolder& out,
+                 const BlockFolder& block,
+                 const BlockCloud& cloud) {
   const PatchPages pages(block, cloud);
   tbb::parallel_for(std::size_t{0}, block.patches.size(), [&](std::size_t i) {
     const std::string& id = block.patches[i].id;
@@ -73,26 +61,29 @@ void write_pages(const fs::path& folder, const BlockFolder& block, const BlockCl
   });
   std::set<std::string> names;
   for (const ShownPatch& patch : block.patches) names.insert(page_name(patch.id));
-  remove_pages_but(folder, names);
+  remove_pages_but(out, names);
 }
 
 }  // namespace
 
 std::string write_block_report(const fs::path& folder,
-                               const std::optional<evaluate::GateReport>& gates) {
+                               const std::optional<evaluate::GateReport>& gates,
+                               const evaluate::Json& page) {
   BlockFolder block = read_block_folder(folder);
+  block.run["page"].update(page);
   const results::OutputFolder out(folder, block.input_paths);
-  (void)out.path(fmt::format("{}/index.html", kPagesFolder));  // refuses a link
-  const BlockCloud cloud = cloud_of(block);
-  write_pages(folder / kPagesFolder, block, cloud);
   constexpr const char* kReport = "report.html";
+  (void)out.path(kReport);
+  for (const ShownPatch& patch : block.patches) (void)out.path(page_name(patch.id));
+  const BlockCloud cloud = cloud_of(block);
+  write_pages(out, block, cloud);
   out.write(kReport, report_page(fmt::format("Ridgeline report: block {}", block.name),
                                  text_of(block_json(block, cloud, gates)), block_front_end()));
   return out.path(kReport);
 }
 
-void remove_patch_pages(const fs::path& folder) {
-  remove_pages_but(folder / kPagesFolder, {});
+void remove_patch_pages(const results::OutputFolder& out, const fs::path& folder) {
+  remove_pages_but(out, {});
   std::error_code none;
   fs::remove(folder / kPagesFolder, none);  // stays if something of the user's is there
 }

@@ -100,7 +100,8 @@ std::vector<bool> repeated(const std::vector<Part>& parts) {
 }  // namespace
 
 std::vector<EdgeTrace> separate_edges(std::vector<EdgeTrace> edges, const cv::Mat& image) {
-  const CloseEdgeFinder finder(edge_blur_px(image, transformed(edges, line_through)));
+  const CloseEdgeFinder finder(
+      edge_blur_px(image, transformed(edges, line_through)).value_or(kTypicalBlur_px));
   std::vector<std::vector<Part>> found(edges.size());
   tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
     Interruption::check();

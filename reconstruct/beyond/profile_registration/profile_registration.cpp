@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ridgeline::reconstruct {
 namespace {
@@ -60,17 +61,24 @@ ComparedProfiles profiles_of_match(const StereoSearch& search,
   if (!searched) return {};
   const auto overlap = epipolar_overlap(*searched, right.line.segment);
   if (!overlap) return {};
+  // Steps are pixels of each view, unless one of them is reduced and the other one is not.
+  constexpr double kMostUnlike = 1.5;
+  const Eigen::Matrix2d jacobian = local_transfer(search, midpoint(left.line.segment)).jacobian;
+  const double right_px_per_left_px = std::sqrt(std::abs(jacobian.determinant()));
+  const bool is_unlike =
+      right_px_per_left_px > kMostUnlike || right_px_per_left_px < 1.0 / kMostUnlike;
   const StripFrame frame = strip_frame({left, right, *overlap}, kMostAlong);
   // The sides are those of the left segment, whichever way the right one runs.
   const double sign = overlap->reversed() ? -1.0 : 1.0;
-  const Eigen::Vector2d side_in_right = sign * normal(right.line.segment);
+  const double right_step_px = frame.scale_px * (is_unlike ? right_px_per_left_px : 1.0);
+  const Eigen::Vector2d side_in_right = sign * right_step_px * normal(right.line.segment);
   const std::vector<Colour> seen_left =
       profile_across(images[0], frame.on_left, frame.side_in_left, kHalfWidth);
   const std::vector<Colour> seen_right =
       profile_across(images[1], frame.on_right, side_in_right, kHalfWidth + kFarthestShift);
   if (seen_left.empty() || seen_right.empty()) return {};
   ComparedProfiles both = compared(seen_left, seen_right);
-  both.right_shift_px *= sign;
+  both.right_shift_px *= sign * right_step_px;
   return both;
 }
 

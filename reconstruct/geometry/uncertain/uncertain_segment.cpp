@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <numbers>
 
 namespace ridgeline {
 namespace {
@@ -54,6 +55,16 @@ UncertainPoint2 endpoint(const LineFrame& s, const Eigen::Vector2d& x) {
 }
 
 }  // namespace
+
+UncertainSegment2 line_of_ends(const Segment2& ends, double sigma_px) {
+  constexpr double kSigmaAlong_px = 1.0;  // as that of extracted segments
+  // With errors a and b of the ends, q = (a + b) / 2 and phi = (b - a) / length are uncorrelated.
+  return {.segment = ends,
+          .centroid_px = midpoint(ends),
+          .sigma_q_px = sigma_px / std::numbers::sqrt2,
+          .sigma_phi_rad = sigma_px * std::numbers::sqrt2 / length(ends),
+          .sigma_e_px = kSigmaAlong_px};
+}
 
 UncertainLine2 uncertain_line(const UncertainSegment2& segment,
                               LineCovariance form,

@@ -22,6 +22,10 @@ struct UncertainSegment2 {
   double sigma_e_px = 0.0;      ///< standard deviation of an endpoint along the line
 };
 
+/// The line through two ends whose errors are independent of each other.
+/// @param sigma_px  standard deviation of an end across the line
+UncertainSegment2 line_of_ends(const Segment2& ends, double sigma_px);
+
 /// How the covariance of the homogeneous line is formed.
 enum class LineCovariance : std::uint8_t {
   kEq1,       ///< join of two independent endpoints (Ok et al. 2011, Eq. 1)

@@ -214,8 +214,8 @@ void check_input(const TrackedSegments& tracked,
     }
   }
   validate(options);
-  check(options.method != Method::kPlanes,
-        "reconstruct_lines: method = planes, which takes no tracks; see plane_lines()");
+  check(!has_lines_of_planes(options.method), "reconstruct_lines: method = ", name(options.method),
+        ", whose lines are not of tracks alone; see plane_lines()");
   check(options.method != Method::kNetwork || beyond.network,
         "reconstruct_lines: method = network, which goes beyond the paper and needs its extension");
 }
@@ -223,7 +223,7 @@ void check_input(const TrackedSegments& tracked,
 }  // namespace
 
 const char* name(Method method) {
-  constexpr std::array kNames{"planes", "direct", "joint", "network"};
+  constexpr std::array kNames{"planes", "direct", "joint", "network", "lines"};
   return kNames.at(static_cast<std::size_t>(method));
 }
 

@@ -12,7 +12,6 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr double kTypicalBlur_px = 0.6;
 constexpr double kSmallest_px = 0.35;
 constexpr double kStep_px = 0.05;
 constexpr std::size_t kNumBlurs = 24;
@@ -37,7 +36,7 @@ std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const
 
 }  // namespace
 
-double edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
+std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
   constexpr double kLargestOffset_px = 1.0;
   constexpr std::size_t kMostSegments = 200;
   constexpr double kShortest_px = 30.0;
@@ -59,7 +58,8 @@ double edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
       blurs.push_back(*blur);
     }
   }
-  return blurs.size() < kFewestEdges ? kTypicalBlur_px : median(std::move(blurs));
+  if (blurs.size() < kFewestEdges) return std::nullopt;
+  return median(std::move(blurs));
 }
 
 }  // namespace ridgeline::reconstruct

@@ -41,8 +41,6 @@ double mean_strength(const EdgeTrace& trace) {
   return trace.empty() ? 0.0 : sum / static_cast<double>(trace.size());
 }
 
-void reverse(Segment2& segment) { std::swap(segment.start, segment.end); }
-
 EdgeSegment segment_of(const EdgeLines& lines,
                        const EdgeNoise& noise,
                        const SystematicError& systematic,
@@ -53,14 +51,7 @@ EdgeSegment segment_of(const EdgeLines& lines,
   segment.n_edge_pixels = static_cast<int>(lines.trace->size());
   segment.rms_px = lines.ideal.rms_px;
   segment.contrast = mean_strength(*lines.trace);
-  const auto [left, right] = flanks(image, segment.in_image);
-  segment.left = left;
-  segment.right = right;
-  if (left.grey > right.grey) {
-    std::swap(segment.left, segment.right);
-    reverse(segment.in_image);
-    reverse(segment.line.segment);
-  }
+  set_flanks(image, segment);
   return segment;
 }
 

@@ -36,21 +36,25 @@ TEST(Photograph, OfAFrameIsTheWholeImageByTheByteForAnyNumberOfThreads) {
   const Scene scene = test::gabled_house(35.0, 20.0);
   const Renderer renderer(scene, two_by_two_rays());
   const AerialView view = aerial_views(scene, small_frame()).back();
-  const cv::Mat whole = expose(renderer.radiance(view), {}, view.number);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  cv::Mat streamed;
-  int most_rows = 0;
-  const ImageWindow village = photograph(renderer, view, {}, [&](const cv::Mat& rows) {
-    streamed.push_back(rows);
-    most_rows = std::max(most_rows, rows.rows);
-  });
-  EXPECT_TRUE(same_bytes(streamed, whole));
-  EXPECT_EQ(most_rows, kRowsAtOnce);
-  ASSERT_FALSE(village.pixels.empty());
-  EXPECT_LT(village.pixels.total(), whole.total() / 4);
-  const cv::Rect shown(village.corner_px.x(), village.corner_px.y(), village.pixels.cols,
-                       village.pixels.rows);
-  EXPECT_TRUE(same_bytes(village.pixels, whole(shown)));
+  const cv::Mat radiance = renderer.radiance(view);
+  const SensorOptions degraded{.blur_px = 2.2, .bayer = true, .jpeg_quality = 60};
+  for (const SensorOptions& options : {SensorOptions{}, degraded}) {
+    const cv::Mat whole = expose(radiance, options, view.number);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    cv::Mat streamed;
+    int most_rows = 0;
+    const ImageWindow village = photograph(renderer, view, options, [&](const cv::Mat& rows) {
+      streamed.push_back(rows);
+      most_rows = std::max(most_rows, rows.rows);
+    });
+    EXPECT_TRUE(same_bytes(streamed, whole)) << options.jpeg_quality;
+    EXPECT_EQ(most_rows, kRowsAtOnce);
+    ASSERT_FALSE(village.pixels.empty());
+    EXPECT_LT(village.pixels.total(), whole.total() / 4);
+    const cv::Rect shown(village.corner_px.x(), village.corner_px.y(), village.pixels.cols,
+                         village.pixels.rows);
+    EXPECT_TRUE(same_bytes(village.pixels, whole(shown)));
+  }
 }
 
 TEST(Photograph, OfAnImageAroundThePlanReturnsAllOfItWithAllRays) {

@@ -85,6 +85,64 @@ TEST(BuildingTable, TellsABuildingThatIsTooHighOrTooLowAsAWhole) {
   EXPECT_NEAR(low.shift_m->z(), -0.4, 0.03);
 }
 
+TEST(BuildingTable, TellsABuildingThatIsMetresTooHighOrTooLow) {
+  for (const RoofShape shape : {RoofShape::kGable, RoofShape::kHip, RoofShape::kFlat}) {
+    for (const double by_m : {-6.0, -2.5, 2.5, 3.0, 6.0}) {
+      const BuildingRow row = row_after(shape, [&](const RoofFace& face) {
+        return moved(face, {0, 0, by_m});
+      });
+      EXPECT_EQ(row.verdict, by_m > 0 ? BuildingVerdict::kTooHigh : BuildingVerdict::kTooLow)
+          << static_cast<int>(shape) << " " << by_m;
+      ASSERT_TRUE(row.shift_m);
+      EXPECT_NEAR(row.shift_m->z(), by_m, 0.05);
+    }
+  }
+}
+
+TEST(BuildingTable, KeepsABuildingThatChangedWhereItsOtherPointsAgree) {
+  // a seventh of the points on dormers, as many in a pit
+  const MadeBuilding made = make_building(spec_of(RoofShape::kGable));
+  const evaluate::PointGrid scan = scan_of(made, {});
+  const RoofBuilding building = roof_of(made);
+  std::vector<FaceEvaluation> faces = evaluate::judge_faces(scan, std::span(&building, 1), {})[0];
+  for (FaceEvaluation& face : faces) face.n_unexplained = face.n_over * 3 / 10;
+  evaluate::PointDistances points;
+  points.parallel_below_m = 0.02;
+  const std::vector<std::vector<FaceEvaluation>> evaluations{faces};
+  EXPECT_EQ(evaluate::building_table(std::span(&building, 1), evaluations, std::span(&points, 1),
+                                     {}, {})[0]
+                .verdict,
+            BuildingVerdict::kChanged);
+}
+
+TEST(BuildingTable, FindsABuildingOnASlopeGone) {
+  const MadeBuilding made = make_building(spec_of(RoofShape::kGable));
+  std::vector<V> ground;
+  Random random(2);
+  const double slope = std::tan(10.0 * kRadPerDeg);
+  for (int i = 0; i < 4500; ++i) {
+    const double x = random.uniform(-15, 15);
+    ground.emplace_back(x, random.uniform(-15, 15), slope * x + random.normal(0.03));
+  }
+  EXPECT_EQ(row_of(roof_of(made), grid_of(ground)).verdict, BuildingVerdict::kGone);
+}
+
+TEST(BuildingTable, DoesNotJudgeABuildingWhoseLinesContradictItsFaces) {
+  const MadeBuilding made = make_building(spec_of(RoofShape::kGable));
+  const RoofBuilding building = roof_of(made);
+  const evaluate::PointGrid search = scan_of(made, {});
+  const auto evaluations = evaluate::judge_faces(search, std::span(&building, 1), {});
+  const auto points = evaluate::point_distances(search, std::span(&building, 1), {});
+  const auto verdict_with = [&](double distance_m) {
+    const LineEvaluation line = line_of(building.id, "1", distance_m);
+    return evaluate::building_table(std::span(&building, 1), evaluations, points,
+                                    std::span(&line, 1), {})[0]
+        .verdict;
+  };
+  EXPECT_EQ(verdict_with(0.1), BuildingVerdict::kRight);
+  EXPECT_EQ(verdict_with(1.24), BuildingVerdict::kNotJudged);
+}
+
 TEST(BuildingTable, TellsAWrongHeightOfOneFace) {
   int n = 0;
   const BuildingRow row = row_after(RoofShape::kGable, [&](const RoofFace& face) {

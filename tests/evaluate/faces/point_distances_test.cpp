@@ -81,6 +81,18 @@ TEST(PointDistances, CountWhatLiesFarBelowTheRoof) {
   EXPECT_EQ(found.n_far_below, 1);
 }
 
+TEST(PointDistances, TellPointsOfTheRoofsShapeBelowIt) {
+  const PointDistances found =
+      distances_of({V(2, 2, 3.0), V(4, 6, 3.1), V(8, 3, 2.9), V(-0.3, 5, 0.0), V(-0.3, 6, 2.0)},
+                   {6, 6, 6, 2, 6});
+  ASSERT_TRUE(found.parallel_below_m);
+  EXPECT_NEAR(*found.parallel_below_m, 2.0, kExact_m);
+  ASSERT_TRUE(found.above_ground_m);
+  EXPECT_NEAR(*found.above_ground_m, 2.4, kExact_m);  // the lower third of 0 and 2 m is at 0.6 m
+  EXPECT_FALSE(distances_of({V(2, 2, 3.0), V(4, 6, 1.0), V(8, 3, 2.0)}).parallel_below_m);
+  EXPECT_FALSE(distances_of({V(2, 2, 3.0)}).above_ground_m);
+}
+
 TEST(PointDistances, DoNotDependOnTheOrderOfPoints) {
   const std::vector<V> points{V(5, 5, 5.1), V(2, 3, 4.9), V(7, 7, 5.3), V(2, 3, 4.9)};
   const std::vector<V> reversed(points.rbegin(), points.rend());

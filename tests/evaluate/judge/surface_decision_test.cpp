@@ -153,6 +153,19 @@ TEST(DecideSurface, OfABorderIsThePlaneOnItsKnownSide) {
   }
 }
 
+TEST(DecideSurface, OfTheFootOfADormerIsTheRoofThatGoesOnBehindIt) {
+  // 0.75 m of the roof between foot and eave, more of it beyond the dormer, and the ground below
+  CandidatePlane roof = surface(eave, -0.75, 0.0);
+  const CandidatePlane behind = surface(eave, 2.0, 4.0);
+  for (std::vector<ZonePoint>* points : {&roof.beside, &roof.inliers})
+    points->insert(points->end(), behind.beside.begin(), behind.beside.end());
+  JudgedLine line = line_at(6.0);
+  line.inside = Eigen::Vector2d(0.0, -1.0);
+  const SurfaceDecision decision = decide({roof, surface(meadow, -1.5, -1.0)}, line);
+  ASSERT_EQ(decision.status, Status::kEvaluated) << decision.reason;
+  EXPECT_EQ(decision.planes, std::vector<std::size_t>{0});
+}
+
 TEST(DecideSurface, OfTheEdgeOfACarIsItsRoofAndOfAMarkingBesideItTheGround) {
   const std::vector<CandidatePlane> planes{surface([](double, double) { return 1.4; }, 0.0, 1.5),
                                            surface(meadow, -1.5, -0.25)};

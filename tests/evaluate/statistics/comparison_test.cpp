@@ -123,6 +123,17 @@ TEST(Compare, FlagsNotAlignedLinesThatDirectAndJointSolveDifferently) {
   EXPECT_FALSE(compare(evaluation_a(), same, "", "").n_not_aligned_differing);
 }
 
+TEST(Compare, LeavesLinesThatNoEdgeShowsOutOfPairsById) {
+  const Evaluation a =
+      evaluation_of("lines", {evaluated_line("1", 0.1, 1), evaluated_line("p0", 0.2, 2)});
+  const Evaluation b =
+      evaluation_of("lines", {evaluated_line("1", 0.1, 1), evaluated_line("p0", 0.9, 3)});
+  const Comparison c = compare(a, b, "A", "B");
+  EXPECT_EQ(c.n_common, 1U);
+  EXPECT_EQ(c.n_only_a + c.n_only_b, 0U);
+  EXPECT_EQ(c.own_b.back().n_evaluated, 2U);  // the figures of each run are of all its lines
+}
+
 TEST(Compare, HasNoFiguresWithoutCommonLines) {
   const Comparison c = compare(evaluation_a(), evaluation_of("x", {}), "A", "B");
   EXPECT_EQ(c.n_common, 0U);
@@ -299,6 +310,22 @@ TEST(CompareFolders, ComparesEachFolderWithTheFirst) {
   EXPECT_EQ(report.comparisons[0].name_b, "b joint") << "the only evaluation of the patch";
   EXPECT_EQ(report.comparisons[1].classes.back().n_unchanged, 4U);
   EXPECT_TRUE(report.warnings.empty());
+}
+
+TEST(CompareFolders, PairsTheProductsOfRunsWithoutACommonMethod) {
+  const auto of = [](const char* method, double off_m) {
+    return evaluation_of(method, {evaluated_line("1", off_m, 1)});
+  };
+  ResultFolder older;
+  older.name = "older";
+  older.evaluations = {of("direct", 0.4), of("joint", 0.3)};
+  ResultFolder newer;
+  newer.name = "newer";
+  newer.evaluations = {of("planes", 0.2), of("lines", 0.1)};
+  const ComparisonReport report = compare_folders(std::vector{older, newer});
+  ASSERT_EQ(report.comparisons.size(), 1U);
+  EXPECT_EQ(report.comparisons[0].name_a, "older joint");
+  EXPECT_EQ(report.comparisons[0].name_b, "newer lines");
 }
 
 TEST(CompareFolders, PairsTheSameMethodAndWarnsOfTheRest) {

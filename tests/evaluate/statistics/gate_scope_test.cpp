@@ -42,7 +42,9 @@ std::string why_missing(const Gate& gate, const ResultFolder& folder) {
 
 TEST(FiguresOf, AreOfTheProductMethodUnlessTheGateNamesOne) {
   Gate gate = gate_on("total");
+  EXPECT_THAT(scope(gate, results_of({"direct", "lines", "network"})), ElementsAre("1 lines"));
   EXPECT_THAT(scope(gate, results_of({"direct", "joint", "network"})), ElementsAre("1 network"));
+  EXPECT_THAT(scope(gate, results_of({"planes", "joint"})), ElementsAre("1 joint"));
   EXPECT_THAT(scope(gate, results_of({"direct", "joint"})), ElementsAre("1 joint"));
   EXPECT_THAT(scope(gate, results_of({"direct"})), ElementsAre("1 direct"));
   gate.method = "direct";
@@ -122,7 +124,8 @@ TEST(FiguresOf, LackOnePatchIsNotHiddenByTheOther) {
   const std::vector<Figure> figures = figures_of(gate, gate.line_class, folder);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_FALSE(figures[1].value);
-  EXPECT_EQ(figures[1].why_missing, "there is no method joint; there are: direct");
+  EXPECT_EQ(figures[1].why_missing,
+            "there is no method joint; there are: direct; run with --methods direct,joint");
   gate = gate_on("total", "quality");
   const std::vector<Figure> matching = figures_of(gate, gate.line_class, folder);
   ASSERT_EQ(matching.size(), 2U);
@@ -150,7 +153,8 @@ TEST(FiguresOf, SayWhichPatchesMethodsAndMatchersThereAre) {
   gate = gate_on("total");
   gate.method = "network";
   EXPECT_EQ(why_missing(gate, results_of({"direct", "joint"})),
-            "there is no method network; there are: direct, joint");
+            "there is no method network; there are: direct, joint; run with --methods "
+            "direct,joint,network");
   EXPECT_EQ(why_missing(gate_on("total"), ResultFolder{}), "there are no results");
   ResultFolder of_files = results_with(0.1);
   of_files.is_of_line_files = true;
@@ -251,9 +255,10 @@ TEST(ApplyGates, SaysWhatTheBaselineLacks) {
   const ResultFolder baseline = results_of({"direct", "joint"});
   const GateResult result = only_result(gate, results_of({"network"}), &baseline);
   EXPECT_EQ(result.verdict, Verdict::kMissing);
-  EXPECT_EQ(
-      result.explanation,
-      "the baseline has no such figure: there is no method network; there are: direct, joint");
+  EXPECT_EQ(result.explanation,
+            "the baseline has no such figure: there is no method network; there are: direct, "
+            "joint; run with "
+            "--methods direct,joint,network");
 }
 
 }  // namespace

@@ -60,6 +60,17 @@ TEST(EncodedPicture, JpegComesCloseAndCloserWithQuality) {
   }
 }
 
+TEST(DecodedJpeg, HasThePixelsThatOtherProgramsRead) {
+  for (const int type : {CV_8UC1, CV_8UC3}) {
+    const std::string bytes = jpeg_bytes(picture(type), 70);
+    const cv::Mat back = decoded_jpeg(bytes);
+    ASSERT_EQ(back.type(), type);
+    ASSERT_EQ(back.size(), picture(type).size());
+    EXPECT_LE(largest_difference(back, decoded(bytes)), 1.0);
+  }
+  EXPECT_THROW(decoded_jpeg("no JPEG"), std::runtime_error);
+}
+
 TEST(EncodedPicture, EqualPicturesGiveEqualBytes) {
   const cv::Mat image = picture(CV_8UC3);
   EXPECT_EQ(png_bytes(image), png_bytes(image.clone()));

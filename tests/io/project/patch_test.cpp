@@ -192,9 +192,30 @@ TEST(ReadPatch, NamesWhatIsWrongWithItsLine) {
                 "radiometry has [3, 3]"},
            Case{"    window_px", "    radiometry: []\n    window_px",
                 "must be a list of [low, high]"},
+           Case{"lidar:", "segments: lsd.csv\nlidar:",
+                "line 16: a mapping is expected; known keys: left, right"},
+           Case{"lidar:", "segments: {rigth: a.csv}\nlidar:",
+                "line 16: unknown key 'rigth', the nearest is 'right'"},
+           Case{"lidar:", "segments: {left: a.csv, left: b.csv}\nlidar:",
+                "key 'left' is given twice"},
+           Case{"lidar:", "segment_sigma_px: 1\nlidar:", "segment_sigma_px needs segments"},
+           Case{"lidar:", "segments: {left: a.csv}\nsegment_sigma_px: 0\nlidar:",
+                "line 17: segment_sigma_px = 0; must be positive"},
        }) {
     EXPECT_THAT(error_of(patch_with(c.what, c.replacement)), HasSubstr(c.message)) << c.what;
   }
+}
+
+TEST(ReadPatch, NamesFilesOfSegmentsByImage) {
+  const TempFolder folder;
+  const PatchFile patch = read_patch(folder.write(
+      "patch.yaml",
+      patch_with("lidar:", "segments: {right: lsd/right.csv}\nsegment_sigma_px: 0.5\nlidar:")));
+  EXPECT_EQ(patch.images[0].segments, std::nullopt);
+  EXPECT_EQ(patch.images[1].segments, folder.file("lsd/right.csv"));
+  EXPECT_EQ(patch.segment_sigma_px, 0.5);
+  EXPECT_EQ(read_patch(folder.write("patch.yaml", kPatch)).segment_sigma_px,
+            kDefaultSegmentSigma_px);
 }
 
 TEST(ReadPatch, WindowOfFourNumbersIsWhatIsReadOfTheFrame) {

@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace ridgeline::io {
 namespace {
 
@@ -28,6 +30,7 @@ EdgeSegment random_segment(test::Random& random) {
   s.n_edge_pixels = static_cast<int>(random.uniform(3, 5000));
   s.rms_px = random.uniform(0.0, 1.0);
   s.contrast = random.uniform(0.0, 1.0);
+  s.scale_px = std::floor(random.uniform(1.0, 8.0));
   for (Flank* flank : {&s.left, &s.right}) {
     for (float& band : flank->colour) band = static_cast<float>(random.uniform(0.0, 1.0));
     flank->grey = static_cast<float>(random.uniform(0.0, 1.0));
@@ -64,6 +67,7 @@ TEST(SegmentsFile, ReadsBackWhatWasWrittenToTheLastBit) {
     EXPECT_EQ(read[i].n_edge_pixels, written[i].n_edge_pixels);
     EXPECT_EQ(read[i].rms_px, written[i].rms_px);
     EXPECT_EQ(read[i].contrast, written[i].contrast);
+    EXPECT_EQ(read[i].scale_px, written[i].scale_px);
     EXPECT_EQ(read[i].left.colour, written[i].left.colour);
     EXPECT_EQ(read[i].right.grey, written[i].right.grey);
   }
@@ -109,7 +113,7 @@ TEST(SegmentsFile, FaultsNameTheLine) {
               HasSubstr("is empty"));
 }
 
-TEST(SegmentsFile, RejectsASegmentWithoutLengthOrUncertainty) {
+TEST(SegmentsFile, RejectsASegmentWithoutLengthUncertaintyOrScale) {
   const TempFolder folder;
   std::vector<EdgeSegment> segments = three_segments();
   segments[1].line.sigma_q_px = 0.0;
@@ -117,10 +121,81 @@ TEST(SegmentsFile, RejectsASegmentWithoutLengthOrUncertainty) {
   EXPECT_THAT(io_error_of([&] { read_segments(folder.file("sigma.csv")); }),
               HasSubstr("sigma_q_px = 0, must be positive"));
   segments = three_segments();
+  segments[2].scale_px = 0.5;
+  write_segments(folder.file("scale.csv"), segments);
+  EXPECT_THAT(io_error_of([&] { read_segments(folder.file("scale.csv")); }),
+              HasSubstr("scale_px = 0.5, must be a whole number from 1 to 8"));
+  segments = three_segments();
   segments[0].line.segment.end = segments[0].line.segment.start;
   write_segments(folder.file("length.csv"), segments);
   EXPECT_THAT(io_error_of([&] { read_segments(folder.file("length.csv")); }),
               HasSubstr("start and end are one"));
+}
+
+constexpr double kOwnSigma_px = 0.4;
+const Eigen::Vector2i kImage_px(1000, 800);
+
+std::vector<EdgeSegment> own_segments(const std::string& content) {
+  const TempFolder folder;
+  return read_own_segments(folder.write("lsd.csv", content), kOwnSigma_px, kImage_px);
+}
+
+TEST(OwnSegmentsFile, NeedsNothingButIdsAndEnds) {
+  const auto segments =
+      own_segments("y1_px,x1_px,x2_px,y2_px,id,score\n20,10,110,20,0,0.9\n5,4,3,2,1,0.8\n");
+  ASSERT_EQ(segments.size(), 2U);
+  EXPECT_EQ(segments[0].in_image.start, Eigen::Vector2d(10, 20));
+  EXPECT_EQ(segments[0].in_image.end, Eigen::Vector2d(110, 20));
+  EXPECT_EQ(segments[1].in_image.start, Eigen::Vector2d(4, 5));
+  EXPECT_EQ(segments[0].line.sigma_q_px, line_of_ends(segments[0].in_image, 0.4).sigma_q_px);
+  EXPECT_EQ(segments[0].scale_px, 1.0);
+}
+
+TEST(OwnSegmentsFile, MayStateSigmaAndScaleOfEachSegment) {
+  const auto segments = own_segments(
+      "id,x1_px,y1_px,x2_px,y2_px,sigma_px,scale_px\n0,10,20,110,20,0.4,1\n1,10,20,110,20,0.8,2\n");
+  ASSERT_EQ(segments.size(), 2U);
+  EXPECT_EQ(segments[1].line.sigma_q_px, 2.0 * segments[0].line.sigma_q_px);
+  EXPECT_EQ(segments[1].line.sigma_phi_rad, 2.0 * segments[0].line.sigma_phi_rad);
+  EXPECT_EQ(segments[1].scale_px, 2.0);
+}
+
+TEST(OwnSegmentsFile, OfExtractHasItsEndsInTheImageAndItsSigmas) {
+  const TempFolder folder;
+  const std::vector<EdgeSegment> written = three_segments();
+  write_segments(folder.file("edges.csv"), written);
+  const auto read = read_own_segments(folder.file("edges.csv"), kOwnSigma_px);
+  ASSERT_EQ(read.size(), written.size());
+  EXPECT_EQ(read[1].in_image.end, written[1].in_image.end);
+  EXPECT_EQ(read[1].line.sigma_q_px, written[1].line.sigma_q_px);
+  EXPECT_EQ(read[1].line.sigma_phi_rad, written[1].line.sigma_phi_rad);
+  EXPECT_EQ(read[1].line.sigma_e_px, written[1].line.sigma_e_px);
+  EXPECT_EQ(read[1].scale_px, written[1].scale_px);
+}
+
+TEST(OwnSegmentsFile, MayEndJustOutsideOfTheImage) {
+  EXPECT_EQ(own_segments("id,x1_px,y1_px,x2_px,y2_px\n0,-4.6,3,1004,804\n").size(), 1U);
+}
+
+TEST(OwnSegmentsFile, FaultsNameLineValueAndRule) {
+  const auto error_of = [](const std::string& rows) {
+    return io_error_of([&] { (void)own_segments("id,x1_px,y1_px,x2_px,y2_px\n" + rows); });
+  };
+  const std::string good = "0,1,2,30,40\n";
+  EXPECT_THAT(error_of(good + "0,1,2,30,40\n"), HasSubstr("lsd.csv:3: id = 0, must be 1"));
+  EXPECT_THAT(error_of(good + "1,1,two,30,40\n"), HasSubstr("lsd.csv:3: y1_px = 'two', must be"));
+  EXPECT_THAT(error_of(good + "1,1,inf,30,40\n"), HasSubstr("lsd.csv:3: y1_px = 'inf', must be"));
+  EXPECT_THAT(error_of(good + "1,1,2,1,2\n"), HasSubstr("lsd.csv:3: start and end are one"));
+  EXPECT_THAT(error_of(good + "1,1,2,30\n"), HasSubstr("lsd.csv:3: 4 fields, the header has 5"));
+  EXPECT_THAT(
+      error_of("0,1,2,1004.5,4\n"),
+      HasSubstr("lsd.csv:2: x2_px = 1004.5, must be in [-5, 1004]: the image has 1000 x 800"));
+  EXPECT_THAT(error_of("0,1,-5.5,7,4\n"), HasSubstr("y1_px = -5.5, must be in [-5, 804]"));
+  EXPECT_THAT(io_error_of([] { (void)own_segments("id,x1,y1,x2,y2\n0,1,2,3,4\n"); }),
+              HasSubstr("no column x1_px"));
+  EXPECT_THAT(
+      io_error_of([] { (void)own_segments("id,x1_px,y1_px,x2_px,y2_px,sigma_px\n0,1,2,3,4,0\n"); }),
+      HasSubstr("lsd.csv:2: sigma_px = 0, must be positive"));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(RunRecord, LeavesOutTheTimeBeforeItIsResumed) {
   std::this_thread::sleep_for(kLeftOut);
   record.resume();
   record.end_stage("write");
-  const auto json = nlohmann::json::parse(record.to_json());
+  const auto json = nlohmann::json(record.to_json());
   const Seconds all = std::chrono::steady_clock::now() - start;
   EXPECT_LE(json["seconds"].get<double>(), (all - kLeftOut).count());
   EXPECT_LE(json["stages"][1]["seconds"].get<double>(), (all - kLeftOut).count());

@@ -32,7 +32,11 @@ io::LineSet map_of(const evaluate::LineEvaluation& line) {
   set.features.rows.resize(1);
   evaluate::Evaluation evaluation;
   evaluation.lines = {line};
-  write_judged_map(folder.file("map.gpkg"), set, {}, evaluation, {}, {}, MapSchema::kPlain);
+  JudgedFiles judged;
+  judged.line_sets = {set};
+  judged.evaluations = {evaluation};
+  judged.planes.resize(1);
+  write_judged_map(folder.file("map.gpkg"), judged, 0, MapSchema::kPlain);
   return io::read_lines(folder.file("map.gpkg"));
 }
 

@@ -12,7 +12,7 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-constexpr PatchGrid kGrid{100.0};
+const PatchGrid kGrid{100.0};
 constexpr double kOverlap_m = 20.0;
 constexpr double kSigma_m = 0.02;                           // of an end, per axis
 const Eigen::Vector3d kCorner(513000.0, 5403000.0, 250.0);  // of a square
@@ -257,6 +257,22 @@ TEST(PatchGrid, SquaresLieAtMultiplesOfTheirSize) {
   EXPECT_EQ(kGrid.cell_of({-0.1, 199.9}), (GridCell{-1, 1}));
   EXPECT_EQ(kGrid.cell_of({100.0, 200.0}), (GridCell{1, 2}));
   EXPECT_EQ(kGrid.square({-1, 1}).min(), Eigen::Vector2d(-100.0, 100.0));
+}
+
+TEST(PatchGrid, SliversJoinTheirNeighbours) {
+  using Box = Eigen::AlignedBox2d;
+  using Eigen::Vector2d;
+  constexpr double kOverlap_m = 1.0;  // slivers up to 2 m all the same
+  const PatchGrid grid(100.0, Box(Vector2d(98.0, 98.5), Vector2d(302.0, 302.5)), kOverlap_m);
+  EXPECT_EQ(grid.cell_of({98.0, 98.5}), (GridCell{1, 1}));
+  EXPECT_EQ(grid.cell_of({302.0, 302.5}), (GridCell{2, 3}));  // 2.5 m are a row of their own
+  EXPECT_EQ(grid.square({1, 1}).min(), Vector2d(0.0, 0.0));
+  EXPECT_EQ(grid.square({2, 2}).max(), Vector2d(400.0, 300.0));
+  EXPECT_EQ(grid.square({2, 3}).max(), Vector2d(400.0, 400.0));
+  const PatchGrid wide(100.0, Box(Vector2d(98.0, 98.5), Vector2d(302.0, 302.5)), 20.0);
+  EXPECT_EQ(wide.cell_of({302.0, 302.5}), (GridCell{2, 2}));
+  const PatchGrid small(100.0, Box(Vector2d(99.0, 99.0), Vector2d(99.5, 99.5)), 20.0);
+  EXPECT_EQ(small.cell_of({99.2, 99.2}), (GridCell{0, 0}));  // there is no neighbour
 }
 
 }  // namespace

@@ -65,6 +65,23 @@ TEST_F(EdgeLookOfARoof, LeavesOutASideBeyondTheImage) {
   EXPECT_FALSE(look.profile_ncc.has_value());
 }
 
+TEST(StripFrame, HasStepsOfTheSofterEdge) {
+  const Segment2 line{{0.0, 0.0}, {12.0, 0.0}};
+  EdgeSegment left;
+  left.line = {line, midpoint(line), 0.1, 0.001, 1.0};
+  left.in_image = line;
+  EdgeSegment right = left;
+  const EpipolarOverlap whole{{0.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}, false};
+  constexpr int kMostAlong = 100;
+  const StripFrame sharp = strip_frame({left, right, whole}, kMostAlong);
+  EXPECT_EQ(sharp.on_left.size(), 8U);  // every 1.5 px
+  EXPECT_EQ(sharp.side_in_left.norm(), 1.0);
+  right.scale_px = 2.0;
+  const StripFrame soft = strip_frame({left, right, whole}, kMostAlong);
+  EXPECT_EQ(soft.on_left.size(), 4U);
+  EXPECT_EQ(soft.side_in_left.norm(), 2.0);
+}
+
 TEST(RelativeRadiometry, BringsTheRightFlanksToMeanAndSpreadOfTheLeftOnes) {
   std::vector<EdgeSegment> left;
   std::vector<EdgeSegment> right;

@@ -31,5 +31,24 @@ TEST(Flanks, LeaveOutWhatIsBeyondTheImage) {
   EXPECT_EQ(right.grey, 0.0F);
 }
 
+TEST(Flanks, OfASoftEdgeAreFartherAway) {
+  cv::Mat image = dark_above_bright();
+  image.rowRange(20, 23).setTo(cv::Scalar(0.4, 0.4, 0.4));
+  const Segment2 edge{{10, 19.5}, {30, 19.5}};
+  EXPECT_LT(flanks(image, edge)[1].grey, 0.7F);
+  EXPECT_NEAR(flanks(image, edge, 3.0)[1].grey, 0.8F, kFlankRounding);
+}
+
+TEST(SetFlanks, TurnsASegmentWithItsBrighterSideOnTheLeft) {
+  EdgeSegment segment;
+  segment.in_image = {{30, 19.5}, {10, 19.5}};
+  segment.line.segment = {{31, 19.5}, {11, 19.5}};
+  set_flanks(dark_above_bright(), segment);
+  EXPECT_EQ(segment.in_image.start.x(), 10.0);
+  EXPECT_EQ(segment.line.segment.end.x(), 31.0);
+  EXPECT_NEAR(segment.left.grey, 0.2F, kFlankRounding);
+  EXPECT_NEAR(segment.right.grey, 0.8F, kFlankRounding);
+}
+
 }  // namespace
 }  // namespace ridgeline::reconstruct

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import { productIndex } from './data/product';
 import type { Line, Method, Patch, Report } from './data/schema';
 
 export interface Selection {
@@ -18,7 +17,7 @@ export class State {
   private readonly listeners: Listener[] = [];
 
   constructor(readonly report: Report) {
-    this.selection.method = productIndex(report, this.patch);
+    this.selection.method = this.patch.product;
   }
 
   get now(): Selection {
@@ -49,7 +48,7 @@ export class State {
   choosePatch(patch: number): void {
     const chosen = this.report.patches[patch]!;
     const same = chosen.methods.findIndex((m) => m.name === this.method.name);
-    this.set({ patch, method: same >= 0 ? same : productIndex(this.report, chosen), line: null, match: null, pair: 0 });
+    this.set({ patch, method: same >= 0 ? same : chosen.product, line: null, match: null, pair: 0 });
   }
 
   /** Chooses a method. Its line of the same id stays selected. */

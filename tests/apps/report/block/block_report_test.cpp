@@ -4,6 +4,7 @@
 #include "apps/report/block/write_block_report.h"
 #include "apps/report/page.h"
 #include "evaluate/tables/table2.h"
+#include "io/results/output_folder.h"
 #include "tests/apps/report/block/block_fixture.h"
 
 #include <gmock/gmock.h>
@@ -122,13 +123,14 @@ TEST(PatchPage, HasItsLinesItsRowAndItsNeighbours) {
 
 TEST(PatchPages, OfPatchesThatAreGoneAreRemoved) {
   const BlockFixture block;
-  const std::string gone = block.folder().write("pages/1_1.html", "old");
-  const std::string other = block.folder().write("pages/notes.txt", "mine");
+  results::OutputFolder(block.path(), {}).write("pages/1_1.html", "old");
+  const std::string gone = block.folder().file("pages/1_1.html");
+  const std::string other = block.folder().write("pages/notes.html", "mine");
   (void)write_block_report(block.path(), std::nullopt);
   EXPECT_FALSE(std::filesystem::exists(gone));
   EXPECT_TRUE(std::filesystem::exists(other));
   EXPECT_TRUE(std::filesystem::exists(block.folder().file("pages/11_20.html")));
-  remove_patch_pages(block.path());
+  remove_patch_pages(results::OutputFolder(block.path(), {}), block.path());
   EXPECT_FALSE(std::filesystem::exists(block.folder().file("pages/11_20.html")));
   EXPECT_TRUE(std::filesystem::exists(other));
 }

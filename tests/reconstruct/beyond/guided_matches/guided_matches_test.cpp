@@ -17,13 +17,23 @@ const Segment3 kEave{{6.0, -4.5, kHeight_m}, {6.0, 4.5, kHeight_m}};
 constexpr double kStep_px = 0.5;  // the scene is sampled, not blurred: edges lie between pixels
 
 /// A bright roof whose eave is extracted in neither view to begin with.
+struct BrightRoof {
+  test::PaintedRoofs roofs{
+      .faces = {{.plan = kHouse, .height_m = kHeight_m, .contrast = 0.4, .brighter = 0.3}},
+      .ground_contrast = 0.4};
+  test::OwnedPair pair = roofs.pair();
+  std::optional<Surface> surface = dense_surface(pair);
+};
+
+/// Its images and its surface, which take most of the time, are made once.
+const BrightRoof& bright_roof() {
+  static const BrightRoof roof;
+  return roof;
+}
+
 class GuidedMatchesTest : public testing::Test {
  protected:
-  void SetUp() override {
-    pair = roofs.pair();
-    surface = dense_surface(pair);
-    ASSERT_TRUE(surface);
-  }
+  void SetUp() override { ASSERT_TRUE(surface); }
 
   [[nodiscard]] EdgeSegment seen(std::size_t view, double aside_px = 0.0) const {
     const ProjectionMatrix& camera = pair.views[view].image_from_local;
@@ -48,11 +58,8 @@ class GuidedMatchesTest : public testing::Test {
     return guided_matches(pair, *surface, known, {});
   }
 
-  test::PaintedRoofs roofs{
-      .faces = {{.plan = kHouse, .height_m = kHeight_m, .contrast = 0.4, .brighter = 0.3}},
-      .ground_contrast = 0.4};
-  test::OwnedPair pair;
-  std::optional<Surface> surface;
+  test::OwnedPair pair = bright_roof().pair;
+  const std::optional<Surface>& surface = bright_roof().surface;
 };
 
 TEST_F(GuidedMatchesTest, FindTheMateThatTheOtherViewLacks) {

@@ -16,10 +16,9 @@ constexpr double kPredictedHeight_m = 6.0;
 const Segment3 kAcross{{-6.0, -4.0, kPredictedHeight_m}, {-6.0, 4.0, kPredictedHeight_m}};
 const Segment3 kAlong{{-5.0, 5.0, kPredictedHeight_m}, {5.0, 5.0, kPredictedHeight_m}};
 
-/// The exact surface of a flat roof over the ground.
-class MatePredictionTest : public testing::Test {
- protected:
-  MatePredictionTest() {
+/// A flat roof over the ground, and its exact surface.
+struct FlatRoof {
+  FlatRoof() {
     const Rectification r = *rectification(pair.cameras(), pair.views[0].image.size());
     surface = {r, cv::Mat(r.size, CV_32F)};
     const Eigen::Matrix3d back = r.rectified_from_ideal[0].inverse();
@@ -32,14 +31,25 @@ class MatePredictionTest : public testing::Test {
     }
   }
 
+  test::PaintedRoofs roofs{.faces = {{.plan = kPredictedHouse, .height_m = kPredictedHeight_m}}};
+  test::OwnedPair pair = roofs.pair();
+  Surface surface;
+};
+
+class MatePredictionTest : public testing::Test {
+ protected:
   [[nodiscard]] Segment2 seen(const Segment3& line, std::size_t view) const {
     const ProjectionMatrix& camera = pair.views[view].image_from_local;
     return {project(camera, line.start), project(camera, line.end)};
   }
 
-  test::PaintedRoofs roofs{.faces = {{.plan = kPredictedHouse, .height_m = kPredictedHeight_m}}};
-  test::OwnedPair pair = roofs.pair();
-  Surface surface;
+  /// Made once, since it takes most of the time.
+  static const FlatRoof& roof() {
+    static const FlatRoof roof;
+    return roof;
+  }
+  const test::OwnedPair& pair = roof().pair;
+  const Surface& surface = roof().surface;
 };
 
 TEST_F(MatePredictionTest, IsWhereTheOtherViewShowsTheNearerSurface) {
@@ -60,9 +70,11 @@ TEST_F(MatePredictionTest, IsNoneAlongTheBase) {
 }
 
 TEST_F(MatePredictionTest, IsNoneWhereNothingIsKnown) {
-  surface.disparity_px.setTo(std::numeric_limits<float>::quiet_NaN());
-  EXPECT_FALSE(MatePrediction(surface, 0).of(seen(kAcross, 0)));
-  EXPECT_FALSE(MatePrediction(surface, 1).of(seen(kAcross, 1)));
+  Surface unknown = surface;
+  unknown.disparity_px = cv::Mat(surface.disparity_px.size(), CV_32F,
+                                 cv::Scalar(std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_FALSE(MatePrediction(unknown, 0).of(seen(kAcross, 0)));
+  EXPECT_FALSE(MatePrediction(unknown, 1).of(seen(kAcross, 1)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tests/reconstruct/support/finite_difference.h"
 #include "tests/reconstruct/support/line_geometry.h"
 #include "tests/reconstruct/support/nees.h"
+#include "tests/support/run_program.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,7 @@ TEST(PlaneLines, NoneOfPlanesThatHardlyBend) {
 }
 
 TEST(PlaneLines, CovarianceHoldsForPixelsThatErrTogether) {
-  constexpr int kTrials = 60;
+  constexpr int kTrials = test::kIsSanitized ? 10 : 60;
   constexpr int kBlock_px = 10;
   const test::GableSurface gable(65.0);
   const Segment3 ridge = gable.ridge();

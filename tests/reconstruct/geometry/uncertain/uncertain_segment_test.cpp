@@ -36,6 +36,14 @@ double variance_of_direction(const UncertainLine2& line) {
   return line.cov(0, 0) / line.mean.head<2>().squaredNorm();
 }
 
+TEST(LineOfEnds, HasTheirVarianceAtBothEndsAndHalfOfItInTheMiddle) {
+  const UncertainSegment2 ends = line_of_ends({{-50, 0}, {50, 0}}, 0.3);
+  const UncertainLine2 line = uncertain_line(ends, LineCovariance::kCentroid);
+  EXPECT_NEAR(variance_across(line, {-50, 0}), 0.09, kUncertainTol);
+  EXPECT_NEAR(variance_across(line, {50, 0}), 0.09, kUncertainTol);
+  EXPECT_NEAR(variance_across(line, {0, 0}), 0.045, kUncertainTol);
+}
+
 TEST(UncertainLine, IsTheJoinOfTheEndpoints) {
   for (const LineCovariance form : {LineCovariance::kCentroid, LineCovariance::kEq1}) {
     const UncertainLine2 line = uncertain_line({{{1, 2}, {4, 6}}, {2.5, 4}, 0.1, 0.01, 1.0}, form);

@@ -337,9 +337,12 @@ TEST(ReconstructLines, RejectsWrongInput) {
   EXPECT_EQ(rejected(good, options), "min_weight = nan, must be in [0, 1]");
   EXPECT_EQ(rejected(good), "accepted");
   options = test::published();
-  options.lines.method = Method::kPlanes;
-  EXPECT_EQ(rejected(good, options),
-            "reconstruct_lines: method = planes, which takes no tracks; see plane_lines()");
+  for (const Method method : {Method::kPlanes, Method::kLines}) {
+    options.lines.method = method;
+    EXPECT_EQ(rejected(good, options),
+              std::string("reconstruct_lines: method = ") + name(method) +
+                  ", whose lines are not of tracks alone; see plane_lines()");
+  }
   const auto rejected_registration = [&](const Registration& of_first) {
     std::vector<Registrations> registrations(good.matches.size(), Registrations(2));
     registrations[0][1] = of_first;
@@ -367,6 +370,7 @@ TEST(Names, AreThoseOfTheFiles) {
   EXPECT_STREQ(name(Method::kJoint), "joint");
   EXPECT_STREQ(name(Method::kNetwork), "network");
   EXPECT_STREQ(name(Method::kPlanes), "planes");
+  EXPECT_STREQ(name(Method::kLines), "lines");
   EXPECT_STREQ(name(LineClass::kAligned), "aligned");
   EXPECT_STREQ(name(LineClass::kNotAligned), "not_aligned");
   EXPECT_STREQ(name(Status::kDirect), "direct");

@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which method's lines are the product; the others are baselines and never shown first.
+// The product of a run and its headline figures.
 import type { ClassSummary, Line, Method, Patch, Report, Summary, Table2Row } from './schema';
 import { metres } from '../ui/format';
 
-const byRank = ['network', 'joint', 'direct'];
-
 export const isOfFiles = (report: Report): boolean => report.run.command === 'evaluate';
 
-/** The product is the best method that was run, or the first of several line files, whatever it is called. */
-export function productIndex(report: Report, patch: Patch): number {
-  if (isOfFiles(report)) return 0;
-  for (const name of byRank) {
-    const index = patch.methods.findIndex((m) => m.name === name);
-    if (index >= 0) return index;
-  }
-  return 0;
-}
-
-export const product = (report: Report, patch: Patch): Method | undefined => patch.methods[productIndex(report, patch)];
+export const product = (patch: Patch): Method | undefined => patch.methods[patch.product];
 
 /** The rows of class `total` of each patch's product. */
 export function productRows(report: Report): Table2Row[] {
   return report.patches.flatMap((patch) => {
-    const name = product(report, patch)?.name;
+    const name = product(patch)?.name;
     return report.table2.filter((row) => row.patch === patch.id && row.method === name && row.class === 'total');
   });
 }

@@ -160,6 +160,7 @@ export type LineInView = [state: ViewState, offset_px?: number, sigma_px?: numbe
 export interface Line {
   id: string;
   class: string;
+  building?: string;
   status: string;
   kind: string | null;
   reason?: string;
@@ -223,6 +224,21 @@ export interface Building {
   shift_z_m: number | null;
   points_rms_m: number | null;
   points_p90_m: number | null;
+  area_m2: number | null;
+  judged_area_m2: number | null;
+}
+
+/** A row of to_fix.csv: a wrong line or building, by what mending it gains. */
+export interface ToFix {
+  what: 'line' | 'building';
+  id: string;
+  building: string;
+  kind: string;
+  gain_share: number;
+  off_m: number | null;
+  move_x_m: number | null;
+  move_y_m: number | null;
+  move_z_m: number | null;
 }
 
 /** Lines that were moved on purpose, by kind and distance: how many of them pass for right ones. */
@@ -252,6 +268,7 @@ export interface Method {
   plane_of_point: string;
   /** Of a model of buildings. */
   buildings?: Building[];
+  to_fix?: ToFix[];
 }
 
 /** Focal lengths and principal point in pixels of the file, then k1, k2, k3, p1, p2. */
@@ -329,6 +346,8 @@ export interface Patch {
   /** The points that dense matching of the two images found. */
   surface: PointSet | null;
   methods: Method[];
+  /** Index of the method, or of the line file, whose lines the run is for; the others are baselines and never shown first. */
+  product: number;
 }
 
 export interface GateResult {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client reads first: what was judged by what, the verdict, the figure that counts, where the lines lie, and
-// the worst of them.
+// What a client reads first: the verdict, the figure that counts, what was judged by what, what makes the figure, what to fix,
+// and where the lines lie.
 import { halfSentence, headline, isOfFiles, ofPlace, placeSentence, productRows } from '../data/product';
 import type { Report, Summary } from '../data/schema';
 import type { State } from '../state';
@@ -9,6 +9,7 @@ import { interval, metres, percent } from '../ui/format';
 import { decoys } from './decoys';
 import { comparedFiles, lineFiles } from './line_files';
 import { Plan } from './plan';
+import { toFix } from './to_fix';
 import { verdict } from './verdict';
 import { WorstLines } from './worst_lines';
 
@@ -80,13 +81,14 @@ export class Acceptance {
   private readonly plan: Plan;
   private readonly worst: WorstLines;
   private readonly decoys = h('div', { id: 'decoys' });
+  private readonly toFix = h('div', { id: 'to-fix' });
 
   constructor(private readonly state: State) {
     const { report } = state;
     this.plan = new Plan(state);
     this.worst = new WorstLines(state);
     this.element = h('section', { id: 'acceptance' }, verdict(report),
-      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report), this.decoys), this.plan.element, this.worst.element));
+      h('div', { class: 'columns' }, h('div', { class: 'summary' }, keyFigure(report), lineFiles(state), facts(report), this.decoys), this.worst.element, this.toFix, this.plan.element));
     this.show();
     state.onChange((now, before) => {
       if (now.patch !== before.patch || now.method !== before.method) this.show();
@@ -98,5 +100,6 @@ export class Acceptance {
     this.plan.show(this.state.patch, this.state.method);
     this.worst.show(this.state.patch, this.state.method);
     replace(this.decoys, decoys(this.state.method));
+    replace(this.toFix, ...toFix(this.state, this.state.method));
   }
 }

@@ -1,37 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The buildings of a model: how many are right, and a table that begins with the worst.
+// The buildings of a model: how many are right, their plan, a table that begins with the worst, and sections of these.
 import type { Building } from '../data/schema';
+import { reasonOf, verdicts } from '../data/verdicts';
 import type { State } from '../state';
 import { button, h } from '../ui/dom';
 import { metres, missing, percent } from '../ui/format';
 import { SortedTable, type SortedColumn } from '../ui/sorted_table';
+import { buildingSections } from './building_sections';
+import { BuildingPlan } from './building_plan';
 
 const shownRows = 50;
 
-/** Right ones last, those that could not be judged before them. */
-const order = ['gone', 'changed', 'faces missing', 'shifted', 'too high', 'too low', 'wrong height', 'wrong tilt', 'wrong outline', 'not judged', 'right'];
-
-/** What is wrong with a building, in one sentence. */
-function reason(building: Building): string {
-  const { shift_x_m: x, shift_y_m: y, shift_z_m: z } = building;
-  const shift = x === null || y === null || z === null ? '' : `: ${metres(Math.hypot(x, y))} m in plan, ${metres(z)} m in height`;
-  const text: Record<string, string> = {
-    gone: 'The scan has the ground in its place.',
-    changed: 'The scan has a roof of another shape: too many points over it lie on none of its planes.',
-    'faces missing': 'Too many points over it lie on none of its planes.',
-    shifted: `The whole building is displaced${shift}.`,
-    'too high': `The whole building is too high${shift}.`,
-    'too low': `The whole building is too low${shift}.`,
-    'wrong height': 'Most of its wrong area is too high or too low.',
-    'wrong tilt': 'Most of its wrong area has another slope or direction.',
-    'wrong outline': 'Most of its wrong area ends too far out or too far in.',
-    'not judged': 'Less than half of its area has points.',
-  };
-  return text[building.verdict] ?? '';
-}
-
 function countsText(buildings: readonly Building[]): string {
-  const counts = order.map((verdict) => ({ verdict, n: buildings.filter((b) => b.verdict === verdict).length })).filter(({ n }) => n > 0);
+  const counts = verdicts.map((verdict) => ({ verdict, n: buildings.filter((b) => b.verdict === verdict).length })).filter(({ n }) => n > 0);
   return `${buildings.length} buildings: ${counts.map(({ verdict, n }) => `${n} ${verdict}`).join(', ')}.`;
 }
 
@@ -49,7 +30,7 @@ function columns(select: (line: string) => void): SortedColumn<Building>[] {
     { key: 'eave', title: 'eave, m', number: true, value: (b) => b.eave_height_m, cell: (b) => metres(b.eave_height_m), hint: 'height of its eaves, model minus scan' },
     { key: 'faces', title: 'faces', number: true, value: (b) => b.n_judged_faces, cell: (b) => `${b.n_judged_faces}/${b.n_faces}`, hint: 'judged, of all' },
     { key: 'unexplained', title: 'unexplained, %', number: true, value: (b) => b.unexplained_share, cell: (b) => share(b.unexplained_share), hint: 'points over it that lie on none of its planes' },
-    { key: 'reason', title: 'reason', value: reason },
+    { key: 'reason', title: 'reason', value: reasonOf },
   ];
 }
 
@@ -65,7 +46,9 @@ export function buildingsOf(state: State): HTMLElement[] {
   return [
     h('h3', {}, `Buildings: ${name}`),
     h('p', { id: 'building-counts' }, countsText(buildings)),
+    new BuildingPlan(state).element,
     table.element,
+    ...buildingSections(state),
     h('p', { class: 'caption' }, 'faces.csv has each face; the map judged.*.gpkg has buildings and faces as layers.'),
   ];
 }

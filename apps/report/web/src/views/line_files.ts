@@ -10,7 +10,7 @@ import { interval, metres, percent } from '../ui/format';
 export function comparedFiles(report: Report): string[] {
   const [patch] = report.patches;
   if (!patch || !isOfFiles(report) || patch.methods.length < 2) return [];
-  const leading = product(report, patch)!.name;
+  const leading = product(patch)!.name;
   return [leading, ...patch.methods.map((m) => m.name).filter((name) => name !== leading)];
 }
 

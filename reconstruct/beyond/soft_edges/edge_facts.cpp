@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/soft_edges/edge_facts.h"
+
+#include "reconstruct/geometry/median.h"
+#include "reconstruct/ok2011/extract/edge_blur.h"
+#include "reconstruct/views/reduced_view.h"
+
+#include <Eigen/Geometry>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// By the second differences in both directions, in which edges are few (Immerkaer 1996, with a median for the mean).
+std::optional<double> noise_of(const cv::Mat& image, const cv::Mat& is_valid) {
+  constexpr double kMedianOfNormal = 0.6745;
+  const cv::Matx33f differences(1, -2, 1, -2, 4, -2, 1, -2, 1);  // of noise of 1 their sigma is 6
+  constexpr double kGain = 6.0;
+  cv::Mat grey;
+  cv::transform(image, grey, cv::Mat(1, image.channels(), CV_32F, 1.0 / image.channels()));
+  cv::filter2D(grey, grey, CV_32F, differences, {-1, -1}, 0.0, cv::BORDER_REPLICATE);
+  std::vector<float> sizes;
+  sizes.reserve(grey.total());
+  for (int y = 0; y < grey.rows; ++y) {
+    for (int x = 0; x < grey.cols; ++x) {
+      if (is_valid.empty() || is_valid.at<unsigned char>(y, x) != 0)
+        sizes.push_back(std::abs(grey.at<float>(y, x)));
+    }
+  }
+  if (sizes.empty()) return std::nullopt;
+  return median(std::move(sizes)) / (kGain * kMedianOfNormal);
+}
+
+/// A segment in the pixels of the reduced view.
+Segment2 in_reduced(const Segment2& segment, const Eigen::Matrix3d& reduced_from_image) {
+  const auto moved = [&](const Eigen::Vector2d& x) {
+    return Eigen::Vector2d((reduced_from_image * x.homogeneous()).hnormalized());
+  };
+  return {moved(segment.start), moved(segment.end)};
+}
+
+EdgesOfScale edges_of_scale(const View& view, int scale_px, std::vector<Segment2> segments) {
+  EdgesOfScale edges{.scale_px = scale_px, .n_segments = segments.size()};
+  for (const Segment2& segment : segments) edges.length_px += length(segment);
+  const Eigen::Matrix3d reduced_from_image = image_from_reduced(view, scale_px).inverse();
+  for (Segment2& segment : segments) segment = in_reduced(segment, reduced_from_image);
+  // the blur is taken from the longest ones
+  std::ranges::stable_sort(segments, std::greater{},
+                           [](const Segment2& segment) { return length(segment); });
+  edges.width_px = edge_blur_px(reduced(view, scale_px).image, segments);
+  if (edges.width_px) *edges.width_px *= scale_px;
+  return edges;
+}
+
+}  // namespace
+
+EdgeFacts edge_facts(const View& view) {
+  std::map<int, std::vector<Segment2>> by_scale;
+  for (const EdgeSegment& segment : view.segments)
+    by_scale[static_cast<int>(segment.scale_px)].push_back(segment.in_image);
+  EdgeFacts facts;
+  for (auto& [scale_px, segments] : by_scale)
+    facts.scales.push_back(edges_of_scale(view, scale_px, std::move(segments)));
+  facts.noise = noise_of(view.image, view.is_valid);
+  return facts;
+}
+
+}  // namespace ridgeline::reconstruct

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/beyond/soft_edges/soft_edges.h"
+
+#include "reconstruct/beyond/extensions.h"
+#include "reconstruct/views/normalised_image.h"
+#include "tests/reconstruct/ok2011/extract/blurred_scene.h"
+
+#include <gmock/gmock.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ridgeline::reconstruct {
+namespace {
+
+/// Sides of six large roofs. The texture of roofs and ground is finer than the blur of the edges, as compression and
+/// sharpening leave it.
+test::BlurredScene soft_scene(double blur_px, std::uint64_t seed) {
+  constexpr int kCell_px = 450;
+  constexpr double kTexture = 0.035;
+  constexpr double kTextureBlur_px = 0.8;
+  test::Random random(seed);
+  cv::Mat image(2 * kCell_px, 3 * kCell_px, CV_64FC3, test::kGround);
+  test::BlurredScene scene;
+  for (int y = kCell_px / 2; y < image.rows; y += kCell_px) {
+    for (int x = kCell_px / 2; x < image.cols; x += kCell_px) {
+      test::Rectangle roof = test::random_rectangle({x, y}, 0.2, random);
+      roof.half_length_px = random.uniform(100.0, 180.0);
+      roof.half_width_px = random.uniform(60.0, 100.0);
+      test::draw(roof, blur_px, image);
+      test::add_edges(roof, scene.edges);
+    }
+  }
+  cv::Mat texture(image.size(), CV_64FC1);
+  for (auto& value : cv::Mat_<double>(texture)) value = random.normal(kTexture);
+  cv::GaussianBlur(texture, texture, {}, kTextureBlur_px);
+  cv::Mat bands;
+  cv::merge(std::vector<cv::Mat>(3, texture), bands);
+  image += bands;
+  scene.raw = test::raw_image(image, 0.005, random);
+  return scene;
+}
+
+std::vector<EdgeSegment> segments_of(const test::BlurredScene& scene, bool soft_edges) {
+  View view;
+  view.image = normalised_image(scene.raw);
+  const auto extract = [](const View& seen) {
+    return extract_segments(seen.image, seen.ideal_from_image, {}, edge_refinement({}));
+  };
+  std::vector<EdgeSegment> finest = extract(view);
+  return soft_edges ? segments_at_their_scales(view, std::move(finest), extract) : finest;
+}
+
+/// Share of the edges of which one segment covers most, within 3 px of both its ends.
+double share_found_whole(const test::BlurredScene& scene,
+                         const std::vector<EdgeSegment>& segments) {
+  constexpr double kMost = 0.75;
+  constexpr double kBeside_px = 3.0;
+  const auto is_whole = [&](const Segment2& edge) {
+    return std::ranges::any_of(segments, [&](const EdgeSegment& segment) {
+      const Segment2& s = segment.in_image;
+      return length(s) > kMost * length(edge) && distance(edge, s.start) < kBeside_px &&
+             distance(edge, s.end) < kBeside_px;
+    });
+  };
+  return static_cast<double>(std::ranges::count_if(scene.edges, is_whole)) /
+         static_cast<double>(scene.edges.size());
+}
+
+TEST(SoftEdges, OfASoftImageAreFoundAsAWhole) {
+  const test::BlurredScene scene = soft_scene(5.0, 7);
+  EXPECT_LT(share_found_whole(scene, segments_of(scene, false)), 0.3);
+  EXPECT_GT(share_found_whole(scene, segments_of(scene, true)), 0.8);
+}
+
+TEST(SoftEdges, HaveACovarianceThatHolds) {
+  std::vector<double> z2;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const test::BlurredScene scene = soft_scene(5.0, seed);
+    const std::vector<EdgeSegment> segments = segments_of(scene, true);
+    for (const test::EdgeError& error : test::edge_errors(scene.edges, segments)) {
+      const double z = error.across_px / error.segment->line.sigma_q_px;
+      z2.push_back(z * z);
+    }
+  }
+  ASSERT_GT(z2.size(), 60U);
+  // Chi-squared of one degree of freedom lies below 3.84 for 95 %; three sigma are left to the share of so many edges.
+  const auto n = static_cast<double>(z2.size());
+  const double least = 0.95 - 3.0 * std::sqrt(0.95 * 0.05 / n);
+  const auto n_inside = std::ranges::count_if(z2, [](double value) { return value < 3.84; });
+  EXPECT_GT(static_cast<double>(n_inside) / n, least);
+}
+
+TEST(SoftEdges, LeaveTheTextureOut) {
+  const test::BlurredScene scene = soft_scene(5.0, 7);
+  const auto n_short = [&](bool soft_edges) {
+    constexpr double kShort_px = 20.0;
+    return std::ranges::count_if(segments_of(scene, soft_edges), [](const EdgeSegment& segment) {
+      return length(segment.in_image) < kShort_px;
+    });
+  };
+  EXPECT_LT(3 * n_short(true), n_short(false));
+}
+
+TEST(SoftEdges, LeaveASharpImageAsItIs) {
+  const test::BlurredScene scene = soft_scene(0.8, 7);
+  const std::vector<EdgeSegment> plain = segments_of(scene, false);
+  const std::vector<EdgeSegment> with = segments_of(scene, true);
+  ASSERT_EQ(with.size(), plain.size());
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    EXPECT_EQ(with[i].line.segment.start, plain[i].line.segment.start);
+    EXPECT_EQ(with[i].scale_px, 1.0);
+  }
+}
+
+/// The segments that are found at each factor, in pixels of that image.
+struct FoundByFactor {
+  std::vector<Segment2> at_1, at_2, at_4;
+
+  [[nodiscard]] std::vector<EdgeSegment> operator()(const View& seen) const {
+    const std::vector<Segment2>& found = seen.image.cols == 400   ? at_1
+                                         : seen.image.cols == 200 ? at_2
+                                         : seen.image.cols == 100 ? at_4
+                                                                  : kNone;
+    std::vector<EdgeSegment> edges;
+    for (const Segment2& s : found) {
+      EdgeSegment edge;
+      edge.line = {s, midpoint(s), 0.1, 0.001, 1.0};
+      edge.in_image = s;
+      edges.push_back(edge);
+    }
+    return edges;
+  }
+
+  inline static const std::vector<Segment2> kNone{};
+};
+
+std::vector<double> scales_of(const FoundByFactor& found) {
+  View view;
+  view.image = cv::Mat::zeros(400, 400, CV_32FC1);
+  std::vector<double> scales;
+  for (const EdgeSegment& edge : segments_at_their_scales(view, found(view), found))
+    scales.push_back(edge.scale_px);
+  return scales;
+}
+
+TEST(SoftEdges, OfOneEdgeAreTakenFromTheFinestImageThatShowsItWhole) {
+  const Segment2 in_4{{10.0, 20.0}, {90.0, 20.0}};
+  const Segment2 in_2{{20.5, 40.5}, {180.5, 40.5}};  // the same edge
+  const Segment2 other_in_2{{20.0, 100.0}, {180.0, 100.0}};
+  const Segment2 other_in_4{{10.0, 80.0}, {60.0, 80.0}};
+  EXPECT_THAT(scales_of({.at_1 = {}, .at_2 = {in_2, other_in_2}, .at_4 = {in_4, other_in_4}}),
+              testing::ElementsAre(2.0, 2.0, 4.0));
+}
+
+TEST(SoftEdges, OfPiecesAreTakenFromTheImageThatShowsThemAsOne) {
+  const Segment2 in_4{{10.0, 20.0}, {90.0, 20.0}};
+  const Segment2 first{{20.5, 40.5}, {70.0, 40.5}};
+  const Segment2 second{{120.0, 40.5}, {170.0, 40.5}};
+  const Segment2 elsewhere{{20.0, 100.0}, {175.0, 100.0}};
+  EXPECT_THAT(scales_of({.at_1 = {}, .at_2 = {first, second, elsewhere}, .at_4 = {in_4}}),
+              testing::ElementsAre(4.0, 2.0));
+}
+
+TEST(SoftEdges, AreNotToldFromFewSegments) {
+  const Segment2 one_in_2{{20.5, 40.5}, {180.5, 40.5}};
+  EXPECT_THAT(scales_of({.at_1 = {{{10.0, 10.0}, {40.0, 10.0}}}, .at_2 = {one_in_2}, .at_4 = {}}),
+              testing::ElementsAre(1.0));
+}
+
+}  // namespace
+}  // namespace ridgeline::reconstruct
