@@ -172,7 +172,7 @@ TEST(ReadLines, ReadsAPolylineOfAHundredThousandVertices) {
   const TempFolder folder;
   std::string csv = "wkt\n\"LINESTRING Z (";
   for (std::size_t i = 0; i < kVertices; ++i)
-    csv += fmt::format("513000.{:06} 5403000.{} 250.123,", i, i % 2);
+    csv += fmt::format("{}.123456 540300{}.1 250.123,", 513'000 + i, i % 2);
   const LineSet set = read_lines(folder.write("a.csv", csv + "1 2 4)\"\n"));
   EXPECT_EQ(set.lines.size(), kVertices);
 }
