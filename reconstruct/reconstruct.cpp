@@ -226,16 +226,19 @@ const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pair
 
 std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options) {
   if (view.own_segments) return completed_own_segments(view);
-  const auto extract_at_scale = [&](const View& seen) {
+  const auto extract_smoothed = [&](const View& seen, double gradient_sigma_px) {
     const ImagePart image(seen.image, {seen.corner_px.x(), seen.corner_px.y()});
+    ExtractOptions edges = options.edges;
+    edges.gradient_sigma_px = gradient_sigma_px;
     std::vector<EdgeSegment> segments =
-        extract_segments(image, seen.ideal_from_image, options.edges, edge_refinement(options));
+        extract_segments(image, seen.ideal_from_image, edges, edge_refinement(options));
     remove_edges_of_no_data(segments, seen.is_valid);
     return segments;
   };
-  std::vector<EdgeSegment> segments = extract_at_scale(view);
-  if (!options.beyond.soft_edges) return segments;
-  return segments_at_their_scales(view, std::move(segments), extract_at_scale);
+  const double gradient_sigma_px = options.edges.gradient_sigma_px;
+  return options.beyond.soft_edges
+             ? segments_at_their_scales(view, gradient_sigma_px, extract_smoothed)
+             : extract_smoothed(view, gradient_sigma_px);
 }
 
 void extract(Scene& scene, const ExtractionOptions& options) {

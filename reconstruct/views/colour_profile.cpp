@@ -29,7 +29,9 @@ double profile_half_width_px(double blur_px) { return 2.0 + 2.75 * blur_px; }
 
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
                                            const Segment2& segment,
-                                           double half_width_px) {
+                                           double half_width,
+                                           double unit_px) {
+  const double half_width_px = half_width * unit_px;
   const double len = length(segment);
   if (!(len > 2.0 * kEndMargin_px)) return {};
   const Eigen::Vector2d along = (segment.end - segment.start) / len;
@@ -55,7 +57,7 @@ std::vector<ProfileSample> profile_samples(const cv::Mat& image,
       const double t = along.dot(x);
       if (t < kEndMargin_px || t > len - kEndMargin_px) continue;
       samples.push_back(
-          {normal.dot(x), 2.0 * t / len - 1.0, colour_at(image, pixel.x(), pixel.y())});
+          {normal.dot(x) / unit_px, 2.0 * t / len - 1.0, colour_at(image, pixel.x(), pixel.y())});
     }
   }
   return samples;
@@ -80,7 +82,7 @@ BinnedProfile::BinnedProfile(std::span<const ProfileSample> samples, double half
   counts.setZero(n);
   sums.setZero(n, 4);
   for (const ProfileSample& s : samples) {
-    const auto bin = static_cast<Eigen::Index>((s.across_px + half_width_px) / kBin_px);
+    const auto bin = static_cast<Eigen::Index>((s.across + half_width_px) / kBin_px);
     const Eigen::Index inside = std::clamp(bin, Eigen::Index{0}, n - 1);
     counts[inside] += 1.0;
     sums.row(inside) += s.colour.transpose();
@@ -116,6 +118,17 @@ double StepEquations::best_gain() const {
   double best = 0.0;
   for (Eigen::Index i = 0; i < normal.rows(); ++i) best = std::max(best, gain(i));
   return best;
+}
+
+double best_gain(const StepBasis& basis, const BinnedProfile& profile) {
+  const Eigen::MatrixXd weighted = basis.responses * profile.counts.asDiagonal();
+  const Eigen::VectorXd sums = weighted.rowwise().sum();
+  const double n = profile.counts.sum();
+  const Eigen::VectorXd normal =
+      weighted.cwiseProduct(basis.responses).rowwise().sum() - sums.cwiseAbs2() / n;
+  const Eigen::MatrixX4d right =
+      basis.responses * profile.sums - sums * profile.sums.colwise().sum() / n;
+  return (right.rowwise().squaredNorm().array() / normal.array().max(1e-9)).maxCoeff();
 }
 
 }  // namespace ridgeline::reconstruct

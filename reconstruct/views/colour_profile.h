@@ -17,20 +17,22 @@ inline constexpr std::size_t kFewestProfileSamples = 60;
 
 /// A pixel beside a segment.
 struct ProfileSample {
-  double across_px;        ///< distance along n = (-u_y, u_x), u = end - start
-  double tau;              ///< -1 at the start of the segment, 1 at its end
+  double across;  ///< distance along n = (-u_y, u_x), u = end - start, in units of the profile
+  double tau;     ///< -1 at the start of the segment, 1 at its end
   Eigen::Vector4d colour;  ///< 0 where the image has fewer bands
 };
 
 /// Half the width of the profile of close edges: two pixels and room for the blur on both sides.
 double profile_half_width_px(double blur_px);
 
-/// The pixels up to `half_width_px` beside a segment, without interpolation. Pixels next to its ends are left
+/// The pixels up to `half_width` units beside a segment, without interpolation. Pixels next to its ends are left
 /// out, because corners disturb the profile there; a segment of a few pixels has none.
-/// @param image  CV_32FC(n), n = 1..4
+/// @param image    CV_32FC(n), n = 1..4
+/// @param unit_px  the unit of distances across: 1, or more for edges wider than a pixel
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
                                            const Segment2& segment,
-                                           double half_width_px);
+                                           double half_width,
+                                           double unit_px = 1.0);
 
 /// The value at z of an edge of height 1 at 0 that is blurred with sigma 1.
 double step_response(double z);
@@ -66,5 +68,8 @@ struct StepEquations {
   /// By how much the best single step reduces the sum of squares.
   [[nodiscard]] double best_gain() const;
 };
+
+/// By how much the best single step reduces the sum of squares: StepEquations::best_gain() without the other equations.
+double best_gain(const StepBasis& basis, const BinnedProfile& profile);
 
 }  // namespace ridgeline::reconstruct

@@ -70,7 +70,7 @@ class TwoSteps {
     for (std::size_t i = 0; i < 2; ++i) {
       const auto offset = static_cast<Eigen::Index>(2 * i);
       const double z =
-          (s.across_px - parameters_[offset] - parameters_[offset + 1] * s.tau) / blur_px_;
+          (s.across - parameters_[offset] - parameters_[offset + 1] * s.tau) / blur_px_;
       response[i] = step_response(z);
       slope[i] = colours_only ? 0.0 : -bell_density(z) / blur_px_;
     }
@@ -138,30 +138,33 @@ bool is_sound(const std::array<ProfileStep, 2>& steps, const std::array<double, 
 }  // namespace
 
 CloseEdgeFinder::CloseEdgeFinder(double blur_px)
-    : blur_px_(blur_px),
-      basis_(
-          profile_half_width_px(blur_px), profile_half_width_px(blur_px) - 1.8 * blur_px, blur_px) {
-}
+    : unit_px_(std::max(1.0, blur_px)),
+      blur_(blur_px / unit_px_),
+      basis_(profile_half_width_px(blur_), profile_half_width_px(blur_) - 1.8 * blur_, blur_) {}
 
 std::optional<std::array<ProfileStep, 2>> CloseEdgeFinder::find(const cv::Mat& image,
                                                                 const Segment2& segment) const {
   constexpr int kPasses = 6;
   // Two steps the same way may also be one step with a wider blur: a soft shadow.
   constexpr double kClosestOneWay_px = 0.9;
-  const double half_width_px = profile_half_width_px(blur_px_);
-  const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width_px);
+  const double half_width = profile_half_width_px(blur_);
+  const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width, unit_px_);
   if (samples.size() < kFewestProfileSamples) return std::nullopt;
-  const auto begin = two_offsets(basis_, BinnedProfile(samples, half_width_px));
+  const auto begin = two_offsets(basis_, BinnedProfile(samples, half_width));
   if (!begin) return std::nullopt;
-  TwoSteps model((*begin)[0], (*begin)[1], image.channels(), blur_px_);
+  TwoSteps model((*begin)[0], (*begin)[1], image.channels(), blur_);
   if (!model.improve(samples, true)) return std::nullopt;
   for (int pass = 0; pass < kPasses; ++pass) {
     if (!model.improve(samples, false)) return std::nullopt;
   }
-  const std::array<ProfileStep, 2> steps{model.step(0), model.step(1)};
+  std::array<ProfileStep, 2> steps{model.step(0), model.step(1)};
   if (!is_sound(steps, *begin)) return std::nullopt;
   const double width = steps[1].offset_px - steps[0].offset_px;
   if (width < kClosestOneWay_px && !model.turns_back()) return std::nullopt;
+  for (ProfileStep& step : steps) {
+    step.offset_px *= unit_px_;
+    step.tilt_px *= unit_px_;
+  }
   return steps;
 }
 

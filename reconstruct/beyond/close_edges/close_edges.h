@@ -43,7 +43,8 @@ class CloseEdgeFinder {
                                                                const Segment2& segment) const;
 
  private:
-  double blur_px_;
+  double unit_px_;  ///< of the profiles: their edges are at most one unit wide
+  double blur_;     ///< in units
   StepBasis basis_;
 };
 

@@ -14,7 +14,7 @@ struct EdgesOfScale {
   int scale_px = 1;  ///< 1: the image itself, 2: at half size, ...
   std::size_t n_segments = 0;
   double length_px = 0.0;  ///< of all of them, pixels of the image
-  /// Median standard deviation of the blur of their edges, pixels of the image, at most 1.5 scale_px; nothing with
+  /// Median standard deviation of the blur of their edges, pixels of the image, at most 6 scale_px; nothing with
   /// fewer than five clean edges.
   std::optional<double> width_px{};
 };

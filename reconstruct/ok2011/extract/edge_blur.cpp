@@ -16,6 +16,7 @@ constexpr double kSmallest_px = 0.35;
 constexpr double kStep_px = 0.05;
 constexpr std::size_t kNumBlurs = 24;
 
+double half_width_px() { return profile_half_width_px(kTypicalBlur_px); }
 double blur_px(std::size_t i) { return kSmallest_px + kStep_px * static_cast<double>(i); }
 
 /// The blur at which one step describes the profile best, if it does so well.
@@ -25,7 +26,7 @@ std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const
   double best = 0.0;
   std::size_t at = 0;
   for (std::size_t i = 0; i < bases.size(); ++i) {
-    const double gain = StepEquations(bases[i], profile).best_gain();
+    const double gain = best_gain(bases[i], profile);
     if (gain <= best) continue;
     best = gain;
     at = i;
@@ -34,32 +35,49 @@ std::optional<double> best_blur_px(const BinnedProfile& profile, std::span<const
   return blur_px(at);
 }
 
-}  // namespace
-
-std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
-  constexpr double kLargestOffset_px = 1.0;
+/// The blur in units of `unit_px`.
+std::optional<double> median_blur(const cv::Mat& image,
+                                  std::span<const Segment2> segments,
+                                  std::span<const StepBasis> bases,
+                                  double unit_px) {
   constexpr std::size_t kMostSegments = 200;
   constexpr double kShortest_px = 30.0;
   constexpr std::size_t kFewestEdges = 5;
-  const double half_width_px = profile_half_width_px(kTypicalBlur_px);
-  std::vector<StepBasis> bases;
-  bases.reserve(kNumBlurs);
-  for (std::size_t i = 0; i < kNumBlurs; ++i) {
-    bases.emplace_back(half_width_px, kLargestOffset_px, blur_px(i));
-  }
   std::vector<double> blurs;
   std::size_t n_seen = 0;
   for (const Segment2& segment : segments) {
     if (length(segment) < kShortest_px) continue;
     if (++n_seen > kMostSegments) break;
-    const std::vector<ProfileSample> samples = profile_samples(image, segment, half_width_px);
+    const std::vector<ProfileSample> samples =
+        profile_samples(image, segment, half_width_px(), unit_px);
     if (samples.size() < kFewestProfileSamples) continue;
-    if (const auto blur = best_blur_px(BinnedProfile(samples, half_width_px), bases)) {
+    if (const auto blur = best_blur_px(BinnedProfile(samples, half_width_px()), bases)) {
       blurs.push_back(*blur);
     }
   }
   if (blurs.size() < kFewestEdges) return std::nullopt;
   return median(std::move(blurs));
+}
+
+}  // namespace
+
+std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
+  constexpr double kLargestOffset_px = 1.0;
+  constexpr double kWidest_px = 1.35;  // wider edges are looked at in pixels twice as large
+  constexpr double kLargestUnit_px = 4.0;
+  std::vector<StepBasis> bases;
+  bases.reserve(kNumBlurs);
+  for (std::size_t i = 0; i < kNumBlurs; ++i) {
+    bases.emplace_back(half_width_px(), kLargestOffset_px, blur_px(i));
+  }
+  std::optional<double> blur_px;
+  for (double unit_px = 1.0; unit_px <= kLargestUnit_px; unit_px *= 2.0) {
+    const auto blur = median_blur(image, segments, bases, unit_px);
+    if (!blur) break;
+    blur_px = *blur * unit_px;
+    if (*blur < kWidest_px) break;
+  }
+  return blur_px;
 }
 
 }  // namespace ridgeline::reconstruct

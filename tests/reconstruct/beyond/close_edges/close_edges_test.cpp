@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 namespace ridgeline::reconstruct {
 namespace {
 
@@ -74,6 +76,28 @@ TEST(CloseEdges, AStripIsFoundToAFewHundredthsOfAPixelInNoise) {
   EXPECT_NEAR((*edges)[1].offset_px, 0.75, kTolerance_px);
 }
 
+TEST(CloseEdges, FindsBothBordersOfAStripThatASoftImageShows) {
+  BlurredStrip strip;
+  strip.blur_px = 2.1;
+  strip.offsets_px = {-1.3, 1.6};
+  const auto edges = find(strip, strip.base_segment());
+  ASSERT_TRUE(edges);
+  EXPECT_NEAR((*edges)[0].offset_px, -1.3, kExact_px);
+  EXPECT_NEAR((*edges)[1].offset_px, 1.6, kExact_px);
+}
+
+TEST(CloseEdges, AStripOfASoftImageIsFoundInNoiseFromTheEdgeThatTheGradientShows) {
+  constexpr double kTolerance_px = 0.3;  // three standard deviations, found by repetition
+  BlurredStrip strip;
+  strip.blur_px = 2.1;
+  strip.noise = 0.01;
+  const double blur_moves_px = 2.0;  // the maxima of the gradient of a narrow strip lie at its blur
+  const auto edges = find(strip, moved(strip.base_segment(), blur_moves_px));
+  ASSERT_TRUE(edges);
+  EXPECT_NEAR((*edges)[0].offset_px, -0.75 - blur_moves_px, kTolerance_px);
+  EXPECT_NEAR((*edges)[1].offset_px, 0.75 - blur_moves_px, kTolerance_px);
+}
+
 TEST(CloseEdges, LeavesASingleEdgeAlone) {
   BlurredStrip step;
   step.noise = 0.02;
@@ -125,15 +149,16 @@ TEST(CloseEdges, TakesASegmentThatGoesOnBeyondTheImage) {
 }
 
 TEST(EdgeBlur, IsThatOfCleanEdges) {
-  constexpr double kGrid_px = 0.05;  // step of the blurs that are tried
-  for (const double blur_px : {0.5, 0.8, 1.1}) {
+  constexpr double kGrid = 0.05;  // step of the blurs that are tried, in the unit of their profile
+  for (const auto& [blur_px, unit_px] :
+       {std::pair{0.5, 1.0}, {0.8, 1.0}, {1.1, 1.0}, {2.0, 2.0}, {4.0, 4.0}}) {
     BlurredStrip step;
     step.noise = 0.005;
     step.blur_px = blur_px;
     step.colours[1] = step.colours[0];
     step.offsets_px = {0.0, 0.1};
     const std::vector<Segment2> repeated(5, step.base_segment());
-    EXPECT_NEAR(edge_blur_px(step.image(), repeated).value(), blur_px, kGrid_px) << blur_px;
+    EXPECT_NEAR(edge_blur_px(step.image(), repeated).value(), blur_px, kGrid * unit_px) << blur_px;
   }
 }
 

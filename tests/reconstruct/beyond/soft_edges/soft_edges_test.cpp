@@ -15,11 +15,16 @@
 namespace ridgeline::reconstruct {
 namespace {
 
+/// Standard deviations of the grey values in 0..1.
+struct Disturbance {
+  double texture = 0.035;
+  double noise = 0.005;
+};
+
 /// Sides of six large roofs. The texture of roofs and ground is finer than the blur of the edges, as compression and
 /// sharpening leave it.
-test::BlurredScene soft_scene(double blur_px, std::uint64_t seed) {
+test::BlurredScene soft_scene(double blur_px, std::uint64_t seed, const Disturbance& by = {}) {
   constexpr int kCell_px = 450;
-  constexpr double kTexture = 0.035;
   constexpr double kTextureBlur_px = 0.8;
   test::Random random(seed);
   cv::Mat image(2 * kCell_px, 3 * kCell_px, CV_64FC3, test::kGround);
@@ -34,23 +39,28 @@ test::BlurredScene soft_scene(double blur_px, std::uint64_t seed) {
     }
   }
   cv::Mat texture(image.size(), CV_64FC1);
-  for (auto& value : cv::Mat_<double>(texture)) value = random.normal(kTexture);
+  for (auto& value : cv::Mat_<double>(texture)) value = random.normal(by.texture);
   cv::GaussianBlur(texture, texture, {}, kTextureBlur_px);
   cv::Mat bands;
   cv::merge(std::vector<cv::Mat>(3, texture), bands);
   image += bands;
-  scene.raw = test::raw_image(image, 0.005, random);
+  scene.raw = test::raw_image(image, by.noise, random);
   return scene;
+}
+
+constexpr double kSmoothing_px = ExtractOptions{}.gradient_sigma_px;
+
+std::vector<EdgeSegment> extract_smoothed(const View& seen, double gradient_sigma_px) {
+  ExtractOptions options;
+  options.gradient_sigma_px = gradient_sigma_px;
+  return extract_segments(seen.image, seen.ideal_from_image, options, edge_refinement({}));
 }
 
 std::vector<EdgeSegment> segments_of(const test::BlurredScene& scene, bool soft_edges) {
   View view;
   view.image = normalised_image(scene.raw);
-  const auto extract = [](const View& seen) {
-    return extract_segments(seen.image, seen.ideal_from_image, {}, edge_refinement({}));
-  };
-  std::vector<EdgeSegment> finest = extract(view);
-  return soft_edges ? segments_at_their_scales(view, std::move(finest), extract) : finest;
+  return soft_edges ? segments_at_their_scales(view, kSmoothing_px, extract_smoothed)
+                    : extract_smoothed(view, kSmoothing_px);
 }
 
 /// Share of the edges of which one segment covers most, within 3 px of both its ends.
@@ -104,6 +114,43 @@ TEST(SoftEdges, LeaveTheTextureOut) {
   EXPECT_LT(3 * n_short(true), n_short(false));
 }
 
+/// The smoothing of each search at full size.
+std::vector<double> smoothing_of(const test::BlurredScene& scene) {
+  View view;
+  view.image = normalised_image(scene.raw);
+  std::vector<double> smoothing_px;
+  (void)segments_at_their_scales(view, kSmoothing_px,
+                                 [&](const View& seen, double gradient_sigma_px) {
+                                   if (seen.image.size() == view.image.size())
+                                     smoothing_px.push_back(gradient_sigma_px);
+                                   return extract_smoothed(seen, gradient_sigma_px);
+                                 });
+  return smoothing_px;
+}
+
+TEST(SoftEdges, AreSearchedWithAGradientSmoothedByThreeQuartersOfTheirBlur) {
+  constexpr double kTolerance_px = 0.15;  // the blur is measured in steps of 0.05 to 0.2 px
+  const test::BlurredScene soft = test::blurred_scene(3, {.blur_px = 2.6, .noise = 0.01});
+  EXPECT_THAT(smoothing_of(soft),
+              testing::ElementsAre(kSmoothing_px, testing::DoubleNear(0.75 * 2.6, kTolerance_px)));
+  const test::BlurredScene sharp = test::blurred_scene(3, {.blur_px = 0.8, .noise = 0.01});
+  EXPECT_THAT(smoothing_of(sharp), testing::ElementsAre(kSmoothing_px));
+}
+
+TEST(SoftEdges, WithoutTextureAreFoundAtFullSizeIfTheGradientIsSmoothedAsTheyAre) {
+  double without = 0.0;
+  double with = 0.0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const test::BlurredScene scene = soft_scene(3.0, seed, {.texture = 0.0, .noise = 0.02});
+    const std::vector<EdgeSegment> segments = segments_of(scene, true);
+    for (const EdgeSegment& segment : segments) EXPECT_EQ(segment.scale_px, 1.0);
+    with += share_found_whole(scene, segments) / 3.0;
+    without += share_found_whole(scene, segments_of(scene, false)) / 3.0;
+  }
+  EXPECT_LT(without, 0.8);
+  EXPECT_GT(with, 0.95);
+}
+
 TEST(SoftEdges, LeaveASharpImageAsItIs) {
   const test::BlurredScene scene = soft_scene(0.8, 7);
   const std::vector<EdgeSegment> plain = segments_of(scene, false);
@@ -119,7 +166,7 @@ TEST(SoftEdges, LeaveASharpImageAsItIs) {
 struct FoundByFactor {
   std::vector<Segment2> at_1, at_2, at_4;
 
-  [[nodiscard]] std::vector<EdgeSegment> operator()(const View& seen) const {
+  std::vector<EdgeSegment> operator()(const View& seen, double /*gradient_sigma_px*/) const {
     const std::vector<Segment2>& found = seen.image.cols == 400   ? at_1
                                          : seen.image.cols == 200 ? at_2
                                          : seen.image.cols == 100 ? at_4
@@ -141,7 +188,7 @@ std::vector<double> scales_of(const FoundByFactor& found) {
   View view;
   view.image = cv::Mat::zeros(400, 400, CV_32FC1);
   std::vector<double> scales;
-  for (const EdgeSegment& edge : segments_at_their_scales(view, found(view), found))
+  for (const EdgeSegment& edge : segments_at_their_scales(view, kSmoothing_px, found))
     scales.push_back(edge.scale_px);
   return scales;
 }
