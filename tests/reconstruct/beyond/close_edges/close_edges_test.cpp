@@ -92,8 +92,7 @@ TEST(CloseEdges, AMarkingOfASoftImageIsFoundFromTheEdgeThatTheGradientShows) {
   marking.colours[2] = marking.colours[0];
   marking.blur_px = 3.0;
   marking.noise = 0.008;
-  const double blur_moves_px =
-      2.2;  // the gradient of a narrow strip is strongest one blur beside it
+  const double blur_moves_px = 3.0;  // a narrow strip has the strongest gradient there
   const auto edges = find(marking, moved(marking.base_segment(), blur_moves_px));
   ASSERT_TRUE(edges);
   EXPECT_NEAR((*edges)[0].offset_px, -0.75 - blur_moves_px, kTolerance_px);
