@@ -40,7 +40,7 @@ struct EdgeExtensionOptions {
         Field{"separate_edges", &O::separate_edges, false, true,
               "resolve two edges within about two pixels that blur into one"},
         Field{"soft_edges", &O::soft_edges, false, true,
-              "look for edges wider than a pixel in reduced images, where they are sharp"}};
+              "smooth as much as edges are wide, and look for them in reduced images"}};
   }
 };
 
