@@ -228,10 +228,10 @@ std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& opti
   if (view.own_segments) return completed_own_segments(view);
   const auto extract_smoothed = [&](const View& seen, double gradient_sigma_px) {
     const ImagePart image(seen.image, {seen.corner_px.x(), seen.corner_px.y()});
-    ExtractOptions edges = options.edges;
-    edges.gradient_sigma_px = gradient_sigma_px;
+    ExtractionOptions smoothed = options;
+    smoothed.edges.gradient_sigma_px = gradient_sigma_px;
     std::vector<EdgeSegment> segments =
-        extract_segments(image, seen.ideal_from_image, edges, edge_refinement(options));
+        extract_segments(image, seen.ideal_from_image, smoothed.edges, edge_refinement(smoothed));
     remove_edges_of_no_data(segments, seen.is_valid);
     return segments;
   };

@@ -6,9 +6,14 @@
 
 namespace ridgeline::reconstruct {
 
+/// A second look with hardly more smoothing than the first finds no more.
+constexpr double kMoreSmoothing = 1.2;
+
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
                                         const ImagePart& image,
                                         const ExtractionOptions& options) {
+  if (options.beyond.faint_gradient_sigma_px <= kMoreSmoothing * options.edges.gradient_sigma_px)
+    return known;
   ExtractOptions smoother = options.edges;
   smoother.gradient_sigma_px = options.beyond.faint_gradient_sigma_px;
   smoother.min_length_px =

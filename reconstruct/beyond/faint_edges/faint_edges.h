@@ -9,7 +9,8 @@
 namespace ridgeline::reconstruct {
 
 /// The known edges, followed by those that a second look with more smoothing finds beside them. Ridges and
-/// hips between faces of nearly the same colour are too faint for the first look.
+/// hips between faces of nearly the same colour are too faint for the first look. In a soft image the first look
+/// has that smoothing already.
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
                                         const ImagePart& image,
                                         const ExtractionOptions& options);

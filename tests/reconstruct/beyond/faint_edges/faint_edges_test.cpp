@@ -37,5 +37,17 @@ TEST(WithFaintEdges, LeavesClearEdgesAsTheyAre) {
   EXPECT_EQ(two_looks.completeness, one_look.completeness);
 }
 
+TEST(WithFaintEdges, LooksOnceAtAnImageWhoseFirstLookIsAsSmooth) {
+  const test::BlurredScene scene = test::blurred_scene(5, {.noise = 0.01, .contrast = 0.02});
+  const ImagePart image(normalised_image(scene.raw));
+  const auto n_found = [&](double first_sigma_px) {
+    ExtractionOptions options;
+    options.edges.gradient_sigma_px = first_sigma_px;
+    return with_faint_edges({}, image, options).size();
+  };
+  EXPECT_GT(n_found(0.8), 0U);
+  EXPECT_EQ(n_found(1.5), 0U);
+}
+
 }  // namespace
 }  // namespace ridgeline::reconstruct

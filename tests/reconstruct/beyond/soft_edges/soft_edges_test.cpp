@@ -51,9 +51,10 @@ test::BlurredScene soft_scene(double blur_px, std::uint64_t seed, const Disturba
 constexpr double kSmoothing_px = ExtractOptions{}.gradient_sigma_px;
 
 std::vector<EdgeSegment> extract_smoothed(const View& seen, double gradient_sigma_px) {
-  ExtractOptions options;
-  options.gradient_sigma_px = gradient_sigma_px;
-  return extract_segments(seen.image, seen.ideal_from_image, options, edge_refinement({}));
+  ExtractionOptions options;
+  options.edges.gradient_sigma_px = gradient_sigma_px;
+  return extract_segments(seen.image, seen.ideal_from_image, options.edges,
+                          edge_refinement(options));
 }
 
 std::vector<EdgeSegment> segments_of(const test::BlurredScene& scene, bool soft_edges) {
