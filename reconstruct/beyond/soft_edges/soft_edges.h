@@ -20,7 +20,7 @@ using Extraction =
 /// segments of an image show edges wider than the smoothing was meant for, the image is searched again.
 ///
 /// At full size a soft image may show its texture more clearly than its edges. It is reduced by halves as long as that
-/// makes its long segments longer by three tenths, all in all. Segments of the finer images are left out, because they
+/// makes its long segments longer by a fifth, all in all. Segments of the finer images are left out, because they
 /// are texture. Further halves bring wider edges. Where several images show one edge, the finest segment that shows it
 /// as a whole is taken.
 /// @param view               its image is CV_32F

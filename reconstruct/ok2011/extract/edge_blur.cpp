@@ -64,14 +64,13 @@ std::optional<double> median_blur(const cv::Mat& image,
 std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments) {
   constexpr double kLargestOffset_px = 1.0;
   constexpr double kWidest_px = 1.35;  // wider edges are looked at in pixels twice as large
-  constexpr double kLargestUnit_px = 4.0;
   std::vector<StepBasis> bases;
   bases.reserve(kNumBlurs);
   for (std::size_t i = 0; i < kNumBlurs; ++i) {
     bases.emplace_back(half_width_px(), kLargestOffset_px, blur_px(i));
   }
   std::optional<double> blur_px;
-  for (double unit_px = 1.0; unit_px <= kLargestUnit_px; unit_px *= 2.0) {
+  for (const double unit_px : {1.0, 2.0, 4.0}) {
     const auto blur = median_blur(image, segments, bases, unit_px);
     if (!blur) break;
     blur_px = *blur * unit_px;
