@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace ridgeline::cli {
 namespace {
@@ -71,8 +72,11 @@ TEST_F(SoftPatch, LinesLieWhereTheirImagesShowThem) {
   EXPECT_GT(n_seen, 20);
 }
 
-TEST_F(SoftPatch, SegmentsStateTheirScale) {
-  ASSERT_EQ(run({"extract", "patch/left.tif", "--out", "left.csv"}).exit_code, 0);
+using SoftSample = Cli;
+
+TEST_F(SoftSample, SegmentsStateTheirScale) {
+  const auto image = std::filesystem::path(test::source_dir()) / "sample_data/5/left.tif";
+  ASSERT_EQ(run({"extract", image.string(), "--out", "left.csv"}).exit_code, 0);
   const io::CsvTable table(path("left.csv").string());
   ASSERT_GT(table.size(), 0U);
   for (std::size_t row = 0; row < table.size(); ++row)
