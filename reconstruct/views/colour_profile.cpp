@@ -99,10 +99,6 @@ StepEquations::StepEquations(const StepBasis& basis, const BinnedProfile& profil
   right = basis.responses * profile.sums - sums * profile.sums.colwise().sum() / n;
 }
 
-double StepEquations::gain(Eigen::Index i) const {
-  return right.row(i).squaredNorm() / std::max(normal(i, i), 1e-9);
-}
-
 double StepEquations::gain(Eigen::Index i, Eigen::Index j) const {
   const double a = normal(i, i);
   const double b = normal(j, j);
@@ -112,12 +108,6 @@ double StepEquations::gain(Eigen::Index i, Eigen::Index j) const {
   return (b * right.row(i).squaredNorm() - 2.0 * c * right.row(i).dot(right.row(j)) +
           a * right.row(j).squaredNorm()) /
          determinant;
-}
-
-double StepEquations::best_gain() const {
-  double best = 0.0;
-  for (Eigen::Index i = 0; i < normal.rows(); ++i) best = std::max(best, gain(i));
-  return best;
 }
 
 double best_gain(const StepBasis& basis, const BinnedProfile& profile) {

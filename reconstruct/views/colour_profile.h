@@ -25,8 +25,8 @@ struct ProfileSample {
 /// Half the width of the profile of close edges: two pixels and room for the blur on both sides.
 double profile_half_width_px(double blur_px);
 
-/// The pixels up to `half_width` units beside a segment, without interpolation. Pixels next to its ends are left
-/// out, because corners disturb the profile there; a segment of a few pixels has none.
+/// The pixels up to `half_width` units beside a segment, without interpolation. Pixels next to its
+/// ends are left out, because corners disturb the profile there; a segment of a few pixels has none.
 /// @param image    CV_32FC(n), n = 1..4
 /// @param unit_px  the unit of distances across: 1, or more for edges wider than a pixel
 std::vector<ProfileSample> profile_samples(const cv::Mat& image,
@@ -61,15 +61,11 @@ struct StepEquations {
 
   StepEquations(const StepBasis& basis, const BinnedProfile& profile);
 
-  /// By how much a step at an offset reduces the sum of squares.
-  [[nodiscard]] double gain(Eigen::Index i) const;
   /// By how much steps at two offsets reduce the sum of squares; 0 if the bins do not tell them apart.
   [[nodiscard]] double gain(Eigen::Index i, Eigen::Index j) const;
-  /// By how much the best single step reduces the sum of squares.
-  [[nodiscard]] double best_gain() const;
 };
 
-/// By how much the best single step reduces the sum of squares: StepEquations::best_gain() without the other equations.
+/// By how much the best single step reduces the sum of squares.
 double best_gain(const StepBasis& basis, const BinnedProfile& profile);
 
 }  // namespace ridgeline::reconstruct

@@ -112,7 +112,7 @@ std::optional<std::array<double, 2>> two_offsets(const StepBasis& basis,
     }
   }
   if (at[0] == 0 || at[1] == n - 1) return std::nullopt;  // the profile shows an edge farther away
-  if (profile.squares - best > kLargestRatio * (profile.squares - equations.best_gain())) {
+  if (profile.squares - best > kLargestRatio * (profile.squares - best_gain(basis, profile))) {
     return std::nullopt;
   }
   return std::array{basis.offsets_px[at[0]], basis.offsets_px[at[1]]};

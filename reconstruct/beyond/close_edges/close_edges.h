@@ -21,7 +21,7 @@ struct ProfileStep {
 
 /// Finds the two edges that make up one segment.
 ///
-/// Edges within about two pixels blur into one: the edge of a roof and the strip of wall below it, which one
+/// Edges within about two pixels, in a soft image within two blurs, blur into one: the edge of a roof and the strip of wall below it, which one
 /// of the cameras sees, or both borders of a road marking. The maximum of the gradient then lies on neither
 /// edge; it is off by up to half the strip. The pixels along the segment sample the profile across it at many
 /// phases, so that the profile is known far below a pixel. Per band it is

