@@ -31,21 +31,22 @@ struct ParameterArguments {
   std::optional<double> lidar_sigma_m;
 };
 
-/// The parameters of the preset, changed by the config file and then by the options of the command line. Throws IoError naming
-/// file, line, key and rule for a key that is unknown and for a value out of its range; std::invalid_argument for an
-/// option out of its range.
+/// The parameters of the preset, changed by the config file and then by the options of the command
+/// line. Throws IoError naming file, line, key and rule for a key that is unknown and for a value
+/// out of its range; std::invalid_argument for an option out of its range.
 Parameters read_parameters(const ParameterArguments& arguments);
 
 std::vector<std::string> method_names();
 
-/// The methods of a run that names none: `lines`, with the preset `published` the papers' two. The last
-/// one is that of a command that takes a single method.
+/// The methods of a run that names none: `lines`, with the preset `published` the papers' two. The
+/// last one is that of a command that takes a single method.
 std::vector<std::string> default_methods(const ParameterArguments& parameters);
 
 /// The method of that name. Throws std::invalid_argument unless it is one of method_names().
 reconstruct::Method method_named(const std::string& name);
 
-/// The matchers of these names in the order of the enum, each once. Throws std::invalid_argument for a name of no matcher.
+/// The matchers of these names in the order of the enum, each once. Throws std::invalid_argument
+/// for a name of no matcher.
 std::vector<reconstruct::Matcher> matchers_named(const std::vector<std::string>& names);
 
 /// Throws std::invalid_argument if the preset is `published` and a method is not of the papers.
@@ -64,7 +65,8 @@ std::string to_yaml(const Parameters& parameters);
 /// The parameters as run.json records them.
 nlohmann::ordered_json echo(const Parameters& parameters);
 
-/// The options of an evaluation as run.json records them. The report reads the cloud again with them.
+/// The options of an evaluation as run.json records them. The report reads the cloud again with
+/// them.
 nlohmann::ordered_json echo(const results::JudgeFilesOptions& options);
 
 }  // namespace ridgeline::apps

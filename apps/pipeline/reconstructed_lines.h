@@ -9,10 +9,11 @@
 
 namespace ridgeline::apps {
 
-/// The lines of a scene as a file holds them: in the CRS, with class, status, covariance and the image
-/// segments that they were made from. The id is the number of the track, the same for all methods;
-/// "17.1", "17.2", ... for the parts of track 17 if it shows several lines; "p0", "p1", ... for lines
-/// that no edge shows. A line without geometry keeps its place; its coordinates are not finite.
+/// The lines of a scene as a file holds them: in the CRS, with class, status, covariance and the
+/// image segments that they were made from. The id is the number of the track, the same for all
+/// methods; "17.1", "17.2", ... for the parts of track 17 if it shows several lines; "p0", "p1",
+/// ... for lines that no edge shows. A line without geometry keeps its place; its coordinates are
+/// not finite.
 io::LineSet line_set_of(std::span<const reconstruct::ReconstructedLine> lines,
                         const reconstruct::Scene& scene,
                         const io::Crs& crs,

@@ -44,8 +44,8 @@ struct ReconstructArguments {
   bool overwrite = false;
 };
 
-/// Gives the views the segments that the matches name: those of segments.IMAGE.csv beside the file of matches, else those
-/// extracted now.
+/// Gives the views the segments that the matches name: those of segments.IMAGE.csv beside the file
+/// of matches, else those extracted now.
 void find_segments(const io::PatchFile& patch,
                    const ReconstructArguments& a,
                    reconstruct::Scene& scene) {
@@ -66,8 +66,8 @@ struct Tracked {
   std::vector<Track> tracks;
 };
 
-/// The tracks of the matches of the file, which are those of the first two images, or those made now of all images. Segments
-/// that are found then are added to the scene.
+/// The tracks of the matches of the file, which are those of the first two images, or those made
+/// now of all images. Segments that are found then are added to the scene.
 Tracked tracked(reconstruct::Scene& scene, const ReconstructArguments& a) {
   if (!a.matches.empty()) {
     const std::vector<LineMatch> matches =
@@ -122,8 +122,8 @@ std::vector<reconstruct::ReconstructedLine> lines_of(const io::PatchFile& patch,
                                a.options);
 }
 
-/// The format of --format, else of the name's ending; GeoJSON if neither says it. Throws std::invalid_argument if both
-/// differ, or for an ending of no format.
+/// The format of --format, else of the name's ending; GeoJSON if neither says it. Throws
+/// std::invalid_argument if both differ, or for an ending of no format.
 io::LineFormat format_of(const ReconstructArguments& a) {
   const std::optional<io::LineFormat> by_ending = io::line_format_of_file(a.out);
   const std::optional<io::LineFormat> stated = io::line_format(a.format);

@@ -100,7 +100,8 @@ void read_images(const fs::path& folder, const RunInputs& inputs, ReportPatch& p
   patch.images = std::move(shown);
 }
 
-/// The surroundings of the lines, to which a cloud is cut that may cover a town; nothing if there are no lines.
+/// The surroundings of the lines, to which a cloud is cut that may cover a town; nothing if there
+/// are no lines.
 std::optional<io::PlanMask> mask_around_lines(const ReportPatch& patch) {
   constexpr double kRadius_m = 10.0;
   std::vector<Segment2> segments;
@@ -140,7 +141,8 @@ std::optional<Eigen::AlignedBox3d> box_of_lines(const ReportPatch& patch) {
   return box;
 }
 
-/// Reads the cloud. It may cover a town, so only points around the lines are kept, thinned to those that are shown.
+/// Reads the cloud. It may cover a town, so only points around the lines are kept, thinned to those
+/// that are shown.
 void read_points(const std::vector<std::string>& files,
                  const RunInputs& inputs,
                  ReportPatch& patch) {
@@ -190,8 +192,8 @@ void read_true_errors(const RunInputs& inputs, const std::string& reference, Rep
   }
 }
 
-/// Adds the rows of a table, as JSON, to those of the method that each is of. `numbers` that a row does not have are null.
-/// Nothing without the file, which older runs do not have.
+/// Adds the rows of a table, as JSON, to those of the method that each is of. `numbers` that a row
+/// does not have are null. Nothing without the file, which older runs do not have.
 void read_rows(const fs::path& file,
                const std::vector<const char*>& texts,
                const std::vector<const char*>& numbers,

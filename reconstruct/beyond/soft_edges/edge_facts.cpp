@@ -17,7 +17,8 @@
 namespace ridgeline::reconstruct {
 namespace {
 
-/// By the second differences in both directions, in which edges are few (Immerkaer 1996, with a median for the mean).
+/// By the second differences in both directions, in which edges are few (Immerkaer 1996, with a
+/// median for the mean).
 std::optional<double> noise_of(const cv::Mat& image, const cv::Mat& is_valid) {
   constexpr double kMedianOfNormal = 0.6745;
   const cv::Matx33f differences(1, -2, 1, -2, 4, -2, 1, -2, 1);  // of noise of 1 their sigma is 6

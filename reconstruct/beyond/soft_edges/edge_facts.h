@@ -14,15 +14,16 @@ struct EdgesOfScale {
   int scale_px = 1;  ///< 1: the image itself, 2: at half size, ...
   std::size_t n_segments = 0;
   double length_px = 0.0;  ///< of all of them, pixels of the image
-  /// Median standard deviation of the blur of their edges, pixels of the image, at most 6 scale_px; nothing with
-  /// fewer than five clean edges.
+  /// Median standard deviation of the blur of their edges, pixels of the image, at most 6 scale_px;
+  /// nothing with fewer than five clean edges.
   std::optional<double> width_px{};
 };
 
 /// How sharp the edges of an image are, and how noisy its pixels.
 struct EdgeFacts {
   std::vector<EdgesOfScale> scales;  ///< the finest first; empty without segments
-  /// Standard deviation of a pixel's grey value, of a range of 1; nothing for an image without data.
+  /// Standard deviation of a pixel's grey value, of a range of 1; nothing for an image without
+  /// data.
   std::optional<double> noise{};
 };
 

@@ -17,9 +17,10 @@ namespace {
 
 constexpr int kMostHalvings = 3;
 constexpr double kLong_px = 50.0;  ///< texture gives no segments of this length
-/// Growth of the length of long segments by which texture hides the edges of an image. Sharp images reach 1.06. The
-/// soft pair of sample patch 5 (Bayer, JPEG) exceeds 1.2 and gains by it; some views of the villages of seeds 1 to 3,
-/// which have no such texture, exceed it with a blur of 3 px and lose 2 % of their roof edges.
+/// Growth of the length of long segments by which texture hides the edges of an image. Sharp images
+/// reach 1.06. The soft pair of sample patch 5 (Bayer, JPEG) exceeds 1.2 and gains by it; some
+/// views of the villages of seeds 1 to 3, which have no such texture, exceed it with a blur of 3 px
+/// and lose 2 % of their roof edges.
 constexpr double kSoft = 1.2;
 /// Long segments of less length in all do not show whether an image is soft.
 constexpr double kFewest_px = 500.0;
@@ -36,8 +37,8 @@ double long_px(std::span<const EdgeSegment> edges) {
   return sum_px;
 }
 
-/// The length of the stretch that a segment and an edge have in common; 0 unless the segment lies on the
-/// edge all along it.
+/// The length of the stretch that a segment and an edge have in common; 0 unless the segment lies
+/// on the edge all along it.
 double common_px(const Segment2& edge, const Segment2& segment, double tolerance_px) {
   constexpr double kMostTurn_deg = 10.0;  // short segments are turned by their noise
   if (acute_angle_rad(edge, segment) > kMostTurn_deg * kRadPerDeg) return 0.0;
@@ -53,8 +54,8 @@ double common_px(const Segment2& edge, const Segment2& segment, double tolerance
   return (high - low) * length(edge);
 }
 
-/// Both lists with each edge once. A wider edge is left out if a finer segment shows it as a whole. If not,
-/// it takes the place of the finer segments that lie on it.
+/// Both lists with each edge once. A wider edge is left out if a finer segment shows it as a whole.
+/// If not, it takes the place of the finer segments that lie on it.
 std::vector<EdgeSegment> merged(std::span<const EdgeSegment> finer,
                                 std::span<const EdgeSegment> wider) {
   const std::vector<Segment2> lines = transformed(finer, &EdgeSegment::in_image);
@@ -87,7 +88,8 @@ std::vector<EdgeSegment> merged(std::span<const EdgeSegment> finer,
 std::vector<EdgeSegment> segments_at_their_width(const View& view,
                                                  double gradient_sigma_px,
                                                  const Extraction& extract) {
-  // Of the blur. From 0.65 to 1 the villages of seeds 1 to 3 give the most roof edges at a blur of 2, 3 and 4 px.
+  // Of the blur. From 0.65 to 1 the villages of seeds 1 to 3 give the most roof edges at a blur of
+  // 2, 3 and 4 px.
   constexpr double kSmoothing = 0.75;
   constexpr double kWorthwhileSmoothing = 1.1;
   std::vector<EdgeSegment> segments = extract(view, gradient_sigma_px);
