@@ -224,8 +224,7 @@ void check_scene(const Scene& scene, std::span<const ViewPair> pairs) {
 
 const char* name(Matcher matcher) { return matcher == Matcher::kPairwise ? "pairwise" : "chio"; }
 
-std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options) {
-  if (view.own_segments) return completed_own_segments(view);
+void extract(std::span<View> views, const ExtractionOptions& options) {
   const auto extract_smoothed = [&](const View& seen, double gradient_sigma_px) {
     const ImagePart image(seen.image, {seen.corner_px.x(), seen.corner_px.y()});
     ExtractionOptions smoothed = options;
@@ -235,24 +234,36 @@ std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& opti
     remove_edges_of_no_data(segments, seen.is_valid);
     return segments;
   };
+  std::vector<View*> searched;
+  tbb::parallel_for_each(views, [&](View& view) {
+    view.image = normalised(view);
+    if (view.own_segments) view.segments = completed_own_segments(view);
+  });
+  for (View& view : views) {
+    if (!view.own_segments) searched.push_back(&view);
+  }
   const double gradient_sigma_px = options.edges.gradient_sigma_px;
-  return options.beyond.soft_edges
-             ? segments_at_their_scales(view, gradient_sigma_px, extract_smoothed)
-             : extract_smoothed(view, gradient_sigma_px);
+  if (!options.beyond.soft_edges) {
+    tbb::parallel_for_each(searched, [&](View* view) {
+      view->segments = extract_smoothed(*view, gradient_sigma_px);
+    });
+    return;
+  }
+  auto found = segments_at_common_size(std::vector<const View*>(searched.begin(), searched.end()),
+                                       gradient_sigma_px, extract_smoothed);
+  for (std::size_t i = 0; i < searched.size(); ++i) searched[i]->segments = std::move(found[i]);
 }
 
-void extract(Scene& scene, const ExtractionOptions& options) {
-  tbb::parallel_for_each(scene.views, [&](View& view) {
-    view.image = normalised(view);
-    view.segments = extract(view, options);
-  });
+std::vector<EdgeSegment> extract(View view, const ExtractionOptions& options) {
+  extract({&view, 1}, options);
+  return std::move(view.segments);
 }
 
 Reconstruction reconstruct(Scene scene, const Options& options, std::span<const ViewPair> pairs) {
   check_scene(scene, pairs);
   validate(options);
   Reconstruction result{in_local_frame(std::move(scene)), {}, {}, {}};
-  extract(result.scene, options.extraction);
+  extract(result.scene.views, options.extraction);
   const std::vector<ViewPair> used =
       pairs.empty() ? pairs_of(result.scene, options) : std::vector(pairs.begin(), pairs.end());
   for (const ViewPair& views : used) result.pairs.push_back(match(result.scene, views, options));
@@ -397,19 +408,20 @@ std::vector<ReconstructedLine> estimate(const Scene& scene,
                                         const Options& options) {
   std::vector<Surface> surfaces;
   surfaces.reserve(pairs.size());
+  const std::vector<int> factors = transformed(scene.views, scale_of_blur);
   std::vector<UsedPair> scaled_pairs(pairs.begin(), pairs.end());
   for (UsedPair& pair : scaled_pairs) {
     if (pair.surface == nullptr) continue;
-    surfaces.push_back(at_scale_of_edges(stereo_pair(scene, pair.views), *pair.surface));
+    surfaces.push_back(reduced(stereo_pair(scene, pair.views), *pair.surface,
+                               {factors[pair.views.base], factors[pair.views.search]}));
     pair.surface = &surfaces.back();
   }
   std::vector<ReconstructedLine> lines =
-      estimate_at_scale(at_scale_of_edges(scene), tracks, scaled_pairs, options);
-  const std::vector<int> scales = transformed(scene.views, scale_of_edges);
+      estimate_at_scale(reduced(scene, factors), tracks, scaled_pairs, options);
   for (ReconstructedLine& line : lines) {
     for (SeenSegment& seen : line.seen) {
       const std::size_t view = seen.sighting.view;
-      seen.px = in_pixels_of(scene.views[view], scales[view], seen.px);
+      seen.px = in_pixels_of(scene.views[view], factors[view], seen.px);
     }
   }
   return lines;

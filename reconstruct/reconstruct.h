@@ -89,12 +89,12 @@ Reconstruction reconstruct(Scene scene,
                            const Options& options = {},
                            std::span<const ViewPair> pairs = {});
 
-/// The segments of a view with a normalised image: View::own_segments if it has them, otherwise
-/// those that are found now.
-std::vector<EdgeSegment> extract(const View& view, const ExtractionOptions& options = {});
+/// Normalises the images of the views of one place and finds their segments, those of all views at
+/// a common size. A view with View::own_segments keeps these.
+void extract(std::span<View> views, const ExtractionOptions& options = {});
 
-/// Normalises the images of all views and finds their segments.
-void extract(Scene& scene, const ExtractionOptions& options = {});
+/// The segments of a view by itself.
+std::vector<EdgeSegment> extract(View view, const ExtractionOptions& options = {});
 
 /// The pairs of views to be matched: choose_pairs(), or the first two views alone if the options say so.
 std::vector<ViewPair> pairs_of(const Scene& scene, const Options& options = {});

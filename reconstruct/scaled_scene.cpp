@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/scaled_scene.h"
 
+#include "reconstruct/geometry/transformed.h"
+#include "reconstruct/ok2011/extract/edge_blur.h"
+
 #include <Eigen/LU>
 
-namespace ridgeline::reconstruct {
-namespace {
+#include <algorithm>
+#include <cmath>
 
-/// Ideal pixels of a view from those of the view at_scale_of_edges().
-Eigen::Matrix3d file_from_scaled(const View& view) {
-  return image_from_reduced(view, scale_of_edges(view));
+namespace ridgeline::reconstruct {
+Scene reduced(const Scene& scene, std::span<const int> factors) {
+  Scene scaled{{}, scene.height_range_in_local_m, scene.frame};
+  for (std::size_t i = 0; i < scene.views.size(); ++i)
+    scaled.views.push_back(reduced(scene.views[i], factors[i]));
+  return scaled;
 }
 
-}  // namespace
-
 Scene at_scale_of_edges(const Scene& scene) {
-  Scene scaled{{}, scene.height_range_in_local_m, scene.frame};
-  for (const View& view : scene.views) scaled.views.push_back(at_scale_of_edges(view));
-  return scaled;
+  return reduced(scene, transformed(scene.views, scale_of_edges));
+}
+
+int scale_of_blur(const View& view) {
+  const double blur_px = edge_blur_px(view.image, extracted(view.segments)).value_or(0.0);
+  return std::max(scale_of_edges(view), static_cast<int>(std::lround(blur_px)));
 }
 
 ScaledPair::ScaledPair(const StereoPair& pair_in_files)
@@ -27,14 +34,18 @@ void take_to_pixels_of_files(const StereoPair& pair_in_files, Surface& surface) 
   for (std::size_t i = 0; i < pair_in_files.views.size(); ++i) {
     Eigen::Matrix3d& rectified_from_ideal = surface.rectification.rectified_from_ideal[i];
     rectified_from_ideal =
-        rectified_from_ideal * file_from_scaled(*pair_in_files.views[i]).inverse();
+        rectified_from_ideal *
+        image_from_reduced(*pair_in_files.views[i], scale_of_edges(*pair_in_files.views[i])).inverse();
   }
 }
 
-Surface at_scale_of_edges(const StereoPair& pair_in_files, Surface surface) {
+Surface reduced(const StereoPair& pair_in_files,
+                Surface surface,
+                const std::array<int, 2>& factors) {
   for (std::size_t i = 0; i < pair_in_files.views.size(); ++i) {
     Eigen::Matrix3d& rectified_from_ideal = surface.rectification.rectified_from_ideal[i];
-    rectified_from_ideal = rectified_from_ideal * file_from_scaled(*pair_in_files.views[i]);
+    rectified_from_ideal =
+        rectified_from_ideal * image_from_reduced(*pair_in_files.views[i], factors[i]);
   }
   return surface;
 }

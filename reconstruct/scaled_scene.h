@@ -5,11 +5,21 @@
 #include "reconstruct/views/reduced_view.h"
 
 #include <array>
+#include <span>
 
 namespace ridgeline::reconstruct {
 
-/// The views in the pixels in which their edges were found. The tolerances of all steps are made for those.
+/// The scene with each view reduced by its factor.
+Scene reduced(const Scene& scene, std::span<const int> factors);
+
+/// The views in the pixels in which their edges were found. The tolerances of matching are made for
+/// those.
 Scene at_scale_of_edges(const Scene& scene);
+
+/// The factor by which a view is reduced to estimate lines, 1 or more: a pixel is then about as
+/// large as the blur of its edges. What lies closer to an edge moves it, in all views alike or in
+/// one of them, by a share of its blur; the sigmas of these errors are stated in pixels.
+int scale_of_blur(const View& view);
 
 /// A pair in the pixels in which the edges of its views were found.
 struct ScaledPair {
@@ -26,7 +36,10 @@ struct ScaledPair {
 /// Takes the surface of a ScaledPair to the pixels of the files.
 void take_to_pixels_of_files(const StereoPair& pair_in_files, Surface& surface);
 
-/// The surface of a pair in the pixels of its ScaledPair. The disparities are shared, not copied.
-Surface at_scale_of_edges(const StereoPair& pair_in_files, Surface surface);
+/// The surface of a pair in the pixels of its views reduced by their factors. The disparities are
+/// shared, not copied.
+Surface reduced(const StereoPair& pair_in_files,
+                Surface surface,
+                const std::array<int, 2>& factors);
 
 }  // namespace ridgeline::reconstruct

@@ -103,7 +103,7 @@ int run_match(MatchArguments a) {
   const LocalFrame frame = check_patch(file);
   reconstruct::Scene scene = patch_scene(file, frame, patch_images(file));
   warn_of(check_pairs(file, scene, {&kPairOfPatch, 1}, a.max_y_parallax_px));
-  reconstruct::extract(scene, a.options.extraction);
+  reconstruct::extract(scene.views, a.options.extraction);
   warn_of(unused_segments(file, scene));
   reconstruct::PairMatches result = reconstruct::match(scene, kPairOfPatch, a.options);
   add_guided(scene, {&result, 1});

@@ -84,13 +84,11 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch,
 }
 
 std::vector<std::string> unused_segments(const io::PatchFile& patch,
-                                         const reconstruct::Scene& scene,
-                                         std::span<const std::size_t> images) {
+                                         const reconstruct::Scene& scene) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < patch.images.size(); ++i) {
     const std::optional<std::string>& file = patch.images[i].segments;
-    const bool is_asked = images.empty() || std::ranges::find(images, i) != images.end();
-    if (!file || !is_asked) continue;
+    if (!file) continue;
     const std::size_t n = io::read_own_segments(*file, patch.segment_sigma_px).size();
     const std::size_t n_used = extracted(scene.views[i].segments).size();
     if (n_used == n) continue;

@@ -42,10 +42,8 @@ reconstruct::Scene patch_scene(const io::PatchFile& patch,
 
 /// Warns of segments of another detector that are not used: their middle lies outside of the window
 /// that is read, or completed_own_segments() leaves them out.
-/// @param images  have segments in the scene; default: all
 std::vector<std::string> unused_segments(const io::PatchFile& patch,
-                                         const reconstruct::Scene& scene,
-                                         std::span<const std::size_t> images = {});
+                                         const reconstruct::Scene& scene);
 
 /// The names that the files of an image's segments have in the folder of a run: edges_file() holds the extracted segments,
 /// segments_file() these and the ones found while matching.

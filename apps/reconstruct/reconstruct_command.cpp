@@ -49,7 +49,7 @@ struct ReconstructArguments {
 void find_segments(const io::PatchFile& patch,
                    const ReconstructArguments& a,
                    reconstruct::Scene& scene) {
-  if (a.matches.empty()) return reconstruct::extract(scene, a.options.extraction);
+  if (a.matches.empty()) return reconstruct::extract(scene.views, a.options.extraction);
   const fs::path folder = fs::path(a.matches).parent_path();
   for (std::size_t i = 0; i < scene.views.size(); ++i) {
     reconstruct::View& view = scene.views[i];

@@ -71,7 +71,6 @@ class PatchRun {
         stages_(patch, options, out),
         cache_(out.path(patch.file.id), options.resume) {
     image_keys_.resize(patch_.images.size());
-    extract_keys_.resize(patch_.images.size());
     if (patch_.reference_lines) references_ = read_references();
   }
 
@@ -133,21 +132,16 @@ class PatchRun {
           {}, [&] { record_.add_warnings(stages_.check_pairs()); });
   }
 
-  /// Each image has a stage of its own. The stages that are not done run together.
+  /// All images at once, as they are searched at a common size.
   void extract() {
-    progress_.begin(fmt::format("{}: extract", patch_.id));
-    const std::vector<std::string> files = stages_.edge_files();
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      extract_keys_[i] = stage_key(
-          {image_keys_[i], parameters_["extract"].dump(), own_segments_key(patch_.images[i])});
-      if (!cache_.is_done(extract_stage(i), extract_keys_[i])) open.push_back(i);
+    std::vector<std::string> parts{parameters_["extract"].dump()};
+    for (std::size_t i = 0; i < image_keys_.size(); ++i) {
+      parts.push_back(image_keys_[i]);
+      parts.push_back(own_segments_key(patch_.images[i]));
     }
-    result_.n_skipped_stages += files.size() - open.size();
-    if (!open.empty()) record_.add_warnings(stages_.extract(open));
-    for (const std::size_t i : open)
-      cache_.set_done(extract_stage(i), extract_keys_[i], {files[i]});
-    record_.end_stage(patch_.id + "/extract");
+    extract_key_ = stage_key(parts);
+    stage("extract", extract_key_, stages_.edge_files(),
+          [&] { record_.add_warnings(stages_.extract()); });
   }
 
   /// The segments of another detector, as text; empty if the image has none.
@@ -156,14 +150,10 @@ class PatchRun {
     return fmt::format("{} {}", record_.hash_of(*image.segments), patch_.segment_sigma_px);
   }
 
-  [[nodiscard]] std::string extract_stage(std::size_t i) const {
-    return "extract " + patch_.images[i].id;
-  }
-
   void match() {
     std::vector<std::string> parts{views_key(), parameters_["match"].dump(),
-                                   parameters_["tracks"].dump(), parameters_["chio"].dump()};
-    parts.insert(parts.end(), extract_keys_.begin(), extract_keys_.end());
+                                   parameters_["tracks"].dump(), parameters_["chio"].dump(),
+                                   extract_key_};
     for (const auto matcher : options_.parameters.method.matching.matchers) {
       parts.emplace_back(reconstruct::name(matcher));
     }
@@ -317,7 +307,8 @@ class PatchRun {
   results::RunRecord& record_;
   PatchStages stages_;
   StageCache cache_;
-  std::vector<std::string> image_keys_, extract_keys_;  ///< by image
+  std::vector<std::string> image_keys_;  ///< by image
+  std::string extract_key_;
   std::string match_key_;
   std::vector<std::string> lines_keys_;
   std::optional<std::vector<evaluate::ReferenceLine>> references_;

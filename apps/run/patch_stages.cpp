@@ -188,15 +188,13 @@ std::vector<std::string> PatchStages::check_pairs() {
                              options_.max_y_parallax_px);
 }
 
-std::vector<std::string> PatchStages::extract(std::span<const std::size_t> images) {
+std::vector<std::string> PatchStages::extract() {
   read_images();
-  tbb::parallel_for_each(images, [&](std::size_t i) {
-    reconstruct::View& view = scene_.views[i];
-    view.segments = reconstruct::extract(view, options_.parameters.method.extraction);
-  });
+  reconstruct::extract(scene_.views, options_.parameters.method.extraction);
   const std::vector<std::string> files = edge_files();
-  for (const std::size_t i : images) io::write_segments(path(files[i]), scene_.views[i].segments);
-  return unused_segments(patch_, scene_, images);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    io::write_segments(path(files[i]), scene_.views[i].segments);
+  return unused_segments(patch_, scene_);
 }
 
 std::vector<std::string> PatchStages::keep_surface() {

@@ -38,10 +38,8 @@ class PatchStages {
 
   /// The warnings of check_matched_pairs(), which throws IoError unless the images fit their cameras.
   [[nodiscard]] std::vector<std::string> check_pairs();
-  /// Extracts the segments of these images, all at once. One image alone would leave other cores idle while its edges
-  /// are traced in the order of their lengths.
   /// @return the warnings of unused_segments()
-  [[nodiscard]] std::vector<std::string> extract(std::span<const std::size_t> images);
+  [[nodiscard]] std::vector<std::string> extract();
   /// @return the files written
   [[nodiscard]] std::vector<std::string> match();
   /// Writes points of the pair's surface. If there is no surface, the file of an earlier run is removed.

@@ -96,7 +96,7 @@ TEST_F(TwoViews, GiveTheRidgeAndTheEavesOfAHouse) {
 TEST_F(TwoViews, GiveWhatTheStagesGiveOneByOne) {
   const Reconstruction found = reconstruct(oriented());
   Scene scene = in_local_frame(oriented());
-  extract(scene);
+  extract(scene.views);
   std::vector<PairMatches> pairs{match(scene, {0, 1})};
   add_guided(scene, pairs);
   for (std::size_t v = 0; v < 2; ++v)

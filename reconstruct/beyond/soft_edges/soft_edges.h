@@ -5,6 +5,7 @@
 #include "reconstruct/views/scene.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace ridgeline::reconstruct {
@@ -13,23 +14,24 @@ namespace ridgeline::reconstruct {
 using Extraction =
     std::function<std::vector<EdgeSegment>(const View& view, double gradient_sigma_px)>;
 
-/// The segments of a view, each at the scale of its edge. Lens, demosaicing, compression, haze and
-/// motion spread an edge over several pixels.
+/// The segments of the views of one place, found at the size and with the smoothing that their
+/// edges ask for. Lens, demosaicing, compression, haze and motion spread an edge over several
+/// pixels.
 ///
 /// The gradient is smoothed about as much as the edges are: with less, noise moves and interrupts
 /// them. So where the segments of an image show edges wider than the smoothing was meant for, the
 /// image is searched again.
 ///
-/// At full size a soft image may show its texture more clearly than its edges. It is reduced by
-/// halves as long as that makes its long segments longer by a fifth, all in all. Segments of the
-/// finer images are left out, because they are texture. Further halves bring wider edges. Where
-/// several images show one edge, the finest segment that shows it as a whole is taken.
-/// @param view               its image is CV_32F
+/// At full size soft images may show texture more clearly than edges. They are reduced by 2, then
+/// by 3, 4, 6 and 8 as long as that makes their long segments longer, all in all, the first time
+/// by a fifth. All views are reduced alike: an edge that is found at different sizes has different
+/// ends and neighbours, and fewer matches.
+/// @param views              their images are CV_32F
 /// @param gradient_sigma_px  the least smoothing, for edges of a sharp image
-/// @return in the pixels of the view; EdgeSegment::scale_px states where each was found. For a sharp image, what
-///         `extract` finds in it
-std::vector<EdgeSegment> segments_at_their_scales(const View& view,
-                                                  double gradient_sigma_px,
-                                                  const Extraction& extract);
+/// @return by view, in its pixels; EdgeSegment::scale_px states the reduction. For sharp images,
+///         what `extract` finds in them
+std::vector<std::vector<EdgeSegment>> segments_at_common_size(std::span<const View* const> views,
+                                                              double gradient_sigma_px,
+                                                              const Extraction& extract);
 
 }  // namespace ridgeline::reconstruct

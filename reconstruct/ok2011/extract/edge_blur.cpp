@@ -2,10 +2,12 @@
 #include "reconstruct/ok2011/extract/edge_blur.h"
 
 #include "reconstruct/geometry/median.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/views/colour_profile.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -77,6 +79,12 @@ std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment
     if (*blur < kWidest_px) break;
   }
   return blur_px;
+}
+
+std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const EdgeSegment> segments) {
+  std::vector<Segment2> lines = transformed(segments, &EdgeSegment::in_image);
+  std::ranges::stable_sort(lines, std::greater{}, [](const Segment2& line) { return length(line); });
+  return edge_blur_px(image, std::span<const Segment2>(lines));
 }
 
 }  // namespace ridgeline::reconstruct

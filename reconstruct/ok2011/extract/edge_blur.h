@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reconstruct/geometry/segment.h"
+#include "reconstruct/geometry/edge_segment.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -19,5 +19,8 @@ inline constexpr double kTypicalBlur_px = 0.6;
 /// five such segments.
 /// @param image  CV_32FC(n), n = 1..4
 std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments);
+
+/// The same by the longest of the segments.
+std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const EdgeSegment> segments);
 
 }  // namespace ridgeline::reconstruct
