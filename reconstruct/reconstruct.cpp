@@ -244,9 +244,8 @@ void extract(std::span<View> views, const ExtractionOptions& options) {
   }
   const double gradient_sigma_px = options.edges.gradient_sigma_px;
   if (!options.beyond.soft_edges) {
-    tbb::parallel_for_each(searched, [&](View* view) {
-      view->segments = extract_smoothed(*view, gradient_sigma_px);
-    });
+    tbb::parallel_for_each(
+        searched, [&](View* view) { view->segments = extract_smoothed(*view, gradient_sigma_px); });
     return;
   }
   auto found = segments_at_common_size(std::vector<const View*>(searched.begin(), searched.end()),

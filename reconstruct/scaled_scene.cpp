@@ -35,7 +35,8 @@ void take_to_pixels_of_files(const StereoPair& pair_in_files, Surface& surface) 
     Eigen::Matrix3d& rectified_from_ideal = surface.rectification.rectified_from_ideal[i];
     rectified_from_ideal =
         rectified_from_ideal *
-        image_from_reduced(*pair_in_files.views[i], scale_of_edges(*pair_in_files.views[i])).inverse();
+        image_from_reduced(*pair_in_files.views[i], scale_of_edges(*pair_in_files.views[i]))
+            .inverse();
   }
 }
 

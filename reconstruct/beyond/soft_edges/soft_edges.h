@@ -24,12 +24,14 @@ using Extraction =
 ///
 /// At full size soft images may show texture more clearly than edges. They are reduced by 2, then
 /// by 3, 4, 6 and 8 as long as that makes their long segments longer, all in all, the first time
-/// by a fifth. All views are reduced alike: an edge that is found at different sizes has different
-/// ends and neighbours, and fewer matches.
+/// by a fifth. Segments of the finer images are left out, because they are texture. All views have
+/// this size in common: an edge that is found at different sizes has different ends and neighbours,
+/// and fewer matches. Further reductions bring wider edges. Where several images show one edge, the
+/// finest segment that shows it as a whole is taken.
 /// @param views              their images are CV_32F
 /// @param gradient_sigma_px  the least smoothing, for edges of a sharp image
-/// @return by view, in its pixels; EdgeSegment::scale_px states the reduction. For sharp images,
-///         what `extract` finds in them
+/// @return by view, in its pixels; EdgeSegment::scale_px states where each was found. For
+///         sharp images, what `extract` finds in them
 std::vector<std::vector<EdgeSegment>> segments_at_common_size(std::span<const View* const> views,
                                                               double gradient_sigma_px,
                                                               const Extraction& extract);

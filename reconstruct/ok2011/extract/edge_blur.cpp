@@ -83,7 +83,8 @@ std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment
 
 std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const EdgeSegment> segments) {
   std::vector<Segment2> lines = transformed(segments, &EdgeSegment::in_image);
-  std::ranges::stable_sort(lines, std::greater{}, [](const Segment2& line) { return length(line); });
+  std::ranges::stable_sort(lines, std::greater{},
+                           [](const Segment2& line) { return length(line); });
   return edge_blur_px(image, std::span<const Segment2>(lines));
 }
 
