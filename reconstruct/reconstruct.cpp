@@ -416,7 +416,7 @@ std::vector<ReconstructedLine> estimate(const Scene& scene,
     pair.surface = &surfaces.back();
   }
   std::vector<ReconstructedLine> lines =
-      estimate_at_scale(reduced(scene, factors), tracks, scaled_pairs, options);
+      estimate_at_scale(at_scale_of_blur(scene, factors), tracks, scaled_pairs, options);
   for (ReconstructedLine& line : lines) {
     for (SeenSegment& seen : line.seen) {
       const std::size_t view = seen.sighting.view;

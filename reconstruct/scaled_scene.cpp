@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reconstruct/scaled_scene.h"
 
-#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/ok2011/extract/edge_blur.h"
 
 #include <Eigen/LU>
@@ -10,20 +9,41 @@
 #include <cmath>
 
 namespace ridgeline::reconstruct {
-Scene reduced(const Scene& scene, std::span<const int> factors) {
-  Scene scaled{{}, scene.height_range_in_local_m, scene.frame};
-  for (std::size_t i = 0; i < scene.views.size(); ++i)
-    scaled.views.push_back(reduced(scene.views[i], factors[i]));
-  return scaled;
+namespace {
+
+/// Adds the error by what lies within the blur of an edge. Of 0.1, 0.2 and 0.3 px, 0.2 gives the
+/// smallest median error of the lines of the villages of seeds 1 to 3 at a blur of 2 px, and sigmas
+/// that hold.
+/// @param segment  in pixels as large as its blur
+void add_error_of_blur(UncertainSegment2& segment) {
+  constexpr double kMoved_px = 0.2;
+  constexpr double kTurned_px = 0.15;  // an end against the middle
+  const double half_length_px = 0.5 * length(segment.segment);
+  segment.sigma_q_px = std::hypot(segment.sigma_q_px, kMoved_px);
+  segment.sigma_phi_rad = std::hypot(segment.sigma_phi_rad, kTurned_px / half_length_px);
 }
 
+}  // namespace
+
 Scene at_scale_of_edges(const Scene& scene) {
-  return reduced(scene, transformed(scene.views, scale_of_edges));
+  Scene scaled{{}, scene.height_range_in_local_m, scene.frame};
+  for (const View& view : scene.views) scaled.views.push_back(at_scale_of_edges(view));
+  return scaled;
 }
 
 int scale_of_blur(const View& view) {
   const double blur_px = edge_blur_px(view.image, extracted(view.segments)).value_or(0.0);
   return std::max(scale_of_edges(view), static_cast<int>(std::lround(blur_px)));
+}
+
+Scene at_scale_of_blur(const Scene& scene, std::span<const int> factors) {
+  Scene scaled{{}, scene.height_range_in_local_m, scene.frame};
+  for (std::size_t i = 0; i < scene.views.size(); ++i) {
+    View& view = scaled.views.emplace_back(reduced(scene.views[i], factors[i]));
+    if (factors[i] <= scale_of_edges(scene.views[i])) continue;
+    for (EdgeSegment& segment : view.segments) add_error_of_blur(segment.line);
+  }
+  return scaled;
 }
 
 ScaledPair::ScaledPair(const StereoPair& pair_in_files)

@@ -9,17 +9,18 @@
 
 namespace ridgeline::reconstruct {
 
-/// The scene with each view reduced by its factor.
-Scene reduced(const Scene& scene, std::span<const int> factors);
-
 /// The views in the pixels in which their edges were found. The tolerances of matching are made for
 /// those.
 Scene at_scale_of_edges(const Scene& scene);
 
 /// The factor by which a view is reduced to estimate lines, 1 or more: a pixel is then about as
-/// large as the blur of its edges. What lies closer to an edge moves it, in all views alike or in
-/// one of them, by a share of its blur; the sigmas of these errors are stated in pixels.
+/// large as the blur of its edges. What lies within the blur of an edge moves it, in all views
+/// alike or in one of them, and the sigmas of these errors are stated in pixels.
 int scale_of_blur(const View& view);
+
+/// The views reduced by their scale_of_blur(). Where that is more than the scale of the edges, the
+/// segments are as uncertain as edges are that are moved and turned by what lies within their blur.
+Scene at_scale_of_blur(const Scene& scene, std::span<const int> factors);
 
 /// A pair in the pixels in which the edges of its views were found.
 struct ScaledPair {
