@@ -8,16 +8,19 @@ namespace ridgeline::reconstruct {
 /// The state after a Gauss-Newton step. The step is halved until the sum of squares does not grow, because
 /// the linear range is smaller than the step if conditions nearly coincide. Nothing if the sum grows for the
 /// smallest step as well.
-/// @param sum       the sum of squares before the step, in standard deviations squared
-/// @param state_at  the state after a share of the step
-/// @param sum_of    the sum of squares of a state
+/// @param sum            the sum of squares before the step, in standard deviations squared
+/// @param state_at       the state after a share of the step
+/// @param sum_of         the sum of squares of a state
+/// @param largest_share  the share that is tried first
 template <typename StateAt, typename SumOf>
-auto halved_step(double sum, const StateAt& state_at, const SumOf& sum_of)
-    -> std::optional<decltype(state_at(1.0))> {
+auto halved_step(double sum,
+                 const StateAt& state_at,
+                 const SumOf& sum_of,
+                 double largest_share = 1.0) -> std::optional<decltype(state_at(1.0))> {
   constexpr int kMostTries = 10;
   // Relative to the sum and absolute; the unit of the sum is one standard deviation squared.
   constexpr double kRounding = 1e-9;
-  double share = 1.0;
+  double share = largest_share;
   for (int i = 0; i < kMostTries; ++i, share *= 0.5) {
     auto state = state_at(share);
     if (sum_of(state) <= sum * (1.0 + kRounding) + kRounding) return state;

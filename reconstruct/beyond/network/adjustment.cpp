@@ -143,6 +143,7 @@ std::vector<Vector6d> NetworkAdjustment::moved(const Eigen::VectorXd& step, doub
 
 bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
   converged_ = false;
+  double before = std::numeric_limits<double>::infinity();  // the largest step, in sigmas
   for (int pass = 0; pass < most_passes; ++pass) {
     const double sum = sum_of_squares(estimates_);
     Eigen::VectorXd right;
@@ -157,10 +158,15 @@ bool NetworkAdjustment::minimise(double tolerance_sigma, int most_passes) {
       const Eigen::Vector4d own = step.segment<4>(at);
       largest = std::max(largest, own.dot(lower.selfadjointView<Eigen::Lower>() * own));
     }
+    largest = std::sqrt(largest);
+    // Where the images of a line contradict each other, full steps may go to and fro about the
+    // minimum, ever farther, by too little to show in the sum of all lines.
+    const double largest_share = largest > before ? 0.5 : 1.0;
     const auto next = halved_step(
         sum, [&](double share) { return moved(step, share); },
-        [&](const std::vector<Vector6d>& lines) { return sum_of_squares(lines); });
-    converged_ = std::sqrt(largest) < tolerance_sigma;
+        [&](const std::vector<Vector6d>& lines) { return sum_of_squares(lines); }, largest_share);
+    before = largest;
+    converged_ = largest < tolerance_sigma;
     if (next) estimates_ = *next;
     for (std::size_t i = 0; i < lines_.size(); ++i) bases_[i] = line_tangent_basis(estimates_[i]);
     if (converged_ || !next) break;

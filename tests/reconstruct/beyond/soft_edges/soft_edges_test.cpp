@@ -2,6 +2,7 @@
 #include "reconstruct/beyond/soft_edges/soft_edges.h"
 
 #include "reconstruct/beyond/extensions.h"
+#include "reconstruct/geometry/transformed.h"
 #include "reconstruct/views/normalised_image.h"
 #include "tests/reconstruct/ok2011/extract/blurred_scene.h"
 
@@ -9,7 +10,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace ridgeline::reconstruct {
@@ -60,8 +63,9 @@ std::vector<EdgeSegment> extract_smoothed(const View& seen, double gradient_sigm
 std::vector<EdgeSegment> segments_of(const test::BlurredScene& scene, bool soft_edges) {
   View view;
   view.image = normalised_image(scene.raw);
-  return soft_edges ? segments_at_their_scales(view, kSmoothing_px, extract_smoothed)
-                    : extract_smoothed(view, kSmoothing_px);
+  if (!soft_edges) return extract_smoothed(view, kSmoothing_px);
+  return segments_at_common_size(std::array{&std::as_const(view)}, kSmoothing_px, extract_smoothed)
+      .front();
 }
 
 /// Share of the edges of which one segment covers most, within 3 px of both its ends.
@@ -120,12 +124,12 @@ std::vector<double> smoothing_of(const test::BlurredScene& scene) {
   View view;
   view.image = normalised_image(scene.raw);
   std::vector<double> smoothing_px;
-  (void)segments_at_their_scales(view, kSmoothing_px,
-                                 [&](const View& seen, double gradient_sigma_px) {
-                                   if (seen.image.size() == view.image.size())
-                                     smoothing_px.push_back(gradient_sigma_px);
-                                   return extract_smoothed(seen, gradient_sigma_px);
-                                 });
+  (void)segments_at_common_size(std::array{&std::as_const(view)}, kSmoothing_px,
+                                [&](const View& seen, double gradient_sigma_px) {
+                                  if (seen.image.size() == view.image.size())
+                                    smoothing_px.push_back(gradient_sigma_px);
+                                  return extract_smoothed(seen, gradient_sigma_px);
+                                });
   return smoothing_px;
 }
 
@@ -163,14 +167,14 @@ TEST(SoftEdges, LeaveASharpImageAsItIs) {
   }
 }
 
-/// The segments that are found at each factor, in pixels of that image.
+/// The segments that are found in a view of 400 x 400 px at each factor, in pixels of that image.
 struct FoundByFactor {
-  std::vector<Segment2> at_1, at_2, at_4;
+  std::vector<Segment2> at_1, at_2, at_3;
 
-  std::vector<EdgeSegment> operator()(const View& seen, double /*gradient_sigma_px*/) const {
+  [[nodiscard]] std::vector<EdgeSegment> in(const View& seen) const {
     const std::vector<Segment2>& found = seen.image.cols == 400   ? at_1
                                          : seen.image.cols == 200 ? at_2
-                                         : seen.image.cols == 100 ? at_4
+                                         : seen.image.cols == 133 ? at_3
                                                                   : kNone;
     std::vector<EdgeSegment> edges;
     for (const Segment2& s : found) {
@@ -185,37 +189,60 @@ struct FoundByFactor {
   inline static const std::vector<Segment2> kNone{};
 };
 
-std::vector<double> scales_of(const FoundByFactor& found) {
-  View view;
-  view.image = cv::Mat::zeros(400, 400, CV_32FC1);
-  std::vector<double> scales;
-  for (const EdgeSegment& edge : segments_at_their_scales(view, kSmoothing_px, found))
-    scales.push_back(edge.scale_px);
-  return scales;
+/// The scales of the segments of each view.
+std::vector<std::vector<double>> scales_of(const std::vector<FoundByFactor>& found) {
+  std::vector<View> views(found.size());
+  std::vector<const View*> borrowed;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    views[i].id = std::to_string(i);
+    views[i].image = cv::Mat::zeros(400, 400, CV_32FC1);
+    borrowed.push_back(&views[i]);
+  }
+  const auto of_view = [&](const View& seen, double /*gradient_sigma_px*/) {
+    return found[std::stoul(seen.id)].in(seen);
+  };
+  return transformed(segments_at_common_size(borrowed, kSmoothing_px, of_view),
+                     [](const std::vector<EdgeSegment>& edges) {
+                       return transformed(edges, &EdgeSegment::scale_px);
+                     });
 }
 
+constexpr double kRow = 26.0 + 5.0 / 6.0;  // at 1/3, where row 40.5 at 1/2 is
+
 TEST(SoftEdges, OfOneEdgeAreTakenFromTheFinestImageThatShowsItWhole) {
-  const Segment2 in_4{{10.0, 20.0}, {90.0, 20.0}};
+  const Segment2 in_3{{13.5, kRow}, {120.0, kRow}};
   const Segment2 in_2{{20.5, 40.5}, {180.5, 40.5}};  // the same edge
   const Segment2 other_in_2{{20.0, 100.0}, {180.0, 100.0}};
-  const Segment2 other_in_4{{10.0, 80.0}, {60.0, 80.0}};
-  EXPECT_THAT(scales_of({.at_1 = {}, .at_2 = {in_2, other_in_2}, .at_4 = {in_4, other_in_4}}),
-              testing::ElementsAre(2.0, 2.0, 4.0));
+  const Segment2 other_in_3{{10.0, 110.0}, {60.0, 110.0}};
+  EXPECT_THAT(scales_of({{.at_1 = {}, .at_2 = {in_2, other_in_2}, .at_3 = {in_3, other_in_3}}}),
+              testing::ElementsAre(testing::ElementsAre(2.0, 2.0, 3.0)));
 }
 
 TEST(SoftEdges, OfPiecesAreTakenFromTheImageThatShowsThemAsOne) {
-  const Segment2 in_4{{10.0, 20.0}, {90.0, 20.0}};
+  const Segment2 in_3{{13.5, kRow}, {120.0, kRow}};
   const Segment2 first{{20.5, 40.5}, {70.0, 40.5}};
   const Segment2 second{{120.0, 40.5}, {170.0, 40.5}};
   const Segment2 elsewhere{{20.0, 100.0}, {175.0, 100.0}};
-  EXPECT_THAT(scales_of({.at_1 = {}, .at_2 = {first, second, elsewhere}, .at_4 = {in_4}}),
-              testing::ElementsAre(4.0, 2.0));
+  EXPECT_THAT(scales_of({{.at_1 = {}, .at_2 = {first, second, elsewhere}, .at_3 = {in_3}}}),
+              testing::ElementsAre(testing::ElementsAre(3.0, 2.0)));
 }
 
-TEST(SoftEdges, AreNotToldFromFewSegments) {
+TEST(SoftEdges, OfAllViewsHaveTheSizeThatIsBestForMostEdges) {
+  const Segment2 in_1{{20.0, 20.0}, {380.0, 20.0}};
+  const Segment2 in_2{{10.0, 50.0}, {190.0, 50.0}};
+  const Segment2 other_in_2{{10.0, 150.0}, {190.0, 150.0}};
+  const FoundByFactor sharp{.at_1 = {in_1}, .at_2 = {in_2}, .at_3 = {}};
+  const FoundByFactor soft{.at_1 = {}, .at_2 = {in_2, other_in_2}, .at_3 = {}};
+  EXPECT_THAT(scales_of({sharp, soft, soft}),
+              testing::ElementsAre(testing::ElementsAre(2.0), testing::ElementsAre(2.0, 2.0),
+                                   testing::ElementsAre(2.0, 2.0)));
+  EXPECT_THAT(scales_of({sharp}), testing::ElementsAre(testing::ElementsAre(1.0)));
+}
+
+TEST(SoftEdges, AreNotFoundByFewSegments) {
   const Segment2 one_in_2{{20.5, 40.5}, {180.5, 40.5}};
-  EXPECT_THAT(scales_of({.at_1 = {{{10.0, 10.0}, {40.0, 10.0}}}, .at_2 = {one_in_2}, .at_4 = {}}),
-              testing::ElementsAre(1.0));
+  EXPECT_THAT(scales_of({{.at_1 = {{{10.0, 10.0}, {40.0, 10.0}}}, .at_2 = {one_in_2}, .at_3 = {}}}),
+              testing::ElementsAre(testing::ElementsAre(1.0)));
 }
 
 }  // namespace
