@@ -234,19 +234,19 @@ void extract(std::span<View> views, const ExtractionOptions& options) {
     remove_edges_of_no_data(segments, seen.is_valid);
     return segments;
   };
-  std::vector<View*> searched;
+  const double gradient_sigma_px = options.edges.gradient_sigma_px;
   tbb::parallel_for_each(views, [&](View& view) {
     view.image = normalised(view);
-    if (view.own_segments) view.segments = completed_own_segments(view);
+    if (view.own_segments) {
+      view.segments = completed_own_segments(view);
+    } else if (!options.beyond.soft_edges) {
+      view.segments = extract_smoothed(view, gradient_sigma_px);
+    }
   });
+  if (!options.beyond.soft_edges) return;
+  std::vector<View*> searched;
   for (View& view : views) {
     if (!view.own_segments) searched.push_back(&view);
-  }
-  const double gradient_sigma_px = options.edges.gradient_sigma_px;
-  if (!options.beyond.soft_edges) {
-    tbb::parallel_for_each(
-        searched, [&](View* view) { view->segments = extract_smoothed(*view, gradient_sigma_px); });
-    return;
   }
   auto found = segments_at_common_size(std::vector<const View*>(searched.begin(), searched.end()),
                                        gradient_sigma_px, extract_smoothed);
@@ -407,7 +407,8 @@ std::vector<ReconstructedLine> estimate(const Scene& scene,
                                         const Options& options) {
   std::vector<Surface> surfaces;
   surfaces.reserve(pairs.size());
-  const std::vector<int> factors = transformed(scene.views, scale_of_blur);
+  const std::vector<int> factors = transformed(
+      scene.views, options.extraction.beyond.soft_edges ? scale_of_blur : scale_of_edges);
   std::vector<UsedPair> scaled_pairs(pairs.begin(), pairs.end());
   for (UsedPair& pair : scaled_pairs) {
     if (pair.surface == nullptr) continue;

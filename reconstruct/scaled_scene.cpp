@@ -32,7 +32,7 @@ Scene at_scale_of_edges(const Scene& scene) {
 }
 
 int scale_of_blur(const View& view) {
-  const double blur_px = edge_blur_px(view.image, extracted(view.segments)).value_or(0.0);
+  const double blur_px = blur_of_longest_px(view.image, extracted(view.segments)).value_or(0.0);
   return std::max(scale_of_edges(view), static_cast<int>(std::lround(blur_px)));
 }
 

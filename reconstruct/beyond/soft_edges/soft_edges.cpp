@@ -101,7 +101,7 @@ std::vector<EdgeSegment> segments_at_their_width(const View& view,
   constexpr double kSmoothing = 0.75;
   constexpr double kWorthwhileSmoothing = 1.1;
   std::vector<EdgeSegment> segments = extract(view, gradient_sigma_px);
-  const double fitting_px = kSmoothing * edge_blur_px(view.image, segments).value_or(0.0);
+  const double fitting_px = kSmoothing * blur_of_longest_px(view.image, segments).value_or(0.0);
   if (fitting_px < kWorthwhileSmoothing * gradient_sigma_px) return segments;
   return extract(view, fitting_px);
 }

@@ -81,7 +81,8 @@ std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment
   return blur_px;
 }
 
-std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const EdgeSegment> segments) {
+std::optional<double> blur_of_longest_px(const cv::Mat& image,
+                                         std::span<const EdgeSegment> segments) {
   std::vector<Segment2> lines = transformed(segments, &EdgeSegment::in_image);
   std::ranges::stable_sort(lines, std::greater{},
                            [](const Segment2& line) { return length(line); });

@@ -20,7 +20,8 @@ inline constexpr double kTypicalBlur_px = 0.6;
 /// @param image  CV_32FC(n), n = 1..4
 std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const Segment2> segments);
 
-/// The same by the longest of the segments.
-std::optional<double> edge_blur_px(const cv::Mat& image, std::span<const EdgeSegment> segments);
+/// edge_blur_px() of the longest segments.
+std::optional<double> blur_of_longest_px(const cv::Mat& image,
+                                         std::span<const EdgeSegment> segments);
 
 }  // namespace ridgeline::reconstruct

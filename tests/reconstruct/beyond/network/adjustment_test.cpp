@@ -58,6 +58,30 @@ TEST(NetworkAdjustment, OfImagesAloneIsTheIntersectionOfThePlanesWithItsCovarian
   }
 }
 
+TEST(NetworkAdjustment, ConvergesWhereMeetingsContradictTheImages) {
+  constexpr int kNumScenes = 200;
+  constexpr int kMostPasses = 30;  // those of adjust_network()
+  const ConditionedScene scene;
+  test::Random random(323);
+  for (int i = 0; i < kNumScenes; ++i) {
+    std::vector<Segment3> truth{
+        test::make_segment(scene.scene, test::line_at(random.uniform(5.0, 85.0)))};
+    std::vector<Meeting> meetings;
+    for (const int other : {1, 2, 3}) {
+      truth.push_back(test::make_neighbour(scene.scene, truth[0],
+                                           {.parameter = random.uniform(0.1, 0.9),
+                                            .angle_deg = random.uniform(20.0, 160.0),
+                                            .rise_m = random.uniform(-10.0, 10.0)}));
+      meetings.push_back({0, other, {0.8, 0.02}});  // although they miss each other by metres
+    }
+    const std::vector<NetworkLine> lines = observed_lines(scene, truth, random);
+    NetworkAdjustment adjustment(scene.frames, pointers(lines), meetings, kAnyHeight_m,
+                                 kSigmaSlope);
+    ASSERT_TRUE(adjustment.minimise(1e-6, kMostPasses));
+    EXPECT_TRUE(adjustment.converged()) << i;
+  }
+}
+
 /// A line that three others meet, and a fourth one that misses it.
 class MeetingLines : public testing::Test {
  protected:
