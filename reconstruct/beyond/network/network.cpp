@@ -96,18 +96,12 @@ bool decide_meetings(NetworkAdjustment& adjustment, const BuildingOptions& optio
   return adjustment.minimise(kConverged, kMostPasses);
 }
 
-void adjust_group(const ConditionedViews& frames,
-                  std::span<const NetworkLine> lines,
-                  const Group& group,
-                  const std::array<double, 2>& heights_m,
-                  const BuildingOptions& options,
+/// Whether the lines of a group have converged; then these are their results.
+bool take_results(const Group& group,
+                  NetworkAdjustment& adjustment,
                   std::vector<AdjustedInNetwork>& results) {
-  const auto members = transformed(group.lines, [&](int line) { return &lines[line]; });
-  NetworkAdjustment adjustment(frames, members, group.meetings, heights_m, options.sigma_slope);
-  if (!decide_meetings(adjustment, options) || !adjustment.converged() || !adjustment.invert()) {
-    return;
-  }
-  for (std::size_t i = 0; i < members.size(); ++i) {
+  if (!adjustment.converged() || !adjustment.invert()) return false;
+  for (std::size_t i = 0; i < group.lines.size(); ++i) {
     AdjustedInNetwork& result = results[group.lines[i]];
     result.line = {adjustment.estimate(i), adjustment.covariance(i)};
     result.omega = adjustment.image_omega(i);
@@ -117,6 +111,40 @@ void adjust_group(const ConditionedViews& frames,
     if (adjustment.weights[m] == 0.0) continue;
     ++results[group.lines[group.meetings[m].first]].n_meetings;
     ++results[group.lines[group.meetings[m].second]].n_meetings;
+  }
+  return true;
+}
+
+/// The parts of a group that its accepted meetings connect.
+std::vector<Group> accepted_parts(const Group& group, const NetworkAdjustment& adjustment) {
+  std::vector<Meeting> accepted;
+  for (std::size_t m = 0; m < group.meetings.size(); ++m) {
+    if (adjustment.weights[m] > 0.0) accepted.push_back(group.meetings[m]);
+  }
+  std::vector<Group> parts = connected_groups(group.lines.size(), accepted);
+  for (Group& part : parts) {
+    for (int& line : part.lines) line = group.lines[line];
+  }
+  return parts;
+}
+
+void adjust_group(const ConditionedViews& frames,
+                  std::span<const NetworkLine> lines,
+                  const Group& group,
+                  const std::array<double, 2>& heights_m,
+                  const BuildingOptions& options,
+                  std::vector<AdjustedInNetwork>& results) {
+  const auto adjustment_of = [&](const Group& some) {
+    return NetworkAdjustment(frames,
+                             transformed(some.lines, [&](int line) { return &lines[line]; }),
+                             some.meetings, heights_m, options.sigma_slope);
+  };
+  NetworkAdjustment adjustment = adjustment_of(group);
+  if (!decide_meetings(adjustment, options) || take_results(group, adjustment, results)) return;
+  // A line that does not converge, as its images contradict each other, only spoils its own part.
+  for (const Group& part : accepted_parts(group, adjustment)) {
+    NetworkAdjustment alone = adjustment_of(part);
+    if (alone.minimise(kConverged, kMostPasses)) take_results(part, alone, results);
   }
 }
 
