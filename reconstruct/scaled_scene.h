@@ -18,9 +18,8 @@ Scene at_scale_of_edges(const Scene& scene);
 /// alike or in one of them, and the sigmas of these errors are stated in pixels.
 int scale_of_blur(const View& view);
 
-/// The views reduced by these factors, scale_of_blur() of each. Where that is more than the scale of
-/// the edges, the segments get the uncertainty of edges that are moved and turned by what lies
-/// within their blur.
+/// The views reduced by these factors, scale_of_blur() of each. Where that is more than the scale
+/// of the edges, what lies within the blur adds to the uncertainty of the segments.
 Scene at_scale_of_blur(const Scene& scene, std::span<const int> factors);
 
 /// A pair in the pixels in which the edges of its views were found.

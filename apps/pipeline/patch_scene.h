@@ -7,7 +7,6 @@
 #include <opencv2/core/mat.hpp>
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 

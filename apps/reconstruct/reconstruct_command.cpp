@@ -51,11 +51,14 @@ void find_segments(const io::PatchFile& patch,
                    reconstruct::Scene& scene) {
   if (a.matches.empty()) return reconstruct::extract(scene.views, a.options.extraction);
   const fs::path folder = fs::path(a.matches).parent_path();
-  for (std::size_t i = 0; i < scene.views.size(); ++i) {
-    reconstruct::View& view = scene.views[i];
-    const fs::path file = folder / segments_file(patch.images[i]);
-    view.segments = fs::exists(file) ? io::read_segments(file.string())
-                                     : reconstruct::extract(view, a.options.extraction);
+  const auto files = transformed(
+      patch.images, [&](const io::PatchImage& image) { return folder / segments_file(image); });
+  const auto is_there = [](const fs::path& file) { return fs::exists(file); };
+  // All images, as these are searched at a common size.
+  if (!std::ranges::all_of(files, is_there))
+    reconstruct::extract(scene.views, a.options.extraction);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (is_there(files[i])) scene.views[i].segments = io::read_segments(files[i].string());
   }
 }
 

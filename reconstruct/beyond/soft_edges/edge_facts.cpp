@@ -5,12 +5,9 @@
 #include "reconstruct/ok2011/extract/edge_blur.h"
 #include "reconstruct/views/reduced_view.h"
 
-#include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <utility>
 
@@ -38,23 +35,12 @@ std::optional<double> noise_of(const cv::Mat& image, const cv::Mat& is_valid) {
   return median(std::move(sizes)) / (kGain * kMedianOfNormal);
 }
 
-/// A segment in the pixels of the reduced view.
-Segment2 in_reduced(const Segment2& segment, const Eigen::Matrix3d& reduced_from_image) {
-  const auto moved = [&](const Eigen::Vector2d& x) {
-    return Eigen::Vector2d((reduced_from_image * x.homogeneous()).hnormalized());
-  };
-  return {moved(segment.start), moved(segment.end)};
-}
-
-EdgesOfScale edges_of_scale(const View& view, int scale_px, std::vector<Segment2> segments) {
-  EdgesOfScale edges{.scale_px = scale_px, .n_segments = segments.size()};
-  for (const Segment2& segment : segments) edges.length_px += length(segment);
-  const Eigen::Matrix3d reduced_from_image = image_from_reduced(view, scale_px).inverse();
-  for (Segment2& segment : segments) segment = in_reduced(segment, reduced_from_image);
-  // the blur is taken from the longest ones
-  std::ranges::stable_sort(segments, std::greater{},
-                           [](const Segment2& segment) { return length(segment); });
-  edges.width_px = edge_blur_px(reduced(view, scale_px).image, segments);
+/// @param view  its segments are those of the scale
+EdgesOfScale edges_of_scale(const View& view, int scale_px) {
+  EdgesOfScale edges{.scale_px = scale_px, .n_segments = view.segments.size()};
+  for (const EdgeSegment& segment : view.segments) edges.length_px += length(segment.in_image);
+  const View smaller = reduced(view, scale_px);
+  edges.width_px = blur_of_longest_px(smaller.image, smaller.segments);
   if (edges.width_px) *edges.width_px *= scale_px;
   return edges;
 }
@@ -62,12 +48,15 @@ EdgesOfScale edges_of_scale(const View& view, int scale_px, std::vector<Segment2
 }  // namespace
 
 EdgeFacts edge_facts(const View& view) {
-  std::map<int, std::vector<Segment2>> by_scale;
+  std::map<int, std::vector<EdgeSegment>> by_scale;
   for (const EdgeSegment& segment : view.segments)
-    by_scale[static_cast<int>(segment.scale_px)].push_back(segment.in_image);
+    by_scale[static_cast<int>(segment.scale_px)].push_back(segment);
   EdgeFacts facts;
-  for (auto& [scale_px, segments] : by_scale)
-    facts.scales.push_back(edges_of_scale(view, scale_px, std::move(segments)));
+  View of_scale = view;
+  for (auto& [scale_px, segments] : by_scale) {
+    of_scale.segments = std::move(segments);
+    facts.scales.push_back(edges_of_scale(of_scale, scale_px));
+  }
   facts.noise = noise_of(view.image, view.is_valid);
   return facts;
 }

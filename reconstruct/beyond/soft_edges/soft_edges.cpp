@@ -21,9 +21,8 @@ namespace {
 constexpr std::array kFactors{2, 3, 4, 6, 8};
 constexpr double kLong_px = 50.0;  ///< texture gives no segments of this length
 /// Growth of the length of long segments by which texture hides the edges of images. Sharp images
-/// reach 1.06. The soft pair of sample patch 5 (Bayer, JPEG) exceeds 1.2 and gains by it; some
-/// views of the villages of seeds 1 to 3, which have no such texture, exceed it with a blur of 3 px
-/// and lose 2 % of their roof edges.
+/// reach 1.06, villages of seeds 1 to 3 without texture, blurred by 3 px, less than 1.2. The soft
+/// pair of sample patch 5 (Bayer, JPEG) exceeds it and gains by it.
 constexpr double kSoft = 1.2;
 /// Long segments of less length in a view, on average, do not show whether its image is soft.
 constexpr double kFewest_px = 500.0;
